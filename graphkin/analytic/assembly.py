@@ -1,0 +1,166 @@
+"""The drawn position: of all ways to put the mechanism together, the one nearest to the sketch.
+
+The search starts from the sketch and from many other positions, so that every assembly within reach
+is seen and the sketch only has to choose. The random starts are the same every time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from graphkin.analytic.loops import Loops, loops_of
+from graphkin.analytic.newton import Closure, close, search
+from graphkin.analytic.rules import Relation, driven, placing
+from graphkin.analytic.singular import NoAssembly
+from graphkin.analytic.sketch import guess
+from graphkin.analytic.vectors import Real
+from graphkin.mechanism import FRAME, Mechanism
+from graphkin.pairs import Slide
+
+__all__ = ["Assembled", "Drawn", "assemble", "drawn", "held"]
+
+_STARTS = 128
+_MET = 1e-6
+"""A loop open by less than this (in units of size) is closed: lengths in files are rounded."""
+_SAME = 1e-4
+"""Positions of all unknowns nearer than this are one assembly [rad, size]."""
+
+
+@dataclass(frozen=True)
+class Assembled:
+    """The chosen position q (n,), or None; then the smallest gap found [m]."""
+
+    q: Real | None
+    gap: float
+    nearest: Real
+    """Where the smallest gap was found (n,); q itself where there is one."""
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """The drawn position: unknowns q (n,), and each driver's value there [rad or m]."""
+
+    loops: Loops
+    q: Real
+    values: tuple[float, ...]
+
+
+def drawn(mechanism: Mechanism) -> Drawn:
+    """Find the drawn position. Raises NoAssembly."""
+    loops = loops_of(mechanism)
+    found = assemble(mechanism, loops)
+    if found.q is None:
+        raise NoAssembly(mechanism.where("driver"), found.gap * 1e3)
+    return Drawn(loops, found.q, driver_values(mechanism, loops, found.q))
+
+
+def driver_values(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[float, ...]:
+    """Each driver's value: as the file gives it, else as found [rad or m]."""
+    values = []
+    for driver in mechanism.drivers:
+        relation = driven(mechanism, driver)
+        value = float((loops.weights([relation]) @ q)[0]) + (relation.offset or 0.0)
+        if driver.kind != "slide":
+            value = float(np.angle(np.exp(1j * value)))
+        values.append(value if driver.value is None else driver.value)
+    return tuple(values)
+
+
+def held(loops: Loops, relations: Sequence[Relation]) -> tuple[Relation, ...]:
+    """Angles that nothing shows stay at 0."""
+    return tuple(Relation({unknown: 1.0}) for unknown in loops.silent(relations))
+
+
+def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assembled:
+    """Put the mechanism together, its drivers and poses at their values unless not `driving`."""
+    relations, c = _standing(mechanism, loops, driving)
+    closure = Closure.of(loops, relations)
+    starts = _starts(guess(mechanism, loops), mechanism, loops)
+    ends, _ = search(closure, starts, c)
+    closed = close(closure, ends, c, steps=40)
+    gap = np.maximum(closed.gap, closure.known.mismatch(c))
+    best = int(np.argmin(gap))
+    met = gap < _MET
+    if not np.any(met):
+        return Assembled(None, float(gap[best]) * loops.size, closed.q[best])
+    chosen = choose(mechanism, loops, _distinct(closed.q[met]))
+    return Assembled(chosen, 0.0, chosen)
+
+
+def _standing(mechanism: Mechanism, loops: Loops, driving: bool) -> tuple[tuple[Relation, ...], Real]:
+    """The relations that hold at the drawn position, with their right sides (k,)."""
+    given = placing(mechanism) if driving else []
+    known = [(relation, 0.0) for relation in loops.relations if relation.offset is not None]
+    known += [(driven(mechanism, each), value) for each, value in given]
+    known += [(relation, 0.0) for relation in held(loops, [relation for relation, _ in known])]
+    sides = [value - (relation.offset or 0.0) for relation, value in known]
+    return tuple(relation for relation, _ in known), np.array(sides, dtype=np.float64)
+
+
+def _starts(seen: Real, mechanism: Mechanism, loops: Loops) -> Real:
+    """The sketch first, then the sketch shaken more and more, then anything: (b, n)."""
+    rng = np.random.default_rng(1)
+    reach = np.array([np.pi if unknown.kind == "theta" else 1.5 for unknown in loops.unknowns])
+    anywhere = rng.uniform(-reach, reach, (_STARTS, len(reach)))
+    cylinders = _columns(loops, {pair.name for pair in mechanism.slides if _own_line(mechanism, pair)})
+    anywhere[:, cylinders] = abs(anywhere[:, cylinders])
+    shaken = seen + rng.normal(0, 1, anywhere.shape) * np.linspace(0, 0.5, _STARTS)[:, None]
+    sketched = (np.arange(_STARTS) < _STARTS // 2)[:, None] & ~np.isnan(seen)
+    return np.where(sketched, shaken, anywhere)
+
+
+def _distinct(found: Real) -> Real:
+    """One of each assembly, in the order found: (a, n).
+
+    Angles count modulo 2 pi; read as an angle too, a small difference of displacements stays what it is.
+    """
+    kept: list[Real] = []
+    for q in found:
+        if not any(np.max(np.abs(np.exp(1j * (q - other)) - 1), initial=0.0) < _SAME for other in kept):
+            kept.append(q)
+    return np.array(kept)
+
+
+def choose(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
+    """The assembly people drew: cylinders the right way round, then nearest to the sketch.
+
+    Where the sketch does not tell two apart, displacements along a link are taken positive.
+    """
+    backwards = _negative(loops, found, {p.name for p in mechanism.slides if _own_line(mechanism, p)})
+    found = found[backwards == backwards.min()]
+    names = [name for name in mechanism.sketch if name in loops.points]
+    rows = np.array([loops.points[name] for name in names]).reshape(len(names), len(loops.vectors.base))
+    places = loops.vectors.at(found) @ rows.T * loops.size
+    away = np.abs(places - np.array([mechanism.sketch[name] for name in names])) ** 2
+    distance = np.sqrt(away.sum(axis=-1))
+    found = found[distance <= distance.min() + _SAME * loops.size]
+    forwards = {pair.name for pair in mechanism.slides if _ahead(mechanism, pair)}
+    return np.asarray(found[int(np.argmin(_negative(loops, found, forwards)))])
+
+
+def _negative(loops: Loops, found: Real, names: set[str]) -> Real:
+    """How many of the named displacements are negative: (a,)."""
+    return np.asarray((found[:, _columns(loops, names)] < 0).sum(axis=1))
+
+
+def _columns(loops: Loops, names: set[str]) -> list[int]:
+    """The columns of these displacements."""
+    return [at for at, unknown in enumerate(loops.unknowns) if unknown.kind == "s" and unknown.name in names]
+
+
+def _own_line(mechanism: Mechanism, pair: Slide) -> bool:
+    """A moving guide of one point is its own line (a cylinder): s is positive as drawn."""
+    return pair.guide != FRAME and len(mechanism.links[pair.guide].points) == 1
+
+
+def _ahead(mechanism: Mechanism, pair: Slide) -> bool:
+    """Whether a moving guide has other points on its line, all on the positive side."""
+    if pair.guide == FRAME:
+        return False
+    link = mechanism.links[pair.guide]
+    along = [link.arm(pair.line.origin, point) / pair.line.direction for point in link.points]
+    on = [arm.real for arm in along if abs(arm) > 0 and abs(arm.imag) < 1e-9 * abs(arm)]
+    return bool(on) and min(on) > 0

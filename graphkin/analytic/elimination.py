@@ -1,0 +1,76 @@
+"""Relations linear in the unknowns, solved once: q = given c + left y, where y are some of the unknowns.
+
+So a driven angle or a block's angle is put into the loops as a book does it, and what is left to
+find (y) is as many scalars as the loops have to give.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphkin.analytic.vectors import Real
+
+__all__ = ["Elimination", "eliminate"]
+
+_ZERO = 1e-9
+"""A row whose entries all fall below this is a repetition of others."""
+
+
+@dataclass(frozen=True, slots=True)
+class Elimination:
+    """The general solution of W q = c, for k relations and n unknowns of which y are left.
+
+    given  (n, k)       what the right sides give
+    left   (n, y)       how all unknowns follow those left
+    free   (y,)         which unknowns are left: y = q[free]
+    spare  (e, k)       each row . c must vanish, for relations that repeat others
+    """
+
+    given: Real
+    left: Real
+    free: NDArray[np.intp]
+    spare: Real
+
+    def unknowns(self, y: Real, c: Real) -> Real:
+        """All unknowns: (..., n) from y (..., y) and c (..., k)."""
+        return np.asarray(c @ self.given.T + y @ self.left.T)
+
+    def mismatch(self, c: Real) -> float:
+        """How much repeated relations contradict each other; whole turns do not count."""
+        rest = self.spare @ c
+        return float(np.max(np.minimum(abs(rest), abs(np.angle(np.exp(1j * rest)))), initial=0.0))
+
+
+def eliminate(weights: Real) -> Elimination:
+    """Gauss-Jordan on W (k, n) beside the unit matrix, each row pivoting on its largest entry."""
+    k, n = weights.shape
+    table = np.hstack([weights, np.eye(k)])
+    table /= np.max(abs(weights), axis=1, initial=0.0, keepdims=True) + (
+        abs(weights).sum(1, keepdims=True) == 0
+    )
+    pivots: dict[int, int] = {}
+    for row in range(k):
+        column = int(np.argmax(abs(table[row, :n]))) if n else 0
+        if n == 0 or abs(table[row, column]) < _ZERO:
+            continue
+        table[row] /= table[row, column]
+        others = np.arange(k) != row
+        table[others] -= np.outer(table[others, column], table[row])
+        pivots[row] = column
+    return _solution(table, pivots, n)
+
+
+def _solution(table: Real, pivots: dict[int, int], n: int) -> Elimination:
+    """Read the solution off the reduced table; `pivots` gives each row's column."""
+    k = len(table)
+    free = np.array([column for column in range(n) if column not in pivots.values()], dtype=np.intp)
+    given, left = np.zeros((n, k)), np.zeros((n, len(free)))
+    left[free, np.arange(len(free))] = 1.0
+    for row, column in pivots.items():
+        given[column] = table[row, n:]
+        left[column] = -table[row, free]
+    spare = table[[row for row in range(k) if row not in pivots], n:]
+    return Elimination(given, left, free, spare)

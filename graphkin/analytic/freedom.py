@@ -1,0 +1,171 @@
+"""How many drivers a mechanism needs, counted by the rank of its equations at assembled positions.
+
+Gruebler's formula counts pairs; the rank also sees constraints that repeat each other. A rank can drop
+at a dead point or a change point, so it is taken at several positions near the drawn one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from graphkin.analytic.assembly import assemble, held
+from graphkin.analytic.loops import Loops, loops_of
+from graphkin.analytic.newton import Closure, close
+from graphkin.analytic.rules import driven
+from graphkin.analytic.vectors import Real
+from graphkin.mechanism import Driver, Mechanism, Pose
+
+__all__ = ["Mobility", "mobility"]
+
+_RANK = 1e-6
+"""Singular values below this (equations in units of size) count as zero."""
+_NUDGES = 6
+_NUDGE = 0.05
+"""How far the mechanism is moved to see its general rank [rad, size]."""
+
+
+@dataclass(frozen=True)
+class Mobility:
+    """What may move, and whether the drivers say how.
+
+    freedoms    degrees of freedom, idle rotations apart; None where the pairs alone cannot be assembled
+    drivers     how many the file has
+    independent how many of them do not repeat others or the constraints
+    free        links that still can move when all drivers stand still
+    redundant   numbers of drivers that repeat the constraints and the drivers before them
+    repeated    constraint equations that repeat others (and are met)
+    idle        links of one point whose rotation nothing shows
+    unplaced    links that driver values and poses do not place at the drawn position
+    gap_mm      smallest gap left where the drawn position cannot be assembled, else None [mm]
+    """
+
+    freedoms: int | None
+    drivers: int
+    independent: int
+    free: tuple[str, ...]
+    redundant: tuple[int, ...]
+    repeated: int
+    idle: tuple[str, ...]
+    unplaced: tuple[str, ...]
+    gap_mm: float | None
+
+    @property
+    def definite(self) -> bool:
+        """As many drivers as freedoms, each needed, and an assembled position to show it."""
+        return self.gap_mm is None and self.freedoms == self.drivers == self.independent and not self.unplaced
+
+
+def mobility(mechanism: Mechanism) -> Mobility:
+    """Count the freedoms of a mechanism, whether its drivers are too few, right or too many."""
+    loops = loops_of(mechanism)
+    whole = assemble(mechanism, loops)
+    pairs = whole if whole.q is not None else assemble(mechanism, loops, driving=False)
+    gap_mm = None if whole.q is not None else whole.gap * 1e3
+    drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
+    idle = tuple(unknown.name for unknown in loops.silent((*loops.relations, *drivers)))
+    if pairs.q is None:
+        return Mobility(None, len(drivers), 0, (), (), 0, idle, (), pairs.gap * 1e3)
+    ranks = _Ranks.at(loops, loops.weights(drivers), _nearby(loops, pairs.q))
+    independent, redundant = ranks.drivers()
+    constraints = ranks.constraints()
+    quiet = loops.weights(held(loops, loops.relations))
+    return Mobility(
+        freedoms=len(loops.unknowns) - len(idle) - rank(constraints),
+        drivers=len(drivers),
+        independent=independent,
+        free=_moving(mechanism, loops, ranks.q, np.vstack([constraints, ranks.driving, quiet])),
+        redundant=redundant,
+        repeated=len(constraints) - rank(constraints),
+        idle=idle,
+        unplaced=_unplaced(mechanism, loops, ranks.q, np.vstack([constraints, quiet])),
+        gap_mm=gap_mm,
+    )
+
+
+def rank(matrix: Real) -> int:
+    """Rank of a matrix that may be empty."""
+    return 0 if matrix.size == 0 else int(np.linalg.matrix_rank(matrix, tol=_RANK))
+
+
+def null_space(matrix: Real) -> Real:
+    """Directions (f, n) in which the equations (k, n) let the unknowns go."""
+    if matrix.size == 0:
+        return np.eye(matrix.shape[1])
+    return np.asarray(np.linalg.svd(matrix)[2][rank(matrix) :])
+
+
+@dataclass(frozen=True)
+class _Ranks:
+    """Equations at the position q (n,) where they are most independent; driving: the drivers' rows (d, n)."""
+
+    loops: Loops
+    driving: Real
+    q: Real
+
+    @classmethod
+    def at(cls, loops: Loops, driving: Real, positions: list[Real]) -> _Ranks:
+        """Pick the position of the highest rank, with the drivers and then without."""
+
+        def ranks(q: Real) -> tuple[int, int]:
+            constraints = cls(loops, driving, q).constraints()
+            return rank(np.vstack([constraints, driving])), rank(constraints)
+
+        return cls(loops, driving / _scale(driving), max(positions, key=ranks))
+
+    def constraints(self) -> Real:
+        """Loops and relations of the pairs: (k, n)."""
+        relations = self.loops.weights(self.loops.relations)
+        return np.vstack([self.loops.slope(self.q), relations / _scale(relations)])
+
+    def drivers(self) -> tuple[int, tuple[int, ...]]:
+        """How many drivers add to the rank, and the numbers of those which do not."""
+        rows, redundant = self.constraints(), []
+        for number, row in enumerate(self.driving):
+            more = np.vstack([rows, row])
+            if rank(more) == rank(rows):
+                redundant.append(number)
+            rows = more
+        return len(self.driving) - len(redundant), tuple(redundant)
+
+
+def _scale(rows: Real) -> Real:
+    """Largest entry of each row, so that a driven length weighs as much as a driven angle."""
+    return np.max(np.abs(rows), axis=1, initial=0.0, keepdims=True) + (
+        np.abs(rows).sum(1, keepdims=True) == 0
+    )
+
+
+def _nearby(loops: Loops, q: Real) -> list[Real]:
+    """The position, and some next to it along its freedoms, put together again."""
+    closure = Closure.of(loops, (*loops.relations, *held(loops, loops.relations)))
+    rng = np.random.default_rng(2)
+    directions = null_space(closure.matrix(q))
+    moves = rng.normal(0, 1, (_NUDGES, len(directions))) @ directions
+    length = np.max(np.abs(moves), axis=1, initial=0.0, keepdims=True)
+    shifted = closure.move(q, _NUDGE * moves / np.where(length > 0, length, 1.0))
+    closed = close(closure, shifted, closure.weights @ q, steps=30)
+    return [q, *(each for each, gap in zip(closed.q, closed.gap, strict=True) if gap < _RANK)]
+
+
+def _moving(mechanism: Mechanism, loops: Loops, q: Real, equations: Real) -> tuple[str, ...]:
+    """Links that turn, or whose origin moves, in some direction the equations leave open."""
+    directions = null_space(equations)
+    links = {}
+    for link in mechanism.moving:
+        turn = [unknown == ("theta", link) for unknown in loops.unknowns]
+        origin = loops.vectors.slope(loops.origins[link][None], q)[0]
+        links[link] = np.max(np.abs(directions[:, turn]), initial=0.0) + np.max(
+            np.abs(directions @ origin), initial=0.0
+        )
+    return tuple(link for link, moves in links.items() if moves > _RANK)
+
+
+def _unplaced(mechanism: Mechanism, loops: Loops, q: Real, constraints: Real) -> tuple[str, ...]:
+    """Links that neither driver values nor poses place at the drawn position."""
+    given: list[Driver | Pose] = [
+        each for each in (*mechanism.drivers, *mechanism.poses) if each.value is not None
+    ]
+    rows = loops.weights([driven(mechanism, each) for each in given])
+    return _moving(mechanism, loops, q, np.vstack([constraints, rows / _scale(rows)]))

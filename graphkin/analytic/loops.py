@@ -1,0 +1,162 @@
+"""The closed vector loops of a mechanism, one for each independent cycle of its link graph.
+
+Links are the nodes and joints the edges. A tree of joints grown from the frame places every link;
+each joint left over closes one loop. Lengths are in units of the mechanism's `size` here, so that a
+residual or a matrix says the same of a watch and of a crane.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from graphkin.analytic.rules import Joint, Relation, Unknown, shares, theta
+from graphkin.analytic.singular import NotJoined
+from graphkin.analytic.vectors import Complex, Real, Vectors
+from graphkin.mechanism import FRAME, Mechanism
+
+__all__ = ["Loops", "loops_of"]
+
+
+@dataclass(frozen=True)
+class Loops:
+    """The unknowns and what ties them together, drivers apart.
+
+    unknowns    angles first, then displacements: n of them
+    unit        (n,): SI value of one internal unit of each unknown (1 rad, `size` m)
+    size        the largest dimension of the mechanism [m]
+    rows        (r, m): row . arrows = 0 closes a loop
+    points      row of each point, origins: row of each link's origin
+    relations   what the pairs ask besides
+    """
+
+    unknowns: tuple[Unknown, ...]
+    unit: Real
+    size: float
+    vectors: Vectors
+    rows: Complex
+    points: dict[str, Complex]
+    origins: dict[str, Complex]
+    relations: tuple[Relation, ...]
+
+    def weights(self, relations: Sequence[Relation]) -> Real:
+        """Left sides of relations as a matrix on the internal unknowns: (k, n)."""
+        table = np.zeros((len(relations), len(self.unknowns)))
+        for row, relation in zip(table, relations, strict=True):
+            for unknown, weight in relation.weights.items():
+                row[self.unknowns.index(unknown)] += weight
+        return table * self.unit
+
+    def gap(self, q: Real) -> Real:
+        """How far each loop stays open, x and y: (..., 2r), in units of size."""
+        return parts(self.vectors.at(q) @ self.rows.T, -1)
+
+    def slope(self, q: Real) -> Real:
+        """d gap / dq: (..., 2r, n)."""
+        return parts(self.vectors.slope(self.rows, q), -2)
+
+    def silent(self, relations: Sequence[Relation]) -> tuple[Unknown, ...]:
+        """Unknowns that move nothing and stand in no relation: the rotation of a link of one point."""
+        everything = np.array([*self.rows, *self.points.values()])
+        heard = np.abs(everything) @ (np.abs(self.vectors.turning) + np.abs(self.vectors.stretching))
+        named = np.abs(self.weights(relations)).sum(axis=0)
+        loud = heard.sum(axis=0) + named > 0
+        return tuple(unknown for unknown, on in zip(self.unknowns, loud, strict=True) if not on)
+
+
+def loops_of(mechanism: Mechanism) -> Loops:
+    """Write the loops of a mechanism."""
+    brought = tuple(shares(mechanism))
+    joints = tuple(joint for share in brought for joint in share.joints)
+    size = _size(mechanism)
+    links, slides = _names(mechanism, joints)
+    sums = _Sums(links, tuple(slides), size)
+    origins, rows = sums.grow(joints)
+    for link in mechanism.moving:
+        if link not in origins:
+            raise NotJoined(mechanism.where("links", link), link)
+    points = {
+        point: origins[owners[0]] + sums.arm(owners[0], mechanism.links[owners[0]].points[point])
+        for point, owners in mechanism.owners.items()
+    }
+    unknowns = (*(theta(link) for link in links[1:]), *(Unknown("s", name) for name in slides))
+    unit = np.array([1.0] * len(links[1:]) + [size] * len(slides))
+    vectors = _vectors(links, slides)
+    closing = np.array(rows).reshape(-1, len(vectors.base))
+    relations = tuple(relation for share in brought for relation in share.relations)
+    return Loops(unknowns, unit, size, vectors, closing, points, origins, relations)
+
+
+def parts(values: Complex, axis: int) -> Real:
+    """The x and y parts of complex equations, as twice as many real ones."""
+    return np.concatenate([values.real, values.imag], axis=axis)
+
+
+def _size(mechanism: Mechanism) -> float:
+    """The longest distance between two points of one link [m]; without any, the largest displacement."""
+    arms = [abs(a - b) for link in mechanism.links.values() for a in link.points.values()
+            for b in link.points.values()]  # fmt: skip
+    values = [abs(driver.value) for driver in mechanism.drivers if driver.kind == "slide" and driver.value]
+    return max(arms, default=0.0) or max(values, default=0.0) or 1.0
+
+
+def _names(mechanism: Mechanism, joints: Sequence[Joint]) -> tuple[tuple[str, ...], dict[str, str]]:
+    """All links, the frame first and those of a pair's own making last; each slide with its guide."""
+    met = (name for joint in joints for name in (joint.tail, joint.head))
+    links = dict.fromkeys((FRAME, *mechanism.links, *met))
+    return tuple(links), {joint.slide: joint.tail for joint in joints if joint.slide is not None}
+
+
+def _vectors(links: tuple[str, ...], slides: dict[str, str]) -> Vectors:
+    """One arrow a link, one a slide, in the order of the names; the frame's does not turn."""
+    moving = links[1:]
+    turning = np.zeros((len(links) + len(slides), len(moving) + len(slides)))
+    stretching = np.zeros_like(turning)
+    for arrow, link in enumerate((*links, *slides.values())):
+        if link != FRAME:
+            turning[arrow, moving.index(link)] = 1.0
+    for number in range(len(slides)):
+        stretching[len(links) + number, len(moving) + number] = 1.0
+    base = np.array([1.0] * len(links) + [0.0] * len(slides))
+    return Vectors(turning, stretching, base)
+
+
+@dataclass(frozen=True)
+class _Sums:
+    """Sums of arrows, written as rows of coefficients in units of size."""
+
+    links: tuple[str, ...]
+    slides: tuple[str, ...]
+    size: float
+
+    def arm(self, link: str, arm: complex) -> Complex:
+        row = np.zeros(len(self.links) + len(self.slides), dtype=np.complex128)
+        row[self.links.index(link)] = arm / self.size
+        return row
+
+    def step(self, joint: Joint) -> Complex:
+        """From the tail's origin to the head's."""
+        row = self.arm(joint.tail, joint.tail_arm) - self.arm(joint.head, joint.head_arm)
+        if joint.slide is not None:
+            row[len(self.links) + self.slides.index(joint.slide)] = joint.direction
+        return row
+
+    def grow(self, joints: Sequence[Joint]) -> tuple[dict[str, Complex], list[Complex]]:
+        """A tree from the frame, nearest links first: links' origins, and a row for each joint left over."""
+        origins, left, rows = {FRAME: self.arm(FRAME, 0)}, list(joints), []
+        queue = deque([FRAME])
+        while queue:
+            link = queue.popleft()
+            for joint in [joint for joint in left if link in (joint.tail, joint.head)]:
+                left.remove(joint)
+                far, sign = (joint.head, 1) if joint.tail == link else (joint.tail, -1)
+                end = origins[link] + sign * self.step(joint)
+                if far in origins:
+                    rows.append(end - origins[far])
+                else:
+                    origins[far] = end
+                    queue.append(far)
+        return origins, rows

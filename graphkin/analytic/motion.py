@@ -1,0 +1,173 @@
+"""The motion of every link, slide and point, at the drawn position or at many driver values at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from graphkin.analytic.assembly import Drawn, drawn, held
+from graphkin.analytic.loops import Loops
+from graphkin.analytic.moving import moved
+from graphkin.analytic.newton import Closure
+from graphkin.analytic.rates import Rates, rates
+from graphkin.analytic.rules import driven
+from graphkin.analytic.singular import SingularPosition
+from graphkin.analytic.vectors import Complex, Real
+from graphkin.mechanism import FRAME, Mechanism
+
+__all__ = ["Motion", "conditioning", "motion"]
+
+_SINGULAR = 1e-7
+"""Reciprocal condition below which velocities are not determined: half the digits are gone."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What moves how. Every value has the shape of the driver values: () for one position.
+
+    values                            each driver's value, in their order [rad or m]
+    theta, omega, alpha               by link, the frame included [rad, rad/s, rad/s^2]; theta on any branch
+    s, s_rate, s_acceleration         by slide [m, m/s, m/s^2]
+    position, velocity, acceleration  by point, complex [m, m/s, m/s^2]
+    condition                         reciprocal condition number, 0 at a dead point
+    idle                              links whose rotation nothing shows: it is given as 0
+
+    nan where the drivers' values cannot be reached by moving on from the drawn position; velocities and
+    accelerations are nan at a dead point, too.
+    """
+
+    mechanism: Mechanism
+    values: tuple[Real, ...]
+    theta: Mapping[str, Real]
+    omega: Mapping[str, Real]
+    alpha: Mapping[str, Real]
+    s: Mapping[str, Real]
+    s_rate: Mapping[str, Real]
+    s_acceleration: Mapping[str, Real]
+    position: Mapping[str, Complex]
+    velocity: Mapping[str, Complex]
+    acceleration: Mapping[str, Complex]
+    condition: Real
+    idle: tuple[str, ...]
+
+    def velocity_at(self, point: str, link: str) -> Complex:
+        """Velocity of the point of `link` that lies under `point` at this instant [m/s]."""
+        base, arm = self._arm(point, link)
+        return np.asarray(self._of(self.velocity, base) + 1j * self.omega[link] * arm)[()]
+
+    def acceleration_at(self, point: str, link: str) -> Complex:
+        """Acceleration of the point of `link` that lies under `point` at this instant [m/s^2]."""
+        base, arm = self._arm(point, link)
+        turning = 1j * self.alpha[link] - self.omega[link] ** 2
+        return np.asarray(self._of(self.acceleration, base) + turning * arm)[()]
+
+    def _arm(self, point: str, link: str) -> tuple[str | None, Complex]:
+        """A point of the link (None for a frame without any), and the vector from it to `point`."""
+        base = next(iter(self.mechanism.links[link].points), None)
+        return base, self.position[point] - (self.position[base] if base is not None else 0)
+
+    @staticmethod
+    def _of(values: Mapping[str, Complex], base: str | None) -> Complex | complex:
+        return 0j if base is None else values[base]
+
+
+def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> Motion:
+    """Position, velocity and acceleration by closed vector loops and the matrix method.
+
+    values   one entry a driver, scalar or array, broadcast together [rad or m]; None: the drawn position.
+    Drivers keep their rates and accelerations at every position. Raises NoAssembly for the drawn position,
+    SingularPosition at a single position that is a dead point.
+    """
+    start = drawn(mechanism)
+    closure, first = _driving(mechanism, start)
+    wanted = _wanted(mechanism, start, values)
+    shape = wanted[0].shape if wanted else ()
+    flat = np.stack([value.ravel() for value in wanted], axis=-1) if wanted else np.zeros((1, 0))
+    change = np.zeros((len(flat), len(closure.weights)))
+    change[:, first:] = flat - np.array(start.values).reshape(-1)
+    q = moved(closure, start.q, closure.weights @ start.q, change)
+    found = _rates(mechanism, closure, first, q, single=shape == ())
+    return _motion(mechanism, closure, wanted, q.reshape(*shape, -1), _shaped(found, shape))
+
+
+def conditioning(mechanism: Mechanism) -> float:
+    """Reciprocal condition number at the drawn position: 1 is best, 0 a dead point. Raises NoAssembly."""
+    start = drawn(mechanism)
+    closure, _ = _driving(mechanism, start)
+    still = np.zeros(len(closure.weights))
+    return float(rates(closure, start.q, still, still).condition)
+
+
+def _driving(mechanism: Mechanism, start: Drawn) -> tuple[Closure, int]:
+    """Loops closed with the drivers, and the first driver's row among the relations."""
+    drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
+    pairs = start.loops.relations
+    still = held(start.loops, (*pairs, *drivers))
+    return Closure.of(start.loops, (*pairs, *still, *drivers)), len(pairs) + len(still)
+
+
+def _wanted(mechanism: Mechanism, start: Drawn, values: Sequence[ArrayLike] | None) -> tuple[Real, ...]:
+    """Driver values as arrays of one shape."""
+    given = start.values if values is None else values
+    if len(given) != len(mechanism.drivers):
+        raise ValueError(f"{len(mechanism.drivers)} drivers, {len(given)} values")
+    return tuple(np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given)))
+
+
+def _rates(mechanism: Mechanism, closure: Closure, first: int, q: Real, single: bool) -> Rates:
+    """Rates at q (p, n); nan where q is nan and at dead points."""
+    speed, push = np.zeros(len(closure.weights)), np.zeros(len(closure.weights))
+    speed[first:] = [driver.rate for driver in mechanism.drivers]
+    push[first:] = [driver.acceleration for driver in mechanism.drivers]
+    there = np.isfinite(q).all(axis=1)
+    found = rates(closure, q[there], speed, push)
+    if single and there.all() and found.condition[0] < _SINGULAR:
+        raise SingularPosition(mechanism.where("driver"), float(found.condition[0]))
+    clear = (found.condition >= _SINGULAR)[:, None]
+    full = np.full((3, *q.shape), np.nan)
+    full[0, there] = np.where(clear, found.first, np.nan)
+    full[1, there] = np.where(clear, found.second, np.nan)
+    full[2, there] = found.condition[:, None]
+    return Rates(full[0], full[1], full[2, :, 0])
+
+
+def _shaped(found: Rates, shape: tuple[int, ...]) -> Rates:
+    first, second = (part.reshape(*shape, part.shape[-1]) for part in (found.first, found.second))
+    return Rates(first, second, found.condition.reshape(shape))
+
+
+def _motion(
+    mechanism: Mechanism, closure: Closure, values: tuple[Real, ...], q: Real, found: Rates
+) -> Motion:
+    """Read everything off the unknowns."""
+    loops, vectors = closure.loops, closure.loops.vectors
+    three = q, found.first, found.second
+    arrows = vectors.at(q), vectors.rate(*three[:2]), vectors.acceleration(*three)
+    drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
+    idle = tuple(unknown.name for unknown in loops.silent((*loops.relations, *drivers)))
+    return Motion(
+        mechanism,
+        values,
+        *({FRAME: np.zeros(q.shape[:-1])[()], **_named(loops, part, "theta")} for part in three),
+        *(_named(loops, part, "s") for part in three),
+        *(_places(loops, part) for part in arrows),
+        condition=found.condition[()],
+        idle=idle,
+    )
+
+
+def _named(loops: Loops, values: Real, kind: str) -> dict[str, Real]:
+    """Unknowns of one kind by name, in SI units."""
+    return {
+        unknown.name: np.asarray(values[..., at] * loops.unit[at])[()]
+        for at, unknown in enumerate(loops.unknowns)
+        if unknown.kind == kind
+    }
+
+
+def _places(loops: Loops, arrows: Complex) -> dict[str, Complex]:
+    """Points by name, in SI units."""
+    return {point: np.asarray(arrows @ row * loops.size)[()] for point, row in loops.points.items()}

@@ -1,0 +1,50 @@
+"""The matrix method: velocities and accelerations from the loops' own matrix.
+
+Derived once and twice, the loops give A y' = B and A y'' = -A' y' + B', with the drivers' rates on the right.
+Source: Sun Huan, Theory of Machines, section 3-3, (3-21) to (3-29), written for any number of drivers.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from graphkin.analytic.loops import parts
+from graphkin.analytic.newton import Closure, inverse
+from graphkin.analytic.vectors import Real
+
+__all__ = ["Rates", "rates", "tangent"]
+
+
+@dataclass(frozen=True, slots=True)
+class Rates:
+    """q', q'' (..., n), and the reciprocal condition number of A (...)."""
+
+    first: Real
+    second: Real
+    condition: Real
+
+
+def rates(closure: Closure, q: Real, first: Real, second: Real) -> Rates:
+    """Rates of the unknowns at q (..., n), for rates of the relations' right sides (k,)."""
+    slope = closure.loops.slope(q)
+    inverted, condition = inverse(slope @ closure.known.left)
+    dq = _solved(closure, inverted, slope, first, np.zeros(slope.shape[:-1]))
+    bend = closure.loops.vectors.acceleration(q, dq, np.zeros_like(dq)) @ closure.loops.rows.T
+    ddq = _solved(closure, inverted, slope, second, parts(bend, -1))
+    return Rates(dq, ddq, condition)
+
+
+def tangent(closure: Closure, q: Real, first: Real) -> Real:
+    """q' alone (..., n); `first` (..., k) may differ from position to position."""
+    slope = closure.loops.slope(q)
+    inverted, _ = inverse(slope @ closure.known.left)
+    return _solved(closure, inverted, slope, first, np.zeros(slope.shape[:-1]))
+
+
+def _solved(closure: Closure, inverted: Real, slope: Real, given: Real, rest: Real) -> Real:
+    """The x with W x = given and slope x + rest = 0."""
+    driven = given @ closure.known.given.T
+    right = -(slope @ driven[..., None])[..., 0] - rest
+    return np.asarray(driven + (inverted @ right[..., None])[..., 0] @ closure.known.left.T)

@@ -1,0 +1,62 @@
+"""Closed vector loops are made of arrows; an arrow's angle and length follow the unknowns linearly.
+
+There is one arrow of length 1 for each link, along its axis, and one for each slide, from the line's
+origin to the point (length s, turned by the guide). Where anything is, is a sum of these with fixed
+complex coefficients, a `row`: r = row . arrows. One row serves position, velocity and acceleration.
+
+Shapes: q is (..., n) for n unknowns, arrows are (..., m), rows are (..., m) or (r, m).
+Source: Sun Huan, Theory of Machines, section 3-3 (complex vectors).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Complex", "Real", "Vectors"]
+
+Real = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, slots=True)
+class Vectors:
+    """How arrows hang on the unknowns q: angle = turning q, length = base + stretching q.
+
+    turning, stretching   (m, n)
+    base                  (m,): 1 for a link's arrow, 0 for a slide's
+    """
+
+    turning: Real
+    stretching: Real
+    base: Real
+
+    def polar(self, q: Real) -> tuple[Real, Complex]:
+        """Length and unit vector of each arrow."""
+        return self.base + q @ self.stretching.T, np.exp(1j * (q @ self.turning.T))
+
+    def at(self, q: Real) -> Complex:
+        length, unit = self.polar(q)
+        return length * unit
+
+    def rate(self, q: Real, dq: Real) -> Complex:
+        """d/dt of each arrow: l' along it, l phi' across it."""
+        length, unit = self.polar(q)
+        turn, stretch = dq @ self.turning.T, dq @ self.stretching.T
+        return unit * (stretch + 1j * length * turn)
+
+    def acceleration(self, q: Real, dq: Real, ddq: Real) -> Complex:
+        """d2/dt2 of each arrow: l'' - l phi'^2 along it, l phi'' + 2 l' phi' (Coriolis) across it."""
+        length, unit = self.polar(q)
+        turn, stretch = dq @ self.turning.T, dq @ self.stretching.T
+        along = ddq @ self.stretching.T - length * turn**2
+        return unit * (along + 1j * (length * (ddq @ self.turning.T) + 2 * stretch * turn))
+
+    def slope(self, rows: Complex, q: Real) -> Complex:
+        """d(rows . arrows)/dq: (..., r, n) for rows (r, m)."""
+        length, unit = self.polar(q)
+        turned = (1j * length * unit)[..., None, :] * rows
+        stretched = unit[..., None, :] * rows
+        return np.asarray(turned @ self.turning + stretched @ self.stretching)

@@ -1,0 +1,77 @@
+"""Complex numbers as vectors of the drawing plane: where lines and circles meet.
+
+Every function takes scalars or arrays alike (broadcast together) and never raises: what cannot meet is
+NaN, and the sine of the angle at which two things cross is returned beside the point, so that the caller
+decides how close to parallel is too close. No word of mechanisms here.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+__all__ = ["Value", "cross", "dot", "meet_circles", "meet_line_circle", "meet_lines", "root", "unit"]
+
+Value = Any
+"""A float, a complex number, or an array of either."""
+
+
+def dot(a: Value, b: Value) -> Value:
+    """Scalar product of two vectors."""
+    return (np.conj(a) * b).real
+
+
+def cross(a: Value, b: Value) -> Value:
+    """z component of the vector product: positive where b is counter-clockwise of a."""
+    return (np.conj(a) * b).imag
+
+
+def unit(a: Value) -> Value:
+    """Vector of length 1 along `a`; NaN for the zero vector."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return a / np.abs(a)
+
+
+def root(x: Value) -> Value:
+    """Square root, NaN below zero."""
+    with np.errstate(invalid="ignore"):
+        return np.sqrt(np.asarray(x, dtype=float))[()]
+
+
+def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Value]:
+    """Where the line through p along u meets the line through q along w (u, w of length 1).
+
+    Returns the point and the sine of the angle between the lines.
+    """
+    sine = cross(u, w)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return p + u * (cross(q - p, w) / sine), np.abs(sine)
+
+
+def meet_line_circle(p: Value, u: Value, c: Value, r: Value, side: Value) -> tuple[Value, Value, Value]:
+    """Where the line through p along u meets the circle about c; side +1 is the crossing farther along u.
+
+    Returns the point, the sine of the angle between line and circle, and by how much they miss each
+    other (0 or less where they meet).
+    """
+    foot = p + u * dot(u, c - p)
+    distance = np.abs(c - foot)
+    half = root(r * r - distance * distance)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return foot + side * half * u, half / r, distance - r
+
+
+def meet_circles(c1: Value, r1: Value, c2: Value, r2: Value, side: Value) -> tuple[Value, Value, Value]:
+    """Where two circles meet; side +1 is the crossing to the left of the way from c1 to c2.
+
+    Returns the point, the sine of the angle between the circles, and by how much they miss each other.
+    """
+    d = np.abs(c2 - c1)
+    e = unit(c2 - c1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        along = (d * d + r1 * r1 - r2 * r2) / (2 * d)
+        height = root(r1 * r1 - along * along)
+        sine = d * height / (r1 * r2)
+    miss = np.maximum(d - (r1 + r2), np.abs(r1 - r2) - d)
+    return c1 + (along + 1j * side * height) * e, sine, miss

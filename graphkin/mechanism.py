@@ -1,0 +1,146 @@
+"""What the machine is: links, pairs, drivers. Frozen, in SI units, and without a position.
+
+A link's axes have their origin in its first point and their x axis towards its second (as the file
+writes them), so the angle of a link, `theta`, is the direction of its first two points. A block of one
+point takes its axis from its guide's line, a guide of one point is its own line. The frame's axes are
+the world's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from graphkin.errors import Lang, Where
+from graphkin.pairs import Cam, Gear, Revolute, Roll, Slide
+
+__all__ = ["FRAME", "Driver", "Link", "Mechanism", "Pose"]
+
+FRAME = "frame"
+"""The fixed link's own name in every mapping by link; `Mechanism.frame` is what people call it."""
+
+
+@dataclass(frozen=True)
+class Link:
+    """A rigid body: where its points are in its own axes [m]."""
+
+    name: str
+    points: Mapping[str, complex]
+
+    def arm(self, tail: str, head: str) -> complex:
+        """The vector tail -> head in the link's axes [m]."""
+        return self.points[head] - self.points[tail]
+
+
+@dataclass(frozen=True)
+class Driver:
+    """One `[[driver]]`.
+
+    kind    "angle": the direction `vector` of `link` (against `from_vector` of `from_link`, else +x) is `value`;
+            "spin": a wheel `link` whose direction does not matter; "slide": displacement of the slide `link`
+    value   at the drawn position [rad or m]; None where the file leaves it to a pose
+    rate, acceleration   [rad/s, rad/s^2 or m/s, m/s^2]
+    also    further values the problem asks for [rad or m]
+    """
+
+    kind: str
+    link: str
+    vector: tuple[str, str] | None = None
+    from_link: str = FRAME
+    from_vector: tuple[str, str] | None = None
+    value: float | None = None
+    rate: float = 0.0
+    acceleration: float = 0.0
+    also: tuple[float, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """What people call it: `AB`, `BC/BA`, or the slide's or the wheel's name."""
+        if self.vector is None:
+            return self.link
+        tail = "" if self.from_vector is None else "/" + "".join(self.from_vector)
+        return "".join(self.vector) + tail
+
+
+@dataclass(frozen=True)
+class Pose:
+    """One `[[pose]]`: holds at the drawn position only; read like a driver's value."""
+
+    kind: str
+    link: str
+    value: float
+    vector: tuple[str, str] | None = None
+    from_link: str = FRAME
+    from_vector: tuple[str, str] | None = None
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """A planar mechanism.
+
+    links     by name; `FRAME` comes first, then as in the file
+    sketch    roughly where moving points are [m]
+    scales    given paper scales: "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s^2)/mm]
+    text      the file, to be put into drawings and shown; `lines` gives the line of each of its keys
+    """
+
+    name: str
+    frame: str
+    links: Mapping[str, Link]
+    slides: tuple[Slide, ...] = ()
+    gears: tuple[Gear, ...] = ()
+    rolls: tuple[Roll, ...] = ()
+    cams: tuple[Cam, ...] = ()
+    drivers: tuple[Driver, ...] = ()
+    poses: tuple[Pose, ...] = ()
+    sketch: Mapping[str, complex] = field(default_factory=dict)
+    scales: Mapping[str, float] = field(default_factory=dict)
+    title: Mapping[Lang, str] = field(default_factory=dict)
+    source: str = ""
+    ask: tuple[str, ...] = ()
+    text: str = ""
+    file: str = ""
+    lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict)
+
+    @cached_property
+    def owners(self) -> dict[str, tuple[str, ...]]:
+        """The links each point belongs to, in the order of the links (pseudo-points of lines included)."""
+        owners: dict[str, tuple[str, ...]] = {}
+        for link in self.links.values():
+            for point in link.points:
+                owners[point] = (*owners.get(point, ()), link.name)
+        return owners
+
+    @cached_property
+    def points(self) -> tuple[str, ...]:
+        """The points people named, fixed ones first."""
+        return tuple(point for point in self.owners if point[0].isupper())
+
+    @cached_property
+    def hinges(self) -> tuple[Revolute, ...]:
+        return tuple(Revolute(point, links) for point, links in self.owners.items() if len(links) > 1)
+
+    @cached_property
+    def moving(self) -> tuple[str, ...]:
+        """Every link but the frame."""
+        return tuple(name for name in self.links if name != FRAME)
+
+    def called(self, link: str) -> str:
+        """What people call a link: the frame has a number of its own."""
+        return self.frame if link == FRAME else link
+
+    def headline(self, lang: Lang) -> str:
+        """The title in this language, else in the other, else the name."""
+        return self.title.get(lang) or next(iter(self.title.values()), self.name)
+
+    def slide(self, name: str) -> Slide:
+        return next(slide for slide in self.slides if slide.name == name)
+
+    def where(self, *path: str | int) -> Where:
+        """The place of a key in the file, or of the nearest key above it that the file has."""
+        key = ".".join(str(part) for part in path)
+        for end in range(len(path), 0, -1):
+            if path[:end] in self.lines:
+                return Where(self.file, self.lines[path[:end]], key)
+        return Where(self.file, None, key)

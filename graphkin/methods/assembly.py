@@ -1,0 +1,176 @@
+"""Which of the possible assemblies is meant, and positions that are none.
+
+Every crossing of circles leaves two possibilities. All combinations are drawn at once, as arrays; the sketch
+picks the nearest. A sketch that says nothing of a choice leaves it to custom: displacements count as positive.
+"""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+
+from graphkin.methods.refusals import AmbiguousSketch, CannotAssemble, DeadPoint
+from graphkin.geometry import Value
+from graphkin.methods.structure import Structure
+from graphkin.steps import Arc, Arm, Construction, Facts, Meet, Plot, Ray, Span, Step, Swing, replay
+
+__all__ = ["DEAD_SINE", "pick_sides", "refuse_bad_positions"]
+
+DEAD_DEG = 0.5
+"""Lines that meet under less than this give no usable drawing [deg]."""
+DEAD_SINE = float(np.sin(np.radians(DEAD_DEG)))
+TOUCH = 1e-9
+"""Circles that miss each other by less than this part of their size touch: a dead point, no gap."""
+
+
+def pick_sides(structure: Structure, construction: Construction, choices: int, facts: Facts) -> tuple[int, ...]:
+    """The crossing of each choice, +1 or -1."""
+    if choices == 0:
+        return ()
+    combinations = np.array(list(itertools.product((1, -1), repeat=choices)))
+    sides = {k: combinations[:, k] for k in range(choices)}
+    plot = replay(construction, Plot(facts), sides)
+    possible = _possible(structure, plot, len(combinations))
+    if not possible.any():
+        raise _refusal(structure, construction, plot)
+    best = _nearest(structure, plot, possible)
+    return tuple(int(side) for side in combinations[best])
+
+
+def _possible(structure: Structure, plot: Plot, count: int) -> np.ndarray:
+    """Combinations that close, with cylinders at the positive displacement they were drawn with."""
+    possible = np.ones(count, dtype=bool)
+    for value in plot.position.values():
+        possible &= np.isfinite(np.broadcast_to(value, count))
+    for name, slide in structure.slides.items():
+        if name in plot.s and _bare(structure, slide.guide):
+            possible &= np.broadcast_to(plot.s[name], count) > 0
+    return possible
+
+
+def _bare(structure: Structure, guide: str) -> bool:
+    """Whether a guide is a cylinder: a link of one point, with no direction but its line."""
+    return len(structure.bodies[guide]) == 1
+
+
+def _nearest(structure: Structure, plot: Plot, possible: np.ndarray) -> int:
+    """The combination nearest to the sketch; raises where the sketch lies between two."""
+    sketch = structure.mechanism.sketch
+    count = len(possible)
+    sketched = np.array([np.broadcast_to(plot.position[p], count) for p in sketch if p in plot.position])
+    target = np.array([sketch[p] for p in sketch if p in plot.position])
+    sketched = sketched.reshape(len(target), count)
+    far = np.where(possible, (np.abs(sketched - target[:, None]) ** 2).sum(axis=0), np.inf)
+    best = int(np.argmin(far))
+    for other in np.argsort(far, kind="stable"):
+        if other == best or not possible[other] or _same(plot, best, other):
+            continue
+        apart = float((np.abs(sketched[:, best] - sketched[:, other]) ** 2).sum())
+        if apart <= (1e-9 * _size(plot, best)) ** 2:
+            best = _by_custom(structure, plot, best, int(other))
+        elif far[other] - far[best] < 0.04 * apart:
+            raise _ambiguous(structure, plot, best, int(other))
+    return best
+
+
+def _same(plot: Plot, first: int, second: int) -> bool:
+    """Whether two combinations are one and the same assembly (at a dead point)."""
+    size = _size(plot, first)
+    return all(
+        abs(_at(value, first) - _at(value, second)) <= 1e-9 * size for value in plot.position.values()
+    ) and all(abs(_at(value, first) - _at(value, second)) <= 1e-9 * size for value in plot.s.values())
+
+
+def _size(plot: Plot, k: int) -> float:
+    values = [_at(value, k) for value in plot.position.values()]
+    return max(abs(value - values[0]) for value in values) or 1.0
+
+
+def _at(value: Value, k: int) -> complex:
+    return complex(np.broadcast_to(value, (k + 1,) if np.ndim(value) == 0 else np.shape(value))[k])
+
+
+def _by_custom(structure: Structure, plot: Plot, first: int, second: int) -> int:
+    """Assemblies that the sketch cannot tell apart: more positive displacements win."""
+    score = [sum(float(np.sign(_at(value, k).real)) for value in plot.s.values()) for k in (first, second)]
+    if score[0] == score[1]:
+        raise _ambiguous(structure, plot, first, second)
+    return first if score[0] > score[1] else second
+
+
+def _ambiguous(structure: Structure, plot: Plot, first: int, second: int) -> AmbiguousSketch:
+    """The points that would tell the two assemblies apart, each with its two places."""
+    mechanism, size = structure.mechanism, _size(plot, first)
+    places = {
+        point: (_at(value, first), _at(value, second))
+        for point, value in plot.position.items()
+        if point[0].isupper() and abs(_at(value, first) - _at(value, second)) > 1e-9 * size
+    }
+    point, (one, two) = next(iter(places.items()), ("", (0j, 0j)))
+    return AmbiguousSketch(
+        mechanism.where("sketch", point), ", ".join(places), point, _millimetres(one), _millimetres(two)
+    )
+
+
+def _millimetres(place: complex) -> str:
+    return f"[{place.real * 1000:.6g}, {place.imag * 1000:.6g}]"
+
+
+# --- positions that are none ------------------------------------------------------------------
+
+
+def refuse_bad_positions(structure: Structure, construction: Construction, plot: Plot) -> None:
+    """A single position that does not close, or is a dead point, raises; arrays pass, with NaN in them."""
+    if any(np.ndim(value) for value in plot.position.values()):
+        return
+    for step in construction.steps:
+        if isinstance(step, Meet | Swing):
+            key = step.slide if isinstance(step, Swing) else step.point
+            if not np.isfinite(plot.sines["position", key]) or plot.sines["position", key] < DEAD_SINE:
+                raise _refusal_at(structure, step, plot)
+
+
+def _refusal(structure: Structure, construction: Construction, plot: Plot) -> CannotAssemble | DeadPoint:
+    """Of the first crossing at which no combination is left."""
+    for step in construction.steps:
+        if isinstance(step, Meet | Swing):
+            key = step.slide if isinstance(step, Swing) else step.point
+            if not np.isfinite(plot.sines["position", key]).any():
+                return _refusal_at(structure, step, plot)
+    raise AssertionError("an assembly that fails at no crossing")
+
+
+def _refusal_at(structure: Structure, step: Meet | Swing, plot: Plot) -> CannotAssemble | DeadPoint:
+    links = _links(structure, step)
+    where = structure.mechanism.where("links", links[-1]) if links else structure.mechanism.where("links")
+    called = [structure.mechanism.called(link) for link in links]
+    key = step.slide if isinstance(step, Swing) else step.point
+    gap = float(np.nanmin(plot.misses.get(key, np.array(0.0))))
+    scale = max((abs(_at(np.ravel(value), 0)) for value in plot.position.values() if np.isfinite(value).all()), default=1.0)
+    if gap > TOUCH * max(scale, 1e-12):
+        return CannotAssemble(where, called, gap * 1000)
+    sine = np.nan_to_num(np.asarray(plot.sines["position", key], dtype=float))
+    return DeadPoint(where, called, float(np.degrees(np.arcsin(min(1.0, float(np.max(sine)))))))
+
+
+def _links(structure: Structure, step: Step) -> list[str]:
+    """The links whose reach, or whose guide, a crossing is about."""
+    if isinstance(step, Swing):
+        pair = structure.slides[step.slide]
+        return list(dict.fromkeys((pair.guide, structure.home(structure.block(pair)))))
+    assert isinstance(step, Meet)
+    found: dict[str, None] = {}
+    for locus in (step.first, step.second):
+        if isinstance(locus, Arc):
+            found |= dict.fromkeys(_of_span(structure, locus.reach))
+        elif isinstance(locus, Ray) and (slide := getattr(locus.direction, "slide", None)):
+            pair = structure.slides[slide]
+            found |= dict.fromkeys((structure.home(structure.block(pair)), pair.guide))
+    return list(found)
+
+
+def _of_span(structure: Structure, span: Span) -> list[str]:
+    return [part.link if isinstance(part, Arm) else structure.slides[part.slide].guide for part in span.parts]
+
+

@@ -1,0 +1,91 @@
+"""How a vector equation with two unknown scalars is drawn, in any plane.
+
+The two sides run from known points to the point sought. Going in from both ends, what is known is laid
+off; then the two direction lines (or circles) of the unknown arrows cross. A known arrow that stands
+between the two unknown ones is laid off out of place first, and carried back once the crossing is found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+from graphkin.steps import Arc, Drawn, Equation, LayOff, Meet, Ray, Span, Step, Term
+
+__all__ = ["Aside", "close", "known_sum"]
+
+Aside = Callable[[], str]
+"""Names a point that only helps the drawing."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Signed:
+    """A term on the way from the start of the left side to the start of the right side."""
+
+    term: Term
+    forward: bool
+
+    @property
+    def near(self) -> str:
+        return self.term.tail if self.forward else self.term.head
+
+    @property
+    def far(self) -> str:
+        return self.term.head if self.forward else self.term.tail
+
+
+def close(
+    of: str,
+    left: tuple[Term, ...],
+    right: tuple[Term, ...],
+    reaches: dict[Term, Span],
+    aside: Aside,
+    choice: Callable[[], int],
+) -> Equation:
+    """The equation left = right with the steps that draw it.
+
+    reaches  for terms of known length and unknown direction (position plane): their length
+    choice   numbers a crossing that leaves two possibilities
+    """
+    way = [_Signed(term, True) for term in left] + [_Signed(term, False) for term in reversed(right)]
+    first, second = (k for k, step in enumerate(way) if step.term.unknowns)
+    steps = [*_lay_off(way[:first]), *_lay_off(_back(way[second + 1 :]))]
+    middle = way[first + 1 : second]
+    start = way[first].near
+    for signed in middle:
+        tip = aside()
+        steps.append(LayOff(signed.term, start, tip, backwards=not signed.forward))
+        start = tip
+    lines = sorted(
+        (_locus(way[first].term, start, reaches), _locus(way[second].term, way[second].far, reaches)),
+        key=lambda locus: isinstance(locus, Arc),
+    )
+    chosen = choice() if isinstance(lines[1], Arc) else None
+    steps += [*lines, Meet(lines[0], lines[1], way[second].near, choice=chosen)]
+    steps += _lay_off(_back(middle))
+    return Equation(of, left, right, tuple(steps))
+
+
+def known_sum(of: str, left: Term, right: tuple[Term, ...]) -> Equation:
+    """An equation whose one unknown arrow is the sum of known ones."""
+    return Equation(of, (left,), right, tuple(_lay_off([_Signed(term, True) for term in right])))
+
+
+def _back(way: Iterable[_Signed]) -> list[_Signed]:
+    return [_Signed(signed.term, not signed.forward) for signed in reversed(list(way))]
+
+
+def _lay_off(way: Iterable[_Signed]) -> list[Step]:
+    """Known arrows one after another; what is drawn already needs no pencil."""
+    return [
+        LayOff(signed.term, signed.near, signed.far, backwards=not signed.forward)
+        for signed in way
+        if not isinstance(signed.term.size, Drawn)
+    ]
+
+
+def _locus(term: Term, through: str, reaches: dict[Term, Span]) -> Ray | Arc:
+    if term in reaches:
+        return Arc(through, reaches[term])
+    assert term.direction is not None
+    return Ray(through, term.direction)

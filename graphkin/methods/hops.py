@@ -1,0 +1,172 @@
+"""A loop as relative motions: from known to known over levers, slides and driven rotations.
+
+Where links of one group follow one another (a block and its guide, a motor's two sides), all their motions
+are taken at one point, the coincident point: one link carries the lever from the far hinge to it, the others
+differ from that link there by a relative motion.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from graphkin.mechanism import FRAME
+from graphkin.methods.stages import Loop
+from graphkin.methods.structure import Hinge, Sliding, Structure
+from graphkin.steps import Site
+
+__all__ = ["Hop", "Lever", "Slip", "Twist", "halves"]
+
+
+@dataclass(frozen=True, slots=True)
+class Lever:
+    """Two points of one link."""
+
+    seen_from: Site
+    of: Site
+    known: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """Coincident points of a sliding pair."""
+
+    seen_from: Site
+    of: Site
+    known: bool
+    slide: str
+
+
+@dataclass(frozen=True, slots=True)
+class Twist:
+    """Coincident points of two links that a driver turns against each other about `pivot`."""
+
+    seen_from: Site
+    of: Site
+    known: bool
+    pivot: str
+
+
+Hop = Lever | Slip | Twist
+
+
+def halves(structure: Structure, loop: Loop) -> tuple[Site, tuple[Hop, ...], Site, tuple[Hop, ...]]:
+    """Both sides of the loop's equation: each a known site and the hops from it outward to the site sought."""
+    places = _places(structure, loop)
+    hops = _hops(structure, loop, places)
+    start = _edge(structure, loop, places, 0)
+    end = _edge(structure, loop, places, len(loop.joints) - 1)
+    unknown = [k for k, hop in enumerate(hops) if not hop.known]
+    middle = _meeting(structure, hops, unknown)
+    left = tuple(hops[:middle])
+    right = tuple(_turned(hop) for hop in reversed(hops[middle:]))
+    return start, left, end, right
+
+
+def _places(structure: Structure, loop: Loop) -> list[str]:
+    """The point at which each joint is looked at: the hinge itself; for slides the coincident point."""
+    places = [joint.point if isinstance(joint, Hinge) else "" for joint in loop.joints]
+    for first, last in _groups(structure, loop):
+        inner = [loop.joints[k] for k in range(first + 1, last + 1)]
+        slide = next((joint.slide for joint in inner if isinstance(joint, Sliding)), None)
+        at_entry = slide is not None and _block_side(structure, loop, slide) == "entry"
+        place = places[first] if at_entry else places[last + 1]
+        for k in range(first + 1, last + 1):
+            places[k] = place
+    for k, joint in enumerate(loop.joints):
+        if isinstance(joint, Sliding) and not places[k]:
+            places[k] = _near_hinge(structure, loop, places, k) or structure.slides[joint.slide].point
+    return places
+
+
+def _groups(structure: Structure, loop: Loop) -> list[tuple[int, int]]:
+    """First and last body of each unknown group of two or more bodies."""
+    found: list[tuple[int, int]] = []
+    for base in loop.angles:
+        members = [k for k, body in enumerate(loop.bodies) if structure.base(body) == base]
+        if len(members) > 1:
+            found.append((members[0], members[-1]))
+    return found
+
+
+def _block_side(structure: Structure, loop: Loop, slide: str) -> str:
+    """Whether one comes to a slide of a group from its block's side (`entry`) or leaves to it (`exit`)."""
+    at = loop.joints.index(Sliding(slide))
+    return "entry" if loop.bodies[at - 1] == structure.block(structure.slides[slide]) else "exit"
+
+
+def _near_hinge(structure: Structure, loop: Loop, places: list[str], k: int) -> str:
+    """A hinge beside the slide spares a lever: the block's first, then the guide's, then a slide's place."""
+    joint = loop.joints[k]
+    assert isinstance(joint, Sliding)
+    before = places[k - 1] if k > 0 else ""
+    after = places[k + 1] if k + 1 < len(places) else ""
+    block = structure.block(structure.slides[joint.slide])
+    block_after = k < len(loop.bodies) and loop.bodies[k] == block
+    return (after or before) if block_after else (before or after)
+
+
+def _hops(structure: Structure, loop: Loop, places: list[str]) -> list[Hop]:
+    hops: list[Hop] = []
+    lever_bodies = _lever_bodies(structure, loop, places)
+    for k, joint in enumerate(loop.joints):
+        before = loop.bodies[k - 1] if k > 0 else _beyond(structure, joint, loop.bodies[0])
+        after = loop.bodies[k] if k < len(loop.bodies) else _beyond(structure, joint, loop.bodies[-1])
+        place = places[k]
+        if isinstance(joint, Sliding):
+            driven = joint.slide not in loop.slides
+            hops.append(Slip(Site(place, before), Site(place, after), driven, joint.slide))
+        elif 0 < k < len(loop.bodies) and _same_group(structure, loop, before, after):
+            hops.append(Twist(Site(place, before), Site(place, after), True, joint.point))
+        if k < len(loop.bodies) and places[k + 1] != place:
+            known = structure.base(after) not in loop.angles
+            assert known or after in lever_bodies
+            hops.append(Lever(Site(place, after), Site(places[k + 1], after), known))
+    return hops
+
+
+def _lever_bodies(structure: Structure, loop: Loop, places: list[str]) -> set[str]:
+    return {body for k, body in enumerate(loop.bodies) if places[k] != places[k + 1]}
+
+
+def _same_group(structure: Structure, loop: Loop, first: str, second: str) -> bool:
+    return structure.base(first) == structure.base(second) and structure.base(first) in loop.angles
+
+
+def _beyond(structure: Structure, joint: Hinge | Sliding, body: str) -> str:
+    """The known body on the far side of the loop's end joint."""
+    if isinstance(joint, Hinge):
+        return next(other for other in structure.owners[joint.point] if other != body)
+    pair = structure.slides[joint.slide]
+    return pair.guide if body != pair.guide else structure.block(pair)
+
+
+def _edge(structure: Structure, loop: Loop, places: list[str], k: int) -> Site:
+    body = loop.bodies[0] if k == 0 else loop.bodies[-1]
+    joint = loop.joints[k]
+    beyond = _beyond(structure, joint, body)
+    return Site(places[k], beyond)
+
+
+def _meeting(structure: Structure, hops: list[Hop], unknown: list[int]) -> int:
+    """Where the two sides meet: between the unknown hops; but a pin is always seen from its slot."""
+    for k, hop in enumerate(hops):
+        if not isinstance(hop, Slip) or not (structure.is_pin(hop.of.link) or structure.is_pin(hop.seen_from.link)):
+            continue
+        pin_ahead = structure.is_pin(hop.of.link)
+        if hop.seen_from.link == FRAME or hop.of.link == FRAME:
+            continue
+        if pin_ahead and k >= unknown[1]:
+            return k + 1
+        if not pin_ahead and k < unknown[1]:
+            return k
+    return unknown[1]
+
+
+def _turned(hop: Hop) -> Hop:
+    match hop:
+        case Lever(seen_from, of, known):
+            return Lever(of, seen_from, known)
+        case Slip(seen_from, of, known, slide):
+            return Slip(of, seen_from, known, slide)
+        case Twist(seen_from, of, known, pivot):
+            return Twist(of, seen_from, known, pivot)

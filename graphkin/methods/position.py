@@ -1,0 +1,273 @@
+"""The position construction: the mechanism drawn from its dimensions and its drivers, with ruler and compass."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from graphkin.mechanism import FRAME
+from graphkin.methods.closing import close
+from graphkin.methods.stages import Bridge, Carry, Loop, Stage
+from graphkin.methods.structure import Hinge, Joint, Sliding, Structure
+from graphkin.steps import (
+    Along,
+    AlongGuide,
+    Arm,
+    Construction,
+    Drawn,
+    Equation,
+    Given,
+    Image,
+    LayOff,
+    Measure,
+    Node,
+    Site,
+    Slid,
+    Span,
+    Step,
+    Swing,
+    Term,
+)
+
+__all__ = ["position"]
+
+
+@dataclass(frozen=True, slots=True)
+class _Piece:
+    """One stretch of a loop: an arm of a body, or the displacement of a slide."""
+
+    part: Arm | Slid
+    tail: str
+    head: str
+    base: str
+
+
+@dataclass
+class _Drawing:
+    structure: Structure
+    parts: list[Step | Equation] = field(default_factory=list)
+    points: set[str] = field(default_factory=set)
+    angles: set[str] = field(default_factory=lambda: {FRAME})
+    asides: list[str] = field(default_factory=list)
+    choices: int = 0
+
+    def choice(self) -> int:
+        self.choices += 1
+        return self.choices - 1
+
+    def aside(self) -> str:
+        self.asides.append(f"*{len(self.asides) + 1}")
+        return self.asides[-1]
+
+    # --- stages -------------------------------------------------------------------------------
+
+    def slid(self, slide: str, body: str) -> str:
+        """The end of a known displacement that lies on `body`."""
+        pair = self.structure.slides[slide]
+        forward = body != pair.guide
+        tail, head = (pair.line.origin, pair.point) if forward else (pair.point, pair.line.origin)
+        if head not in self.points:
+            term = Term(
+                head, tail, "", Span((Slid(slide, 1 if forward else -1),)), AlongGuide(slide), tail, head
+            )
+            self.parts.append(LayOff(term, tail, head))
+            self.points.add(head)
+        return head
+
+    def bridge(self, stage: Bridge) -> None:
+        tail, head = stage.points
+        self.parts.append(
+            Measure("theta", stage.body, tail, head, span=Span((Arm(stage.body, tail, head),)))
+        )
+        self.fill(stage.body)
+
+    def loop(self, stage: Loop) -> None:
+        pieces = _pieces(self.structure, stage)
+        runs = _runs(pieces, self.angles)
+        if any(isinstance(p.part, Slid) and p.part.slide in stage.slides and p.base in stage.angles for p in pieces):
+            self.swing(stage, pieces)
+        else:
+            self.meet(stage, runs)
+        for run in runs:
+            if run[0].base not in self.angles:
+                link = _link(self.structure, run[0])
+                self.measure_angle(link, run)
+        for slide in stage.slides:
+            self.measure_slide(slide)
+        self.angles.update(stage.angles)
+        for body in stage.bodies:
+            self.fill(body)
+
+    def meet(self, stage: Loop, runs: list[list[_Piece]]) -> None:
+        terms, reaches = [], {}
+        for run in runs:
+            term = _term(self.structure, stage, run, self.angles)
+            if term.direction is None:
+                reaches[term] = Span(tuple(piece.part for piece in run))
+            terms.append(term)
+        unknown = [k for k, term in enumerate(terms) if term.unknowns]
+        left = _drawn(terms[0].tail) + tuple(terms[: unknown[1]])
+        right = _drawn(terms[-1].head) + tuple(_reverse(t, reaches) for t in reversed(terms[unknown[1] :]))
+        equation = close(left[-1].head, left, right, reaches, self.aside, self.choice)
+        self.parts.append(equation)
+        self.points.update(node for term in terms for node in (term.tail, term.head))
+
+    def swing(self, stage: Loop, pieces: list[_Piece]) -> None:
+        guide = self.structure.slides[stage.slides[0]].guide
+        if guide != stage.bodies[0]:
+            pieces = [_turned(piece) for piece in reversed(pieces)]
+        pivot, through = pieces[0].tail, pieces[-1].head
+        span = Span(tuple(piece.part for piece in pieces))
+        self.parts.append(
+            Swing(guide, pivot, through, stage.slides[0], span, choice=self.choice())
+        )
+
+    # --- further points -----------------------------------------------------------------------
+
+    def measure_angle(self, link: str, run: list[_Piece]) -> None:
+        """A swing has found its angle itself; any other group's is read off."""
+        if isinstance(self.parts[-1], Swing):
+            return
+        span = Span(tuple(piece.part for piece in run))
+        self.parts.append(Measure("theta", link, run[0].tail, run[-1].head, span=span))
+
+    def measure_slide(self, slide: str) -> None:
+        pair = self.structure.slides[slide]
+        if pair.line.origin in self.points and pair.point in self.points and not self._swung(slide):
+            self.parts.append(Measure("s", slide, pair.line.origin, pair.point))
+
+    def _swung(self, slide: str) -> bool:
+        return any(isinstance(part, Swing) and part.slide == slide for part in self.parts)
+
+    def fill(self, body: str) -> None:
+        """All further points of a body whose angle is known, from one that is, or from the end of a slide."""
+        start = next((p for p in self.structure.bodies[body] if p in self.points), "") or self._start(body)
+        for point in self.structure.bodies[body]:
+            if point in self.points:
+                continue
+            known = [p for p in self.structure.bodies[body] if p in self.points and self._apart(body, p, start)]
+            if known:
+                self.parts.append(Image(body, (start, known[0], point), (start, known[0]), point))
+            else:
+                arm = Span((Arm(body, start, point),))
+                term = Term(point, start, "", arm, Along(start, point), start, point)
+                self.parts.append(LayOff(term, start, point))
+            self.points.add(point)
+
+    def _start(self, body: str) -> str:
+        slides = (joint.slide for joint, _ in self.structure.joints(body) if isinstance(joint, Sliding))
+        return next(
+            self.slid(slide, body)
+            for slide in slides
+            if {self.structure.slides[slide].line.origin, self.structure.slides[slide].point} & self.points
+        )
+
+    def _apart(self, body: str, first: str, second: str) -> bool:
+        if self.structure.is_pin(body):
+            return False
+        return abs(self.structure.mechanism.links[body].arm(first, second)) > 0
+
+
+def position(structure: Structure, order: tuple[Stage, ...]) -> tuple[Construction, int]:
+    """The position construction, and how many crossings in it leave two possibilities."""
+    drawing = _Drawing(structure)
+    for point in structure.bodies[FRAME]:
+        drawing.parts.append(Given(point))
+        drawing.points.add(point)
+    for stage in order:
+        match stage:
+            case Carry(body):
+                drawing.fill(body)
+            case Bridge():
+                drawing.bridge(stage)
+            case Loop():
+                drawing.loop(stage)
+    measured = {part.of for part in drawing.parts if isinstance(part, Measure) and part.quantity == "s"}
+    for slide in structure.slides:
+        if slide not in measured and slide not in structure.slides_driven and not drawing._swung(slide):
+            drawing.measure_slide(slide)
+    nodes = {point: Node(point, point, Site(point, structure.owners[point][0])) for point in drawing.points}
+    nodes |= {name: Node(name, "") for name in drawing.asides}
+    return Construction("position", tuple(drawing.parts), nodes), drawing.choices
+
+
+def _pieces(structure: Structure, loop: Loop) -> list[_Piece]:
+    """The way round as arms and displacements, from a known point to a known point."""
+    pieces: list[_Piece] = []
+    for k, joint in enumerate(loop.joints):
+        if not isinstance(joint, Hinge):
+            pair = structure.slides[joint.slide]
+            forward = (loop.bodies[k] if k < len(loop.bodies) else "") == structure.block(pair) or (
+                k > 0 and loop.bodies[k - 1] == pair.guide
+            )
+            ends = (pair.line.origin, pair.point)
+            tail, head = ends if forward else ends[::-1]
+            part = Slid(joint.slide, 1 if forward else -1)
+            pieces.append(_Piece(part, tail, head, structure.base(pair.guide)))
+        if k < len(loop.bodies):
+            body = loop.bodies[k]
+            tail, head = _end(structure, joint, body), _end(structure, loop.joints[k + 1], body)
+            if tail != head:
+                pieces.append(_Piece(Arm(body, tail, head), tail, head, structure.base(body)))
+    return pieces
+
+
+def _end(structure: Structure, joint: Joint, body: str) -> str:
+    """The point at which a joint holds a body."""
+    return joint.point if isinstance(joint, Hinge) else structure.slide_point(joint.slide, body)
+
+
+def _runs(pieces: list[_Piece], known: set[str]) -> list[list[_Piece]]:
+    """Pieces of one unknown group together; pieces whose direction is known one by one."""
+    runs: list[list[_Piece]] = []
+    for piece in pieces:
+        if runs and piece.base not in known and runs[-1][0].base == piece.base:
+            runs[-1].append(piece)
+        else:
+            runs.append([piece])
+    return runs
+
+
+def _term(structure: Structure, stage: Loop, run: list[_Piece], known: set[str]) -> Term:
+    tail, head = run[0].tail, run[-1].head
+    span = Span(tuple(piece.part for piece in run))
+    part = run[0].part
+    if run[0].base not in known:
+        return Term(head, tail, "", span, None, tail, head)
+    if isinstance(part, Slid):
+        size = None if part.slide in stage.slides else span
+        return Term(head, tail, "", size, AlongGuide(part.slide), tail, head)
+    return Term(head, tail, "", span, Along(tail, head), tail, head)
+
+
+def _turned(piece: _Piece) -> _Piece:
+    part: Arm | Slid
+    if isinstance(piece.part, Arm):
+        part = Arm(piece.part.link, piece.part.head, piece.part.tail)
+    else:
+        part = Slid(piece.part.slide, -piece.part.sign)
+    return _Piece(part, piece.head, piece.tail, piece.base)
+
+
+def _reverse(term: Term, reaches: dict[Term, Span]) -> Term:
+    """The same arrow seen from its other end."""
+    size = term.size
+    if isinstance(size, Span):
+        size = Span(tuple(_turned(_Piece(p, "", "", "")).part for p in reversed(size.parts)))
+    direction = term.direction
+    if isinstance(direction, Along):
+        direction = Along(direction.head, direction.tail)
+    turned = Term(term.seen_from, term.of, "", size, direction, term.head, term.tail)
+    if term in reaches:
+        reaches[turned] = reaches.pop(term)
+    return turned
+
+
+def _drawn(start: str) -> tuple[Term, ...]:
+    """The known end of a side, measured from the drawing's origin."""
+    return (Term(start, "", "", Drawn("", start), None, "", start),)
+
+
+def _link(structure: Structure, piece: _Piece) -> str:
+    if isinstance(piece.part, Arm):
+        return piece.part.link
+    return structure.slides[piece.part.slide].guide

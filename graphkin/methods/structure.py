@@ -1,0 +1,158 @@
+"""Bodies, joints, and which links hold their angles to one another.
+
+A pin in a slot counts as a block without mass of its own: a body that carries the pin's point and turns
+with the slot. So every sliding pair joins two bodies, and every group of the method is made of hinges and
+slides alone (the lower-pair form a textbook gives the half joint).
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.pairs import Slide
+from graphkin.steps import TurnOf
+
+__all__ = ["Hinge", "Joint", "Sliding", "Structure"]
+
+
+@dataclass(frozen=True, slots=True)
+class Hinge:
+    """Bodies turn about a common point."""
+
+    point: str
+
+
+@dataclass(frozen=True, slots=True)
+class Sliding:
+    """Two bodies slide on one another."""
+
+    slide: str
+
+
+Joint = Hinge | Sliding
+
+
+@dataclass(frozen=True)
+class Structure:
+    """The mechanism as the planner sees it."""
+
+    mechanism: Mechanism
+
+    @cached_property
+    def bodies(self) -> dict[str, tuple[str, ...]]:
+        """Points of each body: the links, then the blocks that stand for pins."""
+        bodies = {name: tuple(link.points) for name, link in self.mechanism.links.items()}
+        bodies |= {self.block(s): (s.point,) for s in self.mechanism.slides if s.block is None}
+        return bodies
+
+    @cached_property
+    def order(self) -> dict[str, int]:
+        return {name: k for k, name in enumerate(self.bodies)}
+
+    @staticmethod
+    def block(slide: Slide) -> str:
+        """The body that slides: the block, or the one that stands for the pin."""
+        return slide.block if slide.block is not None else f"pin {slide.name}"
+
+    def is_pin(self, body: str) -> bool:
+        return body not in self.mechanism.links
+
+    def home(self, body: str) -> str:
+        """The link people name for a body: for a pin, the first link that carries it."""
+        if not self.is_pin(body):
+            return body
+        slide = self.mechanism.slide(body.removeprefix("pin "))
+        return next(name for name in self.mechanism.owners[slide.point] if name != slide.guide)
+
+    @cached_property
+    def slides(self) -> dict[str, Slide]:
+        return {slide.name: slide for slide in self.mechanism.slides}
+
+    @cached_property
+    def slides_driven(self) -> dict[str, int]:
+        return {d.link: k for k, d in enumerate(self.mechanism.drivers) if d.kind == "slide"}
+
+    @cached_property
+    def owners(self) -> dict[str, tuple[str, ...]]:
+        """Bodies of each point."""
+        owners: dict[str, tuple[str, ...]] = {}
+        for body, points in self.bodies.items():
+            for point in points:
+                owners[point] = (*owners.get(point, ()), body)
+        return owners
+
+    def joints(self, body: str) -> Iterator[tuple[Joint, tuple[str, ...]]]:
+        """The joints of a body, each with the other bodies there."""
+        for point in self.bodies[body]:
+            if others := tuple(other for other in self.owners[point] if other != body):
+                yield Hinge(point), others
+        for slide in self.mechanism.slides:
+            pair = (slide.guide, self.block(slide))
+            if body in pair:
+                yield Sliding(slide.name), (pair[1] if body == pair[0] else pair[0],)
+
+    def slide_point(self, slide: str, body: str) -> str:
+        """Where a slide's line holds on to a body: its origin on the guide, its point on the block."""
+        pair = self.slides[slide]
+        return pair.line.origin if body == pair.guide else pair.point
+
+    # --- links that hold their angles to one another ------------------------------------------
+
+    @cached_property
+    def turns(self) -> Mapping[str, TurnOf]:
+        """Each body's angle by that of the base body of its group; the frame's group is the known one."""
+        turns: dict[str, TurnOf] = {}
+        for base in self.bodies:
+            if base in turns:
+                continue
+            turns[base] = TurnOf(base)
+            reached = [base]
+            for body in reached:
+                for other, more in self._angle_ties(body):
+                    if other not in turns:
+                        turns[other] = _chain(turns[body], more)
+                        reached.append(other)
+        return turns
+
+    def _angle_ties(self, body: str) -> Iterator[tuple[str, TurnOf]]:
+        """Bodies whose angle against this one is given, by a slide or by a driver."""
+        for slide in self.mechanism.slides:
+            turn = slide.turn if slide.block is not None else cmath.phase(slide.line.direction)
+            if body == slide.guide:
+                yield self.block(slide), TurnOf(body, turn)
+            elif body == self.block(slide):
+                yield slide.guide, TurnOf(body, -turn)
+        for k, driver in enumerate(self.mechanism.drivers):
+            if driver.kind != "angle":
+                continue
+            offset = self._driver_offset(driver)
+            if body == driver.from_link:
+                yield driver.link, TurnOf(body, offset, ((k, 1),))
+            elif body == driver.link:
+                yield driver.from_link, TurnOf(body, -offset, ((k, -1),))
+
+    def _driver_offset(self, driver: Driver) -> float:
+        """Angle of the driven link against the other where the driver's own value is 0."""
+        links = self.mechanism.links
+        assert driver.vector is not None
+        offset = -cmath.phase(links[driver.link].arm(*driver.vector))
+        if driver.from_vector is not None:
+            offset += cmath.phase(links[driver.from_link].arm(*driver.from_vector))
+        return offset
+
+    def base(self, body: str) -> str:
+        return self.turns[body].base
+
+    def steady(self, body: str) -> bool:
+        """Whether a body of the frame's group has no angular acceleration, whatever the position."""
+        turn = self.turns[body]
+        drivers = self.mechanism.drivers
+        return turn.base == FRAME and all(drivers[k].acceleration == 0 for k, _ in turn.drivers)
+
+
+def _chain(first: TurnOf, second: TurnOf) -> TurnOf:
+    return TurnOf(first.base, first.constant + second.constant, first.drivers + second.drivers)

@@ -1,0 +1,36 @@
+"""Cam pair: two profiles touch and slide. Each is a circle (radius 0: a knife edge) or a straight line."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from graphkin.pairs.line import Line
+
+__all__ = ["Cam", "Profile"]
+
+
+@dataclass(frozen=True, slots=True)
+class Profile:
+    """A circle about `centre` with `radius` [m], or a `line` (`left`: the other profile lies left of it)."""
+
+    centre: str | None
+    radius: float
+    line: Line | None
+    left: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Cam:
+    """One `[[cam]]`: two links and their profiles; circles touch outside unless `internal`."""
+
+    table: ClassVar[str] = "cam"
+    solved: ClassVar[bool] = False
+
+    links: tuple[str, str]
+    profiles: tuple[Profile, Profile]
+    internal: bool
+
+    @property
+    def joins(self) -> tuple[str, ...]:
+        return self.links

@@ -1,0 +1,25 @@
+"""Gear pair: two pitch circles roll on each other; other links keep the distance of their centres."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+__all__ = ["Gear"]
+
+
+@dataclass(frozen=True, slots=True)
+class Gear:
+    """One `[[gear]]`: two links, their centres and pitch radii [m]; `internal` if one rim encloses the other."""
+
+    table: ClassVar[str] = "gear"
+    solved: ClassVar[bool] = False
+
+    links: tuple[str, str]
+    centres: tuple[str, str]
+    radii: tuple[float, float]
+    internal: bool
+
+    @property
+    def joins(self) -> tuple[str, ...]:
+        return self.links

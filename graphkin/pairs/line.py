@@ -1,0 +1,21 @@
+"""A straight line fixed in a link: the path of a sliding pair, a rack, the flat face of a cam follower."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+__all__ = ["Line"]
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A directed line of `link`, through its point `origin`.
+
+    origin     a point of the link; lines of the frame given by coordinates have a point of their own
+               there, whose name starts with a small letter (`s0`, `r1`), so that no user's point can clash
+    direction  unit complex number in the link's own axes
+    """
+
+    link: str
+    origin: str
+    direction: complex

@@ -1,0 +1,23 @@
+"""Revolute pair (hinge): links share a point."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+__all__ = ["Revolute"]
+
+
+@dataclass(frozen=True, slots=True)
+class Revolute:
+    """`links` (the frame may be one) all turn about `point`; three or more make a multiple hinge."""
+
+    table: ClassVar[str] = ""
+    solved: ClassVar[bool] = True
+
+    point: str
+    links: tuple[str, ...]
+
+    @property
+    def joins(self) -> tuple[str, ...]:
+        return self.links

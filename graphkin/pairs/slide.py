@@ -1,0 +1,51 @@
+"""Sliding (prismatic) pair, and pin in a slot.
+
+A block does not turn against its guide and its point stays on the guide's line; a pin's point stays
+on the line and may turn. Displacement s is measured along the line from its origin to the point.
+"""
+
+from __future__ import annotations
+
+import cmath
+from dataclasses import dataclass
+from typing import ClassVar
+
+from graphkin.pairs.line import Line
+
+__all__ = ["Slide"]
+
+
+@dataclass(frozen=True, slots=True)
+class Slide:
+    """One `[[slide]]`.
+
+    name    as the file gives it, else `s0`, `s1`, .. by the order of the slides in the file
+    named   whether the file gave the name
+    line    the path, fixed in the guide `line.link`
+    point   the point that stays on the line
+    block   the link that slides without turning; None for a pin in a slot
+    tilt    angle from the line to the block's axis (its first two points) [rad]; 0 for one point
+    """
+
+    table: ClassVar[str] = "slide"
+    solved: ClassVar[bool] = True
+
+    name: str
+    named: bool
+    line: Line
+    point: str
+    block: str | None
+    tilt: float
+
+    @property
+    def guide(self) -> str:
+        return self.line.link
+
+    @property
+    def joins(self) -> tuple[str, ...]:
+        return (self.guide,) if self.block is None else (self.guide, self.block)
+
+    @property
+    def turn(self) -> float:
+        """Angle from the guide's axis to the block's axis, fixed while the block slides [rad]."""
+        return cmath.phase(self.line.direction) + self.tilt
