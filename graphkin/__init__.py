@@ -1,0 +1,55 @@
+"""graphkin: graphical kinematics for planar mechanisms.
+
+A mechanism is one TOML file. graphkin draws it to scale, writes its vector equations, constructs its
+velocity and its acceleration polygon step by step, and proves them right against an analytic solution.
+
+    mechanism.toml -- loading --> Mechanism     what the machine is; frozen, holds no position
+    Mechanism -- methods.plan --> Method        three constructions, planned once, from topology
+    Method + driver values -- replay --> Plot   named points and quantities, scalars or arrays
+    Plot -- sheet --> Sheet -- outputs --> SVG
+    Mechanism -- analytic --> Motion            the other road; it never reads a construction
+    check: Plot, or a drawing file, beside Motion
+
+A module imports only from those before it in `ORDER`. A construction is data: a reader of its steps (replay,
+words, sheet, check) handles every kind of step, and the type checker sees to that.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+__version__ = "0.1.0"
+
+ORDER = (
+    "errors", "geometry", "steps", "pairs", "mechanism", "loading", "library", "methods", "naming", "analytic",
+    "freedoms", "readings", "check", "results", "words", "sheet", "outputs", "api", "cli",
+)  # fmt: skip
+
+_WHERE = {
+    "load": "api",
+    "plan": "api",
+    "replay": "api",
+    "motion": "analytic",
+    "sheet": "sheet",
+    "explain": "words",
+    "measure": "check",
+    "GraphkinError": "errors",
+}
+
+__all__ = ["GraphkinError", "explain", "load", "measure", "motion", "plan", "replay", "sheet"]
+
+if TYPE_CHECKING:
+    from graphkin.analytic import motion
+    from graphkin.api import load, plan, replay
+    from graphkin.check import measure
+    from graphkin.errors import GraphkinError
+    from graphkin.sheet import sheet
+    from graphkin.words import explain
+
+
+def __getattr__(name: str) -> Any:
+    """Public names are imported when first used, so that a command loads only what it needs."""
+    if name not in _WHERE:
+        raise AttributeError(f"module 'graphkin' has no attribute {name!r}")
+    return getattr(import_module(f"graphkin.{_WHERE[name]}"), name)

@@ -7,13 +7,13 @@ Mechanism -> rules      each pair's joints and linear relations (one function a 
           -> assembly   the drawn position: the assembly nearest to the sketch
           -> moving     from there to other driver values, the assembly kept by moving on
           -> rates      A y' = B, A y'' = -A' y' + B'
-          -> motion     everything by name: Motion
+          -> motions    everything by name: Motion
           -> freedom    degrees of freedom by rank: Mobility
 ```
 """
 
 from graphkin.analytic.freedom import Mobility, mobility
-from graphkin.analytic.motion import Motion, conditioning, motion
+from graphkin.analytic.motions import Motion, conditioning, motion
 from graphkin.analytic.singular import NoAssembly, NotJoined, SingularPosition
 
 __all__ = [

@@ -24,7 +24,7 @@ __all__ = ["Assembled", "Drawn", "assemble", "drawn", "held"]
 
 _STARTS = 128
 _MET = 1e-6
-"""A loop open by less than this (in units of size) is closed: lengths in files are rounded."""
+"""A loop open by less than this (in units of size) is closed, once Newton has settled: lengths in files are rounded."""
 _SAME = 1e-4
 """Positions of all unknowns nearer than this are one assembly [rad, size]."""
 
@@ -35,8 +35,6 @@ class Assembled:
 
     q: Real | None
     gap: float
-    nearest: Real
-    """Where the smallest gap was found (n,); q itself where there is one."""
 
 
 @dataclass(frozen=True)
@@ -79,15 +77,19 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
     relations, c = _standing(mechanism, loops, driving)
     closure = Closure.of(loops, relations)
     starts = _starts(guess(mechanism, loops), mechanism, loops)
-    ends, _ = search(closure, starts, c)
+    ends = search(closure, starts, c)
     closed = close(closure, ends, c, steps=40)
-    gap = np.maximum(closed.gap, closure.known.mismatch(c))
-    best = int(np.argmin(gap))
-    met = gap < _MET
+    met = (closed.gap < _MET) & (closed.step < _MET) & (closure.known.mismatch(c) < _MET)
     if not np.any(met):
-        return Assembled(None, float(gap[best]) * loops.size, closed.q[best])
-    chosen = choose(mechanism, loops, _distinct(closed.q[met]))
-    return Assembled(chosen, 0.0, chosen)
+        return Assembled(None, _smallest_gap(closure, ends, c) * loops.size)
+    return Assembled(choose(mechanism, loops, _distinct(closed.q[met])), 0.0)
+
+
+def _smallest_gap(closure: Closure, ends: Real, c: Real) -> float:
+    """How near the loops come to closing; a mismatch of angles counts at the mechanism's size."""
+    best = np.argsort(closure.loops.open_by(ends))[:4]
+    gap = closure.loops.open_by(search(closure, ends[best], c, steps=300))
+    return max(float(gap.min()), closure.known.mismatch(c))
 
 
 def _standing(mechanism: Mechanism, loops: Loops, driving: bool) -> tuple[tuple[Relation, ...], Real]:

@@ -48,9 +48,7 @@ def eliminate(weights: Real) -> Elimination:
     """Gauss-Jordan on W (k, n) beside the unit matrix, each row pivoting on its largest entry."""
     k, n = weights.shape
     table = np.hstack([weights, np.eye(k)])
-    table /= np.max(abs(weights), axis=1, initial=0.0, keepdims=True) + (
-        abs(weights).sum(1, keepdims=True) == 0
-    )
+    table /= np.max(abs(weights), axis=1, initial=0.0, keepdims=True) + (abs(weights).sum(1, keepdims=True) == 0)
     pivots: dict[int, int] = {}
     for row in range(k):
         column = int(np.argmax(abs(table[row, :n]))) if n else 0

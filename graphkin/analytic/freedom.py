@@ -13,9 +13,9 @@ import numpy as np
 from graphkin.analytic.assembly import assemble, held
 from graphkin.analytic.loops import Loops, loops_of
 from graphkin.analytic.newton import Closure, close
-from graphkin.analytic.rules import driven
+from graphkin.analytic.rules import driven, placing
 from graphkin.analytic.vectors import Real
-from graphkin.mechanism import Driver, Mechanism, Pose
+from graphkin.mechanism import Mechanism
 
 __all__ = ["Mobility", "mobility"]
 
@@ -132,9 +132,8 @@ class _Ranks:
 
 def _scale(rows: Real) -> Real:
     """Largest entry of each row, so that a driven length weighs as much as a driven angle."""
-    return np.max(np.abs(rows), axis=1, initial=0.0, keepdims=True) + (
-        np.abs(rows).sum(1, keepdims=True) == 0
-    )
+    most = np.max(np.abs(rows), axis=1, initial=0.0, keepdims=True)
+    return np.where(most > 0, most, 1.0)
 
 
 def _nearby(loops: Loops, q: Real) -> list[Real]:
@@ -164,8 +163,5 @@ def _moving(mechanism: Mechanism, loops: Loops, q: Real, equations: Real) -> tup
 
 def _unplaced(mechanism: Mechanism, loops: Loops, q: Real, constraints: Real) -> tuple[str, ...]:
     """Links that neither driver values nor poses place at the drawn position."""
-    given: list[Driver | Pose] = [
-        each for each in (*mechanism.drivers, *mechanism.poses) if each.value is not None
-    ]
-    rows = loops.weights([driven(mechanism, each) for each in given])
+    rows = loops.weights([driven(mechanism, each) for each, _ in placing(mechanism)])
     return _moving(mechanism, loops, q, np.vstack([constraints, rows / _scale(rows)]))

@@ -54,6 +54,10 @@ class Loops:
         """How far each loop stays open, x and y: (..., 2r), in units of size."""
         return parts(self.vectors.at(q) @ self.rows.T, -1)
 
+    def open_by(self, q: Real) -> Real:
+        """The widest gap of any loop: (...), in units of size."""
+        return np.asarray(np.max(np.abs(self.vectors.at(q) @ self.rows.T), axis=-1, initial=0.0))
+
     def slope(self, q: Real) -> Real:
         """d gap / dq: (..., 2r, n)."""
         return parts(self.vectors.slope(self.rows, q), -2)

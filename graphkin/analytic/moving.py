@@ -24,6 +24,8 @@ _LENGTH_STRIDE = 0.02
 """The same for a displacement, in units of the mechanism's size."""
 _SHORTEST = 1e-5
 """Sub-steps this much shorter than the longest are the end of the way."""
+_MARGIN = 4 * _SHORTEST
+"""So near its end a way still counts as leading there: a dead point itself is reached by Newton only."""
 _REACH = 0.2
 """Longest sub-step of any unknown [rad, size]."""
 _TRUST = 0.1
@@ -54,7 +56,9 @@ def _fanned(closure: Closure, start: Real, c: Real, change: Real) -> Real:
     q, done = np.broadcast_to(start, (len(change), len(start))), np.zeros(len(change))
     for q, done in _walk(closure, start, c, change):  # noqa: B007 - the last one counts
         pass
-    return np.where((done >= 1)[:, None], q, np.nan)
+    closed = close(closure, q, c + change, steps=25)
+    reached = done >= 1 - _MARGIN * _longest(closure, change)
+    return np.where((reached & _good(closed, q))[:, None], closed.q, np.nan)
 
 
 def _on_line(closure: Closure, start: Real, c: Real, line: Real, along: Real) -> Real:
@@ -64,7 +68,8 @@ def _on_line(closure: Closure, start: Real, c: Real, line: Real, along: Real) ->
     nodes = np.concatenate([back[1][:0:-1], forth[1]])
     guess = _between(at, nodes, tangent(closure, nodes, line), along)
     closed = close(closure, guess, c + along[:, None] * line, steps=25)
-    reached = (along >= at[0] - 1e-12) & (along <= at[-1] + 1e-12)
+    margin = _MARGIN * _longest(closure, line[None])[0]
+    reached = (along >= at[0] - margin) & (along <= at[-1] + margin)
     return np.where((reached & _good(closed, guess))[:, None], closed.q, np.nan)
 
 

@@ -46,7 +46,7 @@ class Closure:
 
 @dataclass(frozen=True, slots=True)
 class Closed:
-    """Where Newton ended: unknowns (..., n), loops still open by `gap` (...), last step (...)."""
+    """Where Newton ended: unknowns (p, n), loops still open by `gap` (p,), last step (p,)."""
 
     q: Real
     gap: Real
@@ -54,62 +54,68 @@ class Closed:
 
 
 def close(closure: Closure, q: Real, c: Real, steps: int = 12) -> Closed:
-    """Newton from q, with the relations at c. A step is at most 1 rad, or the mechanism's size."""
+    """Newton from q (p, n), with the relations at c. A step is at most 1 rad, or the mechanism's size.
+
+    Positions that have settled are left alone, so a few at dead points do not keep all others busy.
+    """
     q = closure.known.unknowns(q[..., closure.known.free], c)
-    last = np.zeros(q.shape[:-1])
+    last = np.full(len(q), np.inf)
     for _ in range(steps):
-        step = _newton_step(closure, q)
-        q = closure.move(q, step)
-        last = np.max(np.abs(step), axis=-1, initial=0.0)
-        if np.all(last < _SETTLED):
+        busy = last >= _SETTLED
+        if not busy.any():
             break
-    return Closed(q, np.max(np.abs(closure.loops.gap(q)), axis=-1, initial=0.0), last)
+        step = _newton_step(closure, q[busy])
+        q[busy] = closure.move(q[busy], step)
+        last[busy] = np.max(np.abs(step), axis=-1, initial=0.0)
+    return Closed(q, closure.loops.open_by(q), last)
 
 
 def _newton_step(closure: Closure, q: Real) -> Real:
     matrix, gap = closure.matrix(q), closure.loops.gap(q)[..., None]
     if matrix.shape[-1] == matrix.shape[-2]:
         try:
-            return np.clip(-np.linalg.solve(matrix, gap)[..., 0], -1, 1)
+            return np.asarray(np.clip(-np.linalg.solve(matrix, gap)[..., 0], -1, 1))
         except np.linalg.LinAlgError:  # one position of all is exactly singular
             pass
-    return np.clip(-(pseudo_inverse(matrix) @ gap)[..., 0], -1, 1)
+    return np.asarray(np.clip(-(pseudo_inverse(matrix) @ gap)[..., 0], -1, 1))
 
 
 def pseudo_inverse(matrix: Real) -> Real:
     """Moore-Penrose inverse; for no rows or no columns too."""
     if 0 in matrix.shape:
         return np.zeros((*matrix.shape[:-2], matrix.shape[-1], matrix.shape[-2]))
-    return np.linalg.pinv(matrix)
+    return np.asarray(np.linalg.pinv(matrix), dtype=np.float64)
 
 
 def inverse(matrix: Real) -> tuple[Real, Real]:
-    """The (pseudo-)inverse of A (..., 2r, y), and the reciprocal condition number (...)."""
-    inverted = _inverted(matrix)
-    size, other = (np.linalg.norm(part, axis=(-2, -1)) for part in (matrix, inverted))
-    columns = matrix.shape[-1]
-    if columns == 0:
-        return inverted, np.ones(matrix.shape[:-2])
-    product = np.where(size * other > 0, size * other, np.inf)
-    return inverted, columns / product if _full(matrix) else np.zeros_like(product)
+    """The (pseudo-)inverse of A (p, 2r, y), and the reciprocal condition number (p,): 1 best, 0 singular.
 
-
-def _full(matrix: Real) -> bool:
-    """Too few equations can never be well conditioned."""
-    return bool(matrix.shape[-2] >= matrix.shape[-1])
-
-
-def _inverted(matrix: Real) -> Real:
-    if matrix.shape[-1] == matrix.shape[-2] and matrix.size:
+    The condition is |A| |A^-1| / y in the Frobenius norm.
+    """
+    rows, columns = matrix.shape[-2:]
+    if rows == columns > 0:
         try:
-            return np.linalg.inv(matrix)
-        except np.linalg.LinAlgError:
+            inverted = np.asarray(np.linalg.inv(matrix), dtype=np.float64)
+        except np.linalg.LinAlgError:  # one position of all is exactly singular
             pass
-    return pseudo_inverse(matrix)
+        else:
+            other = np.linalg.norm(inverted, axis=(-2, -1))
+            return inverted, columns / (np.linalg.norm(matrix, axis=(-2, -1)) * other)
+    return pseudo_inverse(matrix), _condition(matrix)
 
 
-def search(closure: Closure, q: Real, c: Real, steps: int = 60) -> tuple[Real, Real]:
-    """Levenberg-Marquardt from many starts q (b, n): where each ends, and its gap (b,), in units of size.
+def _condition(matrix: Real) -> Real:
+    """By singular values, for a pseudo-inverse leaves out those that vanish: (p,)."""
+    rows, columns = matrix.shape[-2:]
+    if columns == 0 or rows < columns:
+        return np.full(matrix.shape[:-2], float(columns == 0))
+    values = np.linalg.svd(matrix, compute_uv=False)
+    inverted = np.sqrt((1 / np.maximum(values, 1e-150) ** 2).sum(axis=-1))
+    return np.asarray(columns / np.maximum(np.sqrt((values**2).sum(axis=-1)) * inverted, 1.0))
+
+
+def search(closure: Closure, q: Real, c: Real, steps: int = 60) -> Real:
+    """Levenberg-Marquardt from many starts q (b, n): where each ends.
 
     A step that opens the loops further is taken back and damped more, each start for itself.
     """
@@ -123,10 +129,10 @@ def search(closure: Closure, q: Real, c: Real, steps: int = 60) -> tuple[Real, R
         better = np.sum(new**2, axis=-1) < np.sum(gap**2, axis=-1)
         q, gap = np.where(better[:, None], tried, q), np.where(better[:, None], new, gap)
         damping = np.clip(np.where(better, damping / 5, damping * 4), 1e-12, 1e6)
-    return q, np.max(np.abs(gap), axis=-1, initial=0.0)
+    return q
 
 
 def _damped_step(matrix: Real, gap: Real, damping: NDArray[np.float64]) -> Real:
     transposed = np.swapaxes(matrix, -1, -2)
     normal = transposed @ matrix + damping[:, None, None] * np.eye(matrix.shape[-1])
-    return -np.linalg.solve(normal, transposed @ gap[..., None])[..., 0]
+    return np.asarray(-np.linalg.solve(normal, transposed @ gap[..., None])[..., 0])

@@ -39,8 +39,7 @@ class NoAssembly(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the mechanism cannot be assembled with these lengths and driver values; "
         "a gap of {gap_mm:.3g} mm stays open. Change a length or move the driver.",
-        "zh": "{where}：按给定的长度和原动件位置无法装配，最小缺口为 {gap_mm:.3g} mm。"
-        "请改变某一长度或原动件的位置。",
+        "zh": "{where}：按给定的长度和原动件位置无法装配，最小缺口为 {gap_mm:.3g} mm。请改变某一长度或原动件的位置。",
     }
 
 

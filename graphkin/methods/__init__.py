@@ -9,16 +9,17 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from graphkin.errors import HigherClass
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.methods.assembly import pick_sides, refuse_bad_positions
-from graphkin.methods.hops import Slip, halves
+from graphkin.methods.hops import Slip, Twist, halves
 from graphkin.methods.motion import Labels, motion
 from graphkin.methods.position import position
-from graphkin.methods.refusals import Unreached, refuse_unsolved
-from graphkin.methods.stages import Carry, Loop, Stage, stages
+from graphkin.methods.refusals import refuse_unsolved
+from graphkin.methods.stages import Bridge, Carry, Loop, Stage, stages
 from graphkin.methods.structure import Sliding, Structure
-from graphkin.steps import Construction, Equation, Facts, Meet, Plot, Site, Swing, replay
+from graphkin.steps import Construction, Equation, Facts, Meet, Plot, Site, Step, Swing, replay
 
 __all__ = ["Method", "plan", "replay_all"]
 
@@ -28,7 +29,7 @@ class Method:
     """How a mechanism is solved on paper: three constructions, planned once from its topology.
 
     stages  the order of solution: bodies carried along, and loops with two unknown scalars
-    sites   every point written in the polygons (`C`, `B3`) as a point of the mechanism on a link
+    coincident  points at which links move past each other, with the link whose point the hinge there is
     """
 
     mechanism: Mechanism
@@ -37,6 +38,12 @@ class Method:
     position: Construction
     velocity: Construction
     acceleration: Construction
+    coincident: Mapping[str, str]
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether constraints and drivers, counted by the formula, do not add up: some repeat others, or clash."""
+        return any(isinstance(stage, Bridge) for stage in self.stages) or self.structure.surplus != 0
 
     @property
     def constructions(self) -> tuple[Construction, Construction, Construction]:
@@ -44,6 +51,7 @@ class Method:
 
     @property
     def sites(self) -> Mapping[str, Site]:
+        """Every point written in the polygons (`C`, `B3`) as a point of the mechanism on a link."""
         nodes = self.velocity.nodes.values()
         return {node.of: node.site for node in nodes if node.site is not None}
 
@@ -63,14 +71,16 @@ def plan(mechanism: Mechanism) -> Method:
     order, left = stages(structure)
     if left:
         names = list(dict.fromkeys(structure.home(body) for body in left))
-        raise Unreached(mechanism.where("links", names[0]), ", ".join(names))
-    labels = Labels(structure, _coincident(structure, order))
+        raise HigherClass(mechanism.where("links", names[0]), tuple(names))
+    coincident = _coincident(structure, order)
+    labels = Labels(structure, coincident)
     drawn, choices = position(structure, order)
     pole = _pole(mechanism)
     velocity, at = motion(structure, order, labels, "velocity", pole, lambda site: "")
     acceleration, _ = motion(structure, order, labels, "acceleration", pole, at)
     sides = pick_sides(structure, drawn, choices, _facts(structure, None))
-    return Method(mechanism, structure, order, _with_sides(drawn, sides), velocity, acceleration)
+    drawn = _with_sides(drawn, sides)
+    return Method(mechanism, structure, order, drawn, velocity, acceleration, coincident)
 
 
 def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
@@ -109,35 +119,44 @@ def _pole(mechanism: Mechanism) -> str:
 
 
 def _coincident(structure: Structure, order: tuple[Stage, ...]) -> dict[str, str]:
-    """Points at which links slide past a moving link, with the link of which the hinge there is a point."""
+    """Points at which links move past a moving link, with the link of which the hinge there is a point."""
     found: dict[str, str] = {}
     for stage in order:
-        slips: list[Slip] = []
-        if isinstance(stage, Loop):
-            _, left, _, right = halves(structure, stage)
-            slips = [hop for hop in left + right if isinstance(hop, Slip)]
-        elif isinstance(stage, Carry) and isinstance(stage.by, Sliding):
-            pair = structure.slides[stage.by.slide]
-            ends = (Site(pair.point, pair.guide), Site(pair.point, structure.block(pair)))
-            slips = [Slip(ends[0], ends[1], True, pair.name)]
-        for slip in slips:
-            if FRAME not in (slip.seen_from.link, slip.of.link):
-                block = structure.block(structure.slides[slip.slide])
-                found.setdefault(slip.of.point, structure.home(block))
+        for hop in _jumps(structure, stage):
+            if isinstance(hop, Twist):
+                owners = structure.owners[hop.of.point]
+                home = next(s.link for s in (hop.of, hop.seen_from) if s.link in owners)
+                found.setdefault(hop.of.point, home)
+            elif FRAME not in (hop.seen_from.link, hop.of.link):
+                block = structure.block(structure.slides[hop.slide])
+                found.setdefault(hop.of.point, structure.home(block))
     return found
+
+
+def _jumps(structure: Structure, stage: Stage) -> list[Slip | Twist]:
+    """The coincident points of one stage."""
+    if isinstance(stage, Loop):
+        _, left, _, right = halves(structure, stage)
+        return [hop for hop in left + right if isinstance(hop, Slip | Twist)]
+    if isinstance(stage, Carry) and isinstance(stage.by, Sliding):
+        pair = structure.slides[stage.by.slide]
+        ends = (Site(pair.point, pair.guide), Site(pair.point, structure.block(pair)))
+        return [Slip(ends[0], ends[1], True, pair.name)]
+    return []
 
 
 def _with_sides(construction: Construction, sides: tuple[int, ...]) -> Construction:
     """The construction with the crossings that the sketch asks for."""
-
-    def chosen(step: object) -> object:
-        if isinstance(step, Meet | Swing) and step.choice is not None:
-            return replace(step, side=sides[step.choice])
-        return step
-
-    parts = []
+    parts: list[Step | Equation] = []
     for part in construction.parts:
         if isinstance(part, Equation):
-            part = replace(part, steps=tuple(chosen(step) for step in part.steps))  # type: ignore[arg-type]
-        parts.append(chosen(part))
-    return replace(construction, parts=tuple(parts))  # type: ignore[arg-type]
+            parts.append(replace(part, steps=tuple(_chosen(step, sides) for step in part.steps)))
+        else:
+            parts.append(_chosen(part, sides))
+    return replace(construction, parts=tuple(parts))
+
+
+def _chosen(step: Step, sides: tuple[int, ...]) -> Step:
+    if isinstance(step, Meet | Swing) and step.choice is not None:
+        return replace(step, side=sides[step.choice])
+    return step

@@ -7,21 +7,22 @@ picks the nearest. A sketch that says nothing of a choice leaves it to custom: d
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
 
 import numpy as np
 
-from graphkin.methods.refusals import AmbiguousSketch, CannotAssemble, DeadPoint
-from graphkin.geometry import Value
+from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
+from graphkin.geometry import Value, cross
 from graphkin.methods.structure import Structure
-from graphkin.steps import Arc, Arm, Construction, Facts, Meet, Plot, Ray, Span, Step, Swing, replay
+from graphkin.steps import Arc, Arm, Construction, Facts, Meet, Plot, Ray, Span, Swing, replay
 
 __all__ = ["DEAD_SINE", "pick_sides", "refuse_bad_positions"]
 
 DEAD_DEG = 0.5
 """Lines that meet under less than this give no usable drawing [deg]."""
 DEAD_SINE = float(np.sin(np.radians(DEAD_DEG)))
-TOUCH = 1e-9
-"""Circles that miss each other by less than this part of their size touch: a dead point, no gap."""
+CLOSED = 1e-9
+"""A gap of less than this part of the mechanism's size is none."""
 
 
 def pick_sides(structure: Structure, construction: Construction, choices: int, facts: Facts) -> tuple[int, ...]:
@@ -109,7 +110,7 @@ def _ambiguous(structure: Structure, plot: Plot, first: int, second: int) -> Amb
     }
     point, (one, two) = next(iter(places.items()), ("", (0j, 0j)))
     return AmbiguousSketch(
-        mechanism.where("sketch", point), ", ".join(places), point, _millimetres(one), _millimetres(two)
+        mechanism.where("sketch", point), tuple(places), point, _millimetres(one), _millimetres(two)
     )
 
 
@@ -124,42 +125,75 @@ def refuse_bad_positions(structure: Structure, construction: Construction, plot:
     """A single position that does not close, or is a dead point, raises; arrays pass, with NaN in them."""
     if any(np.ndim(value) for value in plot.position.values()):
         return
+    for step, key in _crossings(construction):
+        sine = plot.sines["position", key]
+        if not np.isfinite(sine) or sine < DEAD_SINE:
+            raise _refusal_at(structure, step, key, plot)
+    link, gap = _open_link(structure, plot)
+    if gap > CLOSED * _extent(plot):
+        mechanism = structure.mechanism
+        raise CannotAssemble(mechanism.where("links", link), (mechanism.called(link),), gap * 1000)
+
+
+def _crossings(construction: Construction) -> Iterator[tuple[Meet | Swing, str]]:
+    """The steps that may fail, each with the name under which the plot keeps its angle."""
     for step in construction.steps:
-        if isinstance(step, Meet | Swing):
-            key = step.slide if isinstance(step, Swing) else step.point
-            if not np.isfinite(plot.sines["position", key]) or plot.sines["position", key] < DEAD_SINE:
-                raise _refusal_at(structure, step, plot)
+        if isinstance(step, Meet):
+            yield step, step.point
+        elif isinstance(step, Swing):
+            yield step, step.slide
 
 
 def _refusal(structure: Structure, construction: Construction, plot: Plot) -> CannotAssemble | DeadPoint:
     """Of the first crossing at which no combination is left."""
-    for step in construction.steps:
-        if isinstance(step, Meet | Swing):
-            key = step.slide if isinstance(step, Swing) else step.point
-            if not np.isfinite(plot.sines["position", key]).any():
-                return _refusal_at(structure, step, plot)
-    raise AssertionError("an assembly that fails at no crossing")
+    for step, key in _crossings(construction):
+        if not np.isfinite(plot.sines["position", key]).any():
+            return _refusal_at(structure, step, key, plot)
+    return _refusal_at(structure, step, key, plot)
 
 
-def _refusal_at(structure: Structure, step: Meet | Swing, plot: Plot) -> CannotAssemble | DeadPoint:
-    links = _links(structure, step)
-    where = structure.mechanism.where("links", links[-1]) if links else structure.mechanism.where("links")
-    called = [structure.mechanism.called(link) for link in links]
-    key = step.slide if isinstance(step, Swing) else step.point
+def _refusal_at(structure: Structure, step: Meet | Swing, key: str, plot: Plot) -> CannotAssemble | DeadPoint:
+    mechanism, links = structure.mechanism, _links(structure, step)
+    where = mechanism.where("links", links[-1]) if links else mechanism.where("links")
+    called = tuple(mechanism.called(link) for link in links)
     gap = float(np.nanmin(plot.misses.get(key, np.array(0.0))))
-    scale = max((abs(_at(np.ravel(value), 0)) for value in plot.position.values() if np.isfinite(value).all()), default=1.0)
-    if gap > TOUCH * max(scale, 1e-12):
+    if gap > CLOSED * _extent(plot):
         return CannotAssemble(where, called, gap * 1000)
     sine = np.nan_to_num(np.asarray(plot.sines["position", key], dtype=float))
     return DeadPoint(where, called, float(np.degrees(np.arcsin(min(1.0, float(np.max(sine)))))))
 
 
-def _links(structure: Structure, step: Step) -> list[str]:
+def _extent(plot: Plot) -> float:
+    """How far the placed points lie apart [m]."""
+    values = np.concatenate([np.ravel(value) for value in plot.position.values()])
+    placed = values[np.isfinite(values)]
+    return float(np.max(np.abs(placed - placed[0]))) if placed.size else 1.0
+
+
+def _open_link(structure: Structure, plot: Plot) -> tuple[str, float]:
+    """The link whose points fit its shape least, and by how much [m].
+
+    Only a link that repeats a constraint can fail so; every other has been drawn from its shape.
+    """
+    worst = ("", 0.0)
+    for link in structure.mechanism.links.values():
+        points = list(link.points)
+        turned = np.exp(1j * plot.theta[link.name])
+        for point in points[1:]:
+            gap = abs(plot.arm(points[0], point) - link.arm(points[0], point) * turned)
+            worst = max(worst, (link.name, float(gap)), key=lambda entry: entry[1])
+    for slide in structure.slides.values():
+        arm = plot.arm(slide.line.origin, slide.point)
+        gap = abs(cross(plot.guide_direction(slide.name), arm))
+        worst = max(worst, (structure.home(structure.block(slide)), float(gap)), key=lambda entry: entry[1])
+    return worst
+
+
+def _links(structure: Structure, step: Meet | Swing) -> list[str]:
     """The links whose reach, or whose guide, a crossing is about."""
     if isinstance(step, Swing):
         pair = structure.slides[step.slide]
         return list(dict.fromkeys((pair.guide, structure.home(structure.block(pair)))))
-    assert isinstance(step, Meet)
     found: dict[str, None] = {}
     for locus in (step.first, step.second):
         if isinstance(locus, Arc):

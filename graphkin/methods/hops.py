@@ -148,17 +148,18 @@ def _edge(structure: Structure, loop: Loop, places: list[str], k: int) -> Site:
 
 
 def _meeting(structure: Structure, hops: list[Hop], unknown: list[int]) -> int:
-    """Where the two sides meet: between the unknown hops; but a pin is always seen from its slot."""
+    """Where the two sides meet: between the unknown hops, yet so that the block is seen from its guide where
+    the sliding is driven, and a pin always from its slot (in which its path is straight).
+    """
     for k, hop in enumerate(hops):
-        if not isinstance(hop, Slip) or not (structure.is_pin(hop.of.link) or structure.is_pin(hop.seen_from.link)):
+        if not isinstance(hop, Slip) or FRAME in (hop.seen_from.link, hop.of.link):
             continue
-        pin_ahead = structure.is_pin(hop.of.link)
-        if hop.seen_from.link == FRAME or hop.of.link == FRAME:
+        block = structure.block(structure.slides[hop.slide])
+        if not (hop.known or structure.is_pin(block)):
             continue
-        if pin_ahead and k >= unknown[1]:
-            return k + 1
-        if not pin_ahead and k < unknown[1]:
-            return k
+        if hop.of.link == block:
+            return max(k + 1, unknown[1])
+        return min(k, unknown[1])
     return unknown[1]
 
 

@@ -225,13 +225,15 @@ class _Polygon:
 
     def _swap(self, left: tuple[Term, ...], right: tuple[Term, ...]) -> bool:
         """A textbook puts the side that starts at rest first, and of two such the shorter one."""
-        resting = [side[0].tail == self.pole and not isinstance(side[0].size, Drawn) for side in (left, right)]
+        resting = [side[0].head == self.pole or not isinstance(side[0].size, Drawn) for side in (left, right)]
         if resting[0] != resting[1]:
             return resting[1]
         return resting[0] and len(right) < len(left)
 
     def side(self, start: Site, hops: tuple[Hop, ...]) -> tuple[Term, ...]:
         terms = list(self.absolute(start))
+        if not terms and hops and isinstance(hops[0], Slip) and hops[0].seen_from.link != FRAME:
+            terms = [self.rest(start)]
         unknown = [hop for hop in hops if not hop.known]
         for hop in hops:
             terms += self.terms(hop, last=len(unknown) == 2 and hop is unknown[1])

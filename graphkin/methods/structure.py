@@ -100,6 +100,13 @@ class Structure:
         pair = self.slides[slide]
         return pair.line.origin if body == pair.guide else pair.point
 
+    @property
+    def surplus(self) -> int:
+        """Drivers beyond the degrees of freedom by the formula F = 3 n - 2 p."""
+        hinges = sum(len(bodies) - 1 for bodies in self.owners.values())
+        freedoms = 3 * (len(self.bodies) - 1) - 2 * (hinges + len(self.slides))
+        return len(self.mechanism.drivers) - freedoms
+
     # --- links that hold their angles to one another ------------------------------------------
 
     @cached_property

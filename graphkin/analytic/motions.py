@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from graphkin.analytic.assembly import Drawn, drawn, held
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.moving import moved
-from graphkin.analytic.newton import Closure
+from graphkin.analytic.newton import Closure, inverse
 from graphkin.analytic.rates import Rates, rates
 from graphkin.analytic.rules import driven
 from graphkin.analytic.singular import SingularPosition
@@ -20,8 +20,11 @@ from graphkin.mechanism import FRAME, Mechanism
 
 __all__ = ["Motion", "conditioning", "motion"]
 
-_SINGULAR = 1e-7
-"""Reciprocal condition below which velocities are not determined: half the digits are gone."""
+_SINGULAR = 1e-5
+"""Reciprocal condition below which velocities count as not determined.
+
+A position is known to rounding / condition there, a velocity to rounding / condition^2: six digits.
+"""
 
 
 @dataclass(frozen=True)
@@ -79,10 +82,11 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
 
     values   one entry a driver, scalar or array, broadcast together [rad or m]; None: the drawn position.
     Drivers keep their rates and accelerations at every position. Raises NoAssembly for the drawn position,
-    SingularPosition at a single position that is a dead point.
+    SingularPosition if that, or a single position asked for, is a dead point: no way leads on from it.
     """
     start = drawn(mechanism)
     closure, first = _driving(mechanism, start)
+    _definite(mechanism, _conditioning(closure, start.q))
     wanted = _wanted(mechanism, start, values)
     shape = wanted[0].shape if wanted else ()
     flat = np.stack([value.ravel() for value in wanted], axis=-1) if wanted else np.zeros((1, 0))
@@ -96,9 +100,16 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
 def conditioning(mechanism: Mechanism) -> float:
     """Reciprocal condition number at the drawn position: 1 is best, 0 a dead point. Raises NoAssembly."""
     start = drawn(mechanism)
-    closure, _ = _driving(mechanism, start)
-    still = np.zeros(len(closure.weights))
-    return float(rates(closure, start.q, still, still).condition)
+    return _conditioning(_driving(mechanism, start)[0], start.q)
+
+
+def _conditioning(closure: Closure, q: Real) -> float:
+    return float(inverse(closure.matrix(q[None]))[1][0])
+
+
+def _definite(mechanism: Mechanism, condition: float) -> None:
+    if condition < _SINGULAR:
+        raise SingularPosition(mechanism.where("driver"), condition)
 
 
 def _driving(mechanism: Mechanism, start: Drawn) -> tuple[Closure, int]:
@@ -124,8 +135,8 @@ def _rates(mechanism: Mechanism, closure: Closure, first: int, q: Real, single: 
     push[first:] = [driver.acceleration for driver in mechanism.drivers]
     there = np.isfinite(q).all(axis=1)
     found = rates(closure, q[there], speed, push)
-    if single and there.all() and found.condition[0] < _SINGULAR:
-        raise SingularPosition(mechanism.where("driver"), float(found.condition[0]))
+    if single and there.all():
+        _definite(mechanism, float(found.condition[0]))
     clear = (found.condition >= _SINGULAR)[:, None]
     full = np.full((3, *q.shape), np.nan)
     full[0, there] = np.where(clear, found.first, np.nan)
@@ -139,21 +150,28 @@ def _shaped(found: Rates, shape: tuple[int, ...]) -> Rates:
     return Rates(first, second, found.condition.reshape(shape))
 
 
-def _motion(
-    mechanism: Mechanism, closure: Closure, values: tuple[Real, ...], q: Real, found: Rates
-) -> Motion:
+def _motion(mechanism: Mechanism, closure: Closure, values: tuple[Real, ...], q: Real, found: Rates) -> Motion:
     """Read everything off the unknowns."""
     loops, vectors = closure.loops, closure.loops.vectors
     three = q, found.first, found.second
+    theta, omega, alpha = ({FRAME: np.zeros(q.shape[:-1])[()], **_named(loops, part, "theta")} for part in three)
+    s, s_rate, s_acceleration = (_named(loops, part, "s") for part in three)
     arrows = vectors.at(q), vectors.rate(*three[:2]), vectors.acceleration(*three)
+    position, velocity, acceleration = (_places(loops, part) for part in arrows)
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
     idle = tuple(unknown.name for unknown in loops.silent((*loops.relations, *drivers)))
     return Motion(
         mechanism,
         values,
-        *({FRAME: np.zeros(q.shape[:-1])[()], **_named(loops, part, "theta")} for part in three),
-        *(_named(loops, part, "s") for part in three),
-        *(_places(loops, part) for part in arrows),
+        theta,
+        omega,
+        alpha,
+        s,
+        s_rate,
+        s_acceleration,
+        position,
+        velocity,
+        acceleration,
         condition=found.condition[()],
         idle=idle,
     )

@@ -1,0 +1,79 @@
+"""What a program or a notebook calls: from a file or a library name to a method, a plot, a sheet.
+
+>>> import graphkin
+>>> mechanism = graphkin.load("ex3-1")
+>>> method = graphkin.plan(mechanism)
+>>> plot = graphkin.replay(method)
+>>> round(float(plot.omega["3"]), 4)
+-3.9193
+>>> exact = graphkin.motion(mechanism)
+>>> abs(float(exact.omega["3"] - plot.omega["3"])) < 1e-9
+True
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from graphkin import library, loading, methods
+from graphkin.errors import CannotAssemble, DeadPoint, HigherClass
+from graphkin.geometry import Value
+from graphkin.mechanism import Mechanism
+from graphkin.methods import Method
+from graphkin.steps import Plot
+
+__all__ = ["load", "plan", "replay"]
+
+
+def load(source: str | Path) -> Mechanism:
+    """A mechanism from a file, or from the library by its name (`ex3-1`).
+
+    Raises a `GraphkinError` that names file, line and key of what is wrong.
+
+    >>> load("ex3-1").frame
+    '4'
+    """
+    if isinstance(source, str) and source in library.names():
+        return library.load(source)
+    path = Path(source)
+    if isinstance(source, str) and not path.suffix and not path.exists() and path.name == source:
+        return library.load(source)
+    return loading.load(path)
+
+
+def plan(mechanism: Mechanism) -> Method:
+    """The three constructions of a mechanism: position, velocity, acceleration.
+
+    Raises a `GraphkinError` where drivers are too few or too many, where the links do not reach each other,
+    where the sketch fits two assemblies, and where a group is of a class that is not solved.
+
+    >>> plan(load("ex3-1")).velocity.equations[0].of
+    'B3'
+    """
+    try:
+        method = methods.plan(mechanism)
+        if method.doubtful:
+            _refuse_wrong_drivers(mechanism)
+        return method
+    except (HigherClass, CannotAssemble, DeadPoint):
+        _refuse_wrong_drivers(mechanism)
+        raise
+
+
+def _refuse_wrong_drivers(mechanism: Mechanism) -> None:
+    from graphkin.freedoms import wrong_drivers
+
+    if (error := wrong_drivers(mechanism)) is not None:
+        raise error
+
+
+def replay(method: Method, values: Sequence[Value] | None = None) -> Plot:
+    """Carry the constructions out at the drawn position, or at driver `values` [rad, m]: scalars or arrays (n,).
+
+    >>> import numpy as np
+    >>> plot = replay(plan(load("ex3-1")), [np.radians([60, 90, 120])])
+    >>> np.round(plot.omega["3"], 3)
+    array([-3.919, -3.188, -0.839])
+    """
+    return methods.replay_all(method, values)

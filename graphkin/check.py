@@ -1,0 +1,327 @@
+"""Proof: the drawing beside the analytic solution.
+
+`compare` holds a replayed construction against the matrix method. `measure` takes a drawing file, lays a
+ruler on its lines, solves the mechanism it carries anew by the matrix method, and compares; of the numbers
+in the file it uses the scales and the drivers' values to know what the drawing claims, and nothing else.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree.ElementTree import Element, ParseError
+
+import numpy as np
+
+from graphkin import loading
+from graphkin.analytic import Motion, motion
+from graphkin.errors import BadDrawing, Where
+from graphkin.mechanism import Mechanism
+from graphkin.methods import Method
+from graphkin.naming import pair, seen
+from graphkin.readings import Readings, relative
+from graphkin.steps import Plane, Plot
+
+__all__ = ["Measured", "Report", "compare", "measure"]
+
+LIMIT = 16 << 20
+"""Larger drawings are not ours [bytes]."""
+
+
+# --- a replay beside the analytic solution ----------------------------------------------------
+
+
+def compare(method: Method, plot: Plot, exact: Motion) -> float:
+    """The worst relative difference between a replay and the analytic solution.
+
+    Each kind of quantity is measured by the largest of its kind in the mechanism; angles in radians.
+    """
+    readings = Readings(method, plot)
+    pairs = [
+        (list(table.values()), [other[name] for name in table])
+        for table, other in (
+            (readings.omega, exact.omega), (readings.alpha, exact.alpha), (readings.s, exact.s),
+            (readings.s_rate, exact.s_rate), (readings.s_acceleration, exact.s_acceleration),
+        )
+    ]  # fmt: skip
+    points = method.mechanism.points
+    links = {point: method.mechanism.owners[point][-1] for point in points}
+    pairs.append(([readings.position[p] for p in points], [exact.position[p] for p in points]))
+    pairs.append(([readings.velocity_at(p, links[p]) for p in points], [exact.velocity[p] for p in points]))
+    pairs.append(([readings.acceleration_at(p, links[p]) for p in points], [exact.acceleration[p] for p in points]))
+    turned = [np.exp(1j * (readings.theta[link] - exact.theta[link])) - 1 for link in readings.theta]
+    angles = float(np.max(np.abs(turned))) if turned else 0.0
+    return max(angles, *(_worst(drawn, right) for drawn, right in pairs))
+
+
+def _worst(drawn: list[object], right: list[object]) -> float:
+    if not drawn:
+        return 0.0
+    first, second = np.array(drawn, dtype=complex), np.array(right, dtype=complex)
+    size = float(np.max(np.abs(second)))
+    off = float(np.max(np.abs(first - second)))
+    return off / size if size > 0 else off
+
+
+# --- a drawing file ---------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Measured:
+    """One vector or point of the drawing: what the ruler says, what it should be.
+
+    drawn, exact  in mm on paper, x to the right and y up
+    unit_per_mm   scale of its plane, in `unit` per mm
+    """
+
+    plane: Plane
+    name: str
+    kind: str
+    drawn: complex
+    exact: complex
+    unit_per_mm: float
+    unit: str
+
+    @property
+    def off_mm(self) -> float:
+        return abs(self.drawn - self.exact)
+
+
+@dataclass(frozen=True)
+class Report:
+    """What a ruler finds in one drawing file.
+
+    faults  what is wrong with it beyond lengths: a point that is not where its vector ends, a transform
+    """
+
+    file: str
+    measured: tuple[Measured, ...]
+    faults: tuple[str, ...]
+
+    def passed(self, tolerance_mm: float) -> bool:
+        return not self.faults and all(entry.off_mm <= tolerance_mm for entry in self.measured)
+
+
+UNITS: Mapping[Plane, str] = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
+SCALES: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
+
+
+@dataclass(frozen=True)
+class _Drawing:
+    """A parsed drawing file: lines and circles in mm, y up, and what the file claims to be."""
+
+    file: str
+    vectors: tuple[tuple[Mapping[str, str], complex, complex], ...]
+    points: tuple[tuple[Mapping[str, str], complex], ...]
+    claims: Mapping[str, object]
+    faults: tuple[str, ...]
+
+
+def measure(path: str | Path, tolerance_mm: float = 0.01) -> Report:
+    """Measure a drawing file against the analytic solution of the mechanism in it.
+
+    Raises `BadDrawing` where the file is no drawing of graphkin's, and the errors of `loading` and
+    `analytic` where the mechanism in it is none.
+    """
+    drawing = _read(Path(path))
+    mechanism = _mechanism(drawing)
+    exact = motion(mechanism, _numbers(drawing, "drivers", len(mechanism.drivers)))
+    scales = _scales(drawing)
+    entries = [*_vectors(drawing, mechanism, exact, scales), *_points(drawing, mechanism, exact, scales)]
+    faults = (*drawing.faults, *_loose_ends(drawing, tolerance_mm))
+    return Report(drawing.file, tuple(entries), faults)
+
+
+def _read(path: Path) -> _Drawing:
+    from defusedxml.common import DefusedXmlException
+    from defusedxml.ElementTree import fromstring
+
+    file = str(path)
+    try:
+        if path.stat().st_size > LIMIT:
+            raise BadDrawing(Where(file), "too large")
+        root = fromstring(path.read_bytes())
+    except OSError as error:
+        raise BadDrawing(Where(file), error.strerror or "unreadable") from error
+    except (ParseError, DefusedXmlException, ValueError, LookupError, RecursionError) as error:
+        raise BadDrawing(Where(file), f"not XML ({error})") from error
+    if not root.tag.endswith("}svg"):
+        raise BadDrawing(Where(file), "not an SVG")
+    return _parse(file, root)
+
+
+def _parse(file: str, root: Element) -> _Drawing:
+    vectors, points = [], []
+    faults = _paper(root)
+    try:
+        for element, moved in _walk(root):
+            tag, kind = element.tag.rpartition("}")[2], element.get("class", "").split()
+            if tag == "line" and "vector" in kind:
+                vectors.append((element.attrib, _place(element, "x1", "y1"), _place(element, "x2", "y2")))
+            elif tag == "circle" and "point" in kind:
+                points.append((element.attrib, _place(element, "cx", "cy")))
+            else:
+                continue
+            if moved:
+                faults.append(f"{element.get('data-name')}: transform")
+    except (KeyError, ValueError) as error:
+        raise BadDrawing(Where(file), f"a vector or point without {error}") from error
+    if not points:
+        raise BadDrawing(Where(file), "no points")
+    return _Drawing(file, tuple(vectors), tuple(points), _claims(file, root), tuple(faults))
+
+
+def _walk(root: Element) -> Iterator[tuple[Element, bool]]:
+    """Every element, and whether a transform stands on it or above it."""
+    stack = [(root, False)]
+    while stack:
+        element, moved = stack.pop()
+        moved = moved or "transform" in element.attrib
+        yield element, moved
+        stack.extend((child, moved) for child in reversed(element))
+
+
+def _place(element: Element, x: str, y: str) -> complex:
+    place = complex(float(element.attrib[x]), -float(element.attrib[y]))
+    if not (math.isfinite(place.real) and math.isfinite(place.imag)):
+        raise ValueError("finite coordinates")
+    return place
+
+
+def _paper(root: Element) -> list[str]:
+    """Whether one unit of the drawing is one millimetre on paper."""
+    size = f"{root.get('width', '')} {root.get('height', '')}".split()
+    box = root.get("viewBox", "").split()
+    try:
+        true = len(box) == 4 and [float(v) for v in box] == [0, 0, *(float(v.removesuffix("mm")) for v in size)]
+    except ValueError:
+        true = False
+    return [] if true and all(v.endswith("mm") for v in size) else ["width, height, viewBox"]
+
+
+def _claims(file: str, root: Element) -> Mapping[str, object]:
+    for element in root.iter():
+        if element.tag.rpartition("}")[2] == "sheet" and element.text:
+            try:
+                claims = json.loads(element.text)
+            except ValueError as error:
+                raise BadDrawing(Where(file), "metadata is not JSON") from error
+            if isinstance(claims, dict) and claims.get("program") == "graphkin":
+                return claims
+    raise BadDrawing(Where(file), "no graphkin metadata")
+
+
+def _mechanism(drawing: _Drawing) -> Mechanism:
+    text = drawing.claims.get("mechanism")
+    if not isinstance(text, str):
+        raise BadDrawing(Where(drawing.file), "no mechanism")
+    return loading.loads(text, name=Path(drawing.file).stem, file=f"{drawing.file} (mechanism)")
+
+
+def _numbers(drawing: _Drawing, key: str, count: int) -> list[float]:
+    given = drawing.claims.get(key)
+    if not isinstance(given, list) or len(given) != count or not all(_is_number(v) for v in given):
+        raise BadDrawing(Where(drawing.file), key)
+    return [float(v) for v in given]
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def _scales(drawing: _Drawing) -> Mapping[Plane, float]:
+    given = drawing.claims.get("scales")
+    scales: dict[Plane, float] = {}
+    for plane, key in SCALES.items():
+        value = given.get(key) if isinstance(given, dict) else None
+        if value is None and not any(attributes.get("data-plane") == plane for attributes, *_ in drawing.points):
+            continue
+        if not (_is_number(value) and isinstance(value, int | float) and value > 0):
+            raise BadDrawing(Where(drawing.file), f"scales.{key}")
+        scales[plane] = float(value)
+    return scales
+
+
+def _plane(drawing: _Drawing, attributes: Mapping[str, str]) -> Plane:
+    plane = attributes.get("data-plane", "")
+    for known in UNITS:
+        if plane == known:
+            return known
+    raise BadDrawing(Where(drawing.file), f"data-plane={plane!r}")
+
+
+def _vectors(
+    drawing: _Drawing, mechanism: Mechanism, exact: Motion, scales: Mapping[Plane, float]
+) -> Iterator[Measured]:
+    for attributes, tail, head in drawing.vectors:
+        plane, name = _plane(drawing, attributes), attributes.get("data-name", "")
+        value = _exact(mechanism, exact, plane, name)
+        if value is None:
+            raise BadDrawing(Where(drawing.file), f"data-name={name!r}")
+        yield Measured(plane, name, "vector", head - tail, value / scales[plane], scales[plane], UNITS[plane])
+
+
+def _exact(mechanism: Mechanism, exact: Motion, plane: Plane, name: str) -> complex | None:
+    """What a vector called `v_CB` or `a^k_B3B2` should be, from the analytic solution."""
+    head, _, sites = name.partition("_")
+    letter, _, part = head.partition("^")
+    if letter != {"velocity": "v", "acceleration": "a"}.get(plane):
+        return None
+    if (site := seen(mechanism, sites)) is not None and not part:
+        at = exact.velocity_at if plane == "velocity" else exact.acceleration_at
+        return complex(at(site.point, site.link))
+    if (both := pair(mechanism, sites)) is None:
+        return None
+    value = relative(mechanism, exact, plane, part, *both)
+    return None if value is None else complex(value)
+
+
+def _points(
+    drawing: _Drawing, mechanism: Mechanism, exact: Motion, scales: Mapping[Plane, float]
+) -> Iterator[Measured]:
+    """Points of the mechanism against each other; points of a polygon against its pole."""
+    for plane in dict.fromkeys(_plane(drawing, attributes) for attributes, _ in drawing.points):
+        placed = [(a, place) for a, place in drawing.points if a.get("data-plane") == plane]
+        wanted = {}
+        for attributes, place in placed:
+            value = _exact_point(mechanism, exact, plane, attributes.get("data-of", ""))
+            if value is not None:
+                wanted[attributes.get("data-name", "")] = (place, value / scales[plane])
+        origin = _origin(list(wanted.values()))
+        for name, (place, right) in wanted.items():
+            yield Measured(plane, name, "point", place - origin, right, scales[plane], UNITS[plane])
+
+
+def _exact_point(mechanism: Mechanism, exact: Motion, plane: Plane, of: str) -> complex | None:
+    if of == "pole":
+        return 0j
+    site = seen(mechanism, of)
+    if site is None:
+        return None
+    if plane == "position":
+        return complex(exact.position[site.point])
+    at = exact.velocity_at if plane == "velocity" else exact.acceleration_at
+    return complex(at(site.point, site.link))
+
+
+def _origin(pairs: list[tuple[complex, complex]]) -> complex:
+    """Where zero lies on the paper, as the point with which most of the others agree has it."""
+    origins = [place - right for place, right in pairs]
+    return min(origins, key=lambda origin: sorted(abs(other - origin) for other in origins)[len(origins) // 2])
+
+
+def _loose_ends(drawing: _Drawing, tolerance_mm: float) -> Iterator[str]:
+    """Vectors must start and end at the points they name."""
+    places = {(a.get("data-plane"), a.get("data-name")): place for a, place in drawing.points}
+    ends: set[tuple[str | None, str | None]] = set()
+    for attributes, tail, head in drawing.vectors:
+        for key, end in (("data-tail", tail), ("data-head", head)):
+            point = (attributes.get("data-plane"), attributes.get(key))
+            ends.add(point)
+            if point not in places:
+                yield f"{attributes.get('data-name')}: {key}={point[1]!r}"
+            elif abs(places[point] - end) > tolerance_mm:
+                yield f"{attributes.get('data-name')} - {point[1]}: {abs(places[point] - end):.4f} mm"

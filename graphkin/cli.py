@@ -1,0 +1,301 @@
+"""The commands: parse, call one function, print.
+
+Exit status: 0 good, 1 a check failed, 2 wrong usage, 3 bad input.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import math
+import os
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from graphkin.errors import GraphkinError, Lang
+
+if TYPE_CHECKING:
+    from graphkin.mechanism import Mechanism
+
+__all__ = ["main"]
+
+CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
+
+
+def user_language() -> Lang:
+    """Chinese where the environment asks for it, else English."""
+    for name in ("GRAPHKIN_LANG", "LC_ALL", "LC_MESSAGES", "LANG"):
+        if value := os.environ.get(name):
+            return "zh" if value.lower().startswith("zh") else "en"
+    return "en"
+
+
+lang_option = click.option(
+    "--lang", type=click.Choice(["en", "zh"]), default=user_language, show_default="of your system",
+    help="Language of texts and messages.",
+)  # fmt: skip
+angle_option = click.option(
+    "--angle", "angles", type=float, multiple=True, metavar="DEG",
+    help="Draw at this driver angle instead; once for each driver that has an angle, in order.",
+)  # fmt: skip
+at_option = click.option(
+    "--at", "displacements", type=float, multiple=True, metavar="MM",
+    help="Draw at this driven displacement instead; once for each driven slide, in order.",
+)  # fmt: skip
+mechanism_argument = click.argument("mechanism", metavar="MECHANISM")
+
+
+@contextmanager
+def said(lang: Lang) -> Iterator[None]:
+    """Bad input becomes one message on stderr and exit status 3."""
+    try:
+        yield
+    except GraphkinError as error:
+        click.echo(error.message(lang), err=True)
+        sys.exit(error.exit_code)
+    except OSError as error:
+        click.echo(f"{error.filename or ''}: {error.strerror or error}", err=True)
+        sys.exit(3)
+
+
+def speaking(command: Callable[..., None]) -> Callable[..., None]:
+    """A command whose bad input is said in its `lang`."""
+
+    @functools.wraps(command)
+    def wrapped(*args: Any, lang: Lang, **kwargs: Any) -> None:
+        with said(lang):
+            command(*args, lang=lang, **kwargs)
+
+    return wrapped
+
+
+@click.group(context_settings=CONTEXT)
+@click.version_option(package_name="graphkin")
+def main() -> None:
+    """Graphical kinematics for planar mechanisms.
+
+    MECHANISM is a TOML file, a name from `graphkin list`, or - for standard input.
+
+    \b
+    Example:
+      graphkin draw ex3-1
+      graphkin show ex3-1 > mine.toml     (edit it, then)
+      graphkin draw mine.toml
+    """
+
+
+def read(source: str) -> Mechanism:
+    """The mechanism of a MECHANISM argument."""
+    from graphkin import api, loading
+
+    if source == "-":
+        return loading.loads(click.get_binary_stream("stdin").read(), name="stdin", file="<stdin>")
+    return api.load(source)
+
+
+def at_values(
+    mechanism: Mechanism, angles: Sequence[float], displacements: Sequence[float]
+) -> list[float] | None:
+    """Driver values with those of the command line put in; None for the drawn position."""
+    if not angles and not displacements:
+        return None
+    given = {"angle": [math.radians(a) for a in angles], "slide": [s / 1000 for s in displacements]}
+    if not all(math.isfinite(v) for values in given.values() for v in values):
+        raise click.UsageError("--angle and --at take finite numbers")
+    values = [given[d.kind].pop(0) if given.get(d.kind) else (d.value or 0.0) for d in mechanism.drivers]
+    for option, rest in (("--angle", given["angle"]), ("--at", given["slide"])):
+        if rest:
+            raise click.UsageError(f"{mechanism.name} has no driver left for {option} (of {len(values)} drivers)")
+    return values
+
+
+@main.command()
+@mechanism_argument
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="SVG file to write; - for stdout.")
+@click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
+@click.option("--paper", help="A4, A4-landscape, A3 or A3-landscape; else the smallest that fits.")
+@click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="Also one drawing a step, into this folder.")
+@click.option("--force", is_flag=True, help="Replace a file that graphkin did not write.")
+@angle_option
+@at_option
+@lang_option
+@speaking
+def draw(
+    mechanism: str, output: Path | None, only: str | None, paper: str | None, steps: Path | None, force: bool,
+    angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
+) -> None:  # fmt: skip
+    """Draw the mechanism and its polygons to scale, as SVG.
+
+    \b
+    Example:
+      graphkin draw ex3-1 -o sheet.svg --lang zh
+      graphkin draw ex3-7 --angle 120 --steps steps
+    """
+    from graphkin import api
+    from graphkin.outputs import svg
+
+    machine = read(mechanism)
+    output = output or Path(f"{machine.name}.svg")
+    if output.suffix.lower() != ".svg" and str(output) != "-":
+        raise click.UsageError(f"{output}: the file to write must end in .svg")
+    values = at_values(machine, angles, displacements)
+    drawing = api.Drawing.of(machine, values)
+    sheet = drawing.sheet(paper=paper, lang=lang, only=only)
+    pages = [(output, svg.svg(sheet))]
+    if steps is not None:
+        pages += [
+            (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page))
+            for k, page in enumerate(drawing.step_sheets(paper=paper, lang=lang, only=only), 1)
+        ]
+    if str(output) == "-":
+        click.echo(pages.pop(0)[1], nl=False)
+    if steps is not None:
+        steps.mkdir(parents=True, exist_ok=True)
+    for path, _ in pages:
+        svg.refuse_foreign(path, force)
+    for path, text in pages:
+        svg.write(path, text, force)
+        click.echo(str(path), err=str(output) == "-")
+
+
+@main.command()
+@mechanism_argument
+@angle_option
+@at_option
+@lang_option
+@speaking
+def explain(mechanism: str, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang) -> None:
+    """Write out the vector equations, what is laid off, and what is measured.
+
+    \b
+    Example:
+      graphkin explain ex3-1 --lang zh
+    """
+    from graphkin import api
+
+    machine = read(mechanism)
+    drawing = api.Drawing.of(machine, at_values(machine, angles, displacements))
+    click.echo("\n".join(drawing.explain(lang)))
+
+
+@main.command()
+@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1, required=True)
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line, SI units and radians.")
+@lang_option
+def solve(mechanisms: tuple[str, ...], as_json: bool, lang: Lang) -> None:
+    """Print all results, graphical beside analytic, and the answers to `ask`.
+
+    \b
+    Example:
+      graphkin solve ex3-1
+      graphkin solve --json *.toml > results.jsonl
+    """
+    failed = False
+    for k, source in enumerate(mechanisms):
+        try:
+            lines = list(_solved(source, as_json, lang))
+            click.echo("\n".join(([""] if k and not as_json else []) + lines))
+        except (GraphkinError, OSError) as error:
+            failed = True
+            message = error.message(lang) if isinstance(error, GraphkinError) else str(error)
+            if as_json:
+                name = Path(source).stem if source != "-" else "stdin"
+                click.echo(_json({"format": 1, "name": name, "error": message}))
+            else:
+                click.echo(message, err=True)
+    if failed:
+        sys.exit(3)
+
+
+def _solved(source: str, as_json: bool, lang: Lang) -> Iterator[str]:
+    from graphkin import api, reports, results
+
+    machine = read(source)
+    found = results.results(machine, api.plan(machine), lang)
+    if as_json:
+        yield _json(found)
+    else:
+        yield from reports.solve_lines(machine, found, lang)
+
+
+def _json(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+@main.command()
+@click.argument("drawings", metavar="DRAWING.svg...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option("--tolerance", type=click.FloatRange(min=0, min_open=True), default=0.01, show_default=True, metavar="MM",
+              help="How far a vector or point may be off.")  # fmt: skip
+@lang_option
+def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
+    """Measure drawings with a ruler and hold them against the analytic solution.
+
+    \b
+    Example:
+      graphkin check ex3-1.svg
+    """
+    from graphkin import reports
+    from graphkin.check import measure
+
+    status = 0
+    for drawing in drawings:
+        try:
+            report = measure(drawing, tolerance)
+        except GraphkinError as error:
+            click.echo(error.message(lang), err=True)
+            status = 3
+            continue
+        click.echo("\n".join(reports.check_lines(report, tolerance, lang)))
+        status = max(status, 0 if report.passed(tolerance) else 1)
+    sys.exit(status)
+
+
+@main.command("list")
+@lang_option
+@speaking
+def list_(lang: Lang) -> None:
+    """List the mechanisms of the library.
+
+    \b
+    Example:
+      graphkin list --lang zh
+    """
+    from graphkin import library, reports
+
+    rows = [[name, library.title(name, lang)] for name in library.names()]
+    for name, title in rows:
+        click.echo(name + " " * (12 - reports.width(name)) + title)
+
+
+@main.command()
+@click.argument("name")
+@lang_option
+@speaking
+def show(name: str, lang: Lang) -> None:
+    """Print the TOML file of a library mechanism, to start one's own from.
+
+    \b
+    Example:
+      graphkin show ex3-1 > mine.toml
+    """
+    from graphkin import library
+
+    click.echo(library.text(name), nl=False)
+
+
+@main.command()
+def schema() -> None:
+    """Print the JSON Schema of the mechanism file, for editors.
+
+    \b
+    Example:
+      graphkin schema > graphkin.schema.json
+    """
+    from graphkin import loading
+
+    click.echo(loading.schema_text(), nl=False)

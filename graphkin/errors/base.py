@@ -1,0 +1,84 @@
+"""What every error has: a place, data, and one sentence a language made of them."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from typing import ClassVar, Literal
+
+Lang = Literal["en", "zh"]
+
+__all__ = ["NOWHERE", "Choice", "GraphkinError", "Lang", "Several", "Where"]
+
+
+@dataclass(frozen=True, slots=True)
+class Where:
+    """A place in a mechanism file: `shaper.toml:14, links.4.DE`."""
+
+    file: str
+    line: int | None = None
+    key: str = ""
+
+    def __str__(self) -> str:
+        place = self.file if self.line is None else f"{self.file}:{self.line}"
+        return f"{place}, {self.key}" if self.key else place
+
+
+NOWHERE = Where("")
+"""Stands until the one who knows the place fills it in (`dataclasses.replace`)."""
+
+
+@dataclass(eq=False)
+class GraphkinError(Exception):
+    """Something the user can mend. Exit status 3 at the command line."""
+
+    text: ClassVar[dict[Lang, str]] = {"en": "", "zh": ""}
+    exit_code: ClassVar[int] = 3
+
+    def message(self, lang: Lang = "en") -> str:
+        """The sentence, with this error's own data in it."""
+        return self.text[lang].format(**self._words(lang))
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {field.name: getattr(self, field.name) for field in fields(self)}
+
+    def __str__(self) -> str:
+        return self.message("en")
+
+    def __reduce__(self) -> tuple[type[GraphkinError], tuple[object, ...]]:
+        return type(self), tuple(getattr(self, field.name) for field in fields(self))
+
+
+@dataclass(eq=False)
+class Choice(GraphkinError):
+    """Something named that is not there: `{hint}` says what is, the nearest first."""
+
+    where: Where
+    given: str
+    possible: tuple[str, ...]
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "hint": _hint(self.given, self.possible, lang)}
+
+
+def _hint(given: str, possible: Sequence[str], lang: Lang) -> str:
+    """`Did you mean B? There are A, B, C.`"""
+    folded = {name.casefold(): name for name in reversed(possible)}
+    near = [folded[name] for name in difflib.get_close_matches(given.casefold(), list(folded), 1, 0.5)]
+    shown = ", ".join(possible[:40]) + (", .." if len(possible) > 40 else "")
+    if lang == "zh":
+        ask = "".join(f"是否为 {name}？" for name in near)
+        return ask + (f"可用：{shown}。" if shown else "目前一个也没有。")
+    ask = "".join(f"Did you mean {name}? " for name in near)
+    return ask + (f"Possible: {shown}." if shown else "There is none yet.")
+
+
+@dataclass(eq=False)
+class Several(GraphkinError):
+    """All that is wrong with one file, in the order of its lines."""
+
+    problems: tuple[GraphkinError, ...]
+
+    def message(self, lang: Lang = "en") -> str:
+        return "\n".join(problem.message(lang) for problem in self.problems)

@@ -1,0 +1,88 @@
+"""Errors of drivers and poses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+
+__all__ = ["DrivenFrame", "DrivenTwice", "NoDriver", "NoVector", "SameLink", "SayValue", "WhatIsDriven"]
+
+
+@dataclass(eq=False)
+class NoDriver(GraphkinError):
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: nothing is driven. Add a [[driver]], for example vector = \"AB\", angle = 60, "
+        "omega = 10.",
+        "zh": "{where}：没有原动件，请添加 [[driver]]，例如 vector = \"AB\"、angle = 60、omega = 10。",
+    }  # fmt: skip
+
+
+@dataclass(eq=False)
+class WhatIsDriven(GraphkinError):
+    """None of the keys that say what a driver or a pose is about; `keys` could."""
+
+    where: Where
+    keys: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: say what this is about with one of: {keys}.",
+        "zh": "{where}：请用下列键之一指明对象：{keys}。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "keys": ", ".join(self.keys)}
+
+
+@dataclass(eq=False)
+class NoVector(Choice):
+    """No link has both points; `possible` are vectors that links do have."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: no link has both points of {given}. {hint}",
+        "zh": "{where}：没有哪个构件同时具有 {given} 的两点。{hint}",
+    }
+
+
+@dataclass(eq=False)
+class DrivenFrame(GraphkinError):
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} belongs to the frame, which does not move. Name a moving link's.",
+        "zh": "{where}：{given} 属于机架，机架不能驱动，请改用活动构件。",
+    }
+
+
+@dataclass(eq=False)
+class SameLink(GraphkinError):
+    where: Where
+    link: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: both directions belong to link {link}, so the angle between them never changes. "
+        "Measure from another link.",
+        "zh": "{where}：两个方向都在构件 {link} 上，夹角不变，请从另一构件量起。",
+    }
+
+
+@dataclass(eq=False)
+class SayValue(GraphkinError):
+    """A driver without its value, and no pose to stand for it."""
+
+    where: Where
+    key: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the drawn position is open. Say {key}, or fix it with a [[pose]].",
+        "zh": "{where}：图示位置未定，请给出 {key}，或用 [[pose]] 确定。",
+    }
+
+
+@dataclass(eq=False)
+class DrivenTwice(GraphkinError):
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} is driven twice: two drivers on one freedom. Remove one.",
+        "zh": "{where}：{given} 被驱动两次，一个自由度只能有一个原动件，请删去其一。",
+    }

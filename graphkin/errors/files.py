@@ -1,0 +1,111 @@
+"""Errors of the file as a whole: it is not there, it is not text, it is not TOML."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+
+__all__ = [
+    "BrokenToml",
+    "EmptyFile",
+    "FileTooLarge",
+    "IsFolder",
+    "NoFile",
+    "NotUtf8",
+    "TooDeep",
+    "UnknownMechanism",
+    "Unreadable",
+]
+
+
+@dataclass(eq=False)
+class NoFile(Choice):
+    """There is no such file; `possible` are the .toml files beside it."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: there is no such file. Check the path. {hint}",
+        "zh": "{where}：没有这个文件，请检查路径。{hint}",
+    }
+
+
+@dataclass(eq=False)
+class UnknownMechanism(Choice):
+    """No mechanism of that name in the library."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "The library has no mechanism {given}. {hint}",
+        "zh": "机构库中没有 {given}。{hint}",
+    }
+
+
+@dataclass(eq=False)
+class IsFolder(GraphkinError):
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this is a folder. Name a mechanism file (.toml) in it.",
+        "zh": "{where}：这是文件夹，请给出其中的机构文件（.toml）。",
+    }
+
+
+@dataclass(eq=False)
+class Unreadable(GraphkinError):
+    """The operating system refuses; `reason` is its own word."""
+
+    where: Where
+    reason: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the file cannot be read ({reason}). Check its name and permissions.",
+        "zh": "{where}：无法读取文件（{reason}），请检查文件名和访问权限。",
+    }
+
+
+@dataclass(eq=False)
+class EmptyFile(GraphkinError):
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the file is empty. Write at least [frame], one [links.NAME] and a [[driver]].",
+        "zh": "{where}：文件是空的，至少应写出 [frame]、一个 [links.名称] 和一个 [[driver]]。",
+    }
+
+
+@dataclass(eq=False)
+class FileTooLarge(GraphkinError):
+    where: Where
+    limit_mb: float
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the file is larger than {limit_mb:g} MB, so it is hardly a mechanism file. Name "
+        "another.",
+        "zh": "{where}：文件超过 {limit_mb:g} MB，不像机构文件，请换一个文件。",
+    }
+
+
+@dataclass(eq=False)
+class NotUtf8(GraphkinError):
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this is not UTF-8 text. Save the file with the encoding UTF-8.",
+        "zh": "{where}：此处不是 UTF-8 文本，请将文件另存为 UTF-8 编码。",
+    }
+
+
+@dataclass(eq=False)
+class BrokenToml(GraphkinError):
+    """`reason` is the TOML reader's own sentence."""
+
+    where: Where
+    reason: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this is not valid TOML: {reason}. Mend this line, or the one above it.",
+        "zh": "{where}：TOML 语法错误（{reason}），请改正这一行或上一行。",
+    }
+
+
+@dataclass(eq=False)
+class TooDeep(GraphkinError):
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: brackets are nested far too deep. A mechanism file needs three levels at most.",
+        "zh": "{where}：括号嵌套过深，机构文件最多只需三层。",
+    }

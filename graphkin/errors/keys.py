@@ -1,0 +1,312 @@
+"""Errors of single keys and values: unknown, missing, of the wrong type or unit; names not there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+
+__all__ = [
+    "AngleRange",
+    "BadName",
+    "DuplicateName",
+    "KeyClash",
+    "MissingKey",
+    "Negative",
+    "NoMeaning",
+    "NoUnit",
+    "NotANumber",
+    "NotOneOf",
+    "OtherDimension",
+    "OutOfRange",
+    "TooSmall",
+    "UnknownKey",
+    "UnknownLink",
+    "UnknownPoint",
+    "UnknownSlide",
+    "UnknownUnit",
+    "WrongCount",
+    "WrongType",
+]
+
+KINDS: dict[str, tuple[str, str]] = {
+    "text": ("a text in quotes", "带引号的文字"),
+    "name": ("a name in quotes", "带引号的名称"),
+    "title": ("a text in quotes, or { en = \"..\", zh = \"..\" }",
+              "带引号的文字或 { en = \"..\", zh = \"..\" }"),
+    "quantity": ("a number, or a text such as \"24 in\"", "数，或带单位的文字（如 \"24 in\"）"),
+    "number": ("a number", "数"),
+    "flag": ("true or false", "true 或 false"),
+    "list": ("a list in [ ]", "用 [ ] 括起的列表"),
+    "place": ("a list of two lengths, [x, y]", "两个长度的列表 [x, y]"),
+    "anchor": ("a point's name in quotes, or [x, y]", "带引号的点名或 [x, y]"),
+    "triple": ("three points such as [\"B\", \"C\", \"E\"], or a list of such triples",
+               "三个点，如 [\"B\", \"C\", \"E\"]，或若干这样的三点组"),
+    "table": ("a table: [name], or keys in { }", "表：[名称]，或用 { } 括起的键"),
+    "tables": ("tables with double brackets, such as [[slide]]", "双括号表，如 [[slide]]"),
+    "point": ("a capital letter, then digits, then primes, such as B, O1 or D'",
+              "大写字母后接数字再接撇号，如 B、O1、D'"),
+    "vector": ("two different points, such as AB or O1A", "两个不同的点，如 AB、O1A"),
+    "measure": ("two points for a length (AB), three for an angle (BDE), or points, ccw, shape",
+                "两点表示长度（AB），三点表示角度（BDE），或 points、ccw、shape"),
+    "link": ("letters, digits, _ and '", "字母、数字、_ 和 '"),
+    "slide": ("letters, digits, _, - and '; s0, s1, r0, .. are taken",
+              "字母、数字、_、- 和 '；s0、s1、r0 等为保留名"),
+}  # fmt: skip
+"""What can be expected somewhere, in words."""
+
+QUANTITIES: dict[str, tuple[str, str]] = {
+    "length": ("a length", "长度"),
+    "angle": ("an angle", "角度"),
+    "angular velocity": ("an angular velocity", "角速度"),
+    "angular acceleration": ("an angular acceleration", "角加速度"),
+    "velocity": ("a velocity", "速度"),
+    "acceleration": ("an acceleration", "加速度"),
+}
+
+
+def _pick(words: tuple[str, str], lang: Lang) -> str:
+    return words[1] if lang == "zh" else words[0]
+
+
+@dataclass(eq=False)
+class UnknownKey(Choice):
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the key {given} means nothing here. {hint}",
+        "zh": "{where}：此处没有 {given} 这个键。{hint}",
+    }
+
+
+@dataclass(eq=False)
+class UnknownPoint(Choice):
+    """`possible` are the points that may stand there."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: there is no point {given} here. {hint}",
+        "zh": "{where}：此处没有点 {given}。{hint}",
+    }
+
+
+@dataclass(eq=False)
+class UnknownLink(Choice):
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: there is no link {given}. {hint}",
+        "zh": "{where}：没有构件 {given}。{hint}",
+    }
+
+
+@dataclass(eq=False)
+class UnknownSlide(Choice):
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: no sliding pair or rolling pair on a line has the name {given}; give it one with "
+        "name = .. {hint}",
+        "zh": "{where}：没有名为 {given} 的移动副或直线滚动副，请用 name = .. 为其命名。{hint}",
+    }
+
+
+@dataclass(eq=False)
+class NotOneOf(Choice):
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} is not one of the words that can stand here. {hint}",
+        "zh": "{where}：此处不能写 {given}。{hint}",
+    }
+
+
+@dataclass(eq=False)
+class UnknownUnit(Choice):
+    """`quantity` is what stands there, `possible` its units."""
+
+    quantity: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} is not a unit graphkin knows; {quantity} is wanted. {hint}",
+        "zh": "{where}：不认识单位 {given}，此处应为{quantity}。{hint}",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "quantity": _pick(QUANTITIES[self.quantity], lang)}
+
+
+@dataclass(eq=False)
+class OtherDimension(Choice):
+    """A known unit, but of something else (`found`)."""
+
+    quantity: str
+    found: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} is the unit of {found}, but {quantity} is wanted. {hint}",
+        "zh": "{where}：{given} 是{found}的单位，此处应为{quantity}。{hint}",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        quantities = {"quantity": self.quantity, "found": self.found}
+        return super()._words(lang) | {key: _pick(QUANTITIES[name], lang) for key, name in quantities.items()}
+
+
+@dataclass(eq=False)
+class NoUnit(Choice):
+    """A number in quotes without a unit."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: \"{given}\" has no unit. Leave the quotes out, or add a unit. {hint}",
+        "zh": "{where}：“{given}”没有单位，请去掉引号或加上单位。{hint}",
+    }  # fmt: skip
+
+
+@dataclass(eq=False)
+class NotANumber(GraphkinError):
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: \"{given}\" does not read as a number with a unit. Write it like \"24 in\" or "
+        "\"120 r/min\".",
+        "zh": "{where}：“{given}”不能读作带单位的数，请写成 \"24 in\" 或 \"120 r/min\" 的形式。",
+    }  # fmt: skip
+
+
+@dataclass(eq=False)
+class OutOfRange(GraphkinError):
+    """Not a number, infinite, or beyond anything that can be drawn."""
+
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} is not a finite number of reasonable size. Write an ordinary number.",
+        "zh": "{where}：{given} 不是大小合理的有限数，请写普通的数。",
+    }
+
+
+@dataclass(eq=False)
+class TooSmall(GraphkinError):
+    """Zero, negative, or too small; `least` is the smallest that will do."""
+
+    where: Where
+    given: str
+    least: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} will not do, the value must be greater than 0 (at least {least}). "
+        "Correct it.",
+        "zh": "{where}：{given} 不合要求，数值必须大于 0（不小于 {least}），请改正。",
+    }
+
+
+@dataclass(eq=False)
+class Negative(GraphkinError):
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} is negative; a radius is 0 (a knife edge) or more. Correct it.",
+        "zh": "{where}：{given} 为负；半径应为 0（尖点）或正数，请改正。",
+    }
+
+
+@dataclass(eq=False)
+class AngleRange(GraphkinError):
+    where: Where
+    given_deg: float
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given_deg:g} deg; an angle between two lines of a link lies between 0 and 180 deg. "
+        "Say with ccw which way it opens.",
+        "zh": "{where}：{given_deg:g}°；构件上两线的夹角应在 0° 到 180° 之间，张开方向用 ccw 给出。",
+    }
+
+
+@dataclass(eq=False)
+class MissingKey(GraphkinError):
+    """`key` has to be there."""
+
+    where: Where
+    key: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {key} is missing. Add it.",
+        "zh": "{where}：缺少 {key}，请补上。",
+    }
+
+
+@dataclass(eq=False)
+class KeyClash(GraphkinError):
+    """Two keys that say the same thing twice, or two different things."""
+
+    where: Where
+    first: str
+    second: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {first} and {second} cannot stand together. Leave one of them out.",
+        "zh": "{where}：{first} 与 {second} 不能同时给出，请去掉其一。",
+    }
+
+
+@dataclass(eq=False)
+class NoMeaning(GraphkinError):
+    """A key of the format that says nothing in this place; `why` chooses the reason."""
+
+    where: Where
+    key: str
+    why: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {key} has no meaning here: {why}. Leave it out.",
+        "zh": "{where}：此处的 {key} 没有意义：{why}。请删去。",
+    }
+    reasons: ClassVar[dict[str, tuple[str, str]]] = {
+        "tilt": ("a block of one point takes its direction from the line", "单点滑块的方向就是导路方向"),
+        "pin": ("a pin in a slot may turn", "销在槽中可以转动"),
+        "own line": ("a guide of one point is its own line", "只有一个点的导路以自身轴线为导路"),
+        "circle": ("it belongs to a line, and this is a circle", "它只用于直线，而此处是圆"),
+        "line": ("it belongs to a circle, and this is a line", "它只用于圆，而此处是直线"),
+        "slide": ("it belongs to a turning driver, and a slide is driven by at, velocity, acceleration",
+                  "它用于转动原动件；移动副用 at、velocity、acceleration 驱动"),
+        "vector": ("it belongs to a driven slide, and a vector is driven by angle, omega, alpha",
+                   "它用于移动副；转动原动件用 angle、omega、alpha 驱动"),
+        "spin": ("a wheel whose own direction does not matter has omega and alpha only",
+                 "不计自身方位的轮只需 omega 和 alpha"),
+    }  # fmt: skip
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "why": _pick(self.reasons[self.why], lang)}
+
+
+@dataclass(eq=False)
+class WrongType(GraphkinError):
+    """`expected` is one of `KINDS`."""
+
+    where: Where
+    expected: str
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} stands where {expected} is wanted. Replace it.",
+        "zh": "{where}：此处应为{expected}，而不是 {given}，请改正。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "expected": _pick(KINDS[self.expected], lang)}
+
+
+@dataclass(eq=False)
+class BadName(WrongType):
+    """A name or key that is not formed as its kind is."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} does not read as {expected}. Rename it.",
+        "zh": "{where}：{given} 的写法不对，应为：{expected}。请改名。",
+    }
+
+
+@dataclass(eq=False)
+class WrongCount(GraphkinError):
+    where: Where
+    expected: int
+    given: int
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the list has {given} items, it needs {expected}. Add or remove some.",
+        "zh": "{where}：列表有 {given} 项，应为 {expected} 项，请增减。",
+    }
+
+
+@dataclass(eq=False)
+class DuplicateName(GraphkinError):
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the name {given} is used already. Choose another.",
+        "zh": "{where}：名称 {given} 已被使用，请另取一个。",
+    }

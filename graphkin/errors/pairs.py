@@ -1,0 +1,127 @@
+"""Errors of sliding pairs, gears, rolling and cams."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from graphkin.errors.base import GraphkinError, Lang, Where
+
+__all__ = [
+    "BlockOrPin",
+    "CircleOrLine",
+    "LineOnLine",
+    "NeedsDirection",
+    "NeedsTilt",
+    "NoLine",
+    "PointOnPoint",
+    "SameCircles",
+    "SameTwice",
+    "SlidesOnItself",
+]
+
+
+@dataclass(eq=False)
+class BlockOrPin(GraphkinError):
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: say what slides: block and point for a sliding pair, or pin for a pin in a slot.",
+        "zh": "{where}：请说明什么在滑动：移动副写 block 和 point，销槽写 pin。",
+    }
+
+
+@dataclass(eq=False)
+class SlidesOnItself(GraphkinError):
+    where: Where
+    link: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: link {link} would slide on itself. Name another guide, or another block or pin.",
+        "zh": "{where}：构件 {link} 不能在自身上滑动，请更换导路或滑块（销）。",
+    }
+
+
+@dataclass(eq=False)
+class NeedsTilt(GraphkinError):
+    where: Where
+    link: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: block {link} has a direction of its own already. "
+        "Add tilt, the angle from the guide's line to that direction.",
+        "zh": "{where}：滑块 {link} 已有自身方向，请补充 tilt，即从导路到该方向的角度。",
+    }
+
+
+@dataclass(eq=False)
+class NeedsDirection(GraphkinError):
+    where: Where
+    link: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the direction of the line on link {link} is open. "
+        "Add toward = a second point, or from = two points (and an angle).",
+        "zh": "{where}：构件 {link} 上导路的方向未定，请补充 toward（另一点），或 from（两点）及 angle。",
+    }
+
+
+@dataclass(eq=False)
+class NoLine(GraphkinError):
+    where: Where
+    first: str
+    second: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {first} and {second} lie at one place, so they give no direction. Choose another "
+        "point.",
+        "zh": "{where}：{first} 与 {second} 重合，不能确定方向，请换一个点。",
+    }
+
+
+@dataclass(eq=False)
+class SameTwice(GraphkinError):
+    """A pair needs two different links (or centres)."""
+
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} stands there twice; a pair joins two different ones. Correct one.",
+        "zh": "{where}：{given} 重复出现，运动副应联接两个不同的对象，请改正其一。",
+    }
+
+
+@dataclass(eq=False)
+class SameCircles(GraphkinError):
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: one circle cannot lie inside another of the same radius. Correct a radius, or "
+        "internal.",
+        "zh": "{where}：半径相等的两圆不能内切，请改正半径或 internal。",
+    }
+
+
+@dataclass(eq=False)
+class CircleOrLine(GraphkinError):
+    where: Where
+    circle: str
+    line: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: give either a circle ({circle}) or a line ({line}).",
+        "zh": "{where}：请给出圆（{circle}）或直线（{line}）之一。",
+    }
+
+
+@dataclass(eq=False)
+class LineOnLine(GraphkinError):
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: a line against a line touches along its length. Make it a [[slide]], or one "
+        "profile a circle.",
+        "zh": "{where}：直线与直线是面接触，请改用 [[slide]]，或将其中一个廓线改为圆。",
+    }
+
+
+@dataclass(eq=False)
+class PointOnPoint(GraphkinError):
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: two knife edges cannot stay in contact. Give one profile a radius, or make it a "
+        "hinge.",
+        "zh": "{where}：两个尖点不能保持接触，请给其中一个廓线以半径，或改为铰链。",
+    }

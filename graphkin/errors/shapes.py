@@ -1,0 +1,198 @@
+"""Errors of a link's measures, and of links that cannot be what the file says."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from graphkin.errors.base import GraphkinError, Lang, Where
+
+__all__ = [
+    "CannotMove",
+    "CcwContradicts",
+    "CcwOnLine",
+    "Contradiction",
+    "FrameNameTaken",
+    "LooseLink",
+    "MissingCcw",
+    "NoPoints",
+    "NoTriangle",
+    "OneSpot",
+    "RigidlyJoined",
+    "ShapeAndMeasures",
+    "TooFewMeasures",
+]
+
+
+@dataclass(eq=False)
+class TooFewMeasures(GraphkinError):
+    """`points` are those that stay free."""
+
+    where: Where
+    link: str
+    points: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: too few measures: nothing fixes {points} in link {link}. Add lengths or angles.",
+        "zh": "{where}：构件 {link} 的尺寸不足，点 {points} 未定，请补充长度或角度。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "points": ", ".join(self.points)}
+
+
+@dataclass(eq=False)
+class Contradiction(GraphkinError):
+    """`key` disagrees with the measures before it."""
+
+    where: Where
+    link: str
+    key: str
+    gap_mm: float
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {key} disagrees with the other measures of link {link} by {gap_mm:.3g} mm. "
+        "Correct it, or leave it out.",
+        "zh": "{where}：{key} 与构件 {link} 的其他尺寸相差 {gap_mm:.3g} mm，请改正或删去。",
+    }
+
+
+@dataclass(eq=False)
+class NoTriangle(GraphkinError):
+    """One length is longer than the two others together."""
+
+    where: Where
+    keys: tuple[str, str, str]
+    gap_mm: float
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the lengths {keys} cannot close a triangle: {gap_mm:.3g} mm are lacking. Correct "
+        "one.",
+        "zh": "{where}：长度 {keys} 不能构成三角形，差 {gap_mm:.3g} mm，请改正其中之一。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "keys": ", ".join(self.keys)}
+
+
+@dataclass(eq=False)
+class MissingCcw(GraphkinError):
+    """The measures leave two mirror images."""
+
+    where: Where
+    triple: tuple[str, str, str]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the measures leave two mirror images. Add ccw = {one} or ccw = {other}, "
+        "whichever runs counter-clockwise.",
+        "zh": "{where}：现有尺寸对应互为镜像的两种形状，请按逆时针顺序补充 ccw = {one} 或 ccw = {other}。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        a, b, c = self.triple
+        return super()._words(lang) | {"one": f'["{a}", "{b}", "{c}"]', "other": f'["{a}", "{c}", "{b}"]'}
+
+
+@dataclass(eq=False)
+class CcwContradicts(GraphkinError):
+    where: Where
+    triple: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {triple} cannot run counter-clockwise with the other measures and triples. "
+        "Exchange two of the points.",
+        "zh": "{where}：按其他尺寸和三点组，{triple} 不可能是逆时针顺序，请交换其中两点。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "triple": ", ".join(self.triple)}
+
+
+@dataclass(eq=False)
+class CcwOnLine(CcwContradicts):
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {triple} lie on one line, so they run no way round. Leave this ccw out.",
+        "zh": "{where}：{triple} 三点共线，没有顺逆之分，请删去此 ccw。",
+    }
+
+
+@dataclass(eq=False)
+class ShapeAndMeasures(GraphkinError):
+    where: Where
+    link: str
+    key: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: link {link} has both shape and {key}. Give coordinates, or lengths and angles, "
+        "not both.",
+        "zh": "{where}：构件 {link} 同时给出了 shape 和 {key}；坐标与长度、角度只能用一种。",
+    }
+
+
+@dataclass(eq=False)
+class OneSpot(GraphkinError):
+    where: Where
+    link: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: all points of link {link} lie at one place, so it has no direction. Move one.",
+        "zh": "{where}：构件 {link} 的各点重合，没有方向，请移动其中一点。",
+    }
+
+
+@dataclass(eq=False)
+class NoPoints(GraphkinError):
+    where: Where
+    link: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: link {link} has no points. Give a length such as AB = 40, or points = [\"B\"].",
+        "zh": "{where}：构件 {link} 没有点，请给出长度（如 AB = 40）或 points = [\"B\"]。",
+    }  # fmt: skip
+
+
+@dataclass(eq=False)
+class FrameNameTaken(GraphkinError):
+    where: Where
+    link: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {link} is the name of the frame. Name this link otherwise, or give [frame] "
+        "another name.",
+        "zh": "{where}：{link} 是机架的名称，请给此构件另取名称，或在 [frame] 中改 name。",
+    }
+
+
+@dataclass(eq=False)
+class LooseLink(GraphkinError):
+    where: Where
+    link: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: link {link} is tied to nothing. Let it share a point with another link, or put "
+        "it in a pair.",
+        "zh": "{where}：构件 {link} 与其他构件没有联系，请让它与别的构件共点，或加入运动副。",
+    }
+
+
+@dataclass(eq=False)
+class CannotMove(GraphkinError):
+    where: Where
+    link: str
+    points: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: link {link} is hinged to the frame at {points}, so it cannot move. Keep one of them.",
+        "zh": "{where}：构件 {link} 在 {points} 处都与机架铰接，不能运动，请只保留一处。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "points": ", ".join(self.points)}
+
+
+@dataclass(eq=False)
+class RigidlyJoined(GraphkinError):
+    """Two links that cannot move against each other."""
+
+    where: Where
+    first: str
+    second: str
+    points: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: links {first} and {second} are rigidly joined at {points}. "
+        "Make them one link, or give one of the points another name.",
+        "zh": "{where}：构件 {first} 与 {second} 在 {points} 处刚性相连，请合并为一个构件，"
+        "或给其中一点另取名称。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "points": ", ".join(self.points)}

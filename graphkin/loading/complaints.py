@@ -1,0 +1,80 @@
+"""What pydantic found wrong, in graphkin's own errors: with line and key, and without pydantic's words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+
+from pydantic import BaseModel, ValidationError
+from pydantic_core import ErrorDetails
+
+from graphkin.errors import GraphkinError, MissingKey, NotOneOf, UnknownKey, Where, WrongCount, WrongType
+from graphkin.loading.positions import Path
+from graphkin.loading.schema import (
+    CamTable,
+    DriverTable,
+    File,
+    GearTable,
+    PoseTable,
+    ProfileTable,
+    RollTable,
+    ScalesTable,
+    SlideTable,
+    Titles,
+)
+from graphkin.loading.values import shown
+
+__all__ = ["complaints"]
+
+TABLES: Mapping[tuple[str, ...], type[BaseModel]] = {
+    (): File,
+    ("title",): Titles,
+    ("slide",): SlideTable,
+    ("gear",): GearTable,
+    ("roll",): RollTable,
+    ("cam",): CamTable,
+    ("cam", "profiles"): ProfileTable,
+    ("driver",): DriverTable,
+    ("pose",): PoseTable,
+    ("scales",): ScalesTable,
+}
+"""Which keys are possible where, item numbers left out."""
+
+_TYPES = {"list_type": "list", "dict_type": "table", "model_type": "table", "bool_type": "flag"}
+
+
+def complaints(
+    error: ValidationError, where: Callable[..., Where], known: Mapping[Path, int]
+) -> Iterator[GraphkinError]:
+    """One error each. `known` are the keys the file has: what pydantic adds to a path is left out."""
+    for detail in error.errors(include_url=False):
+        path = detail["loc"]
+        while path and path not in known and detail["type"] != "missing":
+            path = path[:-1]
+        yield _complaint(detail, where(*path))
+
+
+def _complaint(detail: ErrorDetails, where: Where) -> GraphkinError:
+    context = detail.get("ctx", {})
+    key = str(detail["loc"][-1]) if detail["loc"] else ""
+    match detail["type"]:
+        case "graphkin":
+            problem: GraphkinError = context["problem"]
+            return replace(problem, where=where)
+        case "missing":
+            return MissingKey(where, key)
+        case "extra_forbidden":
+            return UnknownKey(where, key[:40], _possible(detail["loc"][:-1]))
+        case "literal_error":
+            return NotOneOf(where, shown(detail["input"]), ("left", "right"))
+        case "too_short" | "too_long":
+            expected = context.get("min_length", context.get("max_length"))
+            return WrongCount(where, int(expected or 0), len(detail["input"]))
+        case kind:
+            return WrongType(where, _TYPES.get(kind, "table"), shown(detail["input"]))
+
+
+def _possible(path: tuple[int | str, ...]) -> tuple[str, ...]:
+    """The keys of the table at this path."""
+    table = TABLES.get(tuple(part for part in path if isinstance(part, str)))
+    return tuple(field.alias or name for name, field in table.model_fields.items()) if table else ()

@@ -1,0 +1,104 @@
+"""Circles and straight lines on which a link's next point may lie, and where two of them cross.
+
+Unlike `graphkin.geometry` this works on one layout at a time and must decide: curves that touch within 1e-9
+of their size touch in one point, as three collinear points want it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+__all__ = ["Circle", "Curve", "StraightLine", "crossings", "gap"]
+
+TOUCHES = 1e-9
+"""Two curves closer than this part of their size touch."""
+
+
+@dataclass(frozen=True, slots=True)
+class Circle:
+    centre: complex
+    radius: float
+
+
+@dataclass(frozen=True, slots=True)
+class StraightLine:
+    """Through `point` along the unit vector `along`."""
+
+    point: complex
+    along: complex
+
+    def distance(self, place: complex) -> float:
+        return abs(((place - self.point) * self.along.conjugate()).imag)
+
+
+Curve = Circle | StraightLine
+
+
+def crossings(one: Curve, other: Curve) -> list[complex]:
+    """The points two curves share: none, one or two; none if they coincide."""
+    match one, other:
+        case Circle(), Circle():
+            return _two_circles(one, other)
+        case Circle(), StraightLine():
+            return _line_and_circle(other, one)
+        case StraightLine(), Circle():
+            return _line_and_circle(one, other)
+        case StraightLine(), StraightLine():
+            return _two_lines(one, other)
+    return []
+
+
+def gap(one: Curve, other: Curve) -> float:
+    """How far two curves that do not cross stay apart; 0 if they coincide."""
+    match one, other:
+        case Circle(), Circle():
+            apart = abs(one.centre - other.centre)
+            return max(apart - one.radius - other.radius, abs(one.radius - other.radius) - apart, 0.0)
+        case Circle(), StraightLine():
+            return max(other.distance(one.centre) - one.radius, 0.0)
+        case StraightLine(), Circle():
+            return gap(other, one)
+        case StraightLine(), StraightLine():
+            return one.distance(other.point)
+    return 0.0
+
+
+def _two_circles(one: Circle, other: Circle) -> list[complex]:
+    between = other.centre - one.centre
+    apart = abs(between)
+    size = max(apart, one.radius, other.radius)
+    if apart <= TOUCHES * size:
+        return []
+    along = between / apart
+    outside = apart - one.radius - other.radius
+    inside = abs(one.radius - other.radius) - apart
+    if max(outside, inside) > TOUCHES * size:
+        return []
+    if abs(outside) <= TOUCHES * size:
+        return [one.centre + one.radius * along]
+    if abs(inside) <= TOUCHES * size:
+        return [one.centre + (one.radius if one.radius > other.radius else -one.radius) * along]
+    foot = (apart + (one.radius - other.radius) * (one.radius + other.radius) / apart) / 2
+    height = math.sqrt(max((one.radius - foot) * (one.radius + foot), 0.0))
+    return [one.centre + along * complex(foot, side * height) for side in (1, -1)]
+
+
+def _line_and_circle(line: StraightLine, circle: Circle) -> list[complex]:
+    offset = (circle.centre - line.point) * line.along.conjugate()
+    foot = line.point + offset.real * line.along
+    room = circle.radius - abs(offset.imag)
+    if abs(room) <= TOUCHES * circle.radius:
+        return [foot]
+    if room < 0:
+        return []
+    half = math.sqrt(room * (circle.radius + abs(offset.imag)))
+    return [foot + half * line.along, foot - half * line.along]
+
+
+def _two_lines(one: StraightLine, other: StraightLine) -> list[complex]:
+    sine = (one.along.conjugate() * other.along).imag
+    if abs(sine) <= TOUCHES:
+        return []
+    reach = ((other.point - one.point) * other.along.conjugate()).imag / -sine
+    return [one.point + reach * one.along]

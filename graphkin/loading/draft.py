@@ -1,0 +1,109 @@
+"""A mechanism being drawn up from its file: the links so far, and all that was found wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import NoReturn
+
+from graphkin.errors import DuplicateName, GraphkinError, Several, UnknownLink, UnknownPoint, Where
+from graphkin.loading.names import tidy
+from graphkin.loading.positions import Path
+from graphkin.mechanism import FRAME, Link
+
+__all__ = ["Draft"]
+
+
+@dataclass
+class Draft:
+    """What the readers of the single tables share.
+
+    links     by name; a link whose measures are wrong has its points at stand-in places, so that the other
+              tables can still be checked
+    problems  what was found wrong; `stop_if_wrong` raises it
+    """
+
+    file: str
+    lines: Mapping[Path, int]
+    frame: str = "0"
+    links: dict[str, Link] = field(default_factory=dict)
+    frame_points: dict[str, complex] = field(default_factory=dict)
+    problems: list[GraphkinError] = field(default_factory=list)
+    _taken: set[str] = field(default_factory=set)
+
+    def where(self, *path: str | int) -> Where:
+        """The place of a key, or of the nearest key above it that the file has."""
+        path = tuple(tidy(part) if isinstance(part, str) else part for part in path)
+        line = next((self.lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in self.lines), None)
+        return Where(self.file, line, ".".join(map(str, path)))
+
+    @contextmanager
+    def noting(self) -> Iterator[None]:
+        """What is wrong inside is noted, and reading goes on behind it."""
+        try:
+            yield
+        except GraphkinError as problem:
+            self.problems.append(problem)
+
+    def stop_if_wrong(self) -> None:
+        """Raise all problems in the order of the lines: one as it is, more as `Several`."""
+        if self.problems:
+            self._stop()
+
+    def _stop(self) -> NoReturn:
+        def line(problem: GraphkinError) -> float:
+            where = getattr(problem, "where", None)
+            return where.line if isinstance(where, Where) and where.line is not None else float("inf")
+
+        problems = list({problem.message(): problem for problem in sorted(self.problems, key=line)}.values())
+        raise problems[0] if len(problems) == 1 else Several(tuple(problems))
+
+    def link(self, given: str, *path: str | int) -> str:
+        """The link of this name; the frame may go by its own."""
+        if given == self.frame:
+            return FRAME
+        if given not in self.links:
+            moving = tuple(name for name in self.links if name != FRAME)
+            raise UnknownLink(self.where(*path), given, (*moving, FRAME))
+        return given
+
+    def point(self, link: str, given: str, *path: str | int) -> str:
+        """A point of the link."""
+        self.known(given, *path)
+        if given not in self.links[link].points:
+            raise UnknownPoint(self.where(*path), given, self.named(link))
+        return given
+
+    def known(self, given: str, *path: str | int) -> str:
+        """A point of any link."""
+        if not self.owners(given):
+            points = dict.fromkeys(point for link in self.links for point in self.named(link))
+            raise UnknownPoint(self.where(*path), given, tuple(points))
+        return given
+
+    def named(self, link: str) -> tuple[str, ...]:
+        """The points of a link that people named."""
+        return tuple(point for point in self.links[link].points if point[0].isupper())
+
+    def owners(self, *points: str) -> Sequence[str]:
+        """The links that have all these points, moving ones first."""
+        owners = [name for name, link in self.links.items() if all(point in link.points for point in points)]
+        return sorted(owners, key=lambda name: name == FRAME)
+
+    def name(self, given: str | None, default: str, *path: str | int) -> str:
+        """The name of a pair: as given and not used before, or the default."""
+        if given is None:
+            return default
+        if given in self._taken:
+            raise DuplicateName(self.where(*path, "name"), given)
+        self._taken.add(given)
+        return given
+
+    def can_be_driven(self, given: str) -> bool:
+        """Whether a sliding or rolling pair has this name."""
+        return given in self._taken
+
+    @property
+    def pair_names(self) -> tuple[str, ...]:
+        return tuple(sorted(self._taken))

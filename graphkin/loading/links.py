@@ -1,0 +1,67 @@
+"""`[frame]` and `[links.X]`: the rigid bodies and where their points are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from graphkin.errors import FrameNameTaken, NoPoints, ShapeAndMeasures
+from graphkin.loading.draft import Draft
+from graphkin.loading.measures import link_points
+from graphkin.loading.names import tidy
+from graphkin.loading.schema import File, LinkTable
+from graphkin.loading.shapes import Measure, Measures, check_round, own_axes, solve_shape
+from graphkin.mechanism import FRAME, Link
+
+__all__ = ["read_links"]
+
+
+def read_links(draft: Draft, file: File, raw: Mapping[str, Any], measures: Mapping[str, Sequence[Measure]]) -> None:
+    """Put the frame and all links into the draft. `raw` is the file's own data: it keeps the order of the keys."""
+    draft.frame = file.frame.name
+    draft.frame_points = {tidy(point): complex(*place) for point, place in (file.frame.model_extra or {}).items()}
+    draft.links[FRAME] = Link(FRAME, draft.frame_points)
+    tables = {tidy(name): table for name, table in raw["links"].items()}
+    for name, table in file.links.items():
+        points = link_points(tables[name])
+        draft.links[name] = Link(name, {point: complex(n, n * n) for n, point in enumerate(points)})
+    for name, table in file.links.items():
+        with draft.noting():
+            shape = _shape(draft, name, table, tuple(draft.links[name].points), measures[name])
+            draft.links[name] = Link(name, shape)
+
+
+def _shape(
+    draft: Draft, name: str, table: LinkTable, points: tuple[str, ...], measures: Sequence[Measure]
+) -> dict[str, complex]:
+    """The link's points in its own axes."""
+    if name in (FRAME, draft.frame):
+        raise FrameNameTaken(draft.where("links", name), name)
+    if not points:
+        raise NoPoints(draft.where("links", name), name)
+    given = _measures(draft, name, table, points, measures)
+    if table.shape is None:
+        return solve_shape(given)
+    if measures:
+        raise ShapeAndMeasures(draft.where("links", name, measures[0].key), name, measures[0].key)
+    places = {tidy(point): complex(*place) for point, place in table.shape.items()}
+    if len(places) < len(points):
+        solve_shape(replace(given, points=tuple(point for point in points if point not in places)))
+    check_round(given, places)
+    return own_axes(places, name, given.where)
+
+
+def _measures(
+    draft: Draft, name: str, table: LinkTable, points: tuple[str, ...], measures: Sequence[Measure]
+) -> Measures:
+    """All that is known of the shape, each with its place."""
+    ccw = table.ccw or []
+    places = {measure.key: draft.where("links", name, measure.key) for measure in measures}
+    for number, triple in enumerate(ccw):
+        place = ("links", name, "ccw", number)
+        places[f"ccw {number}"] = draft.where(*place[: 3 if len(ccw) == 1 else 4])
+        for point in triple:
+            draft.point(name, point, *place[:3])
+    triples = tuple((a, b, c) for a, b, c in ccw)
+    return Measures(name, draft.where("links", name), points, tuple(measures), triples, places)

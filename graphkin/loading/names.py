@@ -1,0 +1,26 @@
+"""How points, links and sliding pairs may be called, and how `O1A` reads as O1, A."""
+
+from __future__ import annotations
+
+import re
+
+__all__ = ["LINK", "POINT", "SLIDE", "split_points", "tidy"]
+
+_POINT = r"[A-Z][0-9]*'*"
+POINT = re.compile(_POINT)
+LINK = re.compile(r"[\w']+")
+SLIDE = re.compile(r"(?![sr][0-9]+\Z)[\w'-]+")
+"""`s0`, `r1` .. are what graphkin calls pairs that have no name."""
+
+_POINTS = re.compile(rf"(?:{_POINT})+")
+_PRIMES = str.maketrans({"\u2019": "'", "\u2032": "'", "\u2033": "''", "\u2034": "'''"})
+
+
+def tidy(name: str) -> str:
+    """A name with its primes as typed on a keyboard, however they were printed."""
+    return name.translate(_PRIMES)
+
+
+def split_points(word: str) -> tuple[str, ...]:
+    """`O1AD'` -> O1, A, D'; nothing if the word is not made of points' names."""
+    return tuple(POINT.findall(word)) if _POINTS.fullmatch(word) else ()

@@ -1,0 +1,301 @@
+"""From a link's lengths and angles to the places of its points, as one would lay it out with compass and protractor.
+
+Two points with a known distance are put down first. Then every further point is put where two curves cross: a
+length is a circle about a placed point, an angle at a placed point is a line through it, an angle at the new
+point is the circle of equal angles over two placed ones. Mirror images are told apart by `ccw`.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations, islice
+
+from graphkin.errors import (
+    CcwContradicts,
+    CcwOnLine,
+    Contradiction,
+    GraphkinError,
+    MissingCcw,
+    NoTriangle,
+    OneSpot,
+    TooFewMeasures,
+    Where,
+)
+from graphkin.loading.curves import Circle, Curve, StraightLine, crossings, gap
+
+__all__ = ["Angle", "Length", "Measure", "Measures", "check_round", "own_axes", "solve_shape"]
+
+AGREES = 1e-6
+"""Measures that say the same thing twice may differ by this part of the link's size."""
+
+MOST_TRIALS = 300
+"""Partial layouts looked at before the search for a shape is given up."""
+
+Places = Mapping[str, complex]
+Triple = tuple[str, str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Length:
+    """`AB = 24`."""
+
+    key: str
+    points: tuple[str, str]
+    value: float
+
+    def curves(self, point: str, placed: Places) -> list[Curve]:
+        """Where `point` may lie, the other point being placed."""
+        other = self.points[1] if point == self.points[0] else self.points[0]
+        return [Circle(placed[other], self.value)]
+
+    def miss(self, placed: Places) -> float:
+        """How far a layout is off this length [m]."""
+        a, b = (placed[point] for point in self.points)
+        return abs(abs(b - a) - self.value)
+
+
+@dataclass(frozen=True, slots=True)
+class Angle:
+    """`BDE = 90`: the angle at the middle point, 0 to pi."""
+
+    key: str
+    points: Triple
+    value: float
+
+    def curves(self, point: str, placed: Places) -> list[Curve]:
+        """Where `point` may lie, the other two points being placed."""
+        first, vertex, last = self.points
+        if point == vertex:
+            return _equal_angles(placed[first], placed[last], self.value)
+        along = placed[last if point == first else first] - placed[vertex]
+        if along == 0:
+            return []
+        turns = {cmath.rect(1, self.value), cmath.rect(1, -self.value)}
+        return [StraightLine(placed[vertex], along / abs(along) * turn) for turn in turns]
+
+    def miss(self, placed: Places) -> float:
+        """How far the end of the shorter arm is off this angle [m]."""
+        first, vertex, last = (placed[point] for point in self.points)
+        one, other = first - vertex, last - vertex
+        if one == 0 or other == 0:
+            return 0.0
+        return abs(abs(cmath.phase(one / other)) - self.value) * min(abs(one), abs(other))
+
+
+Measure = Length | Angle
+
+
+def _equal_angles(a: complex, b: complex, angle: float) -> list[Curve]:
+    """The points that see the stretch ab under an angle."""
+    if a == b:
+        return []
+    if math.sin(angle) < 1e-9:
+        return [StraightLine(a, (b - a) / abs(b - a))]
+    offset = (b - a) / 2j / math.tan(angle)
+    return [Circle((a + b) / 2 + side * offset, abs(b - a) / 2 / math.sin(angle)) for side in (1, -1)]
+
+
+@dataclass(frozen=True)
+class Measures:
+    """All that is known of one link's shape, and where each of it stands in the file."""
+
+    link: str
+    where: Where
+    points: tuple[str, ...]
+    measures: tuple[Measure, ...] = ()
+    ccw: tuple[Triple, ...] = ()
+    places: Mapping[str, Where] = field(default_factory=dict)
+
+    def place(self, key: str) -> Where:
+        return self.places.get(key, self.where)
+
+
+def solve_shape(given: Measures) -> dict[str, complex]:
+    """The points in the link's own axes [m]. Errors: see `graphkin.errors.shapes`."""
+    if len(given.points) == 1:
+        return {given.points[0]: 0j}
+    found = _Search(given, given.ccw).first_two()
+    if not found:
+        raise _why_not_round(given)
+    if len(found) > 1:
+        raise _what_is_open(given, *found)
+    return own_axes({point: found[0][point] for point in given.points}, given.link, given.where)
+
+
+def own_axes(places: Places, link: str, where: Where) -> dict[str, complex]:
+    """The same figure with its first point in the origin and the next distinct one on +x."""
+    origin = next(iter(places.values()))
+    arms = {point: place - origin for point, place in places.items()}
+    size = max(abs(arm) for arm in arms.values())
+    axis = next((arm for arm in arms.values() if abs(arm) > 1e-9 * size), 0j)
+    if axis == 0 and len(arms) > 1:
+        raise OneSpot(where, link)
+    turn = axis.conjugate() / abs(axis) if axis.imag or axis.real < 0 else 1 + 0j
+    return {point: complex(abs(arm), 0) if arm == axis else arm * turn for point, arm in arms.items()}
+
+
+class _Search:
+    """All layouts that fulfil the measures and run the right way round, at most two of them."""
+
+    def __init__(self, given: Measures, ccw: Sequence[Triple]) -> None:
+        self.given = given
+        self.ccw = ccw
+        self.trials = 0
+        self.problem: GraphkinError | None = None
+        self.stuck: tuple[str, ...] = ()
+
+    def first_two(self) -> list[Places]:
+        """Two layouts if there are so many, none if `ccw` forbids all.
+
+        Raises if the measures are too few or contradict each other.
+        """
+        starts = [measure for measure in self.given.measures if isinstance(measure, Length)]
+        for start in starts:
+            first, second = start.points
+            complete = self._complete({first: 0j, second: complex(start.value)})
+            if found := list(islice(complete, 2)):
+                return found
+            if self.problem is not None:
+                raise self.problem
+        if self.stuck or not starts:
+            raise TooFewMeasures(self.given.where, self.given.link, self.stuck or self.given.points)
+        return []
+
+    def _complete(self, placed: Places) -> Iterator[Places]:
+        """Every way to put down the points that are not placed yet."""
+        self.trials += 1
+        missing = tuple(point for point in self.given.points if point not in placed)
+        if not missing:
+            yield placed
+            return
+        choices = [(point, self._candidates(point, placed)) for point in missing]
+        known = [(point, found) for point, found in choices if found is not None]
+        if not known or self.trials > MOST_TRIALS:
+            self.stuck = min(self.stuck or missing, missing, key=len)
+            return
+        point, found = min(known, key=lambda choice: len(choice[1]))
+        for place in found:
+            yield from self._complete({**placed, point: place})
+
+    def _candidates(self, point: str, placed: Places) -> list[complex] | None:
+        """Where the point can lie; None while fewer than two measures tell."""
+        telling = self._telling(point, placed)
+        options = [measure.curves(point, placed) for measure in telling]
+        apart, crossed = 0.0, False
+        for one, other in combinations(options, 2):
+            places = [place for a in one for b in other for place in crossings(a, b)]
+            if good := self._fitting(point, places, telling, placed):
+                return [place for place in good if self._right_way_round({**placed, point: place})]
+            if places and not crossed:
+                crossed = True
+                worst = self._worst(point, places, telling, placed)
+            apart = max(apart, min((gap(a, b) for a in one for b in other), default=0.0))
+        if not crossed and apart <= AGREES * _size(placed):
+            return None
+        self.problem = self.problem or (worst if crossed else self._no_crossing(point, telling, placed))
+        return []
+
+    def _telling(self, point: str, placed: Places) -> list[Measure]:
+        """The measures whose only point not placed is this one."""
+        return [
+            measure
+            for measure in self.given.measures
+            if point in measure.points and all(other in placed or other == point for other in measure.points)
+        ]
+
+    def _fitting(self, point: str, places: list[complex], telling: list[Measure], placed: Places) -> list[complex]:
+        """Those of the places, each once, that all measures agree with."""
+        good: list[complex] = []
+        for place in places:
+            layout = {**placed, point: place}
+            allowed = AGREES * _size(layout)
+            fits = all(measure.miss(layout) <= allowed for measure in telling)
+            if fits and all(abs(place - other) > allowed for other in good):
+                good.append(place)
+        return good
+
+    def _right_way_round(self, layout: Places) -> bool:
+        new = next(reversed(list(layout)))
+        return all(
+            orientation(layout, triple) > 0
+            for triple in self.ccw
+            if new in triple and all(point in layout for point in triple)
+        )
+
+    def _worst(self, point: str, places: list[complex], telling: list[Measure], placed: Places) -> Contradiction:
+        """Of the best layout, the measure that is furthest off."""
+        layouts = [{**placed, point: place} for place in places]
+        best = min(layouts, key=lambda layout: max(measure.miss(layout) for measure in telling))
+        worst = max(telling, key=lambda measure: measure.miss(best))
+        return Contradiction(self.given.place(worst.key), self.given.link, worst.key, worst.miss(best) * 1e3)
+
+    def _no_crossing(self, point: str, telling: list[Measure], placed: Places) -> GraphkinError:
+        """The two measures that leave least place for the point."""
+
+        def apart(pair: tuple[Measure, Measure]) -> float:
+            one, other = (measure.curves(point, placed) for measure in pair)
+            return min((gap(a, b) for a in one for b in other), default=0.0)
+
+        one, other = max(combinations(telling, 2), key=apart)
+        last = max(one, other, key=lambda measure: self._line(measure.key))
+        gap_mm = apart((one, other)) * 1e3
+        if isinstance(one, Length) and isinstance(other, Length):
+            a, b = (next(end for end in length.points if end != point) for length in (one, other))
+            return NoTriangle(self.given.place(last.key), (self._key(a, b), one.key, other.key), gap_mm)
+        return Contradiction(self.given.place(last.key), self.given.link, last.key, gap_mm)
+
+    def _line(self, key: str) -> int:
+        return self.given.place(key).line or 0
+
+    def _key(self, a: str, b: str) -> str:
+        """The distance ab as the file writes it, if it does."""
+        return next((m.key for m in self.given.measures if set(m.points) == {a, b}), a + b)
+
+
+def _size(layout: Places) -> float:
+    places = list(layout.values())
+    return max(abs(place - places[0]) for place in places)
+
+
+def orientation(layout: Places, triple: Sequence[str]) -> int:
+    """1 if the three points run counter-clockwise, -1 if clockwise, 0 on one line."""
+    a, b, c = (layout[point] for point in triple)
+    area = ((b - a).conjugate() * (c - a)).imag
+    sides = abs(b - a) * abs(c - a)
+    return 0 if abs(area) <= 1e-9 * sides else int(math.copysign(1, area))
+
+
+def check_round(given: Measures, places: Places) -> None:
+    """Whether given coordinates run the way `ccw` says."""
+    for number, triple in enumerate(given.ccw):
+        turn = orientation(places, triple)
+        if turn != 1:
+            raise (CcwContradicts if turn else CcwOnLine)(given.place(f"ccw {number}"), triple)
+
+
+def _why_not_round(given: Measures) -> GraphkinError:
+    """No layout runs the way `ccw` says: which triple cannot."""
+    layouts = _Search(given, ()).first_two()
+    for number, triple in enumerate(given.ccw):
+        where = given.place(f"ccw {number}")
+        if all(orientation(layout, triple) == 0 for layout in layouts):
+            return CcwOnLine(where, triple)
+    done: list[Triple] = []
+    for number, triple in enumerate(given.ccw):
+        done.append(triple)
+        if not _Search(given, done).first_two():
+            return CcwContradicts(given.place(f"ccw {number}"), triple)
+    return CcwContradicts(given.where, given.ccw[-1])
+
+
+def _what_is_open(given: Measures, one: Places, other: Places) -> GraphkinError:
+    """Two layouts are left: either some triple tells them apart, or measures are lacking."""
+    for a, b, c in combinations(given.points, 3):
+        turns = orientation(one, (a, b, c)), orientation(other, (a, b, c))
+        if turns[0] != turns[1] and 0 not in turns:
+            return MissingCcw(given.where, (a, b, c))
+    moved = tuple(p for p in given.points if abs(one[p] - other[p]) > AGREES * _size(one))
+    return TooFewMeasures(given.where, given.link, moved)

@@ -1,0 +1,67 @@
+"""How sites are written in files, results and drawings, and what is meant by what is written.
+
+`C` is a point; `B3` the point of link 3 under B (unless the file has a point B3); `B@guide` the same where a
+link's name is a word. Two of them together, `CB` or `B3B2`, are a motion of the first seen from the second.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from graphkin.mechanism import FRAME, Mechanism
+
+__all__ = ["Seen", "common_link", "pair", "seen"]
+
+POINT = re.compile(r"[A-Z][0-9]*'*")
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """A point of the mechanism as part of a link; `explicit` where the text names the link."""
+
+    point: str
+    link: str
+    explicit: bool
+
+
+def seen(mechanism: Mechanism, text: str) -> Seen | None:
+    """What `C`, `B3` or `B@guide` means; None for a text that means nothing here."""
+    if text in mechanism.points:
+        owners = mechanism.owners[text]
+        return Seen(text, next((link for link in owners if link != FRAME), FRAME), False)
+    point, at, link = text.partition("@")
+    if at:
+        return _site(mechanism, point, link)
+    found = [_site(mechanism, point, text[len(point) :]) for point in mechanism.points if text.startswith(point)]
+    return next((site for site in found if site is not None), None)
+
+
+def _site(mechanism: Mechanism, point: str, link: str) -> Seen | None:
+    name = FRAME if link == mechanism.frame else link
+    if point not in mechanism.points or name not in mechanism.links:
+        return None
+    return Seen(point, name, True)
+
+
+def pair(mechanism: Mechanism, text: str) -> tuple[Seen, Seen] | None:
+    """What `CB`, `B3B2` or `B@guide,B@block` means."""
+    first, comma, second = text.partition(",")
+    cuts = [(first, second)] if comma else [(text[:k], text[k:]) for k in range(1, len(text))]
+    for one, other in cuts:
+        sites = seen(mechanism, one), seen(mechanism, other)
+        if sites[0] is not None and sites[1] is not None:
+            return sites[0], sites[1]
+    return None
+
+
+def common_link(mechanism: Mechanism, of: Seen, seen_from: Seen) -> str | None:
+    """The moving link on which both sites lie, so that one turns about the other."""
+    first, second = _links(mechanism, of), _links(mechanism, seen_from)
+    return next((link for link in mechanism.moving if link in first and link in second), None)
+
+
+def _links(mechanism: Mechanism, site: Seen) -> set[str]:
+    """The links a site belongs to: all that have the point, unless it is a point of another link there."""
+    owners = mechanism.owners[site.point]
+    return set(owners) if not site.explicit or site.link in owners else {site.link}

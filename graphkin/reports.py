@@ -1,0 +1,160 @@
+"""Text for the terminal: results as tables, drawings measured, in both languages."""
+
+from __future__ import annotations
+
+import math
+import unicodedata
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from graphkin.check import Measured, Report
+from graphkin.errors import Lang
+from graphkin.mechanism import Mechanism
+
+__all__ = ["check_lines", "given_values", "solve_lines", "table"]
+
+Json = Mapping[str, Any]
+
+WORDS: dict[str, dict[Lang, str]] = {
+    "quantity": {"en": "quantity", "zh": "量"},
+    "graphical": {"en": "graphical", "zh": "图解"},
+    "analytic": {"en": "analytic", "zh": "解析"},
+    "difference": {"en": "difference", "zh": "差"},
+    "unit": {"en": "unit", "zh": "单位"},
+    "position": {"en": "position", "zh": "位置"},
+    "asked": {"en": "asked", "zh": "所求"},
+    "not answered": {"en": "not answered by this command", "zh": "本命令不作答"},
+    "worst": {"en": "worst relative difference", "zh": "最大相对误差"},
+    "drawn": {"en": "drawn [mm]", "zh": "图上 [mm]"},
+    "exact": {"en": "exact [mm]", "zh": "精确 [mm]"},
+    "off": {"en": "off [mm]", "zh": "差 [mm]"},
+    "value": {"en": "off, in unit", "zh": "差（实际单位）"},
+    "name": {"en": "name", "zh": "名称"},
+    "good": {"en": "good: every vector and point within {tolerance:g} mm", "zh": "合格：全部矢量和点的误差不超过 {tolerance:g} mm"},
+    "bad": {"en": "NOT GOOD: {count} off by more than {tolerance:g} mm", "zh": "不合格：{count} 处误差超过 {tolerance:g} mm"},
+    "fault": {"en": "fault", "zh": "缺陷"},
+}
+
+
+def say(key: str, lang: Lang) -> str:
+    return WORDS[key][lang]
+
+
+def width(text: str) -> int:
+    """Columns of a terminal that a text takes."""
+    return sum(2 if unicodedata.east_asian_width(letter) in "WF" else 1 for letter in text)
+
+
+def table(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Rows with their columns aligned: the first to the left, the others to the right."""
+    widths = [max(width(row[k]) for row in rows) for k in range(len(rows[0]))]
+    lines = []
+    for row in rows:
+        cells = [row[0] + " " * (widths[0] - width(row[0]))]
+        cells += [" " * (w - width(cell)) + cell for cell, w in zip(row[1:], widths[1:], strict=True)]
+        lines.append("  ".join(cells).rstrip())
+    return lines
+
+
+def number(value: float | None) -> str:
+    """Six significant digits, zero without a sign."""
+    if value is None:
+        return "-"
+    return f"{value:.6g}" if abs(value) > 1e-12 else "0"
+
+
+# --- solve ------------------------------------------------------------------------------------
+
+
+def given_values(mechanism: Mechanism, values: Sequence[float]) -> str:
+    """`AB = 60 deg, ram = 90 mm`."""
+    shown = []
+    for driver, value in zip(mechanism.drivers, values, strict=True):
+        text = f"{number(value * 1000)} mm" if driver.kind == "slide" else f"{number(math.degrees(value))} deg"
+        shown.append(f"{driver.name} = {text}")
+    return ", ".join(shown)
+
+
+def solve_lines(mechanism: Mechanism, found: Json, lang: Lang) -> Iterator[str]:
+    """Everything `results` found, for people."""
+    yield f"{found['name']}  {found['title']}"
+    for position in found["positions"]:
+        yield ""
+        yield f"{say('position', lang)}: {given_values(mechanism, position['drivers'])}"
+        heads = ("quantity", "graphical", "analytic", "difference", "unit")
+        rows = [[say(head, lang) for head in heads], *_rows(position)]
+        yield from table(rows)
+        yield from _answers(position["ask"], lang)
+        yield f"{say('worst', lang)}: {position['worst']:.1e}"
+
+
+def _rows(position: Json) -> Iterator[list[str]]:
+    exact = position["analytic"]
+    for link, motion in position["links"].items():
+        theta, right = math.degrees(motion["theta"]), math.degrees(exact["links"][link]["theta"])
+        turned = (theta - right + 180) % 360 - 180
+        yield _row(f"theta {link}", theta, right, "deg", turned)
+        for key, unit in (("omega", "rad/s"), ("alpha", "rad/s^2")):
+            yield _row(f"{key} {link}", motion[key], exact["links"][link][key], unit)
+    for point, motion in position["points"].items():
+        for key, unit in (("v", "m/s"), ("a", "m/s^2")):
+            drawn, right = complex(*motion[key]), complex(*exact["points"][point][key])
+            yield _row(f"{key} {point}", abs(drawn), abs(right), unit, abs(drawn - right))
+    for slide, motion in position["slides"].items():
+        for key, unit, factor in (("s", "mm", 1000.0), ("v", "m/s", 1.0), ("a", "m/s^2", 1.0)):
+            yield _row(f"{key} {slide}", motion[key] * factor, exact["slides"][slide][key] * factor, unit)
+
+
+def _row(name: str, drawn: float, right: float, unit: str, off: float | None = None) -> list[str]:
+    off = drawn - right if off is None else off
+    return [name, number(drawn), number(right), f"{off:.1e}", unit]
+
+
+def _answers(asked: Json, lang: Lang) -> Iterator[str]:
+    if asked:
+        yield f"{say('asked', lang)}:"
+    for question, entry in asked.items():
+        if entry["value"] is None:
+            yield f"  {question}: {say('not answered', lang)}"
+            continue
+        value, unit = entry["value"], entry["unit"]
+        value, unit = {"rad": (math.degrees(value), "deg"), "m": (value * 1000, "mm")}.get(unit, (value, unit))
+        yield f"  {question} = {number(value)} {'' if unit == '1' else unit}".rstrip() + _components(entry)
+
+
+def _components(entry: Json) -> str:
+    if "vector" not in entry:
+        return ""
+    x, y = entry["vector"]
+    return f"  ({number(x)}, {number(y)})"
+
+
+# --- check ------------------------------------------------------------------------------------
+
+
+def check_lines(report: Report, tolerance_mm: float, lang: Lang) -> Iterator[str]:
+    """Each vector and point as drawn, as it should be, and the difference on paper and in its unit."""
+    yield report.file
+    heads = ("name", "drawn", "exact", "off", "value", "unit")
+    rows = [[say(head, lang) for head in heads]]
+    for entry in report.measured:
+        mark = "" if entry.off_mm <= tolerance_mm else "  <--"
+        rows.append([*_measured(entry), entry.unit + mark])
+    yield from table(rows)
+    for fault in report.faults:
+        yield f"{say('fault', lang)}: {fault}"
+    wrong = sum(entry.off_mm > tolerance_mm for entry in report.measured) + len(report.faults)
+    yield say("bad" if wrong else "good", lang).format(count=wrong, tolerance=tolerance_mm)
+
+
+def _measured(entry: Measured) -> list[str]:
+    name = entry.name if entry.kind == "vector" else f"{entry.name} ({entry.plane})"
+    if entry.kind == "vector":
+        drawn, exact = f"{abs(entry.drawn):.4f}", f"{abs(entry.exact):.4f}"
+    else:
+        drawn, exact = _place(entry.drawn), _place(entry.exact)
+    return [name, drawn, exact, f"{entry.off_mm:.4f}", f"{entry.off_mm * entry.unit_per_mm:.2e}"]
+
+
+def _place(place: complex) -> str:
+    return f"({place.real + 0.0:.3f}, {place.imag + 0.0:.3f})"

@@ -1,0 +1,127 @@
+"""All results of a mechanism as plain data: what `solve --json` prints. SI units, radians, vectors as [x, y]."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from graphkin.analytic import motion
+from graphkin.check import compare
+from graphkin.errors import Lang
+from graphkin.geometry import Value
+from graphkin.mechanism import Mechanism
+from graphkin.methods import Method, replay_all
+from graphkin.naming import Seen
+from graphkin.readings import Motions, Readings, answer, relative
+
+__all__ = ["driver_values", "results"]
+
+Json = dict[str, Any]
+
+
+def driver_values(mechanism: Mechanism) -> Iterator[tuple[float, ...]]:
+    """The drawn position, then one for each value of `also`: drivers that list several move on together."""
+    drivers = mechanism.drivers
+    for k in range(-1, max((len(driver.also) for driver in drivers), default=0)):
+        yield tuple(d.also[k] if 0 <= k < len(d.also) else (d.value or 0.0) for d in drivers)
+
+
+def results(mechanism: Mechanism, method: Method, lang: Lang = "en") -> Json:
+    """One object for one mechanism, an entry in `positions` for the drawn one and for each of `also`."""
+    return {
+        "format": 1,
+        "name": mechanism.name,
+        "title": mechanism.headline(lang),
+        "positions": [_position(mechanism, method, values) for values in driver_values(mechanism)],
+    }
+
+
+def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...]) -> Json:
+    plot = replay_all(method, values)
+    exact = motion(mechanism, values)
+    readings = Readings(method, plot)
+    return {
+        "drivers": list(values),
+        **_motions(mechanism, readings),
+        "coincident": dict(_coincident(mechanism, method, readings)),
+        "ask": {question: _answer(mechanism, readings, question) for question in mechanism.ask},
+        "analytic": _motions(mechanism, exact),
+        "worst": compare(method, plot, exact),
+    }
+
+
+def _motions(mechanism: Mechanism, motions: Motions) -> Json:
+    """Links, points and slides, by either road."""
+    return {
+        "links": {
+            link: {
+                "theta": _number(motions.theta[link]) % (2 * math.pi),
+                "omega": _number(motions.omega[link]),
+                "alpha": _number(motions.alpha[link]),
+            }
+            for link in mechanism.moving
+            if link in motions.theta
+        },
+        "points": {point: _point(mechanism, motions, point) for point in mechanism.points},
+        "slides": {
+            slide.name: {
+                "s": _number(motions.s[slide.name]),
+                "v": _number(motions.s_rate[slide.name]),
+                "a": _number(motions.s_acceleration[slide.name]),
+            }
+            for slide in mechanism.slides
+            if slide.name in motions.s_acceleration
+        },
+    }
+
+
+def _point(mechanism: Mechanism, motions: Motions, point: str) -> Json:
+    link = mechanism.owners[point][0]
+    return {
+        "r": _vector(motions.position[point]),
+        "v": _vector(motions.velocity_at(point, link)),
+        "a": _vector(motions.acceleration_at(point, link)),
+    }
+
+
+def _coincident(mechanism: Mechanism, method: Method, readings: Readings) -> Iterator[tuple[str, Json]]:
+    """Each pair of coincident points of the polygons, seen either way round."""
+    sites = [
+        (label, Seen(site.point, method.structure.home(site.link), True))
+        for label, site in method.sites.items()
+        if site.point in method.coincident
+    ]
+    for label, of in sites:
+        of = Seen(of.point, method.coincident[of.point], True) if of.link in mechanism.owners[of.point] else of
+        for other, seen_from in sites:
+            if other == label or seen_from.point != of.point:
+                continue
+            if seen_from.link in mechanism.owners[seen_from.point]:
+                seen_from = Seen(seen_from.point, method.coincident[seen_from.point], True)
+            comma = "," if "@" in label + other else ""
+            yield f"{label}{comma}{other}", {
+                part: _vector(relative(mechanism, readings, plane, letter, of, seen_from))
+                for part, plane, letter in (
+                    ("v", "velocity", ""), ("a_k", "acceleration", "k"), ("a_r", "acceleration", "r"),
+                )
+            }  # fmt: skip
+
+
+def _answer(mechanism: Mechanism, motions: Motions, question: str) -> Mapping[str, Any]:
+    found = answer(mechanism, motions, question)
+    if found is None or not math.isfinite(_number(found.value)):
+        return {"value": None, "unit": None if found is None else found.unit}
+    vector = {} if found.vector is None else {"vector": _vector(found.vector)}
+    return {"value": _number(found.value), "unit": found.unit, **vector}
+
+
+def _number(value: Value) -> float:
+    return float(value) + 0.0
+
+
+def _vector(value: Value) -> list[float]:
+    vector = complex(value)
+    return [vector.real + 0.0, vector.imag + 0.0]
+
+

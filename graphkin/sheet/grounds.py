@@ -1,0 +1,130 @@
+"""The fixed link: pivots on hatched ground, fixed guides, fixed slots."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from graphkin.mechanism import FRAME
+from graphkin.pairs import Slide
+from graphkin.sheet import symbols
+from graphkin.sheet.labels import Wanted
+from graphkin.sheet.lettering import link_label
+from graphkin.sheet.marks import Mark, Place, Stroke
+from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.window import Figure
+
+__all__ = ["grounds"]
+
+_REACH = 13.0
+"""How far a fixed guide is drawn to each side of its block [mm]."""
+
+
+def grounds(skeleton: Skeleton) -> Figure:
+    """Everything that stands still, and the frame's number beside one sign of it."""
+    figure = Figure()
+    spots: list[Place] = []
+    for run in _runs(skeleton):
+        figure.marks += run.marks()
+        spots.append(run.end(run.high) + run.side * 2)
+    for point in skeleton.points:
+        owners = skeleton.mechanism.owners[point]
+        if FRAME in owners and (len(owners) > 1 or _holds_cylinder(skeleton, point)):
+            down = _down(skeleton, point)
+            figure.marks += symbols.pivot(skeleton.at(point), down, skeleton.step(point))
+            spots.insert(0, skeleton.at(point) + (symbols.PIVOT_DEPTH + 1) * down)
+    if spots:
+        label = link_label(skeleton.mechanism.frame)
+        figure.wanted.append(Wanted(label, spots[0], gap=2.0, away=1 + 0.3j, step=1))
+    return figure
+
+
+def _holds_cylinder(skeleton: Skeleton, point: str) -> bool:
+    return any(slide.line.origin == point and skeleton.is_cylinder(slide) for slide in skeleton.mechanism.slides)
+
+
+def _down(skeleton: Skeleton, point: str) -> complex:
+    """The side on which a pivot's ground lies: down, unless links leave that way."""
+    ways = list(skeleton.directions(point))
+
+    def badness(down: complex) -> float:
+        nearest = max(((way * down.conjugate()).real for way in ways), default=-1.0)
+        return max(0.0, nearest - 0.35) + {1j: 0.0, -1j: 0.2}.get(down, 0.12)
+
+    return min((1j, -1 + 0j, 1 + 0j, -1j), key=badness)
+
+
+# --- fixed guides -----------------------------------------------------------------------------
+
+
+@dataclass
+class _Run:
+    """A stretch of a fixed line, with what slides on it."""
+
+    foot: Place
+    along: complex
+    low: float
+    high: float
+    side: complex
+    pins: bool
+    step: int | None
+
+    def end(self, t: float) -> Place:
+        return self.foot + self.along * t
+
+    def marks(self) -> list[Mark]:
+        start, end = self.end(self.low), self.end(self.high)
+        if not self.pins:
+            return symbols.guide(start, end, self.side, self.step)
+        wall = self.side * 1.75
+        return [
+            *symbols.slot(start, end, "", "outline", self.step),
+            *symbols.hatch(start + wall, end + wall, self.side, self.step),
+        ]
+
+
+def _runs(skeleton: Skeleton) -> list[_Run]:
+    """Fixed guides; stretches of one line that touch are one."""
+    runs: list[_Run] = []
+    for slide in skeleton.guides(FRAME):
+        fresh = _run(skeleton, slide)
+        for run in runs:
+            if _touch(run, fresh):
+                t = (run.along.conjugate() * (fresh.foot - run.foot)).real
+                run.low, run.high = min(run.low, t + fresh.low), max(run.high, t + fresh.high)
+                break
+        else:
+            runs.append(fresh)
+    return runs
+
+
+def _touch(run: _Run, other: _Run) -> bool:
+    off = other.foot - run.foot
+    if run.pins != other.pins or abs((run.along.conjugate() * other.along).imag) > 1e-3:
+        return False
+    if abs((run.along.conjugate() * off).imag) > 0.1:
+        return False
+    t = (run.along.conjugate() * off).real
+    return run.low - 1 < t + other.high and t + other.low < run.high + 1
+
+
+def _run(skeleton: Skeleton, slide: Slide) -> _Run:
+    at, along = skeleton.at(slide.point), skeleton.along(slide)
+    if along.real < -1e-9 or (abs(along.real) < 1e-9 and along.imag < 0):
+        along = -along
+    step = skeleton.step(slide.line.origin)
+    return _Run(at, along, -_REACH, _REACH, _ground_side(skeleton, at, along), slide.block is None, step)
+
+
+def _ground_side(skeleton: Skeleton, at: Place, along: complex) -> complex:
+    """The side of a fixed line away from the mechanism; below where that does not decide."""
+    normal = along * 1j
+    weight = sum((normal.conjugate() * (skeleton.at(p) - at)).real for p in skeleton.points)
+    below = normal if (normal.imag, normal.real) > (0, 0) else -normal
+    if abs(weight) < 5:
+        return below
+    return -normal if weight > 0 else normal
+
+
+def stretch(places: list[Place]) -> Stroke:
+    """A plain line through places."""
+    return Stroke(tuple(places), "thin")

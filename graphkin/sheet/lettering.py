@@ -1,0 +1,186 @@
+"""Letters: how the field writes its names (b₃′, a^n_CB), and how wide that is.
+
+A label is a tuple of runs. Widths are those of Times (equal to Liberation Serif and Tinos), so a box
+around a label is right on every machine that has one of them; Chinese characters are one em wide.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from typing import Literal
+
+__all__ = [
+    "SMALL", "Label", "Run", "box", "joined", "link_label", "number", "plain", "point_label", "quantity_label",
+    "scripts", "site_label", "vector_label", "width",
+]  # fmt: skip
+
+SMALL = 0.68
+"""Size of sub- and superscripts, against the letters they belong to."""
+_DROP, _RISE = 0.22, -0.40
+_ASCENT, _DESCENT = 0.68, 0.20
+
+_ROMAN = (
+    "250 333 408 500 500 833 778 180 333 333 500 564 250 333 250 278 500 500 500 500 500 500 500 500 500 500 278 278 "
+    "564 564 564 444 921 722 667 667 722 611 556 722 722 333 389 722 611 889 722 722 556 722 667 556 611 722 722 944 "
+    "722 722 611 333 278 333 469 500 333 444 500 444 500 444 333 500 500 278 278 500 278 778 500 500 500 500 333 389 "
+    "278 500 500 722 500 500 444 480 200 480 541"
+)
+_ITALIC = (
+    "250 333 420 500 500 833 778 214 333 333 500 675 250 333 250 278 500 500 500 500 500 500 500 500 500 500 333 333 "
+    "675 675 675 500 920 611 611 667 722 611 611 722 722 333 444 667 556 833 667 722 611 722 611 500 556 722 611 833 "
+    "611 556 556 389 278 389 422 500 333 500 500 444 500 444 278 500 500 278 278 444 278 722 500 500 500 500 389 389 "
+    "278 500 444 667 444 444 389 400 275 400 541"
+)
+_OTHERS = "ω658,706 α524,525 μ536,502 θ479,491 φ577,553 °400,400 ·250,250 ×564,675 ²300,300 ³300,300 ′219,219 −564,675"
+
+
+def _table() -> dict[str, tuple[float, float]]:
+    """Roman and italic width of each letter [em]."""
+    table = {
+        chr(32 + k): (int(roman) / 1000, int(italic) / 1000)
+        for k, (roman, italic) in enumerate(zip(_ROMAN.split(), _ITALIC.split(), strict=True))
+    }
+    for entry in _OTHERS.split():
+        roman, italic = entry[1:].split(",")
+        table[entry[0]] = int(roman) / 1000, int(italic) / 1000
+    return table
+
+
+_WIDTHS = _table()
+_CJK = re.compile(r"[\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """Letters in one style. `back`: it stands above the subscript before it (a^n_CB, stacked)."""
+
+    text: str
+    italic: bool = False
+    place: Literal["base", "sub", "sup"] = "base"
+    back: bool = False
+
+
+Label = tuple[Run, ...]
+
+
+# --- sizes ------------------------------------------------------------------------------------
+
+
+def advance(text: str, italic: bool = False) -> float:
+    """Width of letters [em]; what the table does not hold counts as half an em, a wide character as one."""
+    style = 1 if italic else 0
+    return sum(1.0 if _CJK.match(c) else _WIDTHS.get(c, (0.5, 0.5))[style] for c in text)
+
+
+def run_width(run: Run, size: float) -> float:
+    """Width of a run of a label lettered at `size` [mm]."""
+    return advance(run.text, run.italic) * size * (1.0 if run.place == "base" else SMALL)
+
+
+def scripts(label: Label, size: float) -> list[tuple[Run, float, float]]:
+    """Each run with where it starts and its height above the base line [mm, y down]."""
+    placed: list[tuple[Run, float, float]] = []
+    pen = low_start = 0.0
+    before = ""
+    for run in label:
+        if run.place == "sub" and before != "sub":
+            low_start = pen
+        start = low_start if run.back else pen
+        placed.append((run, start, {"base": 0.0, "sub": _DROP, "sup": _RISE}[run.place] * size))
+        pen = max(pen, start + run_width(run, size))
+        before = run.place
+    return placed
+
+
+def width(label: Label, size: float) -> float:
+    """Width of a whole label [mm]."""
+    return max((start + run_width(run, size) for run, start, _ in scripts(label, size)), default=0.0)
+
+
+def box(label: Label, size: float) -> tuple[float, float, float]:
+    """Width, height above the base line, depth below it [mm]."""
+    places = {run.place for run in label}
+    up = _ASCENT if "sup" not in places else -_RISE + _ASCENT * SMALL
+    down = _DROP + 0.05 if "sub" in places else (_DESCENT if _hangs(label) else 0.04)
+    return width(label, size), up * size, down * size
+
+
+def _hangs(label: Label) -> bool:
+    """Whether a letter goes below the base line."""
+    return any(c in "gjpqyμφ,;()Q" for run in label for c in run.text)
+
+
+# --- names ------------------------------------------------------------------------------------
+
+
+def plain(text: str, italic: bool = False) -> Label:
+    return (Run(text, italic),) if text else ()
+
+
+def joined(labels: list[Label], between: str = ", ") -> Label:
+    """`p, a, d`: several names of one place."""
+    runs: list[Run] = []
+    for k, label in enumerate(labels):
+        runs += [Run(between)] if k else []
+        runs += label
+    return tuple(runs)
+
+
+def _mixed(text: str, place: Literal["base", "sub", "sup"]) -> Label:
+    """Letters italic, digits and signs upright, primes as primes."""
+    parts = re.findall(r"[^\W\d_]+|[^A-Za-z]+", text.replace("'", "′"))
+    return tuple(Run(part, part[0].isalpha() and part[0].isascii(), place) for part in parts)
+
+
+def point_label(name: str) -> Label:
+    """A point of the mechanism or of a polygon: `B`, `O1`, `b3'`, `n'`, `b@guide`: digits as subscripts."""
+    match = re.fullmatch(r"([A-Za-z^]+)(\d*)(?:@([^']*))?('*)(.*)", name)
+    if match is None:
+        return _mixed(name, "base")
+    letters, digits, link, primes, rest = match.groups()
+    low = digits + (link or "")
+    label = (*plain(letters, italic=True), *(_mixed(low, "sub") if low else ()), *plain("′" * len(primes)))
+    return label + (_mixed(rest, "sub") if rest else ())
+
+
+def vector_label(name: str) -> Label:
+    """`v_CB`, `a^n_B3D`, `v_B@guide`: the part stands above the subscript."""
+    match = re.fullmatch(r"(\w)(?:\^(\w+))?_(.+)", name)
+    if match is None:
+        return _mixed(name, "base")
+    letter, part, low = match.groups()
+    label = (Run(letter, True), *_mixed(_spoken(low), "sub"))
+    return (*label, Run(part, True, "sup", back=True)) if part else label
+
+
+def _spoken(sites: str) -> str:
+    """Sites of links with words for names: `B@guide,B@ram` as `B guide, B ram`, in a subscript."""
+    return sites.replace(",", ", ").replace("@", " ")
+
+
+def site_label(of: str) -> Label:
+    """A site as results name it: `B3`, `C`."""
+    return point_label(of)
+
+
+def link_label(name: str) -> Label:
+    """A link's number, or its word, in italics."""
+    return tuple(replace(run, italic=run.text != "′") for run in _mixed(name, "base"))
+
+
+def quantity_label(letter: str, low: str, part: str = "") -> Label:
+    """`ω` and `3` as ω₃; `μ` and `v` as μ_v."""
+    label = (Run(letter, True), *_mixed(low, "sub"))
+    return (*label, Run(part, True, "sup", back=True)) if part else label
+
+
+def number(value: float, digits: int = 4) -> str:
+    """A figure as people write it: `0.2712`, `−3.919`, `0`, `1.2×10⁹` never; four digits are what paper gives."""
+    if value == 0 or abs(value) < 1e-300:
+        return "0"
+    text = f"{value:.{digits}g}"
+    if "e" in text:
+        mantissa, exponent = text.split("e")
+        return f"{mantissa}e{int(exponent)}".replace("-", "−")
+    return text.replace("-", "−")

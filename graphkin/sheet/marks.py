@@ -1,0 +1,108 @@
+"""What is on the paper, in millimetres: strokes, circles, letters, vectors and points.
+
+A place on paper is a complex number x + iy [mm] with y DOWN, as in SVG; the mechanism's own axes have y up.
+Marks are painted in their order, so a white circle hides the lines under it. `step` is the number of the
+construction step a mark belongs to; `new` marks are those of the newest step of a step-by-step drawing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from graphkin.sheet.lettering import Label
+from graphkin.sheet.paper import PenName
+from graphkin.steps import Plane
+
+__all__ = ["Arc", "Disc", "Fill", "Mark", "Place", "PointMark", "Stroke", "Text", "VectorMark"]
+
+Place = complex
+Fill = Literal["none", "paper", "ink", "grey"]
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A line through `places`; `closed` back to the first; `link`: name of the link it shows."""
+
+    places: tuple[Place, ...]
+    pen: PenName = "outline"
+    closed: bool = False
+    fill: Fill = "none"
+    link: str = ""
+    arrow: bool = False
+    step: int | None = None
+    new: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Disc:
+    """A circle."""
+
+    centre: Place
+    radius: float
+    pen: PenName = "outline"
+    fill: Fill = "none"
+    link: str = ""
+    step: int | None = None
+    new: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Arc:
+    """A part of a circle from angle `start` over `sweep` [rad, clockwise on paper]; `arrow` at its end."""
+
+    centre: Place
+    radius: float
+    start: float
+    sweep: float
+    pen: PenName = "thin"
+    arrow: bool = False
+    step: int | None = None
+    new: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """Letters; `at` is the left end of the base line."""
+
+    label: Label
+    at: Place
+    size: float
+    step: int | None = None
+    new: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class VectorMark:
+    """An arrow of a polygon from `start` to `end`; a zero vector has both at one place."""
+
+    plane: Plane
+    name: str
+    tail: str
+    head: str
+    start: Place
+    end: Place
+    step: int | None = None
+    new: bool = False
+
+    @property
+    def length(self) -> float:
+        """What a ruler reads [mm]."""
+        return abs(self.end - self.start)
+
+
+@dataclass(frozen=True, slots=True)
+class PointMark:
+    """A named point of a plane and what it belongs to (`B`, `B3`, `pole`): a dot, or a hinge's white circle."""
+
+    plane: Plane
+    name: str
+    of: str
+    at: Place
+    radius: float = 0.4
+    fill: Fill = "ink"
+    step: int | None = None
+    new: bool = False
+
+
+Mark = Stroke | Disc | Arc | Text | VectorMark | PointMark

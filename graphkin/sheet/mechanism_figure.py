@@ -1,0 +1,177 @@
+"""The mechanism drawn to scale: which sign stands where, and what is lettered."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from graphkin.mechanism import FRAME
+from graphkin.pairs import Slide
+from graphkin.sheet import symbols
+from graphkin.sheet.drives import drives
+from graphkin.sheet.grounds import grounds
+from graphkin.sheet.labels import Wanted
+from graphkin.sheet.lettering import link_label, point_label
+from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
+from graphkin.sheet.skeleton import Skeleton, hull, in_line
+from graphkin.sheet.wheels import wheels
+from graphkin.sheet.window import Figure
+
+__all__ = ["mechanism_figure"]
+
+
+def mechanism_figure(skeleton: Skeleton) -> Figure:
+    """Ground first, then links, blocks over their guides, hinges over links, arrows last."""
+    figure = Figure()
+    ground = grounds(skeleton)
+    figure.marks += ground.marks
+    for link in skeleton.mechanism.moving:
+        _link(skeleton, link, figure)
+    turning = wheels(skeleton)
+    figure.marks += turning.marks
+    for slide in skeleton.mechanism.slides:
+        figure.marks += _sliding(skeleton, slide)
+    figure.marks += _points(skeleton)
+    figure.marks += _through_bars(skeleton)
+    driving = drives(skeleton)
+    figure.marks += driving.marks
+    figure.wanted += _names(skeleton) + driving.wanted + ground.wanted
+    return figure
+
+
+# --- links ------------------------------------------------------------------------------------
+
+
+def _link(skeleton: Skeleton, link: str, figure: Figure) -> None:
+    names = skeleton.named(link)
+    places = [skeleton.at(p) for p in names]
+    step = skeleton.step(*names)
+    for slide in skeleton.guides(link):
+        figure.marks += _guide(skeleton, slide)
+    if len(names) > 1:
+        figure.marks += _body(places, link, step)
+    figure.wanted += _link_number(skeleton, link, places, step)
+
+
+def _body(places: list[Place], link: str, step: int | None) -> list[Mark]:
+    """A bar, or the outline of three and more points; points inside it hang on two corners."""
+    if (ends := in_line(places)) is not None:
+        return symbols.bar([places[ends[0]], places[ends[1]]], link, step)
+    round_about = hull(places)
+    marks = symbols.plate([places[k] for k in round_about], link, step)
+    for k in range(len(places)):
+        if k not in round_about:
+            near = sorted((places[c] for c in round_about), key=lambda p, k=k: abs(p - places[k]))[:2]  # type: ignore[misc]
+            marks.append(Stroke((near[0], places[k], near[1]), "visible", link=link, step=step))
+    return marks
+
+
+def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
+    """A moving guide's own bar, welded to the rest of its link."""
+    origin, step = slide.line.origin, skeleton.step(slide.line.origin, slide.point)
+    if skeleton.is_cylinder(slide):
+        return symbols.cylinder(skeleton.at(origin), skeleton.at(slide.point), step)
+    start, end = skeleton.guide_bar(slide)
+    marks = symbols.bar([start, end], slide.guide, step)
+    if skeleton.is_welded(slide) and origin[0].isupper():
+        foot = skeleton.at(origin)
+        far = max((start, end), key=lambda p: abs(p - foot))
+        others = [skeleton.at(p) for p in skeleton.named(slide.guide) if p != origin]
+        for other in others[:1]:
+            marks += symbols.corner(foot, far, other, step)
+    return marks
+
+
+def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
+    """The block or the slot, over its guide."""
+    at, along = skeleton.at(slide.point), skeleton.along(slide)
+    step = skeleton.step(slide.point, slide.line.origin)
+    if slide.block is not None:
+        if skeleton.is_cylinder(slide):
+            return []
+        marks = symbols.block(at, along, slide.block, step)
+        others = [skeleton.at(p) for p in skeleton.named(slide.block) if p != slide.point]
+        if others and skeleton.blocks[slide.block] is not slide:
+            return marks
+        return marks
+    if slide.guide == FRAME:
+        return []
+    reach = min(9.0, max(4.0, abs(at - skeleton.at(slide.line.origin)) - 3.0))
+    return symbols.slot(at - reach * along, at + 9.0 * along, slide.guide, step=step)
+
+
+def _through_bars(skeleton: Skeleton) -> list[Mark]:
+    """A bar that goes on past a hinge is drawn over the hinge's circle; other bars end at it."""
+    marks: list[Mark] = []
+    taken: set[str] = set()
+    for link in skeleton.mechanism.moving:
+        names = skeleton.named(link)
+        places = [skeleton.at(p) for p in names]
+        if len(names) < 3 or (ends := in_line(places)) is None:
+            continue
+        way = places[ends[1]] - places[ends[0]]
+        for k, point in enumerate(names):
+            if k in ends or point in taken or len(skeleton.mechanism.owners[point]) < 2:
+                continue
+            taken.add(point)
+            half = way / abs(way) * symbols.HINGE
+            marks += symbols.bar([places[k] - half, places[k] + half], link, skeleton.step(point))
+    return marks
+
+
+# --- points and names -------------------------------------------------------------------------
+
+
+def _points(skeleton: Skeleton) -> list[Mark]:
+    """Hinges as white circles; other points of links as dots."""
+    marks: list[Mark] = []
+    for point in skeleton.points:
+        hinged = len(skeleton.mechanism.owners[point]) > 1 or _is_pin(skeleton, point)
+        radius = symbols.HINGE if hinged else 0.6
+        step = skeleton.step(point)
+        fill = "paper" if hinged else "ink"
+        marks.append(PointMark("position", point, point, skeleton.at(point), radius, fill, step))  # type: ignore[arg-type]
+    return marks
+
+
+def _is_pin(skeleton: Skeleton, point: str) -> bool:
+    return any(slide.point == point and slide.block is None for slide in skeleton.mechanism.slides)
+
+
+def _names(skeleton: Skeleton) -> list[Wanted]:
+    """The letters of the points; those at one place share a label."""
+    wanted: list[Wanted] = []
+    for point in skeleton.points:
+        away = -sum(skeleton.directions(point), 0j)
+        step = skeleton.step(point)
+        wanted.append(Wanted(point_label(point), skeleton.at(point), gap=symbols.HINGE, away=away, step=step))
+    return wanted
+
+
+def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int | None) -> Iterator[Wanted]:
+    """A link's number beside its longest bar, inside its outline, or beside its block."""
+    label = link_label(skeleton.mechanism.called(link))
+    slide = skeleton.blocks.get(link)
+    if slide is not None and len(places) < 2:
+        across = skeleton.along(slide) * 1j
+        yield Wanted(label, skeleton.at(slide.point), gap=math.hypot(2.4, 2.8), away=across, step=step)
+    elif len(places) > 2 and in_line(places) is None:
+        corners = [places[k] for k in hull(places)]
+        yield Wanted(label, sum(corners) / len(corners), gap=-2.6, step=step)
+    elif len(places) > 1:
+        ends = _widest_gap(places)
+        yield Wanted(label, ends[0], ends[1], step=step)
+    else:
+        for guide in skeleton.guides(link):
+            yield Wanted(label, skeleton.at(guide.line.origin), skeleton.at(guide.point), step=step)
+            return
+        if places:
+            yield Wanted(label, places[0], gap=4.0, step=step)
+
+
+def _widest_gap(places: list[Place]) -> tuple[Place, Place]:
+    """The longest stretch between neighbours of points on one line."""
+    ends = in_line(places)
+    assert ends is not None
+    order = sorted(places, key=lambda p: abs(p - places[ends[0]]))
+    return max(zip(order, order[1:], strict=False), key=lambda pair: abs(pair[1] - pair[0]))

@@ -1,0 +1,91 @@
+"""What labels keep away from: everything drawn, as shapely geometry in one tree."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphkin.sheet.lettering import box
+from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
+
+__all__ = ["Tree", "arc_places", "tree"]
+
+_TIP, _TIP_HALF = 2.8, 0.5
+"""Length and half width of an arrow head [mm]."""
+
+
+class Tree:
+    """Obstacles by place."""
+
+    def __init__(self, shapes: Sequence[Any]) -> None:
+        import shapely
+
+        self._shapely = shapely
+        self._tree = shapely.STRtree(np.array(shapes, dtype=object))
+
+    def touched(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.intp]:
+        """Rows of the boxes low..high that touch something, once for each thing touched."""
+        boxes = self._shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1])
+        rows: NDArray[np.intp] = self._tree.query(boxes, predicate="intersects")[0]
+        return rows
+
+
+def tree(drawn: Iterable[Mark]) -> Tree:
+    """The marks as obstacles."""
+    import shapely
+
+    lines: list[tuple[Place, Place]] = []
+    areas: list[tuple[Place, ...]] = []
+    for mark in drawn:
+        for places, filled in _outlines(mark):
+            if filled:
+                areas.append(places)
+            else:
+                lines += zip(places, places[1:], strict=False)
+    segments = np.array([[(a.real, a.imag), (b.real, b.imag)] for a, b in lines]).reshape(-1, 2, 2)
+    shapes = [*shapely.linestrings(segments)]
+    shapes += [shapely.Polygon([(p.real, p.imag) for p in area]) for area in areas]
+    return Tree(shapes)
+
+
+def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:
+    """Polylines and filled areas a mark is made of."""
+    match mark:
+        case Stroke(places, closed=closed, fill=fill):
+            yield (*places, places[0]) if closed else places, closed and fill != "none"
+        case Disc(centre, radius, fill=fill):
+            circle = tuple(centre + cmath.rect(radius, k * cmath.pi / 12) for k in range(25))
+            yield circle, fill != "none"
+        case Arc():
+            yield arc_places(mark), False
+        case Text(label, at, size):
+            yield _frame(label, at, size), True
+        case VectorMark(start=start, end=end):
+            yield (start, end), False
+            if abs(end - start) > _TIP:
+                yield _tip(start, end), True
+        case PointMark(at=at, radius=radius):
+            yield tuple(at + cmath.rect(radius, k * cmath.pi / 4) for k in range(9)), True
+
+
+def arc_places(arc: Arc) -> tuple[Place, ...]:
+    """A polyline close to an arc."""
+    count = max(4, int(abs(arc.sweep) * 8))
+    return tuple(
+        arc.centre + cmath.rect(arc.radius, arc.start + arc.sweep * k / count) for k in range(count + 1)
+    )
+
+
+def _tip(start: Place, end: Place) -> tuple[Place, ...]:
+    along = (end - start) / abs(end - start)
+    back = end - along * _TIP
+    return end, back + along * 1j * _TIP_HALF, back - along * 1j * _TIP_HALF
+
+
+def _frame(label: Any, at: Place, size: float) -> tuple[Place, ...]:
+    wide, up, down = box(label, size)
+    return at + 1j * down, at + wide + 1j * down, at + wide - 1j * up, at - 1j * up

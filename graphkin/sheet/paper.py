@@ -1,0 +1,67 @@
+"""Paper, pens and letters: sizes in millimetres, after ISO 216 (paper), ISO 128 (lines), ISO 3098 (lettering)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+__all__ = ["BODY", "LABEL", "LEAST", "PAPERS", "PENS", "TITLE", "Paper", "Pen", "PenName"]
+
+
+@dataclass(frozen=True, slots=True)
+class Paper:
+    """A sheet of paper with a drawing frame `margin` inside its edge [mm]."""
+
+    name: str
+    width: float
+    height: float
+    margin: float = 10.0
+
+    @property
+    def landscape(self) -> bool:
+        return self.width > self.height
+
+
+PAPERS: Mapping[str, Paper] = {
+    paper.name: paper
+    for paper in (
+        Paper("A4", 210.0, 297.0),
+        Paper("A4-landscape", 297.0, 210.0),
+        Paper("A3-landscape", 420.0, 297.0),
+        Paper("A3", 297.0, 420.0),
+    )
+}
+"""In the order in which they are tried: the smallest that fits is taken."""
+
+PenName = Literal["visible", "outline", "vector", "thin", "hatch", "dashed", "centre", "construction", "leader"]
+
+
+@dataclass(frozen=True, slots=True)
+class Pen:
+    """A kind of line: its width and its dashes [mm]; no dashes for a full line."""
+
+    width: float
+    dashes: tuple[float, ...] = ()
+
+
+PENS: Mapping[PenName, Pen] = {
+    "visible": Pen(0.7),  # links
+    "outline": Pen(0.5),  # blocks, hinges, pivots, the drawing frame
+    "vector": Pen(0.35),
+    "thin": Pen(0.25),  # images, tables
+    "hatch": Pen(0.18),
+    "dashed": Pen(0.25, (2.0, 1.0)),
+    "centre": Pen(0.25, (6.0, 1.0, 0.6, 1.0)),
+    "construction": Pen(0.18),
+    "leader": Pen(0.13),
+}
+
+TITLE = 4.5
+"""Size of the title's letters [mm]: the em of the font."""
+LABEL = 3.8
+"""Labels of points, vectors and links, and headings [mm]."""
+BODY = 3.0
+"""Tables and the title block [mm]."""
+LEAST = 2.5
+"""Nothing is lettered smaller [mm]."""

@@ -1,0 +1,170 @@
+"""The velocity and the acceleration polygon: pole, points, arrows, images, and their letters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from graphkin.mechanism import FRAME, Mechanism
+from graphkin.sheet.labels import Wanted
+from graphkin.sheet.lettering import joined, point_label, vector_label
+from graphkin.sheet.marks import Mark, Place, PointMark, Stroke, VectorMark
+from graphkin.sheet.skeleton import hull, in_line
+from graphkin.sheet.window import Figure, Window
+from graphkin.steps import LETTER, Construction, Plot
+
+__all__ = ["Polygon", "polygon_figure"]
+
+_SAME = 0.15
+"""Closer than this two points are one on paper [mm]."""
+
+
+@dataclass(frozen=True)
+class Polygon:
+    """One plane's polygon through a window. `born`: the step in which each of its points is found."""
+
+    mechanism: Mechanism
+    construction: Construction
+    plot: Plot
+    window: Window
+    born: Mapping[str, int]
+
+    @cached_property
+    def points(self) -> dict[str, Place]:
+        """Every point of the polygon on paper, the pole first."""
+        values = self.plot.points(self.construction.plane)
+        names = dict.fromkeys((self.construction.pole, *self.construction.nodes))
+        return {name: self.window(values[name]) for name in names if name in values}
+
+    @property
+    def named(self) -> dict[str, Place]:
+        """The points that bear a letter."""
+        return {name: at for name, at in self.points.items() if self.of(name)}
+
+    def of(self, name: str) -> str:
+        if name == self.construction.pole:
+            return "pole"
+        return self.construction.nodes[name].of
+
+    def step(self, *names: str) -> int | None:
+        return max((self.born[name] for name in names if name in self.born), default=None)
+
+    def vectors(self) -> Iterator[VectorMark]:
+        """The arrows of the equations, then the absolute motions that are not among them."""
+        drawn: set[tuple[str, str]] = set()
+        for name, term in self.construction.vectors().items():
+            drawn.add((term.tail, term.head))
+            if term.tail in self.points and term.head in self.points:
+                yield self._vector(name, term.tail, term.head)
+        pole = self.construction.pole
+        for name in self.points:
+            node = self.construction.nodes.get(name)
+            if node is None or node.site is None or name == pole or (pole, name) in drawn:
+                continue
+            if node.site.point[0].isupper():
+                yield self._vector(f"{LETTER[self.construction.plane]}_{node.of}", pole, name)
+
+    def _vector(self, name: str, tail: str, head: str) -> VectorMark:
+        start, end = self.points[tail], self.points[head]
+        return VectorMark(self.construction.plane, name, tail, head, start, end, self.step(tail, head))
+
+    def images(self) -> Iterator[tuple[str, list[str]]]:
+        """Points of the polygon that are the image of a link of three or more points."""
+        pole = self.construction.pole
+        sites = {n.site: name for name, n in self.construction.nodes.items() if n.site is not None}
+        for link in self.mechanism.moving:
+            names: list[str] = []
+            for point in self.mechanism.links[link].points:
+                if not point[0].isupper():
+                    continue
+                owners = self.mechanism.owners[point]
+                if FRAME in owners:
+                    names.append(pole)
+                    continue
+                found = (sites[s] for s in sites if s.point == point and s.link in owners)
+                names += [name for name in found if name in self.points][:1]
+            if len(set(names)) > 2:
+                yield link, list(dict.fromkeys(names))
+
+
+def polygon_figure(polygon: Polygon) -> Figure:
+    """Images as thin lines, then arrows, then points."""
+    figure = Figure()
+    vectors = list(polygon.vectors())
+    figure.marks += _image_lines(polygon, vectors)
+    figure.marks += vectors
+    plane = polygon.construction.plane
+    for name, at in polygon.named.items():
+        figure.marks.append(PointMark(plane, name, polygon.of(name), at, step=polygon.step(name)))
+    figure.wanted += _point_names(polygon) + _vector_names(polygon, vectors)
+    return figure
+
+
+def _image_lines(polygon: Polygon, vectors: list[VectorMark]) -> list[Mark]:
+    """Sides of the images along which no arrow lies."""
+    drawn = {frozenset((v.tail, v.head)) for v in vectors}
+    marks: list[Mark] = []
+    for link, names in polygon.images():
+        places = [polygon.points[name] for name in names]
+        for a, b in _sides(places):
+            pair = frozenset((names[a], names[b]))
+            if pair not in drawn and abs(places[a] - places[b]) > _SAME:
+                drawn.add(pair)
+                step = polygon.step(*names)
+                marks.append(Stroke((places[a], places[b]), "thin", link=link, step=step))
+    return marks
+
+
+def _sides(places: list[Place]) -> list[tuple[int, int]]:
+    """The outline of a figure: neighbours on its hull, or the two ends of points on one line."""
+    if (ends := in_line(places)) is not None:
+        return [ends]
+    around = hull(places)
+    return list(zip(around, (*around[1:], around[0]), strict=True))
+
+
+def _point_names(polygon: Polygon) -> list[Wanted]:
+    """A label for each place: points that lie on one another share it, the pole first."""
+    places: list[tuple[Place, list[str]]] = []
+    for name, at in polygon.named.items():
+        for there, names in places:
+            if abs(there - at) < _SAME:
+                names.append(name)
+                break
+        else:
+            places.append((at, [name]))
+    middle = sum(polygon.points.values()) / max(1, len(polygon.points))
+    return [
+        Wanted(
+            joined([point_label(name) for name in names]), at, gap=0.5, away=at - middle,
+            step=polygon.step(names[0]),
+        )
+        for at, names in places
+    ]  # fmt: skip
+
+
+def _vector_names(polygon: Polygon, vectors: list[VectorMark]) -> list[Wanted]:
+    """A label for each arrow that has a length; arrows on one another share it."""
+    middle = sum(polygon.points.values()) / max(1, len(polygon.points))
+    groups: list[list[VectorMark]] = []
+    for vector in vectors:
+        if vector.length < _SAME:
+            continue
+        for group in groups:
+            if _same(group[0], vector):
+                group.append(vector)
+                break
+        else:
+            groups.append([vector])
+    wanted: list[Wanted] = []
+    for group in groups:
+        first = group[0]
+        label = joined([vector_label(v.name) for v in group[:2]], " = ")
+        away = (first.start + first.end) / 2 - middle
+        wanted.append(Wanted(label, first.start, first.end, away=away, step=first.step))
+    return wanted
+
+
+def _same(one: VectorMark, other: VectorMark) -> bool:
+    return abs(one.start - other.start) < _SAME and abs(one.end - other.end) < _SAME

@@ -1,0 +1,85 @@
+"""Scales of a drawing: what one millimetre on paper stands for.
+
+mu_l in m/mm, mu_v in (m/s)/mm, mu_a in (m/s²)/mm: chosen from the series 1-2-5, or given and then kept.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from graphkin.errors import GraphkinError, Lang
+from graphkin.sheet.lettering import Label, Run, number, quantity_label
+from graphkin.steps import Plane
+
+__all__ = ["LETTERS", "UNITS", "Scales", "TooLargeForPaper", "UnknownPaper", "finest", "written"]
+
+LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
+UNITS: dict[Plane, str] = {"position": "m/mm", "velocity": "(m/s)/mm", "acceleration": "(m/s²)/mm"}
+KEYS: dict[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
+"""Key of a plane's scale in the mechanism file."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scales:
+    """Length [m/mm], velocity [(m/s)/mm], acceleration [(m/s²)/mm]."""
+
+    length: float
+    velocity: float
+    acceleration: float
+
+    def of(self, plane: Plane) -> float:
+        return {"position": self.length, "velocity": self.velocity, "acceleration": self.acceleration}[plane]
+
+
+@dataclass(eq=False)
+class TooLargeForPaper(GraphkinError):
+    """A given scale at which the drawing fits no paper."""
+
+    key: str
+    given: float
+    fits: float
+    paper: str
+    unit: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "scales.{key} = {given:g} {unit}: the drawing does not fit on {paper}. {fits:g} would fit; "
+        "or leave the scale out and it is chosen.",
+        "zh": "scales.{key} = {given:g} {unit}：图形放不进 {paper} 图纸。可改用 {fits:g}，或不写比例尺，由程序选取。",
+    }
+
+
+@dataclass(eq=False)
+class UnknownPaper(GraphkinError):
+    """A paper that is not in the table."""
+
+    name: str
+    known: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "There is no paper {name!r} here. Take one of {known}.",
+        "zh": "没有 {name!r} 这种图纸。可选：{known}。",
+    }
+
+
+def finest(size: complex, room: complex) -> float:
+    """The finest scale of the series 1-2-5 at which a figure of this width and height fits its room.
+
+    size  width + i height in SI units; room  the same in mm. A figure of no size takes 1 per mm of its room's
+    hundredth, so that a mechanism at rest has a scale too.
+    """
+    least = max(size.real / room.real, size.imag / room.imag)
+    if not least > 1e-300:
+        return 0.01
+    power = math.floor(math.log10(least))
+    for step in (1, 2, 5, 10):
+        scale = float(f"{step}e{power}")
+        if scale >= least * (1 - 1e-9):
+            return scale
+    return float(f"1e{power + 1}")
+
+
+def written(plane: Plane, scale: float) -> Label:
+    """`μ_l = 0.001 m/mm`."""
+    return (*quantity_label("μ", LETTERS[plane]), Run(f" = {number(scale)} {UNITS[plane]}"))

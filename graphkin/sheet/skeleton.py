@@ -1,0 +1,134 @@
+"""What a mechanism looks like before any sign is drawn: where its points and lines lie on paper."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from graphkin.mechanism import FRAME, Mechanism
+from graphkin.pairs import Slide
+from graphkin.sheet.marks import Place
+from graphkin.sheet.window import Window
+from graphkin.steps import Plot
+
+__all__ = ["Skeleton", "hull", "in_line"]
+
+OVERRUN = 9.0
+"""How far a bar goes on beyond its block [mm]."""
+
+
+@dataclass(frozen=True)
+class Skeleton:
+    """A mechanism at one position, through a window. `born`: the step in which each point is found."""
+
+    mechanism: Mechanism
+    plot: Plot
+    window: Window
+    born: Mapping[str, int]
+
+    def at(self, point: str) -> Place:
+        if point in self.plot.position:
+            return self.window(self.plot.position[point])
+        return self.window(self.mechanism.links[FRAME].points[point])
+
+    def step(self, *points: str) -> int | None:
+        """The step by which all these points are there."""
+        return max((self.born[p] for p in points if p in self.born), default=None)
+
+    def named(self, link: str) -> tuple[str, ...]:
+        """The points of a link that people named."""
+        return tuple(p for p in self.mechanism.links[link].points if p[0].isupper())
+
+    @cached_property
+    def points(self) -> tuple[str, ...]:
+        return tuple(p for p in self.mechanism.points if p in self.plot.position)
+
+    @cached_property
+    def blocks(self) -> dict[str, Slide]:
+        """The slide each sliding block belongs to: the first, for a block on two guides."""
+        found: dict[str, Slide] = {}
+        for slide in self.mechanism.slides:
+            if slide.block is not None:
+                found.setdefault(slide.block, slide)
+        return found
+
+    def guides(self, link: str) -> Iterator[Slide]:
+        return (slide for slide in self.mechanism.slides if slide.guide == link)
+
+    def along(self, slide: Slide) -> complex:
+        """Direction of a slide's line on paper."""
+        return self.window.turned(self.plot.guide_direction(slide.name))
+
+    def is_cylinder(self, slide: Slide) -> bool:
+        """A moving guide of one point, which the line passes."""
+        return slide.guide != FRAME and len(self.mechanism.links[slide.guide].points) == 1
+
+    def is_welded(self, slide: Slide) -> bool:
+        """Whether a guide's line is a bar of its own, joined to the rest of the link at its origin."""
+        return not all(
+            abs((self.along(slide).conjugate() * (self.at(p) - self.at(slide.line.origin))).imag) < 0.05
+            for p in self.named(slide.guide)
+        )
+
+    def guide_bar(self, slide: Slide) -> tuple[Place, Place]:
+        """A moving guide's line as far as it is drawn: past its points and past the block."""
+        along, foot = self.along(slide), self.at(slide.line.origin)
+        stops = [(along.conjugate() * (self.at(p) - foot)).real for p in self._on_line(slide)]
+        t = (along.conjugate() * (self.at(slide.point) - foot)).real
+        low, high = min((0.0, *stops)), max((0.0, *stops))
+        low, high = min(low, t - OVERRUN), max(high, t + OVERRUN)
+        if t - OVERRUN > 0 and low == 0.0:
+            low = 0.0
+        return foot + along * low, foot + along * high
+
+    def _on_line(self, slide: Slide) -> Iterator[str]:
+        along, foot = self.along(slide), self.at(slide.line.origin)
+        for point in self.named(slide.guide):
+            if abs((along.conjugate() * (self.at(point) - foot)).imag) < 0.05:
+                yield point
+
+    def directions(self, point: str) -> Iterator[complex]:
+        """Where lines leave a point to, on paper."""
+        here = self.at(point)
+        for link in self.mechanism.owners[point]:
+            if link == FRAME:
+                continue
+            others = [self.at(p) for p in self.named(link)]
+            for slide in self.guides(link):
+                others += self.guide_bar(slide) if not self.is_cylinder(slide) else (self.at(slide.point),)
+            if (slide_of := self.blocks.get(link)) is not None and slide_of.point == point:
+                others += (here + self.along(slide_of), here - self.along(slide_of))
+            yield from ((p - here) / abs(p - here) for p in others if abs(p - here) > 0.5)
+
+
+def in_line(places: list[Place]) -> tuple[int, int] | None:
+    """The two ends of points that lie on one line (within 0.05 mm), else None."""
+    first, last = max(
+        ((i, j) for i in range(len(places)) for j in range(i)), key=lambda ij: abs(places[ij[0]] - places[ij[1]])
+    )
+    way = places[last] - places[first]
+    if abs(way) < 1e-9:
+        return last, first
+    if all(abs((way.conjugate() * (p - places[first])).imag) < 0.05 * abs(way) for p in places):
+        return last, first
+    return None
+
+
+def hull(places: list[Place]) -> list[int]:
+    """Numbers of the points on the convex hull, round about."""
+    order = sorted(range(len(places)), key=lambda k: (places[k].real, places[k].imag))
+    return [*_chain(places, order)[:-1], *_chain(places, order[::-1])[:-1]]
+
+
+def _chain(places: list[Place], order: list[int]) -> list[int]:
+    """Half of a hull (Andrew's monotone chain)."""
+    chain: list[int] = []
+    for k in order:
+        while len(chain) > 1:
+            a, b = places[chain[-1]] - places[chain[-2]], places[k] - places[chain[-2]]
+            if (a.conjugate() * b).imag > 1e-9:
+                break
+            chain.pop()
+        chain.append(k)
+    return chain

@@ -1,0 +1,129 @@
+"""The signs of kinematic sketches (ISO 3952, GB/T 4460), as strokes in millimetres on paper.
+
+Each function draws one sign where it is told and knows nothing of mechanisms. Hatching is made of lines.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+
+from graphkin.sheet.marks import Arc, Mark, Place, Stroke
+from graphkin.sheet.paper import PenName
+
+__all__ = [
+    "BLOCK", "HINGE", "PIVOT_DEPTH", "bar", "block", "corner", "cylinder", "guide", "hatch", "pivot",
+    "plate", "push", "slot", "spin",
+]  # fmt: skip
+
+HINGE = 1.3
+"""Radius of a hinge [mm]."""
+PIVOT_DEPTH = 4.6
+"""From a pivot's centre to the ground [mm]."""
+BLOCK = complex(10.0, 5.6)
+"""Length and height of a block [mm]."""
+_SLOT = 1.75
+_PITCH, _SLANT = 1.5, 1.7
+
+
+def pivot(at: Place, down: complex, step: int | None = None) -> list[Mark]:
+    """A fixed pivot: a triangle on hatched ground; its hinge is drawn apart. `down` is a unit vector."""
+    foot, side = at + PIVOT_DEPTH * down, 1j * down
+    triangle = (at, foot + 2.7 * side, foot - 2.7 * side)
+    return [
+        Stroke(triangle, "outline", closed=True, fill="paper", step=step),
+        Stroke((foot + 4.4 * side, foot - 4.4 * side), "outline", step=step),
+        *hatch(foot + 4.2 * side, foot - 4.2 * side, down, step),
+    ]
+
+
+def hatch(start: Place, end: Place, side: complex, step: int | None = None) -> list[Mark]:
+    """Short slanting lines along start..end on the side where the ground is."""
+    length = abs(end - start)
+    if length < _PITCH:
+        return []
+    along = (end - start) / length
+    count = int(length / _PITCH)
+    first = (length - count * _PITCH) / 2
+    slant = (side - along) / abs(side - along) * _SLANT
+    feet = [start + along * (first + k * _PITCH) for k in range(count + 1)]
+    return [Stroke((foot, foot + slant), "hatch", step=step) for foot in feet]
+
+
+def bar(places: Sequence[Place], link: str, step: int | None = None) -> list[Mark]:
+    """A link as a thick line."""
+    return [Stroke(tuple(places), "visible", link=link, step=step)]
+
+
+def plate(corners: Sequence[Place], link: str, step: int | None = None) -> list[Mark]:
+    """A link of three or more points: its outline, with filled corners that say: one rigid piece."""
+    marks: list[Mark] = [Stroke(tuple(corners), "visible", closed=True, link=link, step=step)]
+    for k, at in enumerate(corners):
+        marks += corner(at, corners[k - 1], corners[(k + 1) % len(corners)], step)
+    return marks
+
+
+def corner(at: Place, one: Place, other: Place, step: int | None = None) -> list[Mark]:
+    """Two lines welded together: the corner between them filled; nothing where they are almost in line."""
+    a, b = one - at, other - at
+    if abs(a) < 3 or abs(b) < 3:
+        return []
+    a, b = a / abs(a), b / abs(b)
+    opening = abs(cmath.phase(b / a))
+    if not math.radians(8) < opening < math.radians(172):
+        return []
+    reach = min(3.2, 2.4 / math.sin(opening / 2)) if opening < math.pi / 2 else 2.8
+    return [Stroke((at, at + a * reach, at + b * reach), "thin", closed=True, fill="ink", step=step)]
+
+
+def block(at: Place, along: complex, link: str, step: int | None = None) -> list[Mark]:
+    """A sliding block: a white rectangle over its guide."""
+    x, y = along * BLOCK.real / 2, 1j * along * BLOCK.imag / 2
+    corners = (at + x + y, at + x - y, at - x - y, at - x + y)
+    return [Stroke(corners, "outline", closed=True, fill="paper", link=link, step=step)]
+
+
+def guide(start: Place, end: Place, side: complex, step: int | None = None) -> list[Mark]:
+    """A fixed guide: a line with the ground hatched on one side."""
+    return [Stroke((start, end), "outline", step=step), *hatch(start, end, side, step)]
+
+
+def slot(start: Place, end: Place, link: str, pen: PenName = "outline", step: int | None = None) -> list[Mark]:
+    """A slot with round ends, cut into a link or the ground: white, over the link's bar."""
+    along = (end - start) / abs(end - start)
+    side = 1j * along * _SLOT
+    turn = [cmath.rect(1, -math.pi * k / 10) for k in range(11)]
+    far = [end + side * t for t in turn]
+    near = [start - side * t for t in turn]
+    return [Stroke((*far, *near), pen, closed=True, fill="paper", link=link, step=step)]
+
+
+def cylinder(foot: Place, rod_end: Place, step: int | None = None) -> list[Mark]:
+    """A cylinder hinged at its foot, with piston and rod."""
+    length = abs(rod_end - foot)
+    along = (rod_end - foot) / length
+    side = 1j * along * 2.6
+    near, far = foot + along * min(4.0, 0.15 * length), foot + along * 0.6 * length
+    piston = foot + along * 0.42 * length
+    tube = (near + side, far + side, far - side, near - side)
+    return [
+        Stroke((foot, near), "visible", step=step),
+        Stroke(tube, "outline", closed=True, fill="paper", step=step),
+        Stroke((piston + side, piston - side), "visible", step=step),
+        Stroke((piston, rod_end), "visible", step=step),
+    ]
+
+
+def spin(at: Place, towards: complex, sense: float, radius: float, step: int | None = None) -> list[Mark]:
+    """An arc with an arrow about a pivot, ahead of the direction `towards`; sense +1 is counter-clockwise.
+
+    Paper has y down, so counter-clockwise is a negative sweep.
+    """
+    start = cmath.phase(towards) - math.copysign(math.radians(14), sense)
+    return [Arc(at, radius, start, -math.copysign(math.radians(62), sense), "vector", arrow=True, step=step)]
+
+
+def push(start: Place, along: complex, step: int | None = None) -> list[Mark]:
+    """A straight arrow beside a driven slide."""
+    return [Stroke((start, start + 11 * along), "vector", arrow=True, step=step)]

@@ -1,0 +1,75 @@
+"""How points, vectors, links and quantities are written in plain text: `b3′`, `aᵏ_B3B2`, `ω3`, `l_BD`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from graphkin.errors import Lang
+from graphkin.steps import Plane
+
+__all__ = [
+    "LETTER", "RATE", "SCALE", "SLIDING", "UNIT", "arrow", "listed", "of_link", "of_slide", "pair", "point",
+    "relative", "stretch", "vector",
+]  # fmt: skip
+
+LETTER: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
+SCALE: dict[Plane, str] = {"position": "μ_l", "velocity": "μ_v", "acceleration": "μ_a"}
+UNIT: dict[Plane, str] = {"position": "m", "velocity": "m/s", "acceleration": "m/s²"}
+RATE: dict[Plane, str] = {"position": "θ", "velocity": "ω", "acceleration": "α"}
+SLIDING: dict[Plane, str] = {"position": "s", "velocity": "ṡ", "acceleration": "s̈"}
+
+_RAISED = {"n": "ⁿ", "t": "ᵗ", "k": "ᵏ", "r": "ʳ"}
+
+
+def point(name: str) -> str:
+    """A point of the mechanism or of a polygon; auxiliary points (`*1`) are numbered ①, ②, .."""
+    if name.startswith("*"):
+        count = int(name[1:])
+        return chr(0x2460 + count - 1) if count <= 20 else f"({count})"
+    return name.replace("'", "′")
+
+
+def stretch(tail: str, head: str) -> str:
+    """The line between two points: `pb3`, `n3′b3′`; longer names stand apart."""
+    between = " " if "@" in tail + head or len(tail + head) > 8 else ""
+    return point(tail) + between + point(head)
+
+
+def arrow(tail: str, head: str) -> str:
+    return f"{point(tail)}→{point(head)}"
+
+
+def pair(first: str, second: str) -> str:
+    """Two points of the mechanism in the order a textbook writes them: AB, BD, CD."""
+    return "".join(point(name) for name in sorted((first, second)))
+
+
+def vector(name: str) -> str:
+    """`a^k_B3B2` as `aᵏ_B3B2`."""
+    letter, part, low = re.fullmatch(r"(\w)(?:\^(\w+))?_(.+)", name).groups()  # type: ignore[union-attr]
+    return letter + "".join(_RAISED[c] for c in part or "") + "_" + point(low)
+
+
+def of_link(symbol: str, link: str) -> str:
+    """`ω3`; `ω_guide` for a link called by a word."""
+    return symbol + ("" if link[0].isdigit() else "_") + point(link)
+
+
+def relative(symbol: str, link: str, seen_from: str) -> str:
+    """`ω21`; `ω_arm,base` for links called by words."""
+    if len(link) == len(seen_from) == 1 and (link + seen_from).isdigit():
+        return symbol + link + seen_from
+    return f"{symbol}_{point(link)},{point(seen_from)}"
+
+
+def of_slide(symbol: str, slide: str) -> str:
+    return f"{symbol}_{slide}"
+
+
+def listed(names: Iterable[str], lang: Lang) -> str:
+    """`B, C and D`; `B、C、D`."""
+    parts = list(names)
+    if lang == "zh" or len(parts) < 2:
+        return "、".join(parts)
+    return ", ".join(parts[:-1]) + " and " + parts[-1]

@@ -1,0 +1,196 @@
+"""Every sentence of a derivation, both languages side by side. No sentence is written anywhere else."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from graphkin.errors import Lang
+
+__all__ = ["PHRASES", "say"]
+
+
+def say(key: str, lang: Lang, **words: object) -> str:
+    """The sentence of this key with these words put in."""
+    return PHRASES[key][lang].format(**words)
+
+
+def _both(en: str, zh: str) -> dict[Lang, str]:
+    return {"en": en, "zh": zh}
+
+
+PHRASES: Mapping[str, dict[Lang, str]] = {
+    # --- frame of the text ---------------------------------------------------------------------
+    "note": _both(" ({note})", "（{note}）"),
+    "direction row": _both("direction:", "方向："),
+    "size row": _both("size:", "大小："),
+    "given": _both("Given: {drivers}. Link {frame} is the frame.", "已知：{drivers}。构件 {frame} 为机架。"),
+    "between drivers": _both("; ", "；"),
+    "scales": _both("Scales: {scales}.", "取比例尺：{scales}。"),
+    "and": _both(", ", "，"),
+    "position": _both("(1) The mechanism, drawn to scale", "(1) 作机构运动简图"),
+    "velocity": _both("(2) Velocities", "(2) 作速度分析"),
+    "acceleration": _both("(3) Accelerations", "(3) 作加速度分析"),
+    "ccw": _both("counter-clockwise", "逆时针"),
+    "cw": _both("clockwise", "顺时针"),
+    "constant": _both("constant", "匀速"),
+    # --- drivers -------------------------------------------------------------------------------
+    "driven link": _both("{line} of link {link} stands at {angle} to +x", "原动件 {link} 的 {line} 与 x 轴正向成 {angle}"),
+    "driven joint": _both(
+        "{line} of link {link} stands at {angle} to {other} of link {seen_from}",
+        "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}",
+    ),
+    "driven slide": _both("slide {slide} is at {place}", "移动副 {slide} 的位移 {place}"),
+    # --- places and lines ----------------------------------------------------------------------
+    "guide of": _both("guide {name}", "导路 {name}"),
+    "origin of": _both("the start of guide {name}", "导路 {name} 的起点"),
+    "block guide": _both("the line of the pin {name}", "销 {name} 的滑道"),
+    # --- position ------------------------------------------------------------------------------
+    "fixed points": _both("Fixed points, in mm on paper: {points}.", "定出固定点（图上 mm）：{points}。"),
+    "fixed guide": _both(
+        "{guide}: the line through {place} at {angle} to +x.",
+        "{guide}：过 {place}、与 x 轴正向成 {angle} 的直线。",
+    ),
+    "lay off link": _both(
+        "From {start} lay off {length} at {angle} to +x: {tip}.",
+        "由 {start} 沿与 x 轴正向成 {angle} 的方向取 {length}，得 {tip}。",
+    ),
+    "lay off slide": _both(
+        "From {start} lay off {length} along {guide} ({angle}): {tip}.",
+        "由 {start} 沿{guide}（{angle}）取 {length}，得 {tip}。",
+    ),
+    "circle": _both("the circle about {about} with radius {length}", "以 {about} 为圆心、以 {length} 为半径的圆弧"),
+    "line parallel": _both("the line through {through} {direction}", "过 {through} 且 {direction} 的直线"),
+    "meet circles": _both(
+        "Draw {first}, and {second}. They cross at {point} (of the two crossings, the one on the side of the sketch).",
+        "作{first}，再作{second}，两者交于 {point}（两交点中取与给定装配位置一致者）。",
+    ),
+    "meet lines": _both("Draw {first}, and {second}. They cross at {point}.", "作{first}，再作{second}，两者交于 {point}。"),
+    "swing join": _both(
+        "Link {link} turns about {pivot} until its guide line, which runs through {pivot}, passes through {through}: join {pivot} and {through}.",
+        "构件 {link} 的导路通过其回转中心 {pivot}，又须通过 {through}：连接 {pivot}、{through}，即得导路方向。",
+    ),
+    "swing tangent": _both(
+        "Link {link} turns about {pivot} until its guide line passes through {through}. The line keeps the distance "
+        "{length} from {pivot}: from {through} draw the tangent to the circle about {pivot} with this radius.",
+        "构件 {link} 绕 {pivot} 转动，其导路须通过 {through}，且与 {pivot} 的距离恒为 {length}：以 {pivot} 为圆心、以此距离为半径作圆，"
+        "由 {through} 作该圆的切线，即为导路。",
+    ),
+    "shape corner": _both(
+        "{point} on link {link}: {first} and {second} ({triangle} in the link's own sense).",
+        "构件 {link} 上的 {point}：{first}，{second}（{triangle} 的绕行方向与构件一致）。",
+    ),
+    "shape line": _both(
+        "{point} on link {link} lies on the line {line}: {length}.",
+        "构件 {link} 上的 {point} 在直线 {line} 上：{length}。",
+    ),
+    "measured angles": _both("Measured: {angles}.", "量得：{angles}。"),
+    "measured slide": _both("Measured: {length}.", "量得：{length}。"),
+    "angle of": _both("{name} = {angle} ({arrow})", "{name} = {angle}（{arrow}）"),
+    # --- polygons: the start -------------------------------------------------------------------
+    "pole": _both("Take the pole {pole}.", "任取极点 {pole}。"),
+    "pole fixed": _both(
+        "Take the pole {pole}; the fixed points {points} are at rest, so {nodes} lie on {pole}.",
+        "任取极点 {pole}；固定点 {points} 不动，故 {nodes} 与 {pole} 重合。",
+    ),
+    "never turn": _both(
+        "{links} can only translate: {rates}, and all points of such a link have one velocity and one acceleration.",
+        "{links} 只能移动：{rates}，其上各点的速度、加速度分别相同。",
+    ),
+    "link": _both("link {link}", "构件 {link}"),
+    "steady ties": _both("{ties}, as these links keep their angle to one another or are driven so.", "由移动副或原动件的约束知：{ties}。"),
+    # --- polygons: equations -------------------------------------------------------------------
+    "points of link": _both("{of} and {seen_from} are points of link {link}", "构件 {link} 上 {of}、{seen_from} 两点"),
+    "coincident": _both("{of} and {seen_from} are coincident points", "重合点 {of}、{seen_from}"),
+    "from relations": _both("{relations}:", "由{relations}之间的{motion}关系，有"),
+    "between relations": _both("; ", "及"),
+    "plain equation": _both("The motion of {of}:", "{of} 的{motion}："),
+    "motion velocity": _both("velocity", "速度"),
+    "motion acceleration": _both("acceleration", "加速度"),
+    "only normal": _both(
+        "{alpha} = 0, so {of} has only a normal acceleration against {seen_from}.",
+        "因 {alpha} = 0，{of} 相对 {seen_from} 只有法向加速度。",
+    ),
+    "translates": _both(
+        "Link {link} only translates: {of} = {seen_from}, so {node} falls on {base}.",
+        "构件 {link} 只作移动：{of} = {seen_from}，{node} 与 {base} 重合。",
+    ),
+    # --- polygons: known sizes -----------------------------------------------------------------
+    "sense of": _both("{direction}, in the sense of {rate}", "{direction}，指向与 {rate} 的转向一致"),
+    "towards": _both("{direction}, from {head} towards {tail}", "{direction}，由 {head} 指向 {tail}"),
+    "quarter turned": _both(
+        "{relative} turned by 90° in the sense of {rate}: {direction}",
+        "将 {relative} 沿 {rate} 的转向转过 90°：{direction}",
+    ),
+    "slide grows": _both("{direction}, the way {s} grows", "{direction}，指向 {s} 增大的方向"),
+    "slide shrinks": _both("{direction}, the way {s} shrinks", "{direction}，指向 {s} 减小的方向"),
+    "at angle": _both("{direction} at {angle}", "{direction}，{angle}"),
+    # --- polygons: the pencil ------------------------------------------------------------------
+    "lay off": _both("From {start} lay off {length}.", "由 {start} 作矢量 {length}。"),
+    "lay off backwards": _both(
+        "{name} has to end at {start}: lay it off backwards from there, {length}.",
+        "{name} 的末端须在 {start}：由 {start} 逆向作 {length}。",
+    ),
+    "lay off nothing": _both("{name} = 0: {tip} falls on {start}.", "{name} = 0，{tip} 与 {start} 重合。"),
+    "aside": _both(
+        "{name} is known but stands between the unknown vectors. It is laid off out of place first, {way}: {length}, "
+        "to the auxiliary point {tip}.",
+        "{name} 已知，但处于两未知矢量之间，故先移位作出，{way}：{length}，得辅助点 {tip}。",
+    ),
+    "aside forward": _both("from {start}", "由 {start} 顺其指向"),
+    "aside backward": _both("from {start} against its direction", "由 {start} 逆其指向"),
+    "carry back": _both(
+        "Carry {name} back to its place: {length} from {start} gives {tip}.",
+        "再将 {name} 移回原位：由 {start} 作 {length}，得 {tip}。",
+    ),
+    "carry back reversed": _both(
+        "Carry {name} back to its place, ending at {start}: {length} gives {tip}.",
+        "再将 {name} 移回原位，使其末端在 {start}：{length}，得 {tip}。",
+    ),
+    "meet rays": _both(
+        "From {first} draw the line {first_direction}, from {second} the line {second_direction}; they meet at {point}.",
+        "过 {first} 作 {first_direction} 的方向线，过 {second} 作 {second_direction} 的方向线，两线交于 {point}。",
+    ),
+    "meet rays one point": _both(
+        "The lines {first_direction} and {second_direction} both start from {first}, so {point} falls on {first}.",
+        "{first_direction} 与 {second_direction} 两方向线均过 {first}，故 {point} 与 {first} 重合。",
+    ),
+    "measured": _both("Measured: {lengths}; hence", "由图量得 {lengths}，于是得"),
+    "at direction": _both("at {angle}", "与 x 轴正向成 {angle}"),
+    # --- polygons: rotation --------------------------------------------------------------------
+    "sense rule": _both(
+        "{sense}: {ends} carried to {head} turns link {link} so about {tail}",
+        "{sense}：将 {ends} 平移至 {head} 点，其绕 {tail} 点的转向",
+    ),
+    "translation now": _both(
+        "{name} = 0: at this instant link {link} is in translation.",
+        "{name} = 0，此瞬时构件 {link} 作瞬时平动。",
+    ),
+    "rest now": _both("{name} = 0: at this instant link {link} is at rest.", "{name} = 0，此瞬时构件 {link} 静止。"),
+    "held": _both(
+        "links {link} and {other} do not turn against each other",
+        "构件 {link}、{other} 之间无相对转动",
+    ),
+    "tied": _both("counter-clockwise is positive", "逆时针为正"),
+    "tangential part": _both(
+        "Resolve {ends} along and across {line}. The part across it is {tangential}.",
+        "将 {ends} 沿 {line} 及其垂直方向分解，垂直分量为 {tangential}。",
+    ),
+    # --- polygons: images ----------------------------------------------------------------------
+    "image velocity": _both("Velocity image", "速度影像"),
+    "image acceleration": _both("Acceleration image", "加速度影像"),
+    "image triangle": _both(
+        "{image} of link {link}: {small} is similar to {large}, lettered in the same sense; this gives {point}.",
+        "利用{image}：作 {small} ∽ {large}（构件 {link}），且角标字母顺序方向一致，得 {point}。",
+    ),
+    "image line": _both(
+        "{image} of link {link}: {point} lies on the line {small} as {corner} lies on {large}: {ratio}.",
+        "利用{image}：{corner} 在 {large} 线上（构件 {link}），故 {point} 在 {small} 线上：{ratio}。",
+    ),
+    "image point": _both(
+        "{image} of link {link}: {small} is a single point, so {point} falls on it too.",
+        "利用{image}：构件 {link} 的影像 {small} 缩为一点，故 {point} 也在该点。",
+    ),
+    # --- polygons: slides ----------------------------------------------------------------------
+    "grows": _both("{stretch} grows", "{stretch} 增大"),
+    "shrinks": _both("{stretch} shrinks", "{stretch} 减小"),
+}

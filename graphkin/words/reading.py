@@ -1,0 +1,133 @@
+"""What reads a construction: the method, its plot and its scales, with the names of all they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from graphkin.errors import Lang
+from graphkin.geometry import cross, dot
+from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.methods import Method
+from graphkin.methods.motion import Labels
+from graphkin.steps import Plot
+from graphkin.words import names
+from graphkin.words.figures import number
+from graphkin.words.phrases import say
+
+__all__ = ["Reading"]
+
+ROUNDING = 1e-9
+"""Sizes below this part of the largest of their kind are rounding noise."""
+
+
+@dataclass(frozen=True)
+class Reading:
+    """A method and the plot of one position of it, about to be worded in one language.
+
+    scales  "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s²)/mm]
+    """
+
+    method: Method
+    plot: Plot
+    scales: Mapping[str, float]
+    lang: Lang
+
+    def say(self, key: str, **words: object) -> str:
+        return say(key, self.lang, **words)
+
+    def listed(self, parts: list[str]) -> str:
+        return names.listed(parts, self.lang)
+
+    @property
+    def mechanism(self) -> Mechanism:
+        return self.method.mechanism
+
+    # --- links --------------------------------------------------------------------------------
+
+    def body(self, link: str) -> str:
+        """The link that turns as this body does: a pin turns with its slot."""
+        structure = self.method.structure
+        if not structure.is_pin(link):
+            return link
+        return self.mechanism.slide(link.removeprefix("pin ")).guide
+
+    def link(self, link: str) -> str:
+        """What people call a link."""
+        return names.point(self.mechanism.called(self.body(link)))
+
+    def rate(self, symbol: str, link: str) -> str:
+        """`ω3` of a link, from the symbol and the link."""
+        return names.of_link(symbol, self.mechanism.called(self.body(link)))
+
+    def group(self, link: str) -> list[str]:
+        """The other links that hold their angles to this one; the frame and pins are none."""
+        turns, links = self.plot.facts.turns, self.mechanism.moving
+        base = turns[link].base
+        return [other for other in links if turns[other].base == base and other != self.body(link)]
+
+    def translates(self, link: str) -> bool:
+        """Whether a link cannot turn at all."""
+        turn = self.plot.facts.turns[link]
+        return turn.base == FRAME and not turn.drivers
+
+    def against(self, driver: Driver, symbol: str) -> str:
+        """The driven rotation: `ω1`, or `ω21` of a motor on a moving link."""
+        called = self.mechanism.called
+        if driver.from_link == FRAME:
+            return names.of_link(symbol, called(driver.link))
+        return names.relative(symbol, called(driver.link), called(driver.from_link))
+
+    def numbered(self, point: str, link: str) -> str:
+        """The point of a link as written where several links have one there: `B3`."""
+        return Labels(self.method.structure, {}).numbered(point, self.body(link))
+
+    # --- lengths of the mechanism --------------------------------------------------------------
+
+    @cached_property
+    def noise(self) -> float:
+        """Lengths up to this are none [m]."""
+        places = list(self.plot.position.values())
+        return ROUNDING * max(abs(a - places[0]) for a in places)
+
+    def distance(self, first: str, second: str) -> float:
+        """Between two points of the mechanism [m]."""
+        length = float(abs(self.plot.arm(first, second)))
+        return length if length > self.noise else 0.0
+
+    def on_paper(self, length: float) -> str:
+        """A length of the mechanism in mm on paper, as a figure."""
+        return number(length / self.scales["length"], self.noise / self.scales["length"])
+
+    # --- slides ---------------------------------------------------------------------------------
+
+    def line(self, slide: str) -> str:
+        """The line of a slide: two points on it (`BC`), or `guide ram`."""
+        pair = self.method.structure.slides[slide]
+        if pair.named and pair.guide == FRAME:
+            return self.say("guide of", name=slide)
+        on_it = self._points_on(slide)
+        return names.pair(*on_it) if on_it else self.say("guide of", name=slide if pair.named else pair.point)
+
+    def _points_on(self, slide: str) -> tuple[str, str] | None:
+        """Two points that lie apart on the line, of those that the guide or the pair itself names."""
+        pair, along = self.method.structure.slides[slide], self.plot.guide_direction(slide)
+        named = dict.fromkeys((pair.line.origin, pair.point, *self.method.structure.bodies[pair.guide]))
+        on_it = [
+            point
+            for point in named
+            if point[0].isupper() and abs(cross(along, self.plot.arm(pair.point, point))) <= self.noise
+        ]
+        for first in on_it:
+            for second in on_it:
+                if abs(dot(along, self.plot.arm(first, second))) > self.noise:
+                    return first, second
+        return None
+
+    def place(self, point: str) -> str:
+        """A point of the drawing; the start of a line that has no name of its own is told by its guide."""
+        if point[0].isupper() or point[0] == "*":
+            return names.point(point)
+        slide = next(s for s in self.mechanism.slides if s.line.origin == point)
+        return self.say("origin of", name=slide.name if slide.named else slide.point)
