@@ -23,7 +23,7 @@ __version__ = "0.1.0"
 
 ORDER = (
     "errors", "geometry", "steps", "pairs", "mechanism", "loading", "library", "methods", "naming", "analytic",
-    "freedoms", "readings", "check", "results", "words", "sheet", "outputs", "api", "cli",
+    "freedoms", "readings", "check", "results", "reports", "words", "sheet", "outputs", "api", "cli",
 )  # fmt: skip
 
 _WHERE = {
@@ -31,20 +31,19 @@ _WHERE = {
     "plan": "api",
     "replay": "api",
     "motion": "analytic",
-    "sheet": "sheet",
+    "Drawing": "api",
     "explain": "words",
     "measure": "check",
     "GraphkinError": "errors",
 }
 
-__all__ = ["GraphkinError", "explain", "load", "measure", "motion", "plan", "replay", "sheet"]
+__all__ = ["Drawing", "GraphkinError", "explain", "load", "measure", "motion", "plan", "replay"]
 
 if TYPE_CHECKING:
     from graphkin.analytic import motion
-    from graphkin.api import load, plan, replay
+    from graphkin.api import Drawing, load, plan, replay
     from graphkin.check import measure
     from graphkin.errors import GraphkinError
-    from graphkin.sheet import sheet
     from graphkin.words import explain
 
 

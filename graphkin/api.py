@@ -13,17 +13,23 @@ True
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from graphkin import library, loading, methods
-from graphkin.errors import CannotAssemble, DeadPoint, HigherClass
+from graphkin.errors import CannotAssemble, DeadPoint, HigherClass, Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
-from graphkin.steps import Plot
+from graphkin.steps import Plane, Plot
 
-__all__ = ["load", "plan", "replay"]
+if TYPE_CHECKING:
+    from graphkin.readings import Answer
+    from graphkin.sheet import Sheet
+
+__all__ = ["Drawing", "load", "plan", "replay"]
 
 
 def load(source: str | Path) -> Mechanism:
@@ -77,3 +83,54 @@ def replay(method: Method, values: Sequence[Value] | None = None) -> Plot:
     array([-3.919, -3.188, -0.839])
     """
     return methods.replay_all(method, values)
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A mechanism, planned and drawn at one position; a notebook shows its sheet.
+
+    >>> drawing = Drawing.of(load("ex3-1"))
+    >>> drawing.answers()["omega 3"].unit
+    'rad/s'
+    """
+
+    mechanism: Mechanism
+    method: Method
+    plot: Plot
+
+    @classmethod
+    def of(cls, mechanism: Mechanism, values: Sequence[float] | None = None) -> Drawing:
+        """Plan a mechanism and draw it, at the drawn position or at other driver values [rad, m]."""
+        method = plan(mechanism)
+        return cls(mechanism, method, replay(method, values))
+
+    def sheet(self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None) -> Sheet:
+        """The sheet: mechanism and polygons to scale, in millimetres on paper."""
+        from graphkin.sheet import sheet
+
+        return sheet(self.method, self.plot, paper=paper, lang=lang, only=only)
+
+    def step_sheets(
+        self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None
+    ) -> Iterator[Sheet]:
+        """One sheet a step of the construction, the newest marks emphasised."""
+        from graphkin.sheet import sheet, step_count
+
+        for step in range(1, step_count(self.method) + 1):
+            yield sheet(self.method, self.plot, paper=paper, lang=lang, only=only, upto=step)
+
+    def explain(self, lang: Lang = "en") -> list[str]:
+        """The vector equations and what is measured, line by line, at the scales of the sheet."""
+        from graphkin.words import explain
+
+        return explain(self.method, self.plot, self.sheet(lang=lang).scales, lang)
+
+    def answers(self) -> dict[str, Answer | None]:
+        """What the file asks for, read off the drawing; None for a text that is only shown."""
+        from graphkin.readings import Readings, answer
+
+        readings = Readings(self.method, self.plot)
+        return {question: answer(self.mechanism, readings, question) for question in self.mechanism.ask}
+
+    def _repr_svg_(self) -> str:
+        return self.sheet()._repr_svg_()

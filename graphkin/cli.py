@@ -21,6 +21,7 @@ from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
     from graphkin.mechanism import Mechanism
+    from graphkin.steps import Plane
 
 __all__ = ["main"]
 
@@ -104,10 +105,10 @@ def at_values(
     """Driver values with those of the command line put in; None for the drawn position."""
     if not angles and not displacements:
         return None
-    given = {"angle": [math.radians(a) for a in angles], "slide": [s / 1000 for s in displacements]}
+    given = {"spin": [], "angle": [math.radians(a) for a in angles], "slide": [s / 1000 for s in displacements]}
     if not all(math.isfinite(v) for values in given.values() for v in values):
         raise click.UsageError("--angle and --at take finite numbers")
-    values = [given[d.kind].pop(0) if given.get(d.kind) else (d.value or 0.0) for d in mechanism.drivers]
+    values = [given[d.kind].pop(0) if given[d.kind] else (d.value or 0.0) for d in mechanism.drivers]
     for option, rest in (("--angle", given["angle"]), ("--at", given["slide"])):
         if rest:
             raise click.UsageError(f"{mechanism.name} has no driver left for {option} (of {len(values)} drivers)")
@@ -126,7 +127,7 @@ def at_values(
 @lang_option
 @speaking
 def draw(
-    mechanism: str, output: Path | None, only: str | None, paper: str | None, steps: Path | None, force: bool,
+    mechanism: str, output: Path | None, only: Plane | None, paper: str | None, steps: Path | None, force: bool,
     angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Draw the mechanism and its polygons to scale, as SVG.
@@ -265,11 +266,10 @@ def list_(lang: Lang) -> None:
     Example:
       graphkin list --lang zh
     """
-    from graphkin import library, reports
+    from graphkin import library
 
-    rows = [[name, library.title(name, lang)] for name in library.names()]
-    for name, title in rows:
-        click.echo(name + " " * (12 - reports.width(name)) + title)
+    for name, title in library.titles(lang).items():
+        click.echo(f"{name:<12}{title}")
 
 
 @main.command()
@@ -298,4 +298,4 @@ def schema() -> None:
     """
     from graphkin import loading
 
-    click.echo(loading.schema_text(), nl=False)
+    click.echo(loading.json_schema_text(), nl=False)

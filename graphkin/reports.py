@@ -98,8 +98,8 @@ def _rows(position: Json) -> Iterator[list[str]]:
             yield _row(f"{key} {link}", motion[key], exact["links"][link][key], unit)
     for point, motion in position["points"].items():
         for key, unit in (("v", "m/s"), ("a", "m/s^2")):
-            drawn, right = complex(*motion[key]), complex(*exact["points"][point][key])
-            yield _row(f"{key} {point}", abs(drawn), abs(right), unit, abs(drawn - right))
+            arrow, other = complex(*motion[key]), complex(*exact["points"][point][key])
+            yield _row(f"{key} {point}", abs(arrow), abs(other), unit, abs(arrow - other))
     for slide, motion in position["slides"].items():
         for key, unit, factor in (("s", "mm", 1000.0), ("v", "m/s", 1.0), ("a", "m/s^2", 1.0)):
             yield _row(f"{key} {slide}", motion[key] * factor, exact["slides"][slide][key] * factor, unit)

@@ -14,6 +14,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.methods import Method, replay_all
 from graphkin.naming import Seen
 from graphkin.readings import Motions, Readings, answer, relative
+from graphkin.steps import Site
 
 __all__ = ["driver_values", "results"]
 
@@ -87,25 +88,24 @@ def _point(mechanism: Mechanism, motions: Motions, point: str) -> Json:
 
 def _coincident(mechanism: Mechanism, method: Method, readings: Readings) -> Iterator[tuple[str, Json]]:
     """Each pair of coincident points of the polygons, seen either way round."""
-    sites = [
-        (label, Seen(site.point, method.structure.home(site.link), True))
-        for label, site in method.sites.items()
-        if site.point in method.coincident
-    ]
-    for label, of in sites:
-        of = Seen(of.point, method.coincident[of.point], True) if of.link in mechanism.owners[of.point] else of
-        for other, seen_from in sites:
+    sites = {label: _home(method, site) for label, site in method.sites.items()}
+    for label, of in sites.items():
+        for other, seen_from in sites.items():
             if other == label or seen_from.point != of.point:
                 continue
-            if seen_from.link in mechanism.owners[seen_from.point]:
-                seen_from = Seen(seen_from.point, method.coincident[seen_from.point], True)
             comma = "," if "@" in label + other else ""
             yield f"{label}{comma}{other}", {
-                part: _vector(relative(mechanism, readings, plane, letter, of, seen_from))
-                for part, plane, letter in (
-                    ("v", "velocity", ""), ("a_k", "acceleration", "k"), ("a_r", "acceleration", "r"),
-                )
-            }  # fmt: skip
+                "v": _vector(relative(mechanism, readings, "velocity", "", of, seen_from)),
+                "a_k": _vector(relative(mechanism, readings, "acceleration", "k", of, seen_from)),
+                "a_r": _vector(relative(mechanism, readings, "acceleration", "r", of, seen_from)),
+            }
+
+
+def _home(method: Method, site: Site) -> Seen:
+    """A site on the link that people name for it."""
+    owned = site.link in method.mechanism.owners[site.point]
+    link = method.coincident.get(site.point, site.link) if owned else method.structure.home(site.link)
+    return Seen(site.point, link, True)
 
 
 def _answer(mechanism: Mechanism, motions: Motions, question: str) -> Mapping[str, Any]:

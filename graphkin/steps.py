@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Literal, assert_never
 
 import numpy as np
@@ -242,7 +243,7 @@ class NotClosable(ValueError):
 
 def span_of(chain: tuple[Term, ...]) -> tuple[str, str]:
     """Start and end of a chain of arrows; refuses one whose arrows do not join tail to head."""
-    for before, after in zip(chain, chain[1:], strict=False):
+    for before, after in pairwise(chain):
         if before.head != after.tail:
             raise BrokenChain(f"{before.head} is not {after.tail}")
     return chain[0].tail, chain[-1].head

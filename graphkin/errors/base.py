@@ -26,7 +26,7 @@ class Where:
 
 
 NOWHERE = Where("")
-"""Stands until the one who knows the place fills it in (`dataclasses.replace`)."""
+"""Stands until the one who knows the place fills it in (`GraphkinError.at`)."""
 
 
 @dataclass(eq=False)
@@ -39,6 +39,11 @@ class GraphkinError(Exception):
     def message(self, lang: Lang = "en") -> str:
         """The sentence, with this error's own data in it."""
         return self.text[lang].format(**self._words(lang))
+
+    def at(self, where: Where) -> GraphkinError:
+        """The same error at a place, for those that were raised with `NOWHERE`."""
+        data = {field.name: getattr(self, field.name) for field in fields(self)}
+        return type(self)(**{**data, "where": where})
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return {field.name: getattr(self, field.name) for field in fields(self)}

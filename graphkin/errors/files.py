@@ -75,8 +75,7 @@ class FileTooLarge(GraphkinError):
     where: Where
     limit_mb: float
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the file is larger than {limit_mb:g} MB, so it is hardly a mechanism file. Name "
-        "another.",
+        "en": "{where}: the file is larger than {limit_mb:g} MB, so it is hardly a mechanism file. Name another.",
         "zh": "{where}：文件超过 {limit_mb:g} MB，不像机构文件，请换一个文件。",
     }
 

@@ -184,8 +184,7 @@ class TooSmall(GraphkinError):
     given: str
     least: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given} will not do, the value must be greater than 0 (at least {least}). "
-        "Correct it.",
+        "en": "{where}: {given} will not do, the value must be greater than 0 (at least {least}). Correct it.",
         "zh": "{where}：{given} 不合要求，数值必须大于 0（不小于 {least}），请改正。",
     }
 

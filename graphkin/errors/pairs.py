@@ -68,8 +68,7 @@ class NoLine(GraphkinError):
     first: str
     second: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {first} and {second} lie at one place, so they give no direction. Choose another "
-        "point.",
+        "en": "{where}: {first} and {second} lie at one place, so they give no direction. Choose another point.",
         "zh": "{where}：{first} 与 {second} 重合，不能确定方向，请换一个点。",
     }
 
@@ -90,8 +89,7 @@ class SameTwice(GraphkinError):
 class SameCircles(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: one circle cannot lie inside another of the same radius. Correct a radius, or "
-        "internal.",
+        "en": "{where}: one circle cannot lie inside another of the same radius. Correct a radius, or internal.",
         "zh": "{where}：半径相等的两圆不能内切，请改正半径或 internal。",
     }
 
@@ -111,8 +109,7 @@ class CircleOrLine(GraphkinError):
 class LineOnLine(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: a line against a line touches along its length. Make it a [[slide]], or one "
-        "profile a circle.",
+        "en": "{where}: a line against a line touches along its length. Make it a [[slide]], or one profile a circle.",
         "zh": "{where}：直线与直线是面接触，请改用 [[slide]]，或将其中一个廓线改为圆。",
     }
 
@@ -121,7 +118,6 @@ class LineOnLine(GraphkinError):
 class PointOnPoint(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: two knife edges cannot stay in contact. Give one profile a radius, or make it a "
-        "hinge.",
+        "en": "{where}: two knife edges cannot stay in contact. Give one profile a radius, or make it a hinge.",
         "zh": "{where}：两个尖点不能保持接触，请给其中一个廓线以半径，或改为铰链。",
     }

@@ -63,8 +63,7 @@ class NoTriangle(GraphkinError):
     keys: tuple[str, str, str]
     gap_mm: float
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the lengths {keys} cannot close a triangle: {gap_mm:.3g} mm are lacking. Correct "
-        "one.",
+        "en": "{where}: the lengths {keys} cannot close a triangle: {gap_mm:.3g} mm are lacking. Correct one.",
         "zh": "{where}：长度 {keys} 不能构成三角形，差 {gap_mm:.3g} mm，请改正其中之一。",
     }
 
@@ -117,8 +116,7 @@ class ShapeAndMeasures(GraphkinError):
     link: str
     key: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: link {link} has both shape and {key}. Give coordinates, or lengths and angles, "
-        "not both.",
+        "en": "{where}: link {link} has both shape and {key}. Give coordinates, or lengths and angles, not both.",
         "zh": "{where}：构件 {link} 同时给出了 shape 和 {key}；坐标与长度、角度只能用一种。",
     }
 
@@ -148,8 +146,7 @@ class FrameNameTaken(GraphkinError):
     where: Where
     link: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {link} is the name of the frame. Name this link otherwise, or give [frame] "
-        "another name.",
+        "en": "{where}: {link} is the name of the frame. Name this link otherwise, or give [frame] another name.",
         "zh": "{where}：{link} 是机架的名称，请给此构件另取名称，或在 [frame] 中改 name。",
     }
 
@@ -159,8 +156,7 @@ class LooseLink(GraphkinError):
     where: Where
     link: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: link {link} is tied to nothing. Let it share a point with another link, or put "
-        "it in a pair.",
+        "en": "{where}: link {link} is tied to nothing. Let it share a point with another link, or put it in a pair.",
         "zh": "{where}：构件 {link} 与其他构件没有联系，请让它与别的构件共点，或加入运动副。",
     }
 
@@ -190,8 +186,7 @@ class RigidlyJoined(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: links {first} and {second} are rigidly joined at {points}. "
         "Make them one link, or give one of the points another name.",
-        "zh": "{where}：构件 {first} 与 {second} 在 {points} 处刚性相连，请合并为一个构件，"
-        "或给其中一点另取名称。",
+        "zh": "{where}：构件 {first} 与 {second} 在 {points} 处刚性相连，请合并为一个构件，或给其中一点另取名称。",
     }
 
     def _words(self, lang: Lang) -> dict[str, object]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
@@ -60,7 +59,7 @@ def _complaint(detail: ErrorDetails, where: Where) -> GraphkinError:
     match detail["type"]:
         case "graphkin":
             problem: GraphkinError = context["problem"]
-            return replace(problem, where=where)
+            return problem.at(where)
         case "missing":
             return MissingKey(where, key)
         case "extra_forbidden":

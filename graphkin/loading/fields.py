@@ -16,6 +16,7 @@ from pydantic import (
     ValidationInfo,
     WithJsonSchema,
 )
+from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
 
 from graphkin.errors import NOWHERE, GraphkinError, WrongType
@@ -26,6 +27,8 @@ from graphkin.loading.values import above_zero, formed, quantity, scale, shown, 
 __all__ = [
     "LINK_PATTERN",
     "MEASURE_PATTERN",
+    "NUMBER_SCHEMA",
+    "PLACE_SCHEMA",
     "POINT_PATTERN",
     "Acceleration",
     "Alpha",
@@ -55,6 +58,8 @@ __all__ = [
 
 MEASURE_PATTERN = r"^([A-Z][0-9]*'*){2,3}$"
 POINT_PATTERN = r"^[A-Z][0-9]*'*$"
+NUMBER_SCHEMA: JsonDict = {"type": ["number", "string"]}
+PLACE_SCHEMA: JsonDict = {"type": "array", "items": NUMBER_SCHEMA, "minItems": 2, "maxItems": 2}
 LINK_PATTERN = r"^[\w']+$"
 
 
@@ -115,6 +120,7 @@ def _also(value: object, info: ValidationInfo) -> float:
 _POINT = {"type": "string", "pattern": POINT_PATTERN}
 _Length, _Angle = _quantity_of("length"), _quantity_of("angle")
 
+_TRIPLE = {"type": "array", "items": _POINT, "minItems": 3, "maxItems": 3}
 Length = Annotated[float, *_Length]
 Radius = Annotated[float, *_Length, AfterValidator(guarded(above_zero))]
 EdgeRadius = Annotated[float, *_Length, AfterValidator(guarded(zero_or_more))]
@@ -124,7 +130,7 @@ Alpha = Annotated[float, *_quantity_of("angular acceleration")]
 Velocity = Annotated[float, *_quantity_of("velocity")]
 Acceleration = Annotated[float, *_quantity_of("acceleration")]
 Scale = Annotated[float, PlainValidator(guarded(scale)), WithJsonSchema({"type": "number", "exclusiveMinimum": 0})]
-Further = Annotated[float, PlainValidator(_also), WithJsonSchema({"type": ["number", "string"]})]
+Further = Annotated[float, PlainValidator(_also), WithJsonSchema(NUMBER_SCHEMA)]
 Flag = Annotated[bool, a_value("flag", bool)]
 Text = Annotated[str, text_of("text", str)]
 Name = Annotated[str, text_of("name")]
@@ -148,7 +154,11 @@ Anchor = Annotated[
 ]
 Side = Annotated[Literal["left", "right"], text_of("name", str)]
 Triple = Annotated[list[Point], Field(min_length=3, max_length=3), a_value("triple", list)]
-Triples = Annotated[list[Triple], BeforeValidator(guarded(triples))]
+Triples = Annotated[
+    list[Triple],
+    BeforeValidator(guarded(triples)),
+    WithJsonSchema({"type": "array", "items": {"anyOf": [_POINT, _TRIPLE]}}),
+]
 
 
 _Item = TypeVar("_Item")

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
-from graphkin.errors import FrameNameTaken, NoPoints, ShapeAndMeasures
+from graphkin.errors import FrameNameTaken, MissingKey, NoPoints, ShapeAndMeasures, TooFewMeasures
 from graphkin.loading.draft import Draft
 from graphkin.loading.measures import link_points
 from graphkin.loading.names import tidy
@@ -19,11 +18,13 @@ __all__ = ["read_links"]
 
 def read_links(draft: Draft, file: File, raw: Mapping[str, Any], measures: Mapping[str, Sequence[Measure]]) -> None:
     """Put the frame and all links into the draft. `raw` is the file's own data: it keeps the order of the keys."""
+    if not file.links:
+        draft.problems.append(MissingKey(draft.where("links"), "[links.NAME]"))
     draft.frame = file.frame.name
     draft.frame_points = {tidy(point): complex(*place) for point, place in (file.frame.model_extra or {}).items()}
     draft.links[FRAME] = Link(FRAME, draft.frame_points)
     tables = {tidy(name): table for name, table in raw["links"].items()}
-    for name, table in file.links.items():
+    for name in file.links:
         points = link_points(tables[name])
         draft.links[name] = Link(name, {point: complex(n, n * n) for n, point in enumerate(points)})
     for name, table in file.links.items():
@@ -46,8 +47,8 @@ def _shape(
     if measures:
         raise ShapeAndMeasures(draft.where("links", name, measures[0].key), name, measures[0].key)
     places = {tidy(point): complex(*place) for point, place in table.shape.items()}
-    if len(places) < len(points):
-        solve_shape(replace(given, points=tuple(point for point in points if point not in places)))
+    if missing := tuple(point for point in points if point not in places):
+        raise TooFewMeasures(given.where, name, missing)
     check_round(given, places)
     return own_axes(places, name, given.where)
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from typing import Any
 
-from graphkin.errors import AngleRange, BadName, DuplicateName, GraphkinError, KeyClash, UnknownKey, Where
+from graphkin.errors import NOWHERE, AngleRange, BadName, DuplicateName, GraphkinError, KeyClash, UnknownKey, Where
 from graphkin.loading.names import POINT, split_points, tidy
 from graphkin.loading.shapes import Angle, Length, Measure
 from graphkin.loading.values import above_zero, quantity, shown
@@ -44,7 +43,7 @@ def read_measures(links: object, where: Placing) -> tuple[dict[str, list[Measure
                 measure = _measure(key, table[key])
                 _refuse_twice(measure, found)
             except GraphkinError as problem:
-                problems.append(replace(problem, where=where("links", link, key)))
+                problems.append(problem.at(where("links", link, key)))
             else:
                 found.append(measure)
     return measures, problems
@@ -67,18 +66,18 @@ def _measure(key: str, value: object) -> Measure:
         case (a, b, c) if len({a, b, c}) == 3:
             angle = quantity(value, "angle")
             if not 0 <= angle <= math.pi:
-                raise AngleRange(Where(""), math.degrees(angle))
+                raise AngleRange(NOWHERE, math.degrees(angle))
             return Angle(key, (a, b, c), angle)
     if key[:1].islower():
-        raise UnknownKey(Where(""), shown(key), (*OWN_KEYS, "AB", "BDE"))
-    raise BadName(Where(""), "measure", shown(key))
+        raise UnknownKey(NOWHERE, shown(key), (*OWN_KEYS, "AB", "BDE"))
+    raise BadName(NOWHERE, "measure", shown(key))
 
 
 def _refuse_twice(measure: Measure, before: list[Measure]) -> None:
     """`AB` and `BA` are the same length."""
     for other in before:
         if other.points in (measure.points, measure.points[::-1]):
-            raise KeyClash(Where(""), other.key, measure.key)
+            raise KeyClash(NOWHERE, other.key, measure.key)
 
 
 def _same_but_for_primes(table: Mapping[str, Any], where: Placing, above: str) -> Iterator[GraphkinError]:

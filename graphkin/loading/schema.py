@@ -6,10 +6,12 @@ What needs knowledge of other tables (does the point exist?) is not asked here.
 
 from typing import Annotated
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema
 
 from graphkin.loading.fields import (
     MEASURE_PATTERN,
+    NUMBER_SCHEMA,
+    PLACE_SCHEMA,
     POINT_PATTERN,
     Acceleration,
     Alpha,
@@ -65,13 +67,16 @@ class Titles(Table):
     zh: Text | None = None
 
 
+_TITLES = {"anyOf": [{"type": "string"}, Titles.model_json_schema()]}
+
+
 class FrameTable(Table):
     """`[frame]`: its own name, and the fixed points by theirs."""
 
     model_config = ConfigDict(
         extra="allow",
         frozen=True,
-        json_schema_extra={"patternProperties": {POINT_PATTERN: {"$ref": "#/$defs/Place"}}},
+        json_schema_extra={"patternProperties": {POINT_PATTERN: PLACE_SCHEMA}, "additionalProperties": False},
     )
     __pydantic_extra__: dict[str, Place]
 
@@ -84,7 +89,10 @@ class LinkTable(Table):
     model_config = ConfigDict(
         extra="allow",
         frozen=True,
-        json_schema_extra={"patternProperties": {MEASURE_PATTERN: {"type": ["number", "string"]}}},
+        json_schema_extra={
+            "patternProperties": {MEASURE_PATTERN: NUMBER_SCHEMA},
+            "additionalProperties": False,
+        },
     )
 
     points: Annotated[list[Point], a_value("list", list)] | None = None
@@ -169,7 +177,7 @@ class ScalesTable(Table):
 class File(Table):
     """The whole mechanism file."""
 
-    title: Annotated[Titles, BeforeValidator(guarded(titles))] = Titles()
+    title: Annotated[Titles, BeforeValidator(guarded(titles)), WithJsonSchema(_TITLES)] = Titles()
     source: Text = ""
     ask: Annotated[list[Text], a_value("list", list)] = []
     frame: Annotated[FrameTable, a_value("table", dict)] = FrameTable.model_construct()

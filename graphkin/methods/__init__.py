@@ -123,13 +123,11 @@ def _coincident(structure: Structure, order: tuple[Stage, ...]) -> dict[str, str
     found: dict[str, str] = {}
     for stage in order:
         for hop in _jumps(structure, stage):
-            if isinstance(hop, Twist):
+            if FRAME not in (hop.seen_from.link, hop.of.link) or isinstance(hop, Twist):
                 owners = structure.owners[hop.of.point]
-                home = next(s.link for s in (hop.of, hop.seen_from) if s.link in owners)
-                found.setdefault(hop.of.point, home)
-            elif FRAME not in (hop.seen_from.link, hop.of.link):
-                block = structure.block(structure.slides[hop.slide])
-                found.setdefault(hop.of.point, structure.home(block))
+                homes = [site.link for site in (hop.of, hop.seen_from) if site.link in owners]
+                if homes:
+                    found.setdefault(hop.of.point, structure.home(homes[0]))
     return found
 
 

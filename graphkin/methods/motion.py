@@ -106,8 +106,15 @@ class _Polygon:
         return self.at[key]
 
     def new(self, name: str, of: str, site: Site | None = None) -> str:
+        assert name not in self.nodes, name
         self.nodes[name] = Node(name, of, site)
         return name
+
+    def fixed(self, point: str) -> str:
+        """A fixed point has a name of its own on the pole."""
+        site = Site(point, FRAME)
+        label = self.labels.label(site)
+        return self.new(label[0].lower() + label[1:] + self.prime, label, site)
 
     def aside(self) -> str:
         self.asides += 1
@@ -367,9 +374,7 @@ def motion(
     polygon.new(polygon.pole, "pole")
     polygon.reserved = {point[0].lower() + point[1:] + prime for point in structure.owners}
     fixed = tuple(point for point in structure.bodies[FRAME] if point[0].isupper())
-    names = tuple(
-        polygon.new(point[0].lower() + point[1:] + prime, point, Site(point, FRAME)) for point in fixed
-    )
+    names = tuple(polygon.fixed(point) for point in fixed)
     polygon.parts.append(Given(polygon.pole, names))
     for stage in order:
         match stage:

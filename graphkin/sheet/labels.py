@@ -48,13 +48,13 @@ class Room:
 class Wanted:
     """A label and what it names: a point (`start` only) or a line from start to end.
 
-    gap   how far the symbol at the point reaches [mm]; away  the side it likes (any length; 0 for none)
+    gap   how far the symbol at the point, or the line's width, reaches [mm]; away  the side it likes (any length; 0 for none)
     """
 
     label: Label
     start: Place
     end: Place | None = None
-    gap: float = 0.9
+    gap: float = 0.75
     away: complex = 0j
     size: float = LABEL
     step: int | None = None
@@ -133,10 +133,10 @@ def _beside(start: Place, end: Place, half: complex, want: Wanted) -> Iterator[_
     for normal in (along * -1j, along * 1j):
         support = abs(normal.real) * half.real + abs(normal.imag) * half.imag
         liking = 0.6 * (1 - (normal * away.conjugate()).real) if away else (0.0 if normal.imag <= 0 else 0.1)
-        for off in (0.75, 1.5, 2.4):
+        for more in (0.0, 0.75, 1.65):
             for t in _ALONG:
-                middle = start + (end - start) * t + normal * (support + off)
-                yield _Spot(middle, 1.2 * (off - 0.75) + 2.5 * abs(t - 0.5) + liking, None)
+                middle = start + (end - start) * t + normal * (support + want.gap + more)
+                yield _Spot(middle, 1.2 * more + 2.5 * abs(t - 0.5) + liking, None)
 
 
 # --- the choice -------------------------------------------------------------------------------

@@ -20,8 +20,13 @@ __all__ = ["HEAD", "Extent", "Layout", "lay_out"]
 
 HEAD = 7.5
 """Height of a figure's heading [mm]."""
-_ENOUGH = 130.0
+HEAD_WIDTH = 70.0
+"""Width of a heading with its scale [mm]."""
+_ENOUGH = 100.0
 """A figure larger than this is no easier to read [mm]."""
+_WEIGHT: Mapping[Plane, float] = {"position": 1.4, "velocity": 1.0, "acceleration": 1.2}
+_IN_ORDER = 0.12
+"""What it is worth that the figures follow one another as they are drawn."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +50,7 @@ class Extent:
     def scale_in(self, room: complex) -> float | None:
         """The scale at which it fits a room [mm]; None where it does not fit."""
         inner = room - self.reach
-        if inner.real <= 5 or inner.imag <= 5:
+        if inner.real <= 5 or inner.imag <= 5 or room.real < HEAD_WIDTH:
             return None
         if self.given is None:
             return finest(self.size, inner)
@@ -112,11 +117,12 @@ def _score(
         whole = extent.size / scales[plane]
         large = max(whole.real, whole.imag)
         if large > 0:
-            total += math.log(max(1.0, min(large, _ENOUGH)))
+            total += _WEIGHT[plane] * math.log(max(1.0, min(large, _ENOUGH)))
         spare_x = room.right - room.left - whole.real - extent.reach.real
         spare_y = room.bottom - room.top - HEAD - whole.imag - extent.reach.imag
-        total += 0.12 * math.log(1 + min(spare_x, spare_y, 20.0))
-    return total
+        total += 0.15 * math.log(1 + min(spare_x, spare_y))
+    corners = [(rooms[plane].top + 0.3 * rooms[plane].left) for plane in extents]
+    return total + (_IN_ORDER if corners == sorted(corners) else 0.0)
 
 
 def _too_large(

@@ -81,12 +81,12 @@ def run_width(run: Run, size: float) -> float:
 def scripts(label: Label, size: float) -> list[tuple[Run, float, float]]:
     """Each run with where it starts and its height above the base line [mm, y down]."""
     placed: list[tuple[Run, float, float]] = []
-    pen = low_start = 0.0
+    pen, low_start = 0.0, 0.0
     before = ""
     for run in label:
         if run.place == "sub" and before != "sub":
             low_start = pen
-        start = low_start if run.back else pen
+        start = low_start if run.back and before == "sub" else pen
         placed.append((run, start, {"base": 0.0, "sub": _DROP, "sup": _RISE}[run.place] * size))
         pen = max(pen, start + run_width(run, size))
         before = run.place

@@ -160,7 +160,7 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
         yield Wanted(label, sum(corners) / len(corners), gap=-2.6, step=step)
     elif len(places) > 1:
         ends = _widest_gap(places)
-        yield Wanted(label, ends[0], ends[1], step=step)
+        yield Wanted(label, ends[0], ends[1], gap=1.2, step=step)
     else:
         for guide in skeleton.guides(link):
             yield Wanted(label, skeleton.at(guide.line.origin), skeleton.at(guide.point), step=step)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 
-__all__ = ["Tree", "arc_places", "tree"]
+__all__ = ["Tree", "arc_places", "bounds", "tree"]
 
 _TIP, _TIP_HALF = 2.8, 0.5
 """Length and half width of an arrow head [mm]."""
@@ -89,3 +89,10 @@ def _tip(start: Place, end: Place) -> tuple[Place, ...]:
 def _frame(label: Any, at: Place, size: float) -> tuple[Place, ...]:
     wide, up, down = box(label, size)
     return at + 1j * down, at + wide + 1j * down, at + wide - 1j * up, at - 1j * up
+
+
+def bounds(drawn: Iterable[Mark]) -> tuple[float, float, float, float]:
+    """Left, top, right, bottom of all marks [mm]."""
+    places = [place for mark in drawn for outline, _ in _outlines(mark) for place in outline]
+    xs, ys = [p.real for p in places] or [0.0], [p.imag for p in places] or [0.0]
+    return min(xs), min(ys), max(xs), max(ys)

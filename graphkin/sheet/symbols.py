@@ -73,7 +73,7 @@ def corner(at: Place, one: Place, other: Place, step: int | None = None) -> list
     opening = abs(cmath.phase(b / a))
     if not math.radians(8) < opening < math.radians(172):
         return []
-    reach = min(3.2, 2.4 / math.sin(opening / 2)) if opening < math.pi / 2 else 2.8
+    reach = min(3.2, 2.0 / math.sin(opening / 2)) if opening < math.pi / 2 else 2.4
     return [Stroke((at, at + a * reach, at + b * reach), "thin", closed=True, fill="ink", step=step)]
 
 

@@ -27,14 +27,16 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
     "between drivers": _both("; ", "；"),
     "scales": _both("Scales: {scales}.", "取比例尺：{scales}。"),
     "and": _both(", ", "，"),
-    "position": _both("(1) The mechanism, drawn to scale", "(1) 作机构运动简图"),
+    "position": _both("(1) The mechanism, drawn to scale", "解：(1) 作机构运动简图"),
     "velocity": _both("(2) Velocities", "(2) 作速度分析"),
     "acceleration": _both("(3) Accelerations", "(3) 作加速度分析"),
     "ccw": _both("counter-clockwise", "逆时针"),
     "cw": _both("clockwise", "顺时针"),
     "constant": _both("constant", "匀速"),
     # --- drivers -------------------------------------------------------------------------------
-    "driven link": _both("{line} of link {link} stands at {angle} to +x", "原动件 {link} 的 {line} 与 x 轴正向成 {angle}"),
+    "driven link": _both(
+        "{line} of link {link} stands at {angle} to +x", "原动件 {link} 的 {line} 与 x 轴正向成 {angle}"
+    ),
     "driven joint": _both(
         "{line} of link {link} stands at {angle} to {other} of link {seen_from}",
         "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}",
@@ -43,7 +45,7 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
     # --- places and lines ----------------------------------------------------------------------
     "guide of": _both("guide {name}", "导路 {name}"),
     "origin of": _both("the start of guide {name}", "导路 {name} 的起点"),
-    "block guide": _both("the line of the pin {name}", "销 {name} 的滑道"),
+    "line to": _both("the stretch to {point}", "至 {point} 的距离"),
     # --- position ------------------------------------------------------------------------------
     "fixed points": _both("Fixed points, in mm on paper: {points}.", "定出固定点（图上 mm）：{points}。"),
     "fixed guide": _both(
@@ -58,13 +60,17 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
         "From {start} lay off {length} along {guide} ({angle}): {tip}.",
         "由 {start} 沿{guide}（{angle}）取 {length}，得 {tip}。",
     ),
-    "circle": _both("the circle about {about} with radius {length}", "以 {about} 为圆心、以 {length} 为半径的圆弧"),
+    "circle": _both(
+        "the circle about {about} with radius {length}", "以 {about} 为圆心、以 {length} 为半径的圆弧"
+    ),
     "line parallel": _both("the line through {through} {direction}", "过 {through} 且 {direction} 的直线"),
     "meet circles": _both(
         "Draw {first}, and {second}. They cross at {point} (of the two crossings, the one on the side of the sketch).",
         "作{first}，再作{second}，两者交于 {point}（两交点中取与给定装配位置一致者）。",
     ),
-    "meet lines": _both("Draw {first}, and {second}. They cross at {point}.", "作{first}，再作{second}，两者交于 {point}。"),
+    "meet lines": _both(
+        "Draw {first}, and {second}. They cross at {point}.", "作{first}，再作{second}，两者交于 {point}。"
+    ),
     "swing join": _both(
         "Link {link} turns about {pivot} until its guide line, which runs through {pivot}, passes through {through}: join {pivot} and {through}.",
         "构件 {link} 的导路通过其回转中心 {pivot}，又须通过 {through}：连接 {pivot}、{through}，即得导路方向。",
@@ -97,12 +103,17 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
         "{links} 只能移动：{rates}，其上各点的速度、加速度分别相同。",
     ),
     "link": _both("link {link}", "构件 {link}"),
-    "steady ties": _both("{ties}, as these links keep their angle to one another or are driven so.", "由移动副或原动件的约束知：{ties}。"),
+    "steady ties": _both(
+        "{ties}, as these links keep their angle to one another or are driven so.",
+        "由移动副或原动件的约束知：{ties}。",
+    ),
     # --- polygons: equations -------------------------------------------------------------------
-    "points of link": _both("{of} and {seen_from} are points of link {link}", "构件 {link} 上 {of}、{seen_from} 两点"),
-    "coincident": _both("{of} and {seen_from} are coincident points", "重合点 {of}、{seen_from}"),
-    "from relations": _both("{relations}:", "由{relations}之间的{motion}关系，有"),
-    "between relations": _both("; ", "及"),
+    "points of link": _both(
+        "{of} and {seen_from} are points of link {link}", "构件 {link} 上 {of}、{seen_from} 两点之间"
+    ),
+    "coincident": _both("{of} and {seen_from} are coincident points", "重合点 {of}、{seen_from} 之间"),
+    "from relations": _both("{relations}:", "由{relations}的{motion}关系，有"),
+    "between relations": _both("; ", "以及"),
     "plain equation": _both("The motion of {of}:", "{of} 的{motion}："),
     "motion velocity": _both("velocity", "速度"),
     "motion acceleration": _both("acceleration", "加速度"),
@@ -115,7 +126,7 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
         "构件 {link} 只作移动：{of} = {seen_from}，{node} 与 {base} 重合。",
     ),
     # --- polygons: known sizes -----------------------------------------------------------------
-    "sense of": _both("{direction}, in the sense of {rate}", "{direction}，指向与 {rate} 的转向一致"),
+    "sense of": _both("{direction} in the sense of {rate}", "{direction}，指向与 {rate} 的转向一致"),
     "towards": _both("{direction}, from {head} towards {tail}", "{direction}，由 {head} 指向 {tail}"),
     "quarter turned": _both(
         "{relative} turned by 90° in the sense of {rate}: {direction}",
@@ -123,7 +134,7 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
     ),
     "slide grows": _both("{direction}, the way {s} grows", "{direction}，指向 {s} 增大的方向"),
     "slide shrinks": _both("{direction}, the way {s} shrinks", "{direction}，指向 {s} 减小的方向"),
-    "at angle": _both("{direction} at {angle}", "{direction}，{angle}"),
+    "at angle": _both("{direction}, at {angle}", "{direction}，与 x 轴正向成 {angle}"),
     # --- polygons: the pencil ------------------------------------------------------------------
     "lay off": _both("From {start} lay off {length}.", "由 {start} 作矢量 {length}。"),
     "lay off backwards": _both(
@@ -165,7 +176,9 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
         "{name} = 0: at this instant link {link} is in translation.",
         "{name} = 0，此瞬时构件 {link} 作瞬时平动。",
     ),
-    "rest now": _both("{name} = 0: at this instant link {link} is at rest.", "{name} = 0，此瞬时构件 {link} 静止。"),
+    "rest now": _both(
+        "{name} = 0: at this instant link {link} is at rest.", "{name} = 0，此瞬时构件 {link} 静止。"
+    ),
     "held": _both(
         "links {link} and {other} do not turn against each other",
         "构件 {link}、{other} 之间无相对转动",
@@ -191,6 +204,7 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
         "利用{image}：构件 {link} 的影像 {small} 缩为一点，故 {point} 也在该点。",
     ),
     # --- polygons: slides ----------------------------------------------------------------------
+    "distance": _both("So {change} at {name} = {size} m/s.", "即 {change}，其速率为 {name} = {size} m/s。"),
     "grows": _both("{stretch} grows", "{stretch} 增大"),
     "shrinks": _both("{stretch} shrinks", "{stretch} 减小"),
 }

@@ -1,0 +1,13 @@
+"""TOML -> `Mechanism`, with errors that name file, line and key.
+
+    file --source--> text --tomllib, positions--> data and lines --schema, measures--> tables in SI
+         --links (shapes), slides, contacts, drivers, joints--> Mechanism
+
+`units` is the closed table of units. A new pair kind needs a table in `schema`, its name in `complaints.TABLES`,
+and a reader beside `slides` and `contacts`, called in `loader`.
+"""
+
+from graphkin.loading.export import json_schema, json_schema_text
+from graphkin.loading.loader import load, loads
+
+__all__ = ["json_schema", "json_schema_text", "load", "loads"]

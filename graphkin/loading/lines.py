@@ -1,0 +1,83 @@
+"""A straight line of a link: the path of a slide, the track of a wheel, the flat face of a cam follower."""
+
+from __future__ import annotations
+
+import cmath
+
+from graphkin.errors import KeyClash, MissingKey, NeedsDirection, NoLine, NoMeaning, UnknownPoint
+from graphkin.loading.draft import Draft
+from graphkin.loading.positions import Path
+from graphkin.loading.schema import LineTable
+from graphkin.mechanism import FRAME
+from graphkin.pairs import Line
+
+__all__ = ["has_line", "read_line"]
+
+
+def has_line(table: LineTable) -> bool:
+    """Whether any key of a line is there."""
+    return any(value is not None for value in (table.through, table.toward, table.from_, table.angle))
+
+
+def read_line(draft: Draft, table: LineTable, link: str, own_point: str, path: Path) -> Line:
+    """The line of `link`; one of the frame given by coordinates goes through a new point called `own_point`."""
+    if link != FRAME and len(draft.links[link].points) == 1:
+        return _own_line(draft, table, link, path)
+    origin = _origin(draft, table, link, own_point, path)
+    return Line(link, origin, _direction(draft, table, link, origin, path))
+
+
+def _own_line(draft: Draft, table: LineTable, link: str, path: Path) -> Line:
+    """A link of one point is its own line."""
+    (point,) = draft.links[link].points
+    for key, value in (("toward", table.toward), ("from", table.from_), ("angle", table.angle)):
+        if value:
+            raise NoMeaning(draft.where(*path, key), key, "own line")
+    if table.through is not None:
+        _point_of(draft, link, table.through, path)
+    return Line(link, point, 1 + 0j)
+
+
+def _origin(draft: Draft, table: LineTable, link: str, own_point: str, path: Path) -> str:
+    """The point the line goes through."""
+    if table.through is None:
+        raise MissingKey(draft.where(*path), "through")
+    if link != FRAME or isinstance(table.through, str):
+        return _point_of(draft, link, table.through, path)
+    draft.frame_points[own_point] = complex(*table.through)
+    return own_point
+
+
+def _point_of(draft: Draft, link: str, through: str | list[float], path: Path) -> str:
+    if isinstance(through, str):
+        return draft.point(link, through, *path, "through")
+    raise UnknownPoint(draft.where(*path, "through"), "[x, y]", draft.named(link))
+
+
+def _direction(draft: Draft, table: LineTable, link: str, origin: str, path: Path) -> complex:
+    """Unit vector in the link's axes."""
+    if table.toward is not None:
+        for key, value in (("from", table.from_), ("angle", table.angle)):
+            if value is not None:
+                raise KeyClash(draft.where(*path, key), "toward", key)
+        return _arm(draft, link, origin, draft.point(link, table.toward, *path, "toward"), (*path, "toward"))
+    turn = _unit(table.angle or 0.0)
+    if table.from_ is not None:
+        tail, head = (draft.point(link, point, *path, "from") for point in table.from_)
+        return _arm(draft, link, tail, head, (*path, "from")) * turn
+    if link != FRAME:
+        raise NeedsDirection(draft.where(*path), link)
+    return turn
+
+
+def _arm(draft: Draft, link: str, tail: str, head: str, path: Path) -> complex:
+    arm = draft.links[link].arm(tail, head)
+    if abs(arm) < 1e-12:
+        raise NoLine(draft.where(*path), tail, head)
+    return arm / abs(arm)
+
+
+def _unit(angle: float) -> complex:
+    """Along an angle; quarter turns exactly."""
+    turn = cmath.rect(1, angle)
+    return complex(*(0.0 if abs(part) < 1e-15 else part for part in (turn.real, turn.imag)))

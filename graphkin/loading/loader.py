@@ -1,0 +1,84 @@
+"""From a mechanism file to a `Mechanism`: read, check the tables, draw up the links, then the pairs between them."""
+
+from __future__ import annotations
+
+from pathlib import Path as FilePath
+from typing import TYPE_CHECKING, Any
+
+from graphkin.errors import Lang
+from graphkin.loading.draft import Draft
+from graphkin.loading.measures import frame_problems, read_measures
+from graphkin.loading.shapes import Measure
+from graphkin.loading.source import read_text, read_toml
+from graphkin.mechanism import Mechanism
+
+if TYPE_CHECKING:
+    from graphkin.loading.schema import File
+
+__all__ = ["load", "loads"]
+
+
+def load(source: str | FilePath) -> Mechanism:
+    """The mechanism a file describes.
+
+    Raises a `GraphkinError`: the one thing that is wrong, or `Several` with all of them in the order of the lines.
+    """
+    path = FilePath(source)
+    return loads(read_text(path), name=path.stem, file=str(path))
+
+
+def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> Mechanism:
+    """The mechanism a text describes; `name` and `file` are what messages and drawings call it."""
+    document, lines = read_toml(text, file)
+    draft = Draft(file, lines)
+    tables, measures = _checked(draft, document)
+    return _drawn_up(draft, tables, document, measures, name, text)
+
+
+def _checked(draft: Draft, document: dict[str, Any]) -> tuple[File, dict[str, list[Measure]]]:
+    """All tables by themselves. pydantic is imported here, when the first file is read."""
+    from pydantic import ValidationError
+
+    from graphkin.loading.complaints import complaints
+    from graphkin.loading.schema import File
+
+    draft.problems.extend(frame_problems(document.get("frame"), draft.where))
+    measures, problems = read_measures(document.get("links"), draft.where)
+    draft.problems.extend(problems)
+    try:
+        tables = File.model_validate(document)
+    except ValidationError as error:
+        draft.problems.extend(complaints(error, draft.where, draft.lines))
+    draft.stop_if_wrong()
+    return tables, measures
+
+
+def _drawn_up(
+    draft: Draft, file: File, raw: dict[str, Any], measures: dict[str, list[Measure]], name: str, text: str
+) -> Mechanism:
+    """The tables against each other."""
+    from graphkin.loading.contacts import read_cams, read_gears, read_rolls
+    from graphkin.loading.drivers import read_drivers, read_poses
+    from graphkin.loading.joints import check_joints, check_sketch
+    from graphkin.loading.links import read_links
+    from graphkin.loading.slides import read_slides
+
+    read_links(draft, file, raw, measures)
+    slides, gears = read_slides(draft, file.slide), read_gears(draft, file.gear)
+    rolls, cams = read_rolls(draft, file.roll), read_cams(draft, file.cam)
+    drivers = read_drivers(draft, file.driver, len(file.pose))
+    poses = read_poses(draft, file.pose)
+    check_joints(draft, [*slides, *gears, *rolls, *cams], len(file.driver))
+    check_sketch(draft, list(file.sketch))
+    draft.stop_if_wrong()
+    scales = file.scales.model_dump(exclude_none=True)
+    sketch = {point: complex(*place) for point, place in file.sketch.items()}
+    return Mechanism(
+        name, draft.frame, draft.links, slides, gears, rolls, cams, drivers, poses, sketch, scales,
+        _titles(file), file.source, tuple(file.ask), text, draft.file, draft.lines,
+    )  # fmt: skip
+
+
+def _titles(file: File) -> dict[Lang, str]:
+    titles: dict[Lang, str | None] = {"en": file.title.en, "zh": file.title.zh}
+    return {lang: title for lang, title in titles.items() if title}

@@ -1,0 +1,279 @@
+"""A sheet as SVG: one user unit is one millimetre, and a program can measure it.
+
+svgwrite makes the elements (`debug=False`: its checker refuses `data-*`). Every number is formatted here
+with four decimals, so the same sheet gives the same bytes.
+"""
+
+from __future__ import annotations
+
+import cmath
+import json
+import math
+import os
+import re
+import xml.etree.ElementTree as ET
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, ClassVar
+
+from graphkin.errors import GraphkinError, Lang
+from graphkin.sheet import Sheet
+from graphkin.sheet.lettering import SMALL, Label, scripts
+from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.paper import PENS, PenName
+from graphkin.sheet.scales import KEYS
+
+__all__ = ["NAMESPACE", "FileInTheWay", "Unwritable", "svg", "write"]
+
+NAMESPACE = "https://graphkin.invalid/sheet/1"
+_LATIN = "Times New Roman, Liberation Serif, Tinos, serif"
+_CHINESE = "Noto Serif CJK SC, Source Han Serif SC, Songti SC, SimSun, WenQuanYi Micro Hei, serif"
+_WIDE = re.compile(r"([\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]+)")
+_INK, _NEW = "#000000", "#c00000"
+_FILLS: dict[Fill, str] = {"none": "none", "paper": "#ffffff", "ink": _INK, "grey": "#dddddd"}
+_CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
+_TIP = {False: "tip", True: "tip-new"}
+
+
+@dataclass(eq=False)
+class FileInTheWay(GraphkinError):
+    """A file that graphkin did not write stands where one is to be written."""
+
+    path: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{path} exists and was not written by graphkin. Choose another name, or ask for it to be replaced.",
+        "zh": "{path} 已存在，且不是 graphkin 写的。请换文件名，或明确要求覆盖。",
+    }
+
+
+@dataclass(eq=False)
+class Unwritable(GraphkinError):
+    """Text that no XML file can hold."""
+
+    where: str
+    code: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the character {code} cannot stand in a drawing. Remove it from the mechanism file.",
+        "zh": "{where}：字符 {code} 不能写入图形文件，请从机构文件中删去。",
+    }
+
+
+def svg(sheet: Sheet) -> str:
+    """The SVG text of a sheet. Raises Unwritable where the mechanism file holds control characters."""
+    _refuse_control(sheet.mechanism.text, sheet.mechanism.file)
+    _refuse_control(sheet.title, sheet.mechanism.file)
+    pen = _Pen(sheet)
+    for mark in sheet.marks:
+        pen.draw(mark)
+    return '<?xml version="1.0" encoding="utf-8"?>\n' + str(pen.drawing.tostring()) + "\n"
+
+
+def write(path: str | os.PathLike[str], text: str, force: bool = False) -> None:
+    """Write beside, then rename. A file that graphkin did not write is replaced only with `force`.
+
+    Raises FileInTheWay.
+    """
+    target = Path(path)
+    if target.exists() and not force and not _ours(target):
+        raise FileInTheWay(str(target))
+    beside = target.with_name(f".{target.name}.{os.getpid()}")
+    try:
+        beside.write_text(text, encoding="utf-8", newline="\n")
+        os.replace(beside, target)
+    finally:
+        beside.unlink(missing_ok=True)
+
+
+def _ours(path: Path) -> bool:
+    """Whether a file says in its beginning that graphkin wrote it."""
+    with path.open("rb") as file:
+        return NAMESPACE.encode() in file.read(4096)
+
+
+def _refuse_control(text: str, where: str) -> None:
+    if (found := _CONTROL.search(text)) is not None:
+        line = text.count("\n", 0, found.start()) + 1
+        raise Unwritable(f"{where}:{line}", f"U+{ord(found.group()):04X}")
+
+
+def mm(value: float) -> str:
+    """Four decimals, no trailing zeros."""
+    if not math.isfinite(value):
+        raise ValueError(f"a coordinate is {value}")
+    text = f"{value:.4f}".rstrip("0").rstrip(".")
+    return "0" if text in ("", "-0") else text
+
+
+def _xy(place: Place) -> tuple[str, str]:
+    return mm(place.real), mm(place.imag)
+
+
+# --- elements ---------------------------------------------------------------------------------
+
+
+class _Pen:
+    """One drawing in the making."""
+
+    def __init__(self, sheet: Sheet) -> None:
+        import svgwrite
+
+        wide, high = mm(sheet.paper.width), mm(sheet.paper.height)
+        self.drawing: Any = svgwrite.Drawing(
+            size=(f"{wide}mm", f"{high}mm"), viewBox=f"0 0 {wide} {high}", profile="full", debug=False
+        )
+        self.drawing["xmlns:gk"] = NAMESPACE
+        self.drawing["xml:lang"] = sheet.lang
+        self.drawing.set_desc(title=sheet.title)
+        self.drawing.set_metadata(_metadata(sheet))
+        for new in (False, True):
+            self._marker(new)
+
+    def _marker(self, new: bool) -> None:
+        """An arrow head whose tip lies exactly on the end of its line."""
+        head = self.drawing.marker(
+            id=_TIP[new], insert=("2.8", "0.5"), size=("2.8", "1"), orient="auto", viewBox="0 0 2.8 1",
+            markerUnits="userSpaceOnUse",
+        )  # fmt: skip
+        head.add(self.drawing.path(d="M0 0L2.8 .5L0 1Z", fill=_NEW if new else _INK))
+        self.drawing.defs.add(head)
+
+    def draw(self, mark: Mark) -> None:
+        match mark:
+            case Stroke():
+                element = self._stroke(mark)
+            case Disc():
+                element = self.drawing.circle(_xy(mark.centre), mm(mark.radius))
+                self._line(element, mark.pen, mark.new, mark.fill)
+            case Arc():
+                element = self._arc(mark)
+            case VectorMark():
+                element = self._vector(mark)
+            case PointMark():
+                element = self._point(mark)
+            case Text():
+                element = self._text(mark)
+        if mark.step is not None:
+            element["data-step"] = str(mark.step)
+        self.drawing.add(element)
+
+    def _line(self, element: Any, pen: PenName, new: bool, fill: Fill = "none") -> None:
+        """Width, dashes, colour and filling."""
+        kind = PENS[pen]
+        element["fill"] = _NEW if fill == "ink" and new else _FILLS[fill]
+        element["stroke"] = _NEW if new else _INK
+        element["stroke-width"] = mm(kind.width * (1.6 if new else 1))
+        if kind.dashes:
+            element["stroke-dasharray"] = " ".join(mm(dash) for dash in kind.dashes)
+
+    def _stroke(self, mark: Stroke) -> Any:
+        places = [_xy(place) for place in mark.places]
+        if len(places) == 2 and not mark.closed:
+            element = self.drawing.line(*places)
+        else:
+            element = self.drawing.path(d="M" + "L".join(f"{x} {y}" for x, y in places) + ("Z" if mark.closed else ""))
+        self._line(element, mark.pen, mark.new, mark.fill)
+        element["stroke-linejoin"] = element["stroke-linecap"] = "round"
+        if mark.link:
+            element["class"], element["data-link"] = "link", mark.link
+        if mark.arrow:
+            element["marker-end"] = f"url(#{_TIP[mark.new]})"
+        return element
+
+    def _arc(self, mark: Arc) -> Any:
+        """A curved arrow ends in a short straight piece, so that its head points along its chord."""
+        start = mark.centre + cmath.rect(mark.radius, mark.start)
+        last = mark.centre + cmath.rect(mark.radius, mark.start + mark.sweep)
+        head = math.copysign(2.8 / mark.radius, mark.sweep) if mark.arrow else 0.0
+        end = mark.centre + cmath.rect(mark.radius, mark.start + mark.sweep - head)
+        flags = f"{int(abs(mark.sweep) > math.pi)} {int(mark.sweep > 0)}"
+        radius = mm(mark.radius)
+        (x1, y1), (x2, y2) = _xy(start), _xy(end)
+        tip = "L" + " ".join(_xy(last)) if mark.arrow else ""
+        element = self.drawing.path(d=f"M{x1} {y1}A{radius} {radius} 0 {flags} {x2} {y2}{tip}")
+        self._line(element, mark.pen, mark.new)
+        if mark.arrow:
+            element["marker-end"] = f"url(#{_TIP[mark.new]})"
+        return element
+
+    def _vector(self, mark: VectorMark) -> Any:
+        element = self.drawing.line(_xy(mark.start), _xy(mark.end))
+        self._line(element, "vector", mark.new)
+        element["class"] = "vector"
+        for key in ("plane", "name", "tail", "head"):
+            element[f"data-{key}"] = getattr(mark, key)
+        if mark.length > 0.05:
+            element["marker-end"] = f"url(#{_TIP[mark.new]})"
+        return element
+
+    def _point(self, mark: PointMark) -> Any:
+        element = self.drawing.circle(_xy(mark.at), mm(mark.radius))
+        self._line(element, "outline" if mark.fill == "paper" else "construction", mark.new, mark.fill)
+        element["class"] = "point"
+        for key in ("plane", "name", "of"):
+            element[f"data-{key}"] = getattr(mark, key)
+        return element
+
+    def _text(self, mark: Text) -> Any:
+        """Runs of one script follow one another; where the script changes, the place is given anew."""
+        element = self.drawing.text("", font_size=mm(mark.size), fill=_NEW if mark.new else _INK)
+        writer = _Line(self.drawing, mark.at, mark.size)
+        for span in writer.spans(mark.label):
+            element.add(span)
+        return element
+
+
+@dataclass
+class _Line:
+    """Lays the runs of a label one after another."""
+
+    drawing: Any
+    at: Place
+    size: float
+    pen: float = 0.0
+    low: float = 0.0
+    family: str = ""
+
+    def spans(self, label: Label) -> list[Any]:
+        from graphkin.sheet.lettering import advance
+
+        found: list[Any] = []
+        for run, start, drop in scripts(label, self.size):
+            size = self.size * (1.0 if run.place == "base" else SMALL)
+            for text in filter(None, _WIDE.split(run.text)):
+                found.append(self._span(text, run.italic, size, start, drop))
+                start += advance(text, run.italic) * size
+                self.pen = start
+        return found
+
+    def _span(self, text: str, italic: bool, size: float, start: float, drop: float) -> Any:
+        family = _CHINESE if _WIDE.match(text) else _LATIN
+        words: dict[str, Any] = {"font_family": family, "font_size": mm(size)}
+        if italic and family == _LATIN:
+            words["font_style"] = "italic"
+        if family != self.family:
+            words |= {"x": [mm(self.at.real + start)], "y": [mm(self.at.imag + drop)]}
+        else:
+            shifts = {"dx": start - self.pen, "dy": drop - self.low}
+            words |= {key: [mm(shift)] for key, shift in shifts.items() if abs(shift) > 1e-6}
+        self.family, self.low = family, drop
+        return self.drawing.tspan(text, **words)
+
+
+def _metadata(sheet: Sheet) -> ET.Element:
+    """What a reader needs to solve the same problem anew; a checker trusts only the lines."""
+    machine = sheet.mechanism
+    data = {
+        "format": 1,
+        "program": "graphkin",
+        "mechanism": machine.text,
+        "name": machine.name,
+        "file": machine.file,
+        "drivers": list(sheet.drivers),
+        "scales": {KEYS[plane]: scale for plane, scale in sheet.scales.items()},
+        "origin": {plane: [round(o.real, 4), round(o.imag, 4)] for plane, o in sheet.origins.items()},
+    }
+    element = ET.Element("gk:sheet")
+    element.text = json.dumps(data, ensure_ascii=False)
+    return element

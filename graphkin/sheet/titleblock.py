@@ -1,0 +1,111 @@
+"""The strip at the foot of the sheet: results on the left, title, source and scales on the right, a check bar."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from graphkin.errors import Lang
+from graphkin.mechanism import Mechanism
+from graphkin.sheet.labels import Room
+from graphkin.sheet.lettering import Label, plain, width
+from graphkin.sheet.marks import Mark, Place, Stroke, Text
+from graphkin.sheet.paper import BODY, LEAST, PAPERS, TITLE, Paper
+from graphkin.sheet.results import PITCH, Table, columns, drawn_columns
+from graphkin.sheet.scales import written
+from graphkin.steps import Plane
+
+__all__ = ["strip", "strip_heights"]
+
+_WIDE = 66.0
+"""Width of the title block [mm]."""
+_LEAST_HEIGHT = 33.0
+_BAR = 9.0
+"""Room for the check bar under the tables [mm]."""
+_MOST_ROWS = 12
+_CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
+
+
+def strip_heights(found: list[Table]) -> Mapping[str, float]:
+    """What the strip needs on each paper [mm]."""
+    return {name: _height(found, paper) for name, paper in PAPERS.items()}
+
+
+def _room(paper: Paper) -> float:
+    return paper.width - 2 * paper.margin - _WIDE - 6
+
+
+def _height(found: list[Table], paper: Paper) -> float:
+    _, rows = columns(found, _room(paper), _MOST_ROWS)
+    return max(_LEAST_HEIGHT, (rows + 1) * PITCH + 3 + _BAR)
+
+
+def strip(
+    machine: Mechanism, found: list[Table], paper: Paper, room: Room, scales: Mapping[Plane, float], lang: Lang
+) -> list[Mark]:
+    """The whole strip and the drawing frame."""
+    parts, _ = columns(found, _room(paper), _MOST_ROWS)
+    edge = room.right - _WIDE
+    marks: list[Mark] = [
+        _frame(paper),
+        Stroke((complex(room.left, room.top), complex(room.right, room.top)), "outline"),
+        Stroke((complex(edge, room.top), complex(edge, room.bottom)), "outline"),
+    ]
+    marks += drawn_columns(parts, complex(room.left + 3, room.top + 1.5))
+    marks += _check_bar(complex(room.left + 3, room.bottom - 3.2), lang)
+    marks += _words(machine, complex(edge + 3, room.top), scales, lang)
+    return marks
+
+
+def _frame(paper: Paper) -> Mark:
+    left = top = paper.margin
+    right, bottom = paper.width - paper.margin, paper.height - paper.margin
+    corners = (complex(left, top), complex(right, top), complex(right, bottom), complex(left, bottom))
+    return Stroke(corners, "outline", closed=True)
+
+
+def _check_bar(at: Place, lang: Lang) -> list[Mark]:
+    """A line of 100 mm to lay a ruler on."""
+    marks: list[Mark] = [Stroke((at, at + 100), "thin")]
+    marks += [Stroke((at + x - 1j, at + x + 1j), "thin") for x in (0, 100)]
+    marks += [Stroke((at + x - 0.5j, at + x), "hatch") for x in range(10, 100, 10)]
+    marks.append(Text(plain(_CHECK[lang]), at + 2 - 1.3j, LEAST))
+    return marks
+
+
+def _words(machine: Mechanism, corner: Place, scales: Mapping[Plane, float], lang: Lang) -> list[Mark]:
+    """Title, source, scales, and what drew it; each line shrunk or broken to the block."""
+    marks: list[Mark] = []
+    pen = corner + 1.2j
+    title = machine.headline(lang)
+    size = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else 0.85 * TITLE
+    for text, size in ((title, size), (machine.source, LEAST + 0.2)):
+        for line in broken(text, size, _WIDE - 6):
+            pen += 1j * (size * 1.25)
+            marks.append(Text(plain(line), pen, size))
+    pen += 1.2j
+    for plane, scale in scales.items():
+        pen += 1j * (BODY * 1.45)
+        marks.append(Text(written(plane, scale), pen, BODY))
+    made: Label = plain("graphkin")
+    marks.append(Text(made, complex(corner.real + _WIDE - 6 - width(made, LEAST), pen.imag), LEAST))
+    return marks
+
+
+def broken(text: str, size: float, room: float) -> list[str]:
+    """At most two lines that fit the room; what is longer ends in dots."""
+    if width(plain(text), size) <= room:
+        return [text] if text else []
+    head = _fitting(text, size, room)
+    rest = text[len(head) :].strip()
+    if width(plain(rest), size) > room:
+        rest = _fitting(rest, size, room - width(plain("..."), size)).rstrip() + "..."
+    return [head.strip(), rest]
+
+
+def _fitting(text: str, size: float, room: float) -> str:
+    """The longest beginning that fits, to a space if there is one."""
+    end = len(text)
+    while end > 1 and width(plain(text[:end]), size) > room:
+        end -= 1
+    space = text.rfind(" ", 0, end + 1)
+    return text[:end] if space < end // 2 else text[: space + 1]

@@ -1,0 +1,224 @@
+"""A vector equation in words: why it holds, its rows, its known sizes, how it is drawn, and what it gives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import assert_never
+
+from graphkin.steps import (
+    AlongGuide,
+    Arc,
+    Drawn,
+    Driven,
+    Equation,
+    Given,
+    Image,
+    LayOff,
+    Measure,
+    Meet,
+    Normal,
+    Ray,
+    Relative,
+    Step,
+    Swing,
+    Tangential,
+    Term,
+    Turning,
+)
+from graphkin.words import names
+from graphkin.words.entries import Arrow, Calculation, Entry, Sentence, VectorEquation
+from graphkin.words.figures import number
+from graphkin.words.plane import Polygon
+from graphkin.words.sizes import known_size, size_row
+
+__all__ = ["equation", "known_arrow", "worded"]
+
+
+def equation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
+    """Everything about one vector equation, in the order of a textbook."""
+    if sentence := _translation(polygon, part):
+        yield Sentence(sentence)
+        return
+    yield Sentence(_introduction(polygon, part))
+    yield worded(polygon, part)
+    terms = part.left + part.right
+    known = dict.fromkeys(step.term for step in part.steps if isinstance(step, LayOff))
+    for term in known:
+        yield known_size(polygon, term, terms)
+    yield from _drawing(polygon, part.steps, terms)
+    yield from _measured(polygon, part)
+
+
+def known_arrow(polygon: Polygon, step: LayOff) -> Iterator[Entry]:
+    """A motion that is known without an equation: that of a driven point."""
+    size = step.term.size
+    if isinstance(size, Normal) and not step.term.part:
+        alpha, point = polygon.reading.rate("α", size.link), names.point(size.head)
+        tail = names.point(size.tail)
+        yield Sentence(polygon.reading.say("only normal", alpha=alpha, of=point, seen_from=tail))
+    yield known_size(polygon, step.term, (step.term,))
+    yield Sentence(_lay_off(polygon, step, carried=False))
+
+
+# --- the equation itself ------------------------------------------------------------------------
+
+
+def worded(polygon: Polygon, part: Equation) -> VectorEquation:
+    """The equation as it is printed: a side that is the motion sought itself stands first."""
+    sides = (part.left, part.right)
+    if not _alone(part, part.left) and _alone(part, part.right):
+        sides = (part.right, part.left)
+    front = "" if _alone(part, sides[0]) else polygon.seen(part.of, "")
+    terms = part.left + part.right
+    left, right = (tuple(_arrow(polygon, term, terms) for term in side) for side in sides)
+    return VectorEquation(front, (left, right))
+
+
+def _alone(part: Equation, side: tuple[Term, ...]) -> bool:
+    """Whether a side is nothing but the motion sought."""
+    return len(side) == 1 and side[0].of == part.of and not side[0].seen_from
+
+
+def _arrow(polygon: Polygon, term: Term, equation: tuple[Term, ...]) -> Arrow:
+    ends = (term.tail, term.head)
+    size = size_row(polygon, term)
+    resting = size == "0" and isinstance(term.size, Drawn)
+    direction = "—" if resting else polygon.direction_row(term, equation)
+    name = names.vector(term.name(polygon.plane))
+    return Arrow(name, direction, size, polygon.size(*ends), polygon.length_mm(*ends), ends)
+
+
+def _introduction(polygon: Polygon, part: Equation) -> str:
+    """Which points of which link, or which coincident points, the equation is about."""
+    say = polygon.reading.say
+    found = dict.fromkeys(_relation(polygon, term) for term in part.left + part.right if term.seen_from)
+    relations = [relation for relation in found if relation]
+    motion = say(f"motion {polygon.plane}")
+    if relations:
+        return say("from relations", relations=say("between relations").join(relations), motion=motion)
+    return say("plain equation", of=names.point(part.of), motion=motion)
+
+
+def _relation(polygon: Polygon, term: Term) -> str:
+    of, seen_from = names.point(term.of), names.point(term.seen_from)
+    if (
+        isinstance(term.direction, AlongGuide)
+        or isinstance(term.size, Relative | Driven)
+        or term.part[:1] in "kr"
+    ):
+        if term.part[:1] != "n" and term.part != "t" and _coincident(term):
+            return polygon.reading.say("coincident", of=of, seen_from=seen_from)
+    link = _link(polygon, term)
+    return polygon.reading.say("points of link", of=of, seen_from=seen_from, link=link) if link else ""
+
+
+def _coincident(term: Term) -> bool:
+    """Whether a relative motion is that of two links past each other."""
+    return term.part[:1] in ("k", "r") or (
+        not term.part and (isinstance(term.direction, AlongGuide) or isinstance(term.size, Relative | Driven))
+    )
+
+
+def _link(polygon: Polygon, term: Term) -> str:
+    """The link on which both points of a relative motion lie."""
+    if isinstance(term.size, Turning | Normal | Tangential):
+        return polygon.reading.link(term.size.link)
+    step = polygon.levers.get((term.tail, term.head))
+    return polygon.reading.link(step.of) if step else ""
+
+
+def _translation(polygon: Polygon, part: Equation) -> str:
+    """A link that cannot turn: all its points move alike, and there is nothing to draw."""
+    last = part.right[-1]
+    if len(part.right) != 2 or not isinstance(last.size, Turning | Normal):
+        return ""
+    if not isinstance(part.right[0].size, Drawn) or not polygon.reading.translates(last.size.link):
+        return ""
+    return polygon.reading.say(
+        "translates",
+        link=polygon.reading.link(last.size.link),
+        of=polygon.seen(part.of, ""),
+        seen_from=names.vector(part.right[0].name(polygon.plane)),
+        node=names.point(last.head),
+        base=names.point(last.tail),
+    )
+
+
+# --- the pencil ---------------------------------------------------------------------------------
+
+
+def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...]) -> Iterator[Entry]:
+    met = False
+    for step in steps:
+        match step:
+            case LayOff():
+                yield Sentence(_lay_off(polygon, step, carried=met))
+            case Meet():
+                met = True
+                yield Sentence(_meet(polygon, step, terms))
+            case Ray():
+                pass  # told where it crosses another
+            case Given() | Image() | Measure() | Arc() | Swing():
+                raise AssertionError("an equation of a polygon is drawn with arrows and lines")
+            case _:
+                assert_never(step)
+
+
+def _lay_off(polygon: Polygon, step: LayOff, carried: bool) -> str:
+    say, term = polygon.reading.say, step.term
+    start, tip = names.point(step.start), names.point(step.tip)
+    name = names.vector(term.name(polygon.plane))
+    if not polygon.size(term.tail, term.head):
+        return say("lay off nothing", name=name, tip=tip, start=start)
+    ends = (step.tip, step.start) if step.backwards else (step.start, step.tip)
+    length = polygon.laid(name, term.tail, term.head, ends)
+    if step.tip.startswith("*"):
+        way = say("aside backward" if step.backwards else "aside forward", start=start)
+        return say("aside", name=name, way=way, length=length, tip=tip)
+    if carried:
+        key = "carry back reversed" if step.backwards else "carry back"
+        return say(key, name=name, start=start, length=length, tip=tip)
+    return say("lay off backwards" if step.backwards else "lay off", name=name, start=start, length=length)
+
+
+def _meet(polygon: Polygon, step: Meet, terms: tuple[Term, ...]) -> str:
+    assert isinstance(step.first, Ray) and isinstance(step.second, Ray)
+    rays = (step.first, step.second)
+    directions = [polygon.direction(ray.direction, terms) for ray in rays]
+    return polygon.reading.say(
+        "meet rays one point" if rays[0].through == rays[1].through else "meet rays",
+        first=names.point(rays[0].through),
+        second=names.point(rays[1].through),
+        first_direction=directions[0],
+        second_direction=directions[1],
+        point=names.point(step.point),
+    )
+
+
+# --- what it gives ------------------------------------------------------------------------------
+
+
+def _measured(polygon: Polygon, part: Equation) -> Iterator[Entry]:
+    """The unknown arrows, then the motion sought where it is none of them; first in mm, then in SI units."""
+    pole, node = polygon.construction.pole, part.left[-1].head
+    ends = [(term.tail, term.head) for term in part.left + part.right if term.unknowns]
+    sought = not any(_alone(part, side) for side in (part.left, part.right))
+    if sought and node != pole:
+        ends.append((pole, node))
+    lengths = [f"{names.stretch(*pair)} = {_millimetres(polygon, pair)}" for pair in ends]
+    yield Sentence(polygon.reading.say("measured", lengths=polygon.reading.say("and").join(lengths)))
+    for tail, head in ends:
+        yield _result(polygon, tail, head)
+
+
+def _millimetres(polygon: Polygon, ends: tuple[str, str]) -> str:
+    length = polygon.length_mm(*ends)
+    return f"{number(length)} mm" if length else "0"
+
+
+def _result(polygon: Polygon, tail: str, head: str) -> Calculation:
+    if tail == polygon.construction.pole and polygon.of(head):
+        named = polygon.name(tail, head)
+        if named == polygon.seen(polygon.of(head), ""):
+            return polygon.measured_absolute(head)
+    return polygon.measured(tail, head)

@@ -1,0 +1,55 @@
+"""The velocity and the acceleration polygon in words, one plane at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import assert_never
+
+from graphkin.steps import Arc, Equation, Given, Image, LayOff, Measure, Meet, Plane, Ray, Step, Swing
+from graphkin.words import names
+from graphkin.words.entries import Entry, Heading, Sentence
+from graphkin.words.equations import equation, known_arrow
+from graphkin.words.plane import Polygon
+from graphkin.words.reading import Reading
+from graphkin.words.rotation import image, rotation, sliding, ties
+
+__all__ = ["polygon"]
+
+
+def polygon(reading: Reading, plane: Plane) -> Iterator[Entry]:
+    """Pole, known motions, equations, and what is read off each, in the order of the construction."""
+    drawn = Polygon(reading, plane)
+    yield Heading(reading.say(plane))
+    for part in drawn.construction.parts:
+        if isinstance(part, Equation):
+            yield from equation(drawn, part)
+        else:
+            yield from _step(drawn, part)
+
+
+def _step(drawn: Polygon, step: Step) -> Iterator[Entry]:
+    match step:
+        case Given():
+            yield Sentence(_pole(drawn, step))
+            yield from ties(drawn)
+        case LayOff():
+            yield from known_arrow(drawn, step)
+        case Image():
+            yield from image(drawn, step)
+        case Measure("omega" | "alpha"):
+            yield from rotation(drawn, step)
+        case Measure():
+            yield from sliding(drawn, step)
+        case Ray() | Arc() | Meet() | Swing():
+            raise AssertionError("lines cross inside an equation")
+        case _:
+            assert_never(step)
+
+
+def _pole(drawn: Polygon, step: Given) -> str:
+    reading, pole = drawn.reading, names.point(step.point)
+    if not step.also:
+        return reading.say("pole", pole=pole)
+    nodes = reading.listed([names.point(node) for node in step.also])
+    points = reading.listed([names.point(drawn.of(node)) for node in step.also])
+    return reading.say("pole fixed", pole=pole, points=points, nodes=nodes)

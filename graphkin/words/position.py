@@ -1,0 +1,227 @@
+"""The drawing of the mechanism itself, in words: arcs, tangents, guides, and what is measured in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import assert_never
+
+from graphkin.geometry import cross, dot
+from graphkin.mechanism import FRAME
+from graphkin.steps import (
+    Across,
+    Along,
+    AlongGuide,
+    Arc,
+    Arm,
+    Direction,
+    Equation,
+    Given,
+    Image,
+    LayOff,
+    Measure,
+    Meet,
+    Quarter,
+    Ray,
+    Span,
+    Step,
+    Swing,
+)
+from graphkin.words import names
+from graphkin.words.entries import Calculation, Entry, Heading, Sentence
+from graphkin.words.figures import degrees, number
+from graphkin.words.reading import Reading
+
+__all__ = ["PositionReader"]
+
+
+@dataclass(frozen=True)
+class PositionReader:
+    """Reads the steps of the position plane."""
+
+    reading: Reading
+
+    def entries(self) -> Iterator[Entry]:
+        construction = self.reading.method.position
+        yield Heading(self.reading.say("position"))
+        yield from self._fixed()
+        for part in construction.parts:
+            for step in part.steps if isinstance(part, Equation) else (part,):
+                yield from self._step(step)
+
+    def _step(self, step: Step) -> Iterator[Entry]:
+        match step:
+            case Given() | Ray() | Arc():
+                pass  # fixed points come together at the start, lines and circles where they cross
+            case LayOff():
+                yield Sentence(self._lay_off(step))
+            case Meet():
+                yield Sentence(self._meet(step))
+            case Swing():
+                yield Sentence(self._swing(step))
+                yield from self._angles(step.link)
+                yield from self._slide(step.slide)
+            case Image(link, corners, _, _):
+                yield Sentence(self._corner(link, corners))
+            case Measure("theta", of):
+                yield from self._angles(of)
+            case Measure(_, of):
+                yield from self._slide(of)
+            case _:
+                assert_never(step)
+
+    # --- what stands still ----------------------------------------------------------------------
+
+    def _fixed(self) -> Iterator[Entry]:
+        reading = self.reading
+        shape = reading.plot.facts.shapes[FRAME]
+        fixed = [f"{names.point(p)}{self._paper(shape[p])}" for p in shape if p[0].isupper()]
+        if fixed:
+            yield Sentence(reading.say("fixed points", points=reading.say("and").join(fixed)))
+        for slide in reading.mechanism.slides:
+            if slide.guide == FRAME:
+                origin = slide.line.origin
+                place = names.point(origin) if origin[0].isupper() else self._paper(shape[origin])
+                guide = self._guide(slide.name)
+                angle = degrees(slide.line.direction)
+                yield Sentence(reading.say("fixed guide", guide=guide, place=place, angle=angle))
+
+    def _paper(self, place: complex) -> str:
+        """Coordinates on paper, in mm."""
+        x, y = (self.reading.on_paper(value) for value in (place.real, place.imag))
+        return f"({x}, {y})"
+
+    def _guide(self, slide: str) -> str:
+        pair = self.reading.method.structure.slides[slide]
+        return self.reading.say("guide of", name=slide if pair.named else names.point(pair.point))
+
+    # --- lengths --------------------------------------------------------------------------------
+
+    def _length(self, name: str, symbol: str, metres: float) -> str:
+        """`AB = l_AB/μ_l = 0.024/0.001 = 24 mm`."""
+        scale = self.reading.scales["length"]
+        numbers = f"{number(metres)}/{number(scale)}"
+        return Calculation(name, (f"{symbol}/μ_l",), numbers, metres / scale, "mm").text
+
+    def _reach(self, span: Span, name: str = "") -> str:
+        """A radius or a stretch: an arm, a displacement, or several of them end to end."""
+        first, last = span.parts[0], span.parts[-1]
+        metres = float(abs(self.reading.plot.span(span)))
+        if len(span.parts) == 1 and not isinstance(first, Arm):
+            pair = self.reading.method.structure.slides[first.slide]
+            symbol = names.of_slide("s", first.slide)
+            return self._length(name or self._stretch(pair.line.origin, pair.point), symbol, metres)
+        tail = first.tail if isinstance(first, Arm) else self._ends(first.slide, first.sign)[0]
+        head = last.head if isinstance(last, Arm) else self._ends(last.slide, last.sign)[1]
+        return self._length(name or names.pair(tail, head), f"l_{names.pair(tail, head)}", metres)
+
+    def _ends(self, slide: str, sign: int) -> tuple[str, str]:
+        pair = self.reading.method.structure.slides[slide]
+        ends = (pair.line.origin, pair.point)
+        return ends if sign > 0 else ends[::-1]
+
+    def _stretch(self, tail: str, head: str) -> str:
+        named = tail[0].isupper() and head[0].isupper()
+        return names.pair(tail, head) if named else self.reading.say("line to", point=names.point(head))
+
+    # --- steps ----------------------------------------------------------------------------------
+
+    def _lay_off(self, step: LayOff) -> str:
+        reading, points = self.reading, self.reading.plot.position
+        assert isinstance(step.term.size, Span)
+        angle = degrees(points[step.tip] - points[step.start])
+        aside = "*" in step.start + step.tip
+        length = self._reach(step.term.size, names.stretch(step.start, step.tip) if aside else "")
+        start, tip = reading.place(step.start), reading.place(step.tip)
+        if isinstance(step.term.direction, AlongGuide):
+            guide = self._guide(step.term.direction.slide)
+            return reading.say("lay off slide", start=start, length=length, guide=guide, angle=angle, tip=tip)
+        return reading.say("lay off link", start=start, length=length, angle=angle, tip=tip)
+
+    def _meet(self, step: Meet) -> str:
+        circles = isinstance(step.first, Arc) or isinstance(step.second, Arc)
+        return self.reading.say(
+            "meet circles" if circles else "meet lines",
+            first=self._locus(step.first),
+            second=self._locus(step.second),
+            point=names.point(step.point),
+        )
+
+    def _locus(self, locus: Ray | Arc) -> str:
+        reading = self.reading
+        if isinstance(locus, Arc):
+            return reading.say("circle", about=reading.place(locus.about), length=self._reach(locus.reach))
+        match locus.direction:
+            case AlongGuide(slide):
+                pair = reading.method.structure.slides[slide]
+                if pair.guide == FRAME and pair.line.origin == locus.through:
+                    return self._guide(slide)
+                return self._parallel(locus.through, locus.direction)
+            case Along() | Across() | Quarter():
+                return self._parallel(locus.through, locus.direction)
+            case _:
+                assert_never(locus.direction)
+
+    def _parallel(self, through: str, direction: Direction) -> str:
+        angle = degrees(self.reading.plot.direction(direction))
+        at = self.reading.say("at direction", angle=angle)
+        return self.reading.say("line parallel", through=self.reading.place(through), direction=at)
+
+    def _swing(self, step: Swing) -> str:
+        reading = self.reading
+        along = reading.plot.guide_direction(step.slide)
+        offset = float(abs(cross(along, reading.plot.arm(step.pivot, step.through))))
+        pivot, through = reading.place(step.pivot), reading.place(step.through)
+        link = reading.link(step.link)
+        if offset <= reading.noise:
+            return reading.say("swing join", link=link, pivot=pivot, through=through)
+        length = self._length("r", "h", offset)
+        return reading.say("swing tangent", link=link, pivot=pivot, through=through, length=length)
+
+    def _corner(self, link: str, corners: tuple[str, str, str]) -> str:
+        """A third point of a link whose two points are drawn."""
+        reading = self.reading
+        first, second, third = corners
+        one, other = (reading.plot.arm(p, third) for p in (first, second))
+        lengths = [self._arm(first, third), self._arm(second, third)]
+        point, called = names.point(third), reading.link(link)
+        if abs(cross(one, other)) <= reading.noise * abs(one):
+            line = names.pair(first, second)
+            both = reading.say("and").join(lengths)
+            return reading.say("shape line", point=point, link=called, line=line, length=both)
+        triangle = "△" + "".join(names.point(p) for p in corners)
+        return reading.say(
+            "shape corner", point=point, link=called, first=lengths[0], second=lengths[1], triangle=triangle
+        )
+
+    def _arm(self, tail: str, head: str) -> str:
+        pair = names.pair(tail, head)
+        return self._length(pair, f"l_{pair}", self.reading.distance(tail, head))
+
+    # --- measured -------------------------------------------------------------------------------
+
+    def _angles(self, link: str) -> Iterator[Entry]:
+        """Directions of a link, and of those that keep their angle to it, by their first two points."""
+        reading, found = self.reading, list[str]()
+        for member in (reading.body(link), *reading.group(link)):
+            named = [p for p in reading.mechanism.links[member].points if p[0].isupper()]
+            if len(named) > 1:
+                angle = degrees(reading.plot.arm(named[0], named[1]))
+                name, arrow = reading.rate("θ", member), names.arrow(named[0], named[1])
+                found.append(reading.say("angle of", name=name, angle=angle, arrow=arrow))
+        if found:
+            yield Sentence(reading.say("measured angles", angles=reading.say("and").join(found)))
+
+    def _slide(self, slide: str) -> Iterator[Entry]:
+        """The displacement by its name, or as the distance of two points, or as where its point has come to lie."""
+        reading = self.reading
+        pair = reading.method.structure.slides[slide]
+        origin, point = pair.line.origin, pair.point
+        if pair.named:
+            along = dot(reading.plot.guide_direction(slide), reading.plot.arm(origin, point))
+            text = f"{names.of_slide('s', slide)} = {number(float(along) * 1000, reading.noise * 1000)} mm"
+        elif origin[0].isupper():
+            text = f"l_{names.pair(origin, point)} = {number(reading.distance(origin, point) * 1000)} mm"
+        else:
+            text = f"{names.point(point)}{self._paper(reading.plot.position[point])}"
+        yield Sentence(reading.say("measured slide", length=text))

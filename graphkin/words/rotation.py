@@ -1,0 +1,231 @@
+"""Rotations and slidings read off a polygon, and images of links, in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphkin.geometry import cross
+from graphkin.mechanism import FRAME
+from graphkin.steps import Image, Measure
+from graphkin.words import names
+from graphkin.words.entries import Calculation, Entry, Sentence
+from graphkin.words.figures import number
+from graphkin.words.plane import Polygon
+from graphkin.words.reading import ROUNDING
+
+__all__ = ["image", "rotation", "sliding", "ties"]
+
+
+# --- rotations ----------------------------------------------------------------------------------
+
+
+def rotation(polygon: Polygon, step: Measure) -> Iterator[Entry]:
+    """omega or alpha of a link, then of those that keep their angle to it."""
+    if polygon.plane == "acceleration" and not polygon.written(step.tail, step.head):
+        yield from _resolved(polygon, step)
+    else:
+        yield _rate(
+            polygon, step, polygon.name(step.tail, step.head), polygon.length_mm(step.tail, step.head)
+        )
+        if polygon.plane == "velocity" and not polygon.arrow(step.tail, step.head):
+            resting = step.tail == polygon.construction.pole
+            key = "rest now" if resting else "translation now"
+            name, link = polygon.name(step.tail, step.head), polygon.reading.link(step.of)
+            yield Sentence(polygon.reading.say(key, name=name, link=link))
+    for other in polygon.reading.group(step.of):
+        yield _tie(polygon, other, step.of)
+
+
+def _rate(polygon: Polygon, step: Measure, name: str, length_mm: float) -> Calculation:
+    """`ω3 = v_B3/l_BD = μ_v·pb3/(μ_l·BD) = 0.01 × 27.12/(0.001 × 69.2) = 3.919 rad/s (clockwise)`."""
+    reading, line = polygon.reading, names.pair(*step.lever)
+    lever, mu = reading.distance(*step.lever), names.SCALE[polygon.plane]
+    measured = f"{mu}·{names.stretch(step.tail, step.head)}/(μ_l·{line})"
+    below = f"({number(reading.scales['length'])} × {reading.on_paper(lever)})"
+    return Calculation(
+        polygon.rate(step.of),
+        (f"{name}/l_{line}", measured) if polygon.written(step.tail, step.head) else (f"{name}/l_{line}",),
+        f"{number(polygon.scale)} × {number(length_mm)}/{below}",
+        length_mm * polygon.scale / lever,
+        _unit(polygon),
+        _sense_note(polygon, step) if length_mm else "",
+    )
+
+
+def _sense_note(polygon: Polygon, step: Measure) -> str:
+    """The sense; the first time also how it is found."""
+    reading = polygon.reading
+    sense = reading.say("ccw" if _turning(polygon, step) > 0 else "cw")
+    if step != next(iter(polygon.levers.values())):
+        return sense
+    tail, head = (names.point(p) for p in step.lever)
+    ends, link = names.arrow(step.tail, step.head), reading.link(step.of)
+    return reading.say("sense rule", sense=sense, ends=ends, head=head, link=link, tail=tail)
+
+
+def _turning(polygon: Polygon, step: Measure) -> float:
+    """Speed across the lever, positive where it turns it counter-clockwise."""
+    arm = polygon.reading.plot.arm(*step.lever)
+    return float(cross(arm, polygon.arrow(step.tail, step.head)) / abs(arm))
+
+
+def _resolved(polygon: Polygon, step: Measure) -> Iterator[Entry]:
+    """Both ends are known from elsewhere: only the part across the lever turns the link."""
+    reading = polygon.reading
+    across = abs(_turning(polygon, step))
+    across = across if across > polygon.noise else 0.0
+    pole = polygon.construction.pole
+    fixed = names.point(step.lever[0]) if step.tail == pole else polygon.of(step.tail)
+    name = polygon.seen(polygon.of(step.head), fixed, "t")
+    length_mm = across / polygon.scale
+    mu = names.SCALE[polygon.plane]
+    tangential = Calculation(
+        name, (), f"{number(polygon.scale)} × {number(length_mm)}", across, names.UNIT[polygon.plane]
+    )
+    ends, line = names.stretch(step.tail, step.head), names.pair(*step.lever)
+    yield Sentence(reading.say("tangential part", ends=ends, line=line, tangential=tangential.text, mu=mu))
+    yield _rate(polygon, step, name, length_mm)
+
+
+def _unit(polygon: Polygon) -> str:
+    return "rad/s" if polygon.plane == "velocity" else "rad/s²"
+
+
+# --- links that keep their angles ---------------------------------------------------------------
+
+
+def ties(polygon: Polygon) -> Iterator[Entry]:
+    """Before the first equation: links that cannot turn, and those that turn with the driven ones."""
+    reading = polygon.reading
+    still = [link for link in reading.mechanism.moving if reading.translates(link)]
+    if still and polygon.plane == "velocity":
+        zero = [" = ".join([*(reading.rate(symbol, link) for link in still), "0"]) for symbol in ("ω", "α")]
+        links = reading.listed([reading.say("link", link=reading.link(link)) for link in still])
+        yield Sentence(reading.say("never turn", links=links, rates=reading.say("and").join(zero)))
+    driven = {driver.link for driver in reading.mechanism.drivers if driver.from_link == FRAME}
+    turns = reading.plot.facts.turns
+    for link in reading.mechanism.moving:
+        if turns[link].base == FRAME and turns[link].drivers and link not in driven:
+            yield _tie(polygon, link, FRAME)
+
+
+def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
+    """`ω2 = ω3`, or `ω2 = ω1 + ω21` with a driven rotation between them."""
+    reading = polygon.reading
+    steps = _driven_between(polygon, link, other)
+    symbol = names.RATE[polygon.plane]
+    table = reading.plot.omega if polygon.plane == "velocity" else reading.plot.alpha
+    value, noise = float(table[link]), _noise(table.values())
+    known = [] if other == FRAME else [(1, polygon.rate(other), float(table[reading.body(other)]))]
+    parts = known + [
+        (sign, reading.against(reading.mechanism.drivers[k], symbol), rate) for k, sign, rate in steps
+    ]
+    formula = _signed([(sign, name) for sign, name, _ in parts])
+    numbers = _signed([(sign, _bracketed(number(rate, noise))) for sign, _, rate in parts])
+    if len(parts) == 1:
+        note = reading.say("held", link=reading.link(link), other=reading.link(other)) if known else ""
+        sense = reading.say("ccw" if value > 0 else "cw") if abs(value) > noise else ""
+        note = note or sense
+        return Calculation(
+            polygon.rate(link),
+            (formula,),
+            "",
+            abs(value) if abs(value) > noise else 0.0,
+            _unit(polygon),
+            note,
+        )
+    value = value if abs(value) > noise else 0.0
+    return Calculation(polygon.rate(link), (formula,), numbers, value, _unit(polygon), reading.say("tied"))
+
+
+def _driven_between(polygon: Polygon, link: str, other: str) -> list[tuple[int, int, float]]:
+    """Drivers that turn `link` against `other`, each with its sign and its rate."""
+    facts = polygon.reading.plot.facts
+    given = facts.rates if polygon.plane == "velocity" else facts.accelerations
+    count: dict[int, int] = {}
+    for member, way in ((link, 1), (other, -1)):
+        for k, sign in facts.turns[member].drivers:
+            count[k] = count.get(k, 0) + way * sign
+    return [(k, sign, float(given[k])) for k, sign in count.items() if sign]
+
+
+def _noise(values: object) -> float:
+    return ROUNDING * max(abs(float(v)) for v in values)  # type: ignore[attr-defined]
+
+
+def _signed(parts: list[tuple[int, str]]) -> str:
+    """`ω1 + ω21`, `ω2 − ω21`."""
+    first = ("−" if parts[0][0] < 0 else "") + parts[0][1]
+    return first + "".join(f" {'−' if sign < 0 else '+'} {text}" for sign, text in parts[1:])
+
+
+def _bracketed(figure: str) -> str:
+    return f"({figure})" if figure.startswith("−") else figure
+
+
+# --- slides -------------------------------------------------------------------------------------
+
+
+def sliding(polygon: Polygon, step: Measure) -> Iterator[Entry]:
+    """The speed at which a named displacement grows; of others, which distance grows or shrinks."""
+    reading = polygon.reading
+    pair = reading.method.structure.slides[step.of]
+    table = reading.plot.s_rate if polygon.plane == "velocity" else reading.plot.s_acceleration
+    value, size = float(table[step.of]), polygon.size(step.tail, step.head)
+    name, unit = polygon.name(step.tail, step.head), names.UNIT[polygon.plane]
+    if pair.named:
+        symbol = names.of_slide(names.SLIDING[polygon.plane], step.of)
+        formula = name if value > 0 else f"−{name}"
+        yield Calculation(symbol, (formula if size else name,), "", value if size else 0.0, unit)
+    elif polygon.plane == "velocity" and size and pair.guide != FRAME and pair.line.origin[0].isupper():
+        stretch = names.pair(pair.line.origin, pair.point)
+        key = "grows" if value * float(reading.plot.s[step.of]) > 0 else "shrinks"
+        yield Sentence(
+            reading.say("distance", change=reading.say(key, stretch=stretch), name=name, size=number(size))
+        )
+
+
+# --- images -------------------------------------------------------------------------------------
+
+
+def image(polygon: Polygon, step: Image) -> Iterator[Entry]:
+    """A further point of a link by the figure similar to it, then its motion."""
+    reading = polygon.reading
+    first, second, third = step.corners
+    corners = [_corner(polygon, node, corner) for node, corner in zip(step.base, step.corners, strict=False)]
+    words = {
+        "image": reading.say(f"image {polygon.plane}"),
+        "link": reading.link(step.link),
+        "point": names.point(step.point),
+        "small": names.stretch(*corners),
+        "large": names.point(first) + names.point(second),
+        "corner": names.point(third),
+    }
+    one, other = (reading.plot.arm(p, third) for p in (first, second))
+    if not polygon.arrow(*step.base):
+        yield Sentence(reading.say("image point", **words))
+    elif abs(cross(one, other)) <= reading.noise * max(abs(one), abs(other)):
+        yield Sentence(reading.say("image line", ratio=_ratio(polygon, step, corners), **words))
+    else:
+        small = "△" + "".join(names.point(p) for p in (*corners, step.point))
+        large = "△" + "".join(names.point(p) for p in step.corners)
+        yield Sentence(reading.say("image triangle", **{**words, "small": small, "large": large}))
+    yield polygon.measured_absolute(step.point)
+
+
+def _corner(polygon: Polygon, node: str, corner: str) -> str:
+    """A fixed point's own letter rather than the pole's."""
+    if node != polygon.construction.pole:
+        return node
+    return corner[0].lower() + corner[1:] + ("'" if polygon.plane == "acceleration" else "")
+
+
+def _ratio(polygon: Polygon, step: Image, corners: list[str]) -> str:
+    """`dc = db3 · CD/BD = 27.12 × 48/69.2 = 18.81 mm`."""
+    first, second, third = step.corners
+    lengths = [polygon.reading.distance(first, p) for p in (third, second)]
+    small, scale = polygon.length_mm(*step.base), polygon.reading.scales["length"]
+    numbers = " × ".join([number(small), "/".join(number(length / scale) for length in lengths)])
+    formula = f"{names.stretch(*corners)} × {names.pair(first, third)}/{names.pair(first, second)}"
+    name = names.stretch(corners[0], step.point)
+    return Calculation(name, (formula,), numbers, small * lengths[0] / lengths[1], "mm").text

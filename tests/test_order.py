@@ -1,0 +1,85 @@
+"""Modules import in one direction, and the two roads never meet."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import graphkin
+
+PACKAGE = Path(graphkin.__file__).parent
+FILES = sorted(path for path in PACKAGE.rglob("*.py") if path != PACKAGE / "__init__.py")
+
+
+def part(path: Path) -> str:
+    """The module of the architecture that a file belongs to."""
+    return path.relative_to(PACKAGE).parts[0].removesuffix(".py")
+
+
+def imported(path: Path) -> set[str]:
+    """The modules of the architecture that a file imports, wherever in it."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.module and node.module.split(".")[0] == "graphkin":
+            names = node.module.split(".")[1:] or [alias.name for alias in node.names]
+            found |= {names[0]} if node.module != "graphkin" else set(names)
+        elif isinstance(node, ast.Import):
+            found |= {a.name.split(".")[1] for a in node.names if a.name.startswith("graphkin.")}
+    return found
+
+
+def test_every_module_has_its_place():
+    assert {part(path) for path in FILES} == set(graphkin.ORDER)
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_imports_go_one_way(path: Path):
+    before = graphkin.ORDER[: graphkin.ORDER.index(part(path)) + 1]
+    assert imported(path) <= set(before)
+
+
+def reached(start: str) -> set[str]:
+    """Everything that importing a module brings in."""
+    found, waiting = set(), {start}
+    while waiting:
+        name = waiting.pop()
+        found.add(name)
+        waiting |= {m for path in FILES if part(path) == name for m in imported(path)} - found
+    return found
+
+
+def test_analysis_never_reads_a_construction():
+    assert not reached("analytic") & {"steps", "methods", "words", "sheet", "readings"}
+
+
+def test_planning_never_reads_the_analysis():
+    assert not reached("methods") & {"analytic", "check", "freedoms"}
+
+
+@pytest.mark.parametrize("name", [*graphkin.ORDER])
+def test_all_names_exist(name: str):
+    module = importlib.import_module(f"graphkin.{name}")
+    for public in module.__all__:
+        assert hasattr(module, public), public
+
+
+def test_public_names():
+    for name in graphkin.__all__:
+        assert getattr(graphkin, name) is not None
+
+
+def test_light_start():
+    """Drawing a sheet loads neither matplotlib nor the analysis."""
+    code = (
+        "import sys; from click.testing import CliRunner; from graphkin.cli import main\n"
+        "result = CliRunner().invoke(main, ['draw', 'ex3-1', '-o', '-'])\n"
+        "assert result.exit_code == 0, result.output\n"
+        "loaded = {'matplotlib', 'graphkin.analytic', 'scipy'} & set(sys.modules)\n"
+        "assert not loaded, loaded"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
