@@ -123,7 +123,9 @@ class Drawing:
         """The vector equations and what is measured, line by line, at the scales of the sheet."""
         from graphkin.words import explain
 
-        return explain(self.method, self.plot, self.sheet(lang=lang).scales, lang)
+        scales = self.sheet(lang=lang).scales
+        keys: dict[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
+        return explain(self.method, self.plot, {key: scales[plane] for key, plane in keys.items()}, lang)
 
     def answers(self) -> dict[str, Answer | None]:
         """What the file asks for, read off the drawing; None for a text that is only shown."""

@@ -157,8 +157,6 @@ def draw(
         click.echo(pages.pop(0)[1], nl=False)
     if steps is not None:
         steps.mkdir(parents=True, exist_ok=True)
-    for path, _ in pages:
-        svg.refuse_foreign(path, force)
     for path, text in pages:
         svg.write(path, text, force)
         click.echo(str(path), err=str(output) == "-")

@@ -599,8 +599,14 @@ def replay(construction: Construction, plot: Plot, sides: Mapping[int, Value] | 
     plot    the acceleration plane needs a plot with positions and velocities, and so on
     sides   crossings to take instead of those in the steps, by number of the choice: arrays try many at once
     """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        _begin(plot, construction.plane)
+        _draw(construction, plot, sides or {})
+    return plot
+
+
+def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value]) -> None:
     plane, points = construction.plane, plot.points(construction.plane)
-    _begin(plot, plane)
     for step in construction.steps:
         match step:
             case Given(point, also):
@@ -613,16 +619,15 @@ def replay(construction: Construction, plot: Plot, sides: Mapping[int, Value] | 
             case Ray() | Arc():
                 pass  # alone it fixes no point
             case Meet():
-                points[step.point] = _meet(step, plot, plane, sides or {})
+                points[step.point] = _meet(step, plot, plane, sides)
             case Swing():
-                _swing(step, plot, sides or {})
+                _swing(step, plot, sides)
             case Image(link, corners, base, point):
                 points[point] = _image(plot, plane, link, corners, points[base[0]], points[base[1]])
             case Measure():
                 _measure(step, plot, points)
             case _:
                 assert_never(step)
-    return plot
 
 
 def _begin(plot: Plot, plane: Plane) -> None:
@@ -672,8 +677,7 @@ def _swing(step: Swing, plot: Plot, sides: Mapping[int, Value]) -> None:
     base = plot.facts.turns[step.link].base
     plot.settle("theta", base, np.angle(way) - np.angle(plot.span(step.span)))
     plot.misses[step.slide] = np.abs(offset) - distance
-    with np.errstate(divide="ignore", invalid="ignore"):
-        plot.sines["position", step.slide] = half / distance
+    plot.sines["position", step.slide] = half / distance
 
 
 def _image(

@@ -173,3 +173,23 @@ def coupler_angle(seed: int) -> Mechanism:
     build.hinge("3", FRAME)
     build.drivers.append(Driver("angle", "2", rate=rng.uniform(-5, 5), acceleration=rng.uniform(-5, 5)))
     return build.finish(f"coupler-{seed}")
+
+
+def chain(seed: int) -> Mechanism:
+    """A crank and two to four dyads of any kind, one hung on another."""
+    rng = random.Random(f"chain{seed}")
+    build = Build(rng, letters=[f"{c}{k}" for k in (4, 3, 2, 1) for c in "ABCDEFGHJKLMNQRSTUVWXYZ"])
+    rng.shuffle(build.letters)
+    build.body(FRAME)
+    build.hinge(FRAME, "1")
+    build.body("1").points[build.letter()] = build.place()
+    build.drivers.append(Driver("angle", "1", rate=rng.uniform(-10, 10), acceleration=rng.uniform(-20, 20)))
+    known = [FRAME, "1"]
+    for _ in range(rng.randint(2, 4)):
+        kind, one, two = rng.choice(DYADS), str(len(known)), str(len(known) + 1)
+        first = rng.choice(known[1:])
+        way = (first, one, two, rng.choice([body for body in known if body != first]))
+        for joint, body, other in zip(kind, way, way[1:]):
+            (build.hinge if joint == "R" else build.slide)(body, other)
+        known += [one, two]
+    return build.finish(f"chain-{seed}")

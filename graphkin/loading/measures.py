@@ -38,10 +38,11 @@ def read_measures(links: object, where: Placing) -> tuple[dict[str, list[Measure
     problems.extend(_same_but_for_primes(links, where, "links"))
     for link, table in links.items():
         found = measures.setdefault(tidy(link), [])
+        seen: dict[object, str] = {}
         for key in (key for key in table if key not in OWN_KEYS) if isinstance(table, dict) else ():
             try:
                 measure = _measure(key, table[key])
-                _refuse_twice(measure, found)
+                _refuse_twice(measure, seen)
             except GraphkinError as problem:
                 problems.append(problem.at(where("links", link, key)))
             else:
@@ -73,11 +74,11 @@ def _measure(key: str, value: object) -> Measure:
     raise BadName(NOWHERE, "measure", shown(key))
 
 
-def _refuse_twice(measure: Measure, before: list[Measure]) -> None:
+def _refuse_twice(measure: Measure, seen: dict[object, str]) -> None:
     """`AB` and `BA` are the same length."""
-    for other in before:
-        if other.points in (measure.points, measure.points[::-1]):
-            raise KeyClash(NOWHERE, other.key, measure.key)
+    same = min(measure.points, measure.points[::-1])
+    if (first := seen.setdefault(same, measure.key)) != measure.key:
+        raise KeyClash(NOWHERE, first, measure.key)
 
 
 def _same_but_for_primes(table: Mapping[str, Any], where: Placing, above: str) -> Iterator[GraphkinError]:

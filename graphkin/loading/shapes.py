@@ -34,6 +34,9 @@ AGREES = 1e-6
 MOST_TRIALS = 300
 """Partial layouts looked at before the search for a shape is given up."""
 
+MOST_CURVES = 20
+"""Of more curves than this for one point, the first are crossed and the others only held against the result."""
+
 Places = Mapping[str, complex]
 Triple = tuple[str, str, str]
 
@@ -143,6 +146,10 @@ class _Search:
     def __init__(self, given: Measures, ccw: Sequence[Triple]) -> None:
         self.given = given
         self.ccw = ccw
+        self.by_point: dict[str, list[Measure]] = {}
+        for measure in given.measures:
+            for point in measure.points:
+                self.by_point.setdefault(point, []).append(measure)
         self.trials = 0
         self.problem: GraphkinError | None = None
         self.stuck: tuple[str, ...] = ()
@@ -171,21 +178,31 @@ class _Search:
         if not missing:
             yield placed
             return
-        choices = [(point, self._candidates(point, placed)) for point in missing]
-        known = [(point, found) for point, found in choices if found is not None]
-        if not known or self.trials > MOST_TRIALS:
+        choice = self._clearest(missing, placed)
+        if choice is None or self.trials > MOST_TRIALS:
             self.stuck = min(self.stuck or missing, missing, key=len)
             return
-        point, found = min(known, key=lambda choice: len(choice[1]))
+        point, found = choice
         for place in found:
             yield from self._complete({**placed, point: place})
+
+    def _clearest(self, missing: Sequence[str], placed: Places) -> tuple[str, list[complex]] | None:
+        """The point with the fewest places, the first that has one only; None if no point has any telling."""
+        best: tuple[str, list[complex]] | None = None
+        for point in missing:
+            found = self._candidates(point, placed)
+            if found is not None and (best is None or len(found) < len(best[1])):
+                best = point, found
+            if best is not None and len(best[1]) < 2:
+                break
+        return best
 
     def _candidates(self, point: str, placed: Places) -> list[complex] | None:
         """Where the point can lie; None while fewer than two measures tell."""
         telling = self._telling(point, placed)
         options = [measure.curves(point, placed) for measure in telling]
         apart, crossed = 0.0, False
-        for one, other in combinations(options, 2):
+        for one, other in combinations(options[:MOST_CURVES], 2):
             places = [place for a in one for b in other for place in crossings(a, b)]
             if good := self._fitting(point, places, telling, placed):
                 return [place for place in good if self._right_way_round({**placed, point: place})]
@@ -202,8 +219,8 @@ class _Search:
         """The measures whose only point not placed is this one."""
         return [
             measure
-            for measure in self.given.measures
-            if point in measure.points and all(other in placed or other == point for other in measure.points)
+            for measure in self.by_point.get(point, ())
+            if all(other in placed or other == point for other in measure.points)
         ]
 
     def _fitting(self, point: str, places: list[complex], telling: list[Measure], placed: Places) -> list[complex]:
@@ -218,12 +235,8 @@ class _Search:
         return good
 
     def _right_way_round(self, layout: Places) -> bool:
-        new = next(reversed(list(layout)))
-        return all(
-            orientation(layout, triple) > 0
-            for triple in self.ccw
-            if new in triple and all(point in layout for point in triple)
-        )
+        placed = (triple for triple in self.ccw if all(point in layout for point in triple))
+        return all(orientation(layout, triple) > 0 for triple in placed)
 
     def _worst(self, point: str, places: list[complex], telling: list[Measure], placed: Places) -> Contradiction:
         """Of the best layout, the measure that is furthest off."""

@@ -17,11 +17,11 @@ from graphkin.methods import Method
 from graphkin.sheet.composition import compose
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.paper import PAPERS, Paper
-from graphkin.sheet.scales import Scales, TooLargeForPaper, UnknownPaper
+from graphkin.sheet.scales import TooLargeForPaper, UnknownPaper
 from graphkin.sheet.window import step_count
 from graphkin.steps import Plane, Plot
 
-__all__ = ["PAPERS", "Paper", "Scales", "Sheet", "TooLargeForPaper", "UnknownPaper", "sheet", "step_count"]
+__all__ = ["PAPERS", "Paper", "Sheet", "TooLargeForPaper", "UnknownPaper", "sheet", "step_count"]
 
 
 @dataclass(frozen=True)

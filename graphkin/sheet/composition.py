@@ -74,12 +74,13 @@ class _Planes:
         size = high - low
         given = self.method.mechanism.scales.get(KEYS[plane])
         trial = given or finest(size, complex(_TRIAL, _TRIAL))
-        left, top, right, bottom = bounds(self.figure(plane, Window(0j, trial)).marks)
+        figure = self.figure(plane, Window(0j, trial))
+        left, top, right, bottom = bounds(figure.marks)
         points = _Box(low.real / trial, -high.imag / trial, high.real / trial, -low.imag / trial)
         more = _LETTERS
         return Extent(
             size, max(0, points.left - left) + more, max(0, points.top - top) + more,
-            max(0, right - points.right) + more, max(0, bottom - points.bottom) + more, given,
+            max(0, right - points.right) + more, max(0, bottom - points.bottom) + more, given, len(figure.wanted),
         )  # fmt: skip
 
 
@@ -124,9 +125,7 @@ def _origin(values: Sequence[complex], extent: Extent, layout: Layout, plane: Pl
     return complex(x, y) - low.conjugate() / scale
 
 
-def _placed(
-    drawing: _Planes, plane: Plane, layout: Layout, origin: Place, lang: Lang, upto: int | None
-) -> list[Mark]:
+def _placed(drawing: _Planes, plane: Plane, layout: Layout, origin: Place, lang: Lang, upto: int | None) -> list[Mark]:
     """One plane with its heading, lines of the pencil and labels."""
     room, window = layout.rooms[plane], Window(origin, layout.scales[plane])
     figure = drawing.figure(plane, window)
@@ -135,12 +134,11 @@ def _placed(
         before = first_steps(drawing.method)[plane]
         marks += pencil_lines(drawing.construction(plane), drawing.plot, window, room, before)
     marks += figure.marks
-    wanted = figure.wanted
-    if upto is not None:
-        marks = [_fresh(mark, upto) for mark in marks if mark.step is None or mark.step <= upto]
-        wanted = [replace(w, new=w.step == upto) for w in wanted if w.step is None or w.step <= upto]
     inner = Room(room.left + 1, room.top + 1, room.right - 1, room.bottom - 1)
-    return marks + settle(wanted, marks, inner)
+    marks += settle(figure.wanted, marks, inner)
+    if upto is None:
+        return marks
+    return [_fresh(mark, upto) for mark in marks if mark.step is None or mark.step <= upto]
 
 
 def _fresh(mark: Mark, upto: int) -> Mark:

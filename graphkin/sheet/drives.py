@@ -7,8 +7,10 @@ import math
 
 from graphkin.mechanism import FRAME, Driver
 from graphkin.sheet import symbols
+from graphkin.sheet.grounds import ground_way
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, joined, quantity_label
+from graphkin.sheet.marks import Place
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure
 
@@ -35,13 +37,38 @@ def _turn_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     if abs(tip - at) < 1:
         return
     towards = (tip - at) / abs(tip - at)
-    sense = driver.rate or driver.acceleration
-    radius = min(9.0, max(5.0, 0.45 * abs(tip - at)))
-    marks = symbols.spin(at, towards, sense, radius, skeleton.step(*driver.vector))
+    sense = math.copysign(1, driver.rate or driver.acceleration)
+    radius = min(9.0, max(6.0, 0.45 * abs(tip - at)))
+    ways = [towards * cmath.rect(1, -sense * math.radians(turn)) for turn in (14, -76, 149)]
+    start = max(ways, key=lambda way: _room(skeleton, at + way * _half(sense) * radius))
+    marks = symbols.spin(at, start, sense, radius, skeleton.step(*driver.vector))
     figure.marks += marks
-    middle = towards * cmath.rect(1, -math.copysign(math.radians(45), sense))
+    middle = start * _half(sense)
     label = _turn_label(skeleton, driver)
     figure.wanted.append(Wanted(label, at + middle * radius, gap=0.3, away=middle, step=marks[0].step))
+
+
+def _half(sense: float) -> complex:
+    """From the start of a turning arrow to its middle."""
+    return cmath.rect(1, -sense * symbols.SWEEP / 2)
+
+
+def _room(skeleton: Skeleton, place: Place) -> float:
+    """How far a place is from the nearest link, in steps of what matters to the eye [mm]."""
+    grounds = [
+        (at := skeleton.at(p), at + symbols.PIVOT_DEPTH * ground_way(skeleton, p))
+        for p in skeleton.points
+        if FRAME in skeleton.mechanism.owners[p]
+    ]
+    stretches = [*skeleton.segments(), *grounds]
+    return min(5.0, min((_distance(place, a, b) for a, b in stretches), default=5.0))
+
+
+def _distance(place: Place, start: Place, end: Place) -> float:
+    """From a place to a stretch of line."""
+    way = end - start
+    t = ((way.conjugate() * (place - start)).real / abs(way) ** 2) if way else 0.0
+    return abs(place - start - way * max(0.0, min(1.0, t)))
 
 
 def _turn_label(skeleton: Skeleton, driver: Driver) -> Label:
@@ -57,8 +84,10 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     """Beside the block, the way it goes."""
     slide = skeleton.mechanism.slide(driver.link)
     along = skeleton.along(slide) * math.copysign(1, driver.rate or driver.acceleration)
-    across = along * 1j if (along * 1j).imag <= 0 else along * -1j
-    start = skeleton.at(slide.point) + across * 5.2 - along * 4
+    up = along * 1j if (along * 1j).imag <= 0 else along * -1j
+    at = skeleton.at(slide.point)
+    across = max((up, -up), key=lambda side: _room(skeleton, at + side * 5.2 + along * 3))
+    start = at + across * 5.2 - along * 4
     marks = symbols.push(start, along, skeleton.step(slide.point))
     figure.marks += marks
     if slide.guide == FRAME:

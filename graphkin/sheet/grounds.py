@@ -9,11 +9,11 @@ from graphkin.pairs import Slide
 from graphkin.sheet import symbols
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import link_label
-from graphkin.sheet.marks import Mark, Place, Stroke
+from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure
 
-__all__ = ["grounds"]
+__all__ = ["ground_way", "grounds"]
 
 _REACH = 13.0
 """How far a fixed guide is drawn to each side of its block [mm]."""
@@ -28,8 +28,8 @@ def grounds(skeleton: Skeleton) -> Figure:
         spots.append(run.end(run.high) + run.side * 2)
     for point in skeleton.points:
         owners = skeleton.mechanism.owners[point]
-        if FRAME in owners and (len(owners) > 1 or _holds_cylinder(skeleton, point)):
-            down = _down(skeleton, point)
+        if FRAME in owners and len(owners) > 1:
+            down = ground_way(skeleton, point)
             figure.marks += symbols.pivot(skeleton.at(point), down, skeleton.step(point))
             spots.insert(0, skeleton.at(point) + (symbols.PIVOT_DEPTH + 1) * down)
     if spots:
@@ -38,11 +38,7 @@ def grounds(skeleton: Skeleton) -> Figure:
     return figure
 
 
-def _holds_cylinder(skeleton: Skeleton, point: str) -> bool:
-    return any(slide.line.origin == point and skeleton.is_cylinder(slide) for slide in skeleton.mechanism.slides)
-
-
-def _down(skeleton: Skeleton, point: str) -> complex:
+def ground_way(skeleton: Skeleton, point: str) -> complex:
     """The side on which a pivot's ground lies: down, unless links leave that way."""
     ways = list(skeleton.directions(point))
 
@@ -123,8 +119,3 @@ def _ground_side(skeleton: Skeleton, at: Place, along: complex) -> complex:
     if abs(weight) < 5:
         return below
     return -normal if weight > 0 else normal
-
-
-def stretch(places: list[Place]) -> Stroke:
-    """A plain line through places."""
-    return Stroke(tuple(places), "thin")

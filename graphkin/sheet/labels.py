@@ -58,7 +58,6 @@ class Wanted:
     away: complex = 0j
     size: float = LABEL
     step: int | None = None
-    new: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +79,7 @@ def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room) -> list[
     for want, spot in zip(wanted, chosen, strict=True):
         wide, up, down = box(want.label, want.size)
         corner = spot.middle + complex(-wide / 2, (up - down) / 2)
-        marks.append(Text(want.label, corner, want.size, want.step, want.new))
+        marks.append(Text(want.label, corner, want.size, want.step))
         if spot.anchor is not None:
             marks.append(_leader(spot, complex(wide, up + down) / 2, want))
     return marks
@@ -93,7 +92,7 @@ def _leader(spot: _Spot, half: complex, want: Wanted) -> Mark:
     edge = complex(max(-half.real, min(half.real, off.real)), max(-half.imag, min(half.imag, off.imag)))
     way = off - edge
     begin = spot.middle + edge + way / abs(way) * 0.5 if abs(way) > 1 else spot.middle + edge
-    return Stroke((begin, spot.anchor), "leader", step=want.step, new=want.new)
+    return Stroke((begin, spot.anchor), "leader", step=want.step)
 
 
 # --- candidates -------------------------------------------------------------------------------
@@ -116,9 +115,7 @@ def _around(point: Place, half: complex, want: Wanted, first: int = 0) -> Iterat
             side = complex(_held(turn.real) * half.real, _held(turn.imag) * half.imag)
             liking = 0.8 * (1 - (turn * away.conjugate()).real) if away else 0.05 * ((k - 14) % 16)
             led = ring >= _LED
-            yield _Spot(
-                point + reach * turn + side, 1.6 * ring + liking + (6 if led else 0), point if led else None
-            )
+            yield _Spot(point + reach * turn + side, 1.6 * ring + liking + (6 if led else 0), point if led else None)
 
 
 def _held(x: float) -> float:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 from graphkin.sheet.labels import Room
@@ -20,11 +20,10 @@ __all__ = ["HEAD", "Extent", "Layout", "lay_out"]
 
 HEAD = 7.5
 """Height of a figure's heading [mm]."""
-HEAD_WIDTH = 70.0
+HEAD_WIDTH = 76.0
 """Width of a heading with its scale [mm]."""
-_ENOUGH = 100.0
-"""A figure larger than this is no easier to read [mm]."""
-_WEIGHT: Mapping[Plane, float] = {"position": 1.4, "velocity": 1.0, "acceleration": 1.2}
+_MECHANISM = 1.3
+"""How much more the mechanism counts: its signs keep their size and need room between them."""
 _IN_ORDER = 0.12
 """What it is worth that the figures follow one another as they are drawn."""
 
@@ -34,6 +33,7 @@ class Extent:
     """How large a figure is: its points in SI units, and what signs and labels reach beyond them [mm].
 
     left, top, right, bottom  the reaches; given  its scale where the file gives one
+    labels  how much is lettered in it
     """
 
     size: complex
@@ -42,6 +42,7 @@ class Extent:
     right: float
     bottom: float
     given: float | None = None
+    labels: int = 10
 
     @property
     def reach(self) -> complex:
@@ -84,9 +85,7 @@ def lay_out(extents: Mapping[Plane, Extent], strip_height: Mapping[str, float], 
     raise _too_large(extents, strip_height, candidates)
 
 
-def _best(
-    papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Mapping[str, float]
-) -> Layout | None:
+def _best(papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Mapping[str, float]) -> Layout | None:
     best: tuple[float, Layout] | None = None
     for paper in papers:
         inner = Room(paper.margin, paper.margin, paper.width - paper.margin, paper.height - paper.margin)
@@ -107,22 +106,28 @@ def _scale(extent: Extent, room: Room) -> float | None:
     return extent.scale_in(complex(room.right - room.left, room.bottom - room.top - HEAD))
 
 
-def _score(
-    extents: Mapping[Plane, Extent], scales: Mapping[Plane, float], rooms: Mapping[Plane, Room]
-) -> float:
+def _score(extents: Mapping[Plane, Extent], scales: Mapping[Plane, float], rooms: Mapping[Plane, Room]) -> float:
     """Large figures count, and a little that none is squeezed into its room."""
     total = 0.0
     for plane, extent in extents.items():
         room = rooms[plane]
         whole = extent.size / scales[plane]
-        large = max(whole.real, whole.imag)
-        if large > 0:
-            total += _WEIGHT[plane] * math.log(max(1.0, min(large, _ENOUGH)))
+        total += _worth(plane, max(whole.real, whole.imag), extent.labels)
         spare_x = room.right - room.left - whole.real - extent.reach.real
         spare_y = room.bottom - room.top - HEAD - whole.imag - extent.reach.imag
         total += 0.15 * math.log(1 + min(spare_x, spare_y))
     corners = [(rooms[plane].top + 0.3 * rooms[plane].left) for plane in extents]
     return total + (_IN_ORDER if corners == sorted(corners) else 0.0)
+
+
+def _worth(plane: Plane, large: float, labels: int) -> float:
+    """What the size of a figure is worth: it grows slowly once its letters have room, then not at all."""
+    if large <= 0:
+        return 0.0
+    easy = 90.0 if plane == "position" else 30.0 + 2.2 * labels
+    weight = math.sqrt(labels / 10) * (_MECHANISM if plane == "position" else 1)
+    more = max(1.0, min(large, 1.8 * easy) / easy)
+    return weight * (math.log(max(1.0, min(large, easy))) + 0.4 * math.log(more))
 
 
 def _too_large(
@@ -144,12 +149,12 @@ def _too_large(
 
 
 def _free(extent: Extent) -> Extent:
-    return Extent(extent.size, extent.left, extent.top, extent.right, extent.bottom)
+    return replace(extent, given=None)
 
 
 # --- ways to divide a field -------------------------------------------------------------------
 
-_SHARES = tuple(k / 20 for k in range(5, 16))
+_SHARES = tuple(k / 32 for k in range(8, 25))
 
 
 def _divisions(field: Room, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, Room]]:

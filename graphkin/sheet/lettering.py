@@ -175,12 +175,12 @@ def quantity_label(letter: str, low: str, part: str = "") -> Label:
     return (*label, Run(part, True, "sup", back=True)) if part else label
 
 
-def number(value: float, digits: int = 4) -> str:
-    """A figure as people write it: `0.2712`, `−3.919`, `0`, `1.2×10⁹` never; four digits are what paper gives."""
-    if value == 0 or abs(value) < 1e-300:
-        return "0"
-    text = f"{value:.{digits}g}"
-    if "e" in text:
-        mantissa, exponent = text.split("e")
-        return f"{mantissa}e{int(exponent)}".replace("-", "−")
-    return text.replace("-", "−")
+def number(value: float, digits: int = 4) -> Label:
+    """A figure as people write it: 0.2712, −3.919, 0, 2×10⁻⁵; four digits are what paper gives."""
+    mantissa, _, exponent = f"{value:.{digits}g}".replace("-", "−").partition("e")
+    if mantissa in ("0", "−0") or abs(value) < 1e-300:
+        return plain("0")
+    if not exponent:
+        return plain(mantissa)
+    power = exponent.replace("+", "").replace("−0", "−").lstrip("0")
+    return (Run("10" if mantissa == "1" else f"{mantissa}×10"), Run(power, place="sup"))

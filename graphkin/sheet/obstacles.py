@@ -75,9 +75,7 @@ def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:
 def arc_places(arc: Arc) -> tuple[Place, ...]:
     """A polyline close to an arc."""
     count = max(4, int(abs(arc.sweep) * 8))
-    return tuple(
-        arc.centre + cmath.rect(arc.radius, arc.start + arc.sweep * k / count) for k in range(count + 1)
-    )
+    return tuple(arc.centre + cmath.rect(arc.radius, arc.start + arc.sweep * k / count) for k in range(count + 1))
 
 
 def _tip(start: Place, end: Place) -> tuple[Place, ...]:

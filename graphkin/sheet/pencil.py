@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from graphkin.sheet.labels import Room
 from graphkin.sheet.marks import Arc as ArcMark
-from graphkin.sheet.marks import Disc, Mark, Place, Stroke
+from graphkin.sheet.marks import Mark, Place, Stroke
 from graphkin.sheet.window import Window
 from graphkin.steps import Arc, Construction, Meet, Plot, Ray
 
@@ -16,12 +16,11 @@ __all__ = ["pencil_lines"]
 
 _BEYOND = 9.0
 """How far a direction line goes on past its points [mm]."""
-_SWING = math.radians(22)
+_SWING, _STROKE = math.radians(22), 12.0
+"""Half of an arc: this angle, or this length [mm] if that is less."""
 
 
-def pencil_lines(
-    construction: Construction, plot: Plot, window: Window, room: Room, before: int
-) -> list[Mark]:
+def pencil_lines(construction: Construction, plot: Plot, window: Window, room: Room, before: int) -> list[Mark]:
     """Each ray and arc from where it starts past where it meets another, with the number of its own step."""
     ends: dict[Ray | Arc, list[str]] = {}
     for step in construction.steps:
@@ -34,7 +33,9 @@ def pencil_lines(
         if isinstance(step, Ray | Arc):
             foot = window(points[step.through if isinstance(step, Ray) else step.about])
             tips = [window(points[name]) for name in ends.get(step, ()) if name in points]
-            marks += _ray(step, foot, tips, plot, window, number) if isinstance(step, Ray) else _arcs(foot, tips, number)
+            marks += (
+                _ray(step, foot, tips, plot, window, number) if isinstance(step, Ray) else _arcs(foot, tips, number)
+            )
     return marks
 
 
@@ -51,5 +52,5 @@ def _ray(ray: Ray, foot: Place, tips: list[Place], plot: Plot, window: Window, n
 def _arcs(foot: Place, tips: list[Place], number: int) -> Iterator[Mark]:
     """A short arc around each place where the circle is crossed."""
     for tip in tips:
-        start = cmath.phase(tip - foot) - _SWING
-        yield ArcMark(foot, abs(tip - foot), start, 2 * _SWING, "construction", step=number)
+        half = min(_SWING, _STROKE / max(abs(tip - foot), 1e-9))
+        yield ArcMark(foot, abs(tip - foot), cmath.phase(tip - foot) - half, 2 * half, "construction", step=number)

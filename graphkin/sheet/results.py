@@ -9,17 +9,28 @@ from dataclasses import dataclass
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
 from graphkin.methods import Method
-from graphkin.sheet.lettering import Label, Run, link_label, number, plain, point_label, quantity_label, vector_label, width
+from graphkin.sheet.lettering import (
+    Label,
+    Run,
+    link_label,
+    number,
+    plain,
+    point_label,
+    quantity_label,
+    vector_label,
+    width,
+)
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.steps import Plot
 
-__all__ = ["Table", "columns", "drawn_columns", "tables"]
+__all__ = ["PITCH", "Table", "arranged", "drawn_tables", "height_of", "tables"]
 
 PITCH = 4.1
 """From base line to base line [mm]."""
 SIZE = 2.8
 """Letters of the table [mm]."""
-_GAP, _BETWEEN = 3.0, 7.0
+_GAP, _BETWEEN = 2.6, 6.0
+_MOST_ROWS = 12
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
 
 
@@ -65,7 +76,11 @@ def _links(method: Method, plot: Plot, lang: Lang) -> Table:
     head = (plain(word), _unit(quantity_label("ω", ""), "rad/s"), _unit(quantity_label("α", ""), "rad/s²"))
     names = sorted((n for n in machine.moving if n in plot.omega), key=lambda n: not _asked(method, machine.called(n)))
     rows = tuple(
-        (link_label(machine.called(n)), _turning(plot.omega[n], plot.omega, lang), _turning(plot.alpha[n], plot.alpha, lang))
+        (
+            link_label(machine.called(n)),
+            _turning(plot.omega[n], plot.omega, lang),
+            _turning(plot.alpha[n], plot.alpha, lang),
+        )
         for n in names
     )
     return Table(head, rows)
@@ -77,7 +92,7 @@ def _turning(value: object, among: dict[str, object], lang: Lang) -> Label:
     largest = max((abs(float(v)) for v in among.values()), default=0.0)  # type: ignore[arg-type]
     if abs(size) <= 1e-9 * largest:
         return plain("0")
-    return plain(f"{number(abs(size))} {_SENSE[lang][size < 0]}")
+    return (*number(abs(size)), Run(f" {_SENSE[lang][size < 0]}"))
 
 
 def _points(method: Method, plot: Plot, lang: Lang) -> Table:
@@ -98,7 +113,7 @@ def _points(method: Method, plot: Plot, lang: Lang) -> Table:
 def _size(points: dict[str, complex], name: str, tail: complex = 0j) -> Label:
     largest = max((abs(v) for v in points.values()), default=0.0)
     size = abs(points[name] - tail)
-    return plain(number(size) if size > 1e-9 * largest else "0")
+    return number(size if size > 1e-9 * largest else 0.0)
 
 
 def _parts(method: Method, plot: Plot) -> Table:
@@ -134,7 +149,7 @@ def _slides(method: Method, plot: Plot) -> Table:
         _unit(plain("d²s/dt²", True), "m/s²"),
     )  # fmt: skip
     rows = tuple(
-        (plain(slide.name, True), *(plain(number(float(v))) for v in _displacement(plot, slide.name)))
+        (plain(slide.name, True), *(number(float(v)) for v in _displacement(plot, slide.name)))
         for slide in method.mechanism.slides
         if slide.named and slide.name in plot.s and not math.isnan(float(plot.s[slide.name]))
     )
@@ -149,34 +164,54 @@ def _displacement(plot: Plot, slide: str) -> tuple[float, float, float]:
 # --- on paper ---------------------------------------------------------------------------------
 
 
-def columns(found: list[Table], room: float, most: int) -> tuple[list[Table], int]:
-    """Tables cut so that they stand side by side in `room` mm, and the rows of the tallest.
+def arranged(found: list[Table], room: float) -> list[list[Table]]:
+    """Tables side by side in `room` mm, in one or two tiers, whichever is lower; long ones cut.
 
-    At most `most` rows; what then still has no room is left out, the last asked first.
+    What has no room even so is left out, the last asked first.
     """
-    for rows in range(3, most + 1):
-        parts = [part for table in found for part in table.cut(rows)]
+    best: tuple[float, list[list[Table]]] | None = None
+    for split in range(1, len(found) + 1):
+        tiers = [tier for tier in (found[:split], found[split:]) if tier]
+        cut = [_cut(tier, room) for tier in tiers]
+        height = height_of(cut)
+        lost = sum(len(table.rows) for table in found) - sum(len(t.rows) for tier in cut for t in tier)
+        if best is None or height + 20 * lost < best[0]:
+            best = height + 20 * lost, cut
+    return best[1] if best is not None else []
+
+
+def _cut(tier: list[Table], room: float) -> list[Table]:
+    """Tables cut to as few rows as their room allows."""
+    for rows in range(3, _MOST_ROWS + 1):
+        parts = [part for table in tier for part in table.cut(rows)]
         if _across(parts) <= room:
-            return parts, max((len(part.rows) for part in parts), default=0)
+            return parts
     kept: list[Table] = []
-    for table in found:
-        part = next(table.cut(most))
+    for table in tier:
+        part = next(table.cut(_MOST_ROWS))
         if _across([*kept, part]) <= room:
             kept.append(part)
-    return kept, max((len(part.rows) for part in kept), default=0)
+    return kept
+
+
+def height_of(tiers: list[list[Table]]) -> float:
+    """Height of arranged tables [mm]."""
+    return sum(PITCH * (1 + max((len(table.rows) for table in tier), default=0)) + 2.5 for tier in tiers)
 
 
 def _across(parts: list[Table]) -> float:
     return sum(part.wide for part in parts) + _BETWEEN * max(0, len(parts) - 1)
 
 
-def drawn_columns(parts: list[Table], corner: Place) -> list[Mark]:
-    """Tables side by side from their upper left corner."""
+def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
+    """Arranged tables from their upper left corner."""
     marks: list[Mark] = []
-    pen = corner
-    for part in parts:
-        marks += _drawn(part, pen)
-        pen += part.wide + _BETWEEN
+    for tier in tiers:
+        pen = corner
+        for part in tier:
+            marks += _drawn(part, pen)
+            pen += part.wide + _BETWEEN
+        corner += 1j * height_of([tier])
     return marks
 
 

@@ -13,24 +13,12 @@ from graphkin.errors import GraphkinError, Lang
 from graphkin.sheet.lettering import Label, Run, number, quantity_label
 from graphkin.steps import Plane
 
-__all__ = ["LETTERS", "UNITS", "Scales", "TooLargeForPaper", "UnknownPaper", "finest", "written"]
+__all__ = ["KEYS", "LETTERS", "UNITS", "TooLargeForPaper", "UnknownPaper", "finest", "written"]
 
 LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
 UNITS: dict[Plane, str] = {"position": "m/mm", "velocity": "(m/s)/mm", "acceleration": "(m/s²)/mm"}
 KEYS: dict[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 """Key of a plane's scale in the mechanism file."""
-
-
-@dataclass(frozen=True, slots=True)
-class Scales:
-    """Length [m/mm], velocity [(m/s)/mm], acceleration [(m/s²)/mm]."""
-
-    length: float
-    velocity: float
-    acceleration: float
-
-    def of(self, plane: Plane) -> float:
-        return {"position": self.length, "velocity": self.velocity, "acceleration": self.acceleration}[plane]
 
 
 @dataclass(eq=False)
@@ -82,4 +70,4 @@ def finest(size: complex, room: complex) -> float:
 
 def written(plane: Plane, scale: float) -> Label:
     """`μ_l = 0.001 m/mm`."""
-    return (*quantity_label("μ", LETTERS[plane]), Run(f" = {number(scale)} {UNITS[plane]}"))
+    return (*quantity_label("μ", LETTERS[plane]), Run(" = "), *number(scale), Run(f" {UNITS[plane]}"))

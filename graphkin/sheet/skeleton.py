@@ -78,8 +78,6 @@ class Skeleton:
         t = (along.conjugate() * (self.at(slide.point) - foot)).real
         low, high = min((0.0, *stops)), max((0.0, *stops))
         low, high = min(low, t - OVERRUN), max(high, t + OVERRUN)
-        if t - OVERRUN > 0 and low == 0.0:
-            low = 0.0
         return foot + along * low, foot + along * high
 
     def _on_line(self, slide: Slide) -> Iterator[str]:
@@ -87,6 +85,18 @@ class Skeleton:
         for point in self.named(slide.guide):
             if abs((along.conjugate() * (self.at(point) - foot)).imag) < 0.05:
                 yield point
+
+    def segments(self) -> Iterator[tuple[Place, Place]]:
+        """Every bar of the moving links."""
+        for link in self.mechanism.moving:
+            places = [self.at(p) for p in self.named(link)]
+            yield from ((a, b) for k, a in enumerate(places) for b in places[:k])
+            for slide in self.guides(link):
+                yield (
+                    (self.at(slide.line.origin), self.at(slide.point))
+                    if self.is_cylinder(slide)
+                    else self.guide_bar(slide)
+                )
 
     def directions(self, point: str) -> Iterator[complex]:
         """Where lines leave a point to, on paper."""

@@ -13,7 +13,7 @@ from graphkin.sheet.marks import Arc, Mark, Place, Stroke
 from graphkin.sheet.paper import PenName
 
 __all__ = [
-    "BLOCK", "HINGE", "PIVOT_DEPTH", "bar", "block", "corner", "cylinder", "guide", "hatch", "pivot",
+    "BLOCK", "HINGE", "PIVOT_DEPTH", "SWEEP", "bar", "block", "corner", "cylinder", "guide", "hatch", "pivot",
     "plate", "push", "slot", "spin",
 ]  # fmt: skip
 
@@ -23,6 +23,8 @@ PIVOT_DEPTH = 4.6
 """From a pivot's centre to the ground [mm]."""
 BLOCK = complex(10.0, 5.6)
 """Length and height of a block [mm]."""
+SWEEP = math.radians(62)
+"""Angle of a turning arrow."""
 _SLOT = 1.75
 _PITCH, _SLANT = 1.5, 1.7
 
@@ -116,12 +118,11 @@ def cylinder(foot: Place, rod_end: Place, step: int | None = None) -> list[Mark]
 
 
 def spin(at: Place, towards: complex, sense: float, radius: float, step: int | None = None) -> list[Mark]:
-    """An arc with an arrow about a pivot, ahead of the direction `towards`; sense +1 is counter-clockwise.
+    """An arc with an arrow about a pivot, from the direction `towards` on; sense +1 is counter-clockwise.
 
     Paper has y down, so counter-clockwise is a negative sweep.
     """
-    start = cmath.phase(towards) - math.copysign(math.radians(14), sense)
-    return [Arc(at, radius, start, -math.copysign(math.radians(62), sense), "vector", arrow=True, step=step)]
+    return [Arc(at, radius, cmath.phase(towards), -sense * SWEEP, "vector", arrow=True, step=step)]
 
 
 def push(start: Place, along: complex, step: int | None = None) -> list[Mark]:

@@ -10,18 +10,17 @@ from graphkin.sheet.labels import Room
 from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.paper import BODY, LEAST, PAPERS, TITLE, Paper
-from graphkin.sheet.results import PITCH, Table, columns, drawn_columns
+from graphkin.sheet.results import Table, arranged, drawn_tables, height_of
 from graphkin.sheet.scales import written
 from graphkin.steps import Plane
 
 __all__ = ["strip", "strip_heights"]
 
-_WIDE = 66.0
+_WIDE = 64.0
 """Width of the title block [mm]."""
 _LEAST_HEIGHT = 33.0
 _BAR = 9.0
 """Room for the check bar under the tables [mm]."""
-_MOST_ROWS = 12
 _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
 
 
@@ -35,22 +34,20 @@ def _room(paper: Paper) -> float:
 
 
 def _height(found: list[Table], paper: Paper) -> float:
-    _, rows = columns(found, _room(paper), _MOST_ROWS)
-    return max(_LEAST_HEIGHT, (rows + 1) * PITCH + 3 + _BAR)
+    return max(_LEAST_HEIGHT, height_of(arranged(found, _room(paper))) + 1 + _BAR)
 
 
 def strip(
     machine: Mechanism, found: list[Table], paper: Paper, room: Room, scales: Mapping[Plane, float], lang: Lang
 ) -> list[Mark]:
     """The whole strip and the drawing frame."""
-    parts, _ = columns(found, _room(paper), _MOST_ROWS)
     edge = room.right - _WIDE
     marks: list[Mark] = [
         _frame(paper),
         Stroke((complex(room.left, room.top), complex(room.right, room.top)), "outline"),
         Stroke((complex(edge, room.top), complex(edge, room.bottom)), "outline"),
     ]
-    marks += drawn_columns(parts, complex(room.left + 3, room.top + 1.5))
+    marks += drawn_tables(arranged(found, _room(paper)), complex(room.left + 3, room.top + 1.5))
     marks += _check_bar(complex(room.left + 3, room.bottom - 3.2), lang)
     marks += _words(machine, complex(edge + 3, room.top), scales, lang)
     return marks

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from graphkin.pairs import Cam, Gear, Line, Roll
 from graphkin.sheet.marks import Disc, Mark, Stroke
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure
-from graphkin.pairs import Cam, Gear, Line, Roll
 
 __all__ = ["wheels"]
 

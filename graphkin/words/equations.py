@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import assert_never
 
 from graphkin.steps import (
@@ -57,7 +58,7 @@ def known_arrow(polygon: Polygon, step: LayOff) -> Iterator[Entry]:
         tail = names.point(size.tail)
         yield Sentence(polygon.reading.say("only normal", alpha=alpha, of=point, seen_from=tail))
     yield known_size(polygon, step.term, (step.term,))
-    yield Sentence(_lay_off(polygon, step, carried=False))
+    yield Sentence(_lay_off(polygon, step))
 
 
 # --- the equation itself ------------------------------------------------------------------------
@@ -95,19 +96,16 @@ def _introduction(polygon: Polygon, part: Equation) -> str:
     relations = [relation for relation in found if relation]
     motion = say(f"motion {polygon.plane}")
     if relations:
-        return say("from relations", relations=say("between relations").join(relations), motion=motion)
+        first = say("between relations").join(relations[:-1])
+        joined = say("last relation").join([first, relations[-1]] if first else relations)
+        return say("from relations", relations=joined, motion=motion)
     return say("plain equation", of=names.point(part.of), motion=motion)
 
 
 def _relation(polygon: Polygon, term: Term) -> str:
     of, seen_from = names.point(term.of), names.point(term.seen_from)
-    if (
-        isinstance(term.direction, AlongGuide)
-        or isinstance(term.size, Relative | Driven)
-        or term.part[:1] in "kr"
-    ):
-        if term.part[:1] != "n" and term.part != "t" and _coincident(term):
-            return polygon.reading.say("coincident", of=of, seen_from=seen_from)
+    if _coincident(term):
+        return polygon.reading.say("coincident", of=of, seen_from=seen_from)
     link = _link(polygon, term)
     return polygon.reading.say("points of link", of=of, seen_from=seen_from, link=link) if link else ""
 
@@ -148,11 +146,12 @@ def _translation(polygon: Polygon, part: Equation) -> str:
 
 
 def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...]) -> Iterator[Entry]:
-    met = False
+    met = told = False
     for step in steps:
         match step:
             case LayOff():
-                yield Sentence(_lay_off(polygon, step, carried=met))
+                yield Sentence(_lay_off(polygon, step, carried=met, told=told))
+                told = told or (step.tip.startswith("*") and polygon.size(step.term.tail, step.term.head) > 0)
             case Meet():
                 met = True
                 yield Sentence(_meet(polygon, step, terms))
@@ -164,7 +163,7 @@ def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...])
                 assert_never(step)
 
 
-def _lay_off(polygon: Polygon, step: LayOff, carried: bool) -> str:
+def _lay_off(polygon: Polygon, step: LayOff, carried: bool = False, told: bool = False) -> str:
     say, term = polygon.reading.say, step.term
     start, tip = names.point(step.start), names.point(step.tip)
     name = names.vector(term.name(polygon.plane))
@@ -174,7 +173,13 @@ def _lay_off(polygon: Polygon, step: LayOff, carried: bool) -> str:
     length = polygon.laid(name, term.tail, term.head, ends)
     if step.tip.startswith("*"):
         way = say("aside backward" if step.backwards else "aside forward", start=start)
-        return say("aside", name=name, way=way, length=length, tip=tip)
+        return say(
+            "aside more" if told else "aside",
+            name=name,
+            way=way,
+            length=length,
+            tip=tip,
+        )
     if carried:
         key = "carry back reversed" if step.backwards else "carry back"
         return say(key, name=name, start=start, length=length, tip=tip)
@@ -182,8 +187,7 @@ def _lay_off(polygon: Polygon, step: LayOff, carried: bool) -> str:
 
 
 def _meet(polygon: Polygon, step: Meet, terms: tuple[Term, ...]) -> str:
-    assert isinstance(step.first, Ray) and isinstance(step.second, Ray)
-    rays = (step.first, step.second)
+    rays = [locus for locus in (step.first, step.second) if isinstance(locus, Ray)]
     directions = [polygon.direction(ray.direction, terms) for ray in rays]
     return polygon.reading.say(
         "meet rays one point" if rays[0].through == rays[1].through else "meet rays",
@@ -203,12 +207,20 @@ def _measured(polygon: Polygon, part: Equation) -> Iterator[Entry]:
     pole, node = polygon.construction.pole, part.left[-1].head
     ends = [(term.tail, term.head) for term in part.left + part.right if term.unknowns]
     sought = not any(_alone(part, side) for side in (part.left, part.right))
-    if sought and node != pole:
-        ends.append((pole, node))
-    lengths = [f"{names.stretch(*pair)} = {_millimetres(polygon, pair)}" for pair in ends]
-    yield Sentence(polygon.reading.say("measured", lengths=polygon.reading.say("and").join(lengths)))
+    lengths = dict.fromkeys([*ends, (pole, node)] if sought and node != pole else ends)
+    listed = [f"{names.stretch(*pair)} = {_millimetres(polygon, pair)}" for pair in lengths]
+    yield Sentence(polygon.reading.say("measured", lengths=polygon.reading.say("and").join(listed)))
     for tail, head in ends:
         yield _result(polygon, tail, head)
+    if sought and node != pole:
+        yield _sought(polygon, node)
+
+
+def _sought(polygon: Polygon, node: str) -> Calculation:
+    """The motion sought; where it starts from a point at rest, a relative motion is all there is of it."""
+    pole, absolute = polygon.construction.pole, polygon.measured_absolute(node)
+    name = polygon.name(pole, node)
+    return absolute if name == absolute.name else replace(absolute, formulas=(name,), numbers="")
 
 
 def _millimetres(polygon: Polygon, ends: tuple[str, str]) -> str:

@@ -26,9 +26,9 @@ def given(reading: Reading) -> Iterator[Entry]:
 
 
 def _scales(reading: Reading) -> Iterator[str]:
-    for plane, key in (("position", "length"), ("velocity", "velocity"), ("acceleration", "acceleration")):
-        unit = {"length": "m/mm", "velocity": "(m/s)/mm", "acceleration": "(m/s²)/mm"}[key]
-        yield f"{names.SCALE[plane]} = {number(reading.scales[key])} {unit}"
+    yield f"{names.SCALE['position']} = {number(reading.scales['length'])} m/mm"
+    yield f"{names.SCALE['velocity']} = {number(reading.scales['velocity'])} (m/s)/mm"
+    yield f"{names.SCALE['acceleration']} = {number(reading.scales['acceleration'])} (m/s²)/mm"
 
 
 def _driver(reading: Reading, k: int, driver: Driver) -> str:

@@ -41,8 +41,12 @@ def arrow(tail: str, head: str) -> str:
 
 
 def pair(first: str, second: str) -> str:
-    """Two points of the mechanism in the order a textbook writes them: AB, BD, CD."""
-    return "".join(point(name) for name in sorted((first, second)))
+    """Two points of the mechanism in the order a textbook writes them: AB, BD, CD; OA, O1B."""
+    return "".join(point(name) for name in sorted((first, second), key=_place_in_line))
+
+
+def _place_in_line(name: str) -> tuple[bool, str]:
+    return not name.startswith("O"), name
 
 
 def vector(name: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from graphkin.errors import Lang
@@ -9,9 +10,13 @@ from graphkin.errors import Lang
 __all__ = ["PHRASES", "say"]
 
 
+_ROOM = re.compile("(?<=[\u4e00-\u9fff]) +(?=[\u4e00-\u9fff])")
+
+
 def say(key: str, lang: Lang, **words: object) -> str:
-    """The sentence of this key with these words put in."""
-    return PHRASES[key][lang].format(**words)
+    """The sentence of this key with these words put in; Chinese leaves no room between two Chinese words."""
+    text = PHRASES[key][lang].format(**words)
+    return _ROOM.sub("", text) if lang == "zh" else text
 
 
 def _both(en: str, zh: str) -> dict[Lang, str]:
@@ -45,11 +50,10 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
     # --- places and lines ----------------------------------------------------------------------
     "guide of": _both("guide {name}", "导路 {name}"),
     "origin of": _both("the start of guide {name}", "导路 {name} 的起点"),
-    "line to": _both("the stretch to {point}", "至 {point} 的距离"),
     # --- position ------------------------------------------------------------------------------
     "fixed points": _both("Fixed points, in mm on paper: {points}.", "定出固定点（图上 mm）：{points}。"),
     "fixed guide": _both(
-        "{guide}: the line through {place} at {angle} to +x.",
+        "The line of {guide}: through {place} at {angle} to +x.",
         "{guide}：过 {place}、与 x 轴正向成 {angle} 的直线。",
     ),
     "lay off link": _both(
@@ -61,16 +65,18 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
         "由 {start} 沿{guide}（{angle}）取 {length}，得 {tip}。",
     ),
     "circle": _both(
-        "the circle about {about} with radius {length}", "以 {about} 为圆心、以 {length} 为半径的圆弧"
+        "draw the circle about {about} with radius {length}",
+        "以 {about} 为圆心、{length} 为半径作弧",
     ),
-    "line parallel": _both("the line through {through} {direction}", "过 {through} 且 {direction} 的直线"),
+    "take guide": _both("take {guide}", "取{guide}"),
+    "line parallel": _both(
+        "draw the line through {through} {direction}", "过 {through} 作{direction} 的直线"
+    ),
     "meet circles": _both(
-        "Draw {first}, and {second}. They cross at {point} (of the two crossings, the one on the side of the sketch).",
-        "作{first}，再作{second}，两者交于 {point}（两交点中取与给定装配位置一致者）。",
+        "{first}; {second}. They cross at {point} (of the two crossings, the one on the side of the sketch).",
+        "{first}；{second}；两者交于 {point}（两交点中取与给定装配位置一致者）。",
     ),
-    "meet lines": _both(
-        "Draw {first}, and {second}. They cross at {point}.", "作{first}，再作{second}，两者交于 {point}。"
-    ),
+    "meet lines": _both("{first}; {second}. They cross at {point}.", "{first}；{second}；两者交于 {point}。"),
     "swing join": _both(
         "Link {link} turns about {pivot} until its guide line, which runs through {pivot}, passes through {through}: join {pivot} and {through}.",
         "构件 {link} 的导路通过其回转中心 {pivot}，又须通过 {through}：连接 {pivot}、{through}，即得导路方向。",
@@ -95,17 +101,20 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
     # --- polygons: the start -------------------------------------------------------------------
     "pole": _both("Take the pole {pole}.", "任取极点 {pole}。"),
     "pole fixed": _both(
+        "Take the pole {pole}; the fixed point {points} is at rest, so {nodes} lies on {pole}.",
+        "任取极点 {pole}；固定点 {points} 不动，故 {nodes} 与 {pole} 重合。",
+    ),
+    "pole fixed, several": _both(
         "Take the pole {pole}; the fixed points {points} are at rest, so {nodes} lie on {pole}.",
         "任取极点 {pole}；固定点 {points} 不动，故 {nodes} 与 {pole} 重合。",
     ),
     "never turn": _both(
-        "{links} can only translate: {rates}, and all points of such a link have one velocity and one acceleration.",
-        "{links} 只能移动：{rates}，其上各点的速度、加速度分别相同。",
+        "Link {links} can only translate: {rates}, and all its points move alike.",
+        "构件 {links} 只能移动：{rates}，其上各点的速度、加速度均相同。",
     ),
-    "link": _both("link {link}", "构件 {link}"),
-    "steady ties": _both(
-        "{ties}, as these links keep their angle to one another or are driven so.",
-        "由移动副或原动件的约束知：{ties}。",
+    "never turn, several": _both(
+        "Links {links} can only translate: {rates}, and all points of such a link move alike.",
+        "构件 {links} 只能移动：{rates}，同一构件上各点的速度、加速度均相同。",
     ),
     # --- polygons: equations -------------------------------------------------------------------
     "points of link": _both(
@@ -113,7 +122,8 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
     ),
     "coincident": _both("{of} and {seen_from} are coincident points", "重合点 {of}、{seen_from} 之间"),
     "from relations": _both("{relations}:", "由{relations}的{motion}关系，有"),
-    "between relations": _both("; ", "以及"),
+    "between relations": _both("; ", "、"),
+    "last relation": _both("; ", "以及"),
     "plain equation": _both("The motion of {of}:", "{of} 的{motion}："),
     "motion velocity": _both("velocity", "速度"),
     "motion acceleration": _both("acceleration", "加速度"),
@@ -149,6 +159,10 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
     ),
     "aside forward": _both("from {start}", "由 {start} 顺其指向"),
     "aside backward": _both("from {start} against its direction", "由 {start} 逆其指向"),
+    "aside more": _both(
+        "{name} likewise, {way}: {length}, to the auxiliary point {tip}.",
+        "同样，{name} {way}：{length}，得辅助点 {tip}。",
+    ),
     "carry back": _both(
         "Carry {name} back to its place: {length} from {start} gives {tip}.",
         "再将 {name} 移回原位：由 {start} 作 {length}，得 {tip}。",
@@ -166,7 +180,7 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
         "{first_direction} 与 {second_direction} 两方向线均过 {first}，故 {point} 与 {first} 重合。",
     ),
     "measured": _both("Measured: {lengths}; hence", "由图量得 {lengths}，于是得"),
-    "at direction": _both("at {angle}", "与 x 轴正向成 {angle}"),
+    "at direction": _both("at {angle} to +x", "与 x 轴正向成 {angle}"),
     # --- polygons: rotation --------------------------------------------------------------------
     "sense rule": _both(
         "{sense}: {ends} carried to {head} turns link {link} so about {tail}",
@@ -180,8 +194,8 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
         "{name} = 0: at this instant link {link} is at rest.", "{name} = 0，此瞬时构件 {link} 静止。"
     ),
     "held": _both(
-        "links {link} and {other} do not turn against each other",
-        "构件 {link}、{other} 之间无相对转动",
+        "Links {links} slide on each other and do not turn against each other:",
+        "构件 {links} 之间组成移动副，无相对转动：",
     ),
     "tied": _both("counter-clockwise is positive", "逆时针为正"),
     "tangential part": _both(
@@ -204,7 +218,6 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
         "利用{image}：构件 {link} 的影像 {small} 缩为一点，故 {point} 也在该点。",
     ),
     # --- polygons: slides ----------------------------------------------------------------------
-    "distance": _both("So {change} at {name} = {size} m/s.", "即 {change}，其速率为 {name} = {size} m/s。"),
-    "grows": _both("{stretch} grows", "{stretch} 增大"),
-    "shrinks": _both("{stretch} shrinks", "{stretch} 减小"),
+    "grows": _both("So {stretch} grows at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率增大。"),
+    "shrinks": _both("So {stretch} shrinks at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率减小。"),
 }

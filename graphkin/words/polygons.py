@@ -52,4 +52,5 @@ def _pole(drawn: Polygon, step: Given) -> str:
         return reading.say("pole", pole=pole)
     nodes = reading.listed([names.point(node) for node in step.also])
     points = reading.listed([names.point(drawn.of(node)) for node in step.also])
-    return reading.say("pole fixed", pole=pole, points=points, nodes=nodes)
+    key = "pole fixed" if len(step.also) == 1 else "pole fixed, several"
+    return reading.say(key, pole=pole, points=points, nodes=nodes)

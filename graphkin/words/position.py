@@ -101,16 +101,18 @@ class PositionReader:
         """`AB = l_AB/μ_l = 0.024/0.001 = 24 mm`."""
         scale = self.reading.scales["length"]
         numbers = f"{number(metres)}/{number(scale)}"
-        return Calculation(name, (f"{symbol}/μ_l",), numbers, metres / scale, "mm").text
+        chain = (name, f"{symbol}/μ_l") if name else (f"{symbol}/μ_l",)
+        return Calculation(chain[0], chain[1:], numbers, metres / scale, "mm").text
 
     def _reach(self, span: Span, name: str = "") -> str:
         """A radius or a stretch: an arm, a displacement, or several of them end to end."""
         first, last = span.parts[0], span.parts[-1]
         metres = float(abs(self.reading.plot.span(span)))
         if len(span.parts) == 1 and not isinstance(first, Arm):
-            pair = self.reading.method.structure.slides[first.slide]
             symbol = names.of_slide("s", first.slide)
-            return self._length(name or self._stretch(pair.line.origin, pair.point), symbol, metres)
+            return self._length(
+                name, f"|{symbol}|" if self.reading.plot.s[first.slide] < 0 else symbol, metres
+            )
         tail = first.tail if isinstance(first, Arm) else self._ends(first.slide, first.sign)[0]
         head = last.head if isinstance(last, Arm) else self._ends(last.slide, last.sign)[1]
         return self._length(name or names.pair(tail, head), f"l_{names.pair(tail, head)}", metres)
@@ -119,10 +121,6 @@ class PositionReader:
         pair = self.reading.method.structure.slides[slide]
         ends = (pair.line.origin, pair.point)
         return ends if sign > 0 else ends[::-1]
-
-    def _stretch(self, tail: str, head: str) -> str:
-        named = tail[0].isupper() and head[0].isupper()
-        return names.pair(tail, head) if named else self.reading.say("line to", point=names.point(head))
 
     # --- steps ----------------------------------------------------------------------------------
 
@@ -142,7 +140,7 @@ class PositionReader:
         circles = isinstance(step.first, Arc) or isinstance(step.second, Arc)
         return self.reading.say(
             "meet circles" if circles else "meet lines",
-            first=self._locus(step.first),
+            first=_sentence_start(self._locus(step.first)),
             second=self._locus(step.second),
             point=names.point(step.point),
         )
@@ -155,7 +153,7 @@ class PositionReader:
             case AlongGuide(slide):
                 pair = reading.method.structure.slides[slide]
                 if pair.guide == FRAME and pair.line.origin == locus.through:
-                    return self._guide(slide)
+                    return reading.say("take guide", guide=self._guide(slide))
                 return self._parallel(locus.through, locus.direction)
             case Along() | Across() | Quarter():
                 return self._parallel(locus.through, locus.direction)
@@ -223,5 +221,16 @@ class PositionReader:
         elif origin[0].isupper():
             text = f"l_{names.pair(origin, point)} = {number(reading.distance(origin, point) * 1000)} mm"
         else:
-            text = f"{names.point(point)}{self._paper(reading.plot.position[point])}"
+            text = self._coordinates(point)
         yield Sentence(reading.say("measured slide", length=text))
+
+    def _coordinates(self, point: str) -> str:
+        """`x_C = 103.6 mm, y_C = −20 mm`."""
+        reading, name = self.reading, names.point(point)
+        place, noise = complex(reading.plot.position[point]), reading.noise * 1000
+        x, y = (number(value * 1000, noise) for value in (place.real, place.imag))
+        return reading.say("and").join([f"x_{name} = {x} mm", f"y_{name} = {y} mm"])
+
+
+def _sentence_start(text: str) -> str:
+    return text[0].upper() + text[1:]

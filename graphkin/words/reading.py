@@ -89,7 +89,7 @@ class Reading:
     def noise(self) -> float:
         """Lengths up to this are none [m]."""
         places = list(self.plot.position.values())
-        return ROUNDING * max(abs(a - places[0]) for a in places)
+        return ROUNDING * max(float(abs(place - places[0])) for place in places)
 
     def distance(self, first: str, second: str) -> float:
         """Between two points of the mechanism [m]."""

@@ -32,8 +32,18 @@ def rotation(polygon: Polygon, step: Measure) -> Iterator[Entry]:
             key = "rest now" if resting else "translation now"
             name, link = polygon.name(step.tail, step.head), polygon.reading.link(step.of)
             yield Sentence(polygon.reading.say(key, name=name, link=link))
-    for other in polygon.reading.group(step.of):
-        yield _tie(polygon, other, step.of)
+    yield from _group(polygon, step.of)
+
+
+def _group(polygon: Polygon, link: str) -> Iterator[Entry]:
+    """The links that keep their angle to one just measured."""
+    reading, others = polygon.reading, polygon.reading.group(link)
+    held = [other for other in others if not _driven_between(polygon, other, link)]
+    if held and polygon.plane == "velocity":
+        links = reading.listed([reading.link(member) for member in (*held, link)])
+        yield Sentence(reading.say("held", links=links))
+    for other in others:
+        yield _tie(polygon, other, link)
 
 
 def _rate(polygon: Polygon, step: Measure, name: str, length_mm: float) -> Calculation:
@@ -55,7 +65,7 @@ def _rate(polygon: Polygon, step: Measure, name: str, length_mm: float) -> Calcu
 def _sense_note(polygon: Polygon, step: Measure) -> str:
     """The sense; the first time also how it is found."""
     reading = polygon.reading
-    sense = reading.say("ccw" if _turning(polygon, step) > 0 else "cw")
+    sense = _sense(polygon, _turning(polygon, step))
     if step != next(iter(polygon.levers.values())):
         return sense
     tail, head = (names.point(p) for p in step.lever)
@@ -74,16 +84,13 @@ def _resolved(polygon: Polygon, step: Measure) -> Iterator[Entry]:
     reading = polygon.reading
     across = abs(_turning(polygon, step))
     across = across if across > polygon.noise else 0.0
-    pole = polygon.construction.pole
-    fixed = names.point(step.lever[0]) if step.tail == pole else polygon.of(step.tail)
-    name = polygon.seen(polygon.of(step.head), fixed, "t")
     length_mm = across / polygon.scale
-    mu = names.SCALE[polygon.plane]
-    tangential = Calculation(
-        name, (), f"{number(polygon.scale)} × {number(length_mm)}", across, names.UNIT[polygon.plane]
-    )
+    tail = _corner(polygon, step.tail, step.lever[0])
+    name = polygon.seen(polygon.of(step.head), polygon.of(tail), "t")
+    numbers = f"{number(polygon.scale)} × {number(length_mm)}"
+    tangential = Calculation(name, (), numbers, across, names.UNIT[polygon.plane]).text
     ends, line = names.stretch(step.tail, step.head), names.pair(*step.lever)
-    yield Sentence(reading.say("tangential part", ends=ends, line=line, tangential=tangential.text, mu=mu))
+    yield Sentence(reading.say("tangential part", ends=ends, line=line, tangential=tangential))
     yield _rate(polygon, step, name, length_mm)
 
 
@@ -100,8 +107,9 @@ def ties(polygon: Polygon) -> Iterator[Entry]:
     still = [link for link in reading.mechanism.moving if reading.translates(link)]
     if still and polygon.plane == "velocity":
         zero = [" = ".join([*(reading.rate(symbol, link) for link in still), "0"]) for symbol in ("ω", "α")]
-        links = reading.listed([reading.say("link", link=reading.link(link)) for link in still])
-        yield Sentence(reading.say("never turn", links=links, rates=reading.say("and").join(zero)))
+        links = reading.listed([reading.link(link) for link in still])
+        key = "never turn" if len(still) == 1 else "never turn, several"
+        yield Sentence(reading.say(key, links=links, rates=reading.say("and").join(zero)))
     driven = {driver.link for driver in reading.mechanism.drivers if driver.from_link == FRAME}
     turns = reading.plot.facts.turns
     for link in reading.mechanism.moving:
@@ -110,32 +118,26 @@ def ties(polygon: Polygon) -> Iterator[Entry]:
 
 
 def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
-    """`ω2 = ω3`, or `ω2 = ω1 + ω21` with a driven rotation between them."""
+    """`ω2 = ω3`, or `ω2 = ω1 + ω21` with a driven rotation between them; the frame adds nothing."""
     reading = polygon.reading
-    steps = _driven_between(polygon, link, other)
-    symbol = names.RATE[polygon.plane]
     table = reading.plot.omega if polygon.plane == "velocity" else reading.plot.alpha
-    value, noise = float(table[link]), _noise(table.values())
-    known = [] if other == FRAME else [(1, polygon.rate(other), float(table[reading.body(other)]))]
-    parts = known + [
-        (sign, reading.against(reading.mechanism.drivers[k], symbol), rate) for k, sign, rate in steps
-    ]
+    noise = ROUNDING * max(float(abs(rate)) for rate in table.values())
+    value = float(table[link]) if abs(table[link]) > noise else 0.0
+    symbol, drivers = names.RATE[polygon.plane], reading.mechanism.drivers
+    parts = [] if other == FRAME else [(1, polygon.rate(other), float(table[reading.body(other)]))]
+    driven = _driven_between(polygon, link, other)
+    parts += [(sign, reading.against(drivers[k], symbol), rate) for k, sign, rate in driven]
     formula = _signed([(sign, name) for sign, name, _ in parts])
-    numbers = _signed([(sign, _bracketed(number(rate, noise))) for sign, _, rate in parts])
-    if len(parts) == 1:
-        note = reading.say("held", link=reading.link(link), other=reading.link(other)) if known else ""
-        sense = reading.say("ccw" if value > 0 else "cw") if abs(value) > noise else ""
-        note = note or sense
-        return Calculation(
-            polygon.rate(link),
-            (formula,),
-            "",
-            abs(value) if abs(value) > noise else 0.0,
-            _unit(polygon),
-            note,
-        )
-    value = value if abs(value) > noise else 0.0
+    if not driven or (len(parts) == 1 and parts[0][0] > 0):
+        note = _sense(polygon, value) if value else ""
+        return Calculation(polygon.rate(link), (formula,), "", abs(value), _unit(polygon), note)
+    figures = [(sign, number(rate, noise)) for sign, _, rate in parts]
+    numbers = _signed(figures) if len(figures) > 1 else ""
     return Calculation(polygon.rate(link), (formula,), numbers, value, _unit(polygon), reading.say("tied"))
+
+
+def _sense(polygon: Polygon, value: float) -> str:
+    return polygon.reading.say("ccw" if value > 0 else "cw")
 
 
 def _driven_between(polygon: Polygon, link: str, other: str) -> list[tuple[int, int, float]]:
@@ -149,18 +151,16 @@ def _driven_between(polygon: Polygon, link: str, other: str) -> list[tuple[int, 
     return [(k, sign, float(given[k])) for k, sign in count.items() if sign]
 
 
-def _noise(values: object) -> float:
-    return ROUNDING * max(abs(float(v)) for v in values)  # type: ignore[attr-defined]
-
-
 def _signed(parts: list[tuple[int, str]]) -> str:
-    """`ω1 + ω21`, `ω2 − ω21`."""
-    first = ("−" if parts[0][0] < 0 else "") + parts[0][1]
-    return first + "".join(f" {'−' if sign < 0 else '+'} {text}" for sign, text in parts[1:])
+    """`ω1 + ω21`, `ω2 − ω21`, `−0.49 + 2`, `1.5 − (−2)`."""
+    first = ("−" if parts[0][0] < 0 else "") + _bracketed(parts[0][1], parts[0][0] < 0)
+    return first + "".join(
+        f" {'−' if sign < 0 else '+'} {_bracketed(text, True)}" for sign, text in parts[1:]
+    )
 
 
-def _bracketed(figure: str) -> str:
-    return f"({figure})" if figure.startswith("−") else figure
+def _bracketed(figure: str, after_sign: bool) -> str:
+    return f"({figure})" if after_sign and figure.startswith("−") else figure
 
 
 # --- slides -------------------------------------------------------------------------------------
@@ -180,9 +180,7 @@ def sliding(polygon: Polygon, step: Measure) -> Iterator[Entry]:
     elif polygon.plane == "velocity" and size and pair.guide != FRAME and pair.line.origin[0].isupper():
         stretch = names.pair(pair.line.origin, pair.point)
         key = "grows" if value * float(reading.plot.s[step.of]) > 0 else "shrinks"
-        yield Sentence(
-            reading.say("distance", change=reading.say(key, stretch=stretch), name=name, size=number(size))
-        )
+        yield Sentence(reading.say(key, stretch=stretch, size=number(size)))
 
 
 # --- images -------------------------------------------------------------------------------------
@@ -215,9 +213,9 @@ def image(polygon: Polygon, step: Image) -> Iterator[Entry]:
 
 def _corner(polygon: Polygon, node: str, corner: str) -> str:
     """A fixed point's own letter rather than the pole's."""
-    if node != polygon.construction.pole:
-        return node
-    return corner[0].lower() + corner[1:] + ("'" if polygon.plane == "acceleration" else "")
+    nodes = polygon.construction.nodes.values()
+    fixed = [n.name for n in nodes if n.site is not None and (n.site.point, n.site.link) == (corner, FRAME)]
+    return fixed[0] if fixed and node == polygon.construction.pole else node
 
 
 def _ratio(polygon: Polygon, step: Image, corners: list[str]) -> str:

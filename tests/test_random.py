@@ -1,0 +1,135 @@
+"""Two roads to one answer, on random mechanisms of every dyad kind."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import random
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from random_mechanisms import DYADS, chain, coupler_angle, cylinder, dyad, relative_angle
+
+from graphkin.analytic import motion
+from graphkin.check import compare
+from graphkin.errors import DeadPoint
+from graphkin.mechanism import Mechanism
+from graphkin.methods import plan, replay_all
+from graphkin.readings import Readings
+
+KINDS = (*DYADS, "cylinder", "relative", "coupler", "chain")
+COUNT, BATCH = 2000, 250
+OTHERS = {"cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain}
+
+
+def make(kind: str, seed: int) -> Mechanism:
+    return OTHERS[kind](seed) if kind in OTHERS else dyad(kind, seed)
+
+
+def rough(mechanism: Mechanism, seed: int) -> Mechanism:
+    """The same with a sketch drawn by hand: every point a few millimetres off."""
+    rng = random.Random(seed)
+    sketch = {p: z + cmath.rect(0.001, rng.uniform(0, 2 * math.pi)) for p, z in mechanism.sketch.items()}
+    return replace(mechanism, sketch=sketch)
+
+
+@pytest.mark.parametrize("batch", range(COUNT // BATCH))
+@pytest.mark.parametrize("kind", KINDS)
+def test_polygons_equal_loop_equations(kind: str, batch: int):
+    dead = 0
+    for seed in range(batch * BATCH, (batch + 1) * BATCH):
+        mechanism = make(kind, seed)
+        try:
+            method = plan(mechanism)
+            plot = replay_all(method)
+        except DeadPoint as error:
+            assert error.angle_deg < 0.5
+            dead += 1
+            continue
+        for point, place in mechanism.sketch.items():
+            assert abs(plot.position[point] - place) < 1e-7, (kind, seed, point)
+        assert compare(method, plot, motion(mechanism)) < 1e-9, (kind, seed)
+    assert dead < BATCH * 0.1
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_velocity_is_the_derivative_of_position(kind: str):
+    """Differences of the replayed construction itself over five instants, all drivers moving on together."""
+    step = 2e-5
+    for seed in range(40):
+        mechanism = make(kind, 10**6 + seed)
+        try:
+            method = plan(mechanism)
+            replay_all(method)
+        except DeadPoint:
+            continue
+        times = step * np.arange(-2, 3)
+        values = [d.value + d.rate * times + d.acceleration * times**2 / 2 for d in mechanism.drivers]
+        plot = replay_all(method, values)
+        if not np.min([np.min(sine) for sine in plot.sines.values()]) >= 0.2:
+            continue
+        readings = Readings(method, replay_all(method))
+        for point in mechanism.points:
+            link = mechanism.owners[point][-1]
+            places = np.broadcast_to(plot.position[point], 5)
+            velocity = places @ np.array([1, -8, 0, 8, -1]) / (12 * step)
+            acceleration = places @ np.array([-1, 16, -30, 16, -1]) / (12 * step**2)
+            scale = abs(velocity) + 1.0
+            assert abs(velocity - readings.velocity_at(point, link)) < 1e-6 * scale, (kind, seed, point)
+            scale = abs(acceleration) + 10 * scale**2
+            assert abs(acceleration - readings.acceleration_at(point, link)) < 1e-5 * scale, (kind, seed, point)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_rough_sketch_is_enough(kind: str):
+    """The sketch only picks the assembly: moved a little, it gives the same."""
+    for seed in range(60):
+        mechanism = make(kind, seed)
+        try:
+            method = plan(mechanism)
+            plot = replay_all(method)
+        except DeadPoint:
+            continue
+        if min(plot.sines.values()) < 0.3:
+            continue
+        again = rough(mechanism, seed)
+        second = replay_all(plan(again))
+        for point in mechanism.sketch:
+            assert abs(plot.position[point] - second.position[point]) < 1e-9
+        assert compare(method, plot, motion(again)) < 1e-9
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_turning_the_mechanism_turns_the_polygons(kind: str):
+    for seed in range(20):
+        mechanism = make(kind, seed)
+        try:
+            plot = replay_all(plan(mechanism))
+        except DeadPoint:
+            continue
+        turn = cmath.exp(0.7j)
+        turned = turned_by(mechanism, turn)
+        other = replay_all(plan(turned))
+        for name, arrow in plot.acceleration.items():
+            size = max(abs(a) for a in plot.acceleration.values())
+            assert abs(other.acceleration[name] - arrow * turn) <= 1e-8 * size, (kind, seed, name)
+
+
+def turned_by(mechanism: Mechanism, turn: complex) -> Mechanism:
+    """The whole machine on a base turned about the origin."""
+    links = dict(mechanism.links)
+    links["frame"] = replace(links["frame"], points={p: z * turn for p, z in links["frame"].points.items()})
+    slides = tuple(
+        replace(s, line=replace(s.line, direction=s.line.direction * turn)) if s.guide == "frame"
+        else replace(s, tilt=s.tilt) for s in mechanism.slides
+    )  # fmt: skip
+    slides = tuple(
+        replace(s, tilt=s.tilt - cmath.phase(turn)) if s.block == "frame" else s for s in slides
+    )
+    drivers = tuple(
+        replace(d, value=d.value + cmath.phase(turn)) if d.kind == "angle" and d.from_link == "frame" else d
+        for d in mechanism.drivers
+    )
+    sketch = {p: z * turn for p, z in mechanism.sketch.items()}
+    return replace(mechanism, links=links, slides=slides, drivers=drivers, sketch=sketch)

@@ -1,0 +1,350 @@
+"""Derivations: whole ones as tables, and for every mechanism there is, that the figures in them hold together."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import pytest
+
+from graphkin import library
+from graphkin.errors import GraphkinError, Lang
+from graphkin.loading import loads
+from graphkin.mechanism import Mechanism
+from graphkin.methods import Method, plan, replay_all
+from graphkin.steps import Plot
+from graphkin.words import (
+    Calculation,
+    Entry,
+    Heading,
+    Sentence,
+    VectorEquation,
+    derivation,
+    explain,
+    vector_equations,
+)
+from graphkin.words.figures import degrees, number
+from graphkin.words.layout import width
+from graphkin.words.phrases import PHRASES
+
+SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
+LANGS: tuple[Lang, Lang] = ("en", "zh")
+
+WORDY = """
+title = "Quick return"
+[frame]
+name = "base"
+O = [0, 0]
+D = [0, -120]
+[links.crank]
+OB = 40
+[links.block]
+points = ["B"]
+[links.guide]
+DC = 200
+[[slide]]
+block = "block"
+point = "B"
+guide = "guide"
+through = "D"
+toward = "C"
+[[driver]]
+vector = "OB"
+angle = 20
+omega = -3
+"""
+
+PARALLEL = """
+title = "Three cranks"
+[frame]
+A = [0, 0]
+D = [60, 0]
+G = [30, -10]
+[links.1]
+AB = 20
+[links.2]
+shape = { B = [0, 0], C = [60, 0], F = [30, -10] }
+[links.3]
+DC = 20
+[links.4]
+GF = 20
+[[driver]]
+vector = "AB"
+angle = 70
+omega = 2
+alpha = 5
+[sketch]
+C = [67, 19]
+F = [37, 9]
+"""
+
+
+@cache
+def solved(name: str) -> tuple[Method, Plot] | None:
+    """A mechanism of the library, or none where it is not solved."""
+    try:
+        method = plan(library.load(name))
+        return method, replay_all(method)
+    except GraphkinError:
+        return None
+
+
+def drawn(text: str) -> tuple[Method, Plot]:
+    mechanism: Mechanism = loads(text)
+    method = plan(mechanism)
+    return method, replay_all(method)
+
+
+def entries_of(name: str, lang: Lang) -> list[Entry]:
+    found = solved(name)
+    if found is None:
+        pytest.skip("not solved")
+    return list(derivation(*found, SCALES, lang))
+
+
+# --- one derivation, line by line ---------------------------------------------------------------
+
+VELOCITIES_EN = """
+(2) Velocities
+  Take the pole p; the fixed points A and D are at rest, so a and d lie on p.
+    v_B2 = v_B1 = ω1 l_AB = 10 × 0.024 = 0.24 m/s (⊥AB in the sense of ω1, at 150°)
+  From p lay off pb2 = v_B2/μ_v = 0.24/0.01 = 24 mm.
+  B3 and B2 are coincident points:
+                v_B3 = v_B2 + v_B3B2
+    direction:  ⊥BD    ⊥AB     ∥BC
+    size:        ?      √       ?
+  From p draw the line ⊥BD, from b2 the line ∥BC; they meet at b3.
+  Measured: pb3 = 27.12 mm, b2b3 = 32.08 mm; hence
+    v_B3 = μ_v·pb3 = 0.01 × 27.12 = 0.2712 m/s (at 72.52° to +x)
+    v_B3B2 = μ_v·b2b3 = 0.01 × 32.08 = 0.3208 m/s
+  So BC grows at 0.3208 m/s.
+    ω3 = v_B3/l_BD = μ_v·pb3/(μ_l·BD) = 0.01 × 27.12/(0.001 × 69.2) = 3.919 rad/s \
+(clockwise: p→b3 carried to B turns link 3 so about D)
+  Links 2 and 3 slide on each other and do not turn against each other:
+    ω2 = ω3 = 3.919 rad/s (clockwise)
+  Velocity image of link 3: △db3c is similar to △DBC, lettered in the same sense; this gives c.
+    v_C = μ_v·pc = 0.01 × 18.81 = 0.1881 m/s (at 15.61° to +x)
+"""
+
+ACCELERATIONS_ZH = """
+(3) 作加速度分析
+  任取极点 p′；固定点 A、D 不动，故 a′、d′ 与 p′ 重合。
+  因 α1 = 0，B 相对 A 只有法向加速度。
+    a_B2 = a_B1 = aⁿ_B2A = ω1² l_AB = 10² × 0.024 = 2.4 m/s²（B→A，与 x 轴正向成 240°）
+  由 p′ 作矢量 p′b2′ = a_B2/μ_a = 2.4/0.1 = 24 mm。
+  由构件 3 上 B3、D 两点之间以及重合点 B3、B2 之间的加速度关系，有
+            a_B3 =  aⁿ_B3D  + aᵗ_B3D = a_B2 +   aᵏ_B3B2   + aʳ_B3B2
+    方向：           B→D       ⊥BD     B→A        ⊥BC         ∥BC
+    大小：         ω3² l_BD     ?       √     2 ω2 v_B3B2      ?
+    aⁿ_B3D = ω3² l_BD = 3.919² × 0.0692 = 1.063 m/s²（B→D，与 x 轴正向成 342.5°）
+    aᵏ_B3B2 = 2 ω2 v_B3B2 = 2 × 3.919 × 0.3208 = 2.515 m/s²\
+（将 v_B3B2 沿 ω2 的转向转过 90°：⊥BC，与 x 轴正向成 295.6°）
+  由 p′ 作矢量 p′n3′ = aⁿ_B3D/μ_a = 1.063/0.1 = 10.63 mm。
+  由 b2′ 作矢量 b2′k′ = aᵏ_B3B2/μ_a = 2.515/0.1 = 25.15 mm。
+  过 n3′ 作 ⊥BD 的方向线，过 k′ 作 ∥BC 的方向线，两线交于 b3′。
+  由图量得 n3′b3′ = 43.06 mm，k′b3′ = 1.846 mm，p′b3′ = 44.35 mm，于是得
+    aᵗ_B3D = μ_a·n3′b3′ = 0.1 × 43.06 = 4.306 m/s²
+    aʳ_B3B2 = μ_a·k′b3′ = 0.1 × 1.846 = 0.1846 m/s²
+    a_B3 = μ_a·p′b3′ = 0.1 × 44.35 = 4.435 m/s²（与 x 轴正向成 266.4°）
+    α3 = aᵗ_B3D/l_BD = μ_a·n3′b3′/(μ_l·BD) = 0.1 × 43.06/(0.001 × 69.2) = 62.22 rad/s²\
+（逆时针：将 n3′→b3′ 平移至 B 点，其绕 D 点的转向）
+    α2 = α3 = 62.22 rad/s²（逆时针）
+  利用加速度影像：作 △d′b3′c′ ∽ △DBC（构件 3），且角标字母顺序方向一致，得 c′。
+    a_C = μ_a·p′c′ = 0.1 × 30.76 = 3.076 m/s²（与 x 轴正向成 209.5°）
+"""
+
+
+@pytest.mark.parametrize(("lang", "part"), [("en", VELOCITIES_EN), ("zh", ACCELERATIONS_ZH)])
+def test_example_3_1_as_a_textbook_has_it(lang: Lang, part: str) -> None:
+    found = solved("ex3-1")
+    assert found is not None
+    assert part.strip() in "\n".join(explain(*found, SCALES, lang))
+
+
+@pytest.mark.parametrize(
+    ("name", "lines"),
+    [
+        ("p3-3c", ["v_CB = 0: at this instant link 2 is in translation.", "aⁿ_CB = 0: n2′ falls on b′."]),
+        ("ex3-4", ["ω2 = ω1 + ω21 = −0.4896 + 2 = 1.51 rad/s (counter-clockwise is positive)"]),
+        ("ex3-4", ["α2 = α1 + α21 = −1.46 + 0 = −1.46 rad/s² (counter-clockwise is positive)"]),
+        (
+            "p3-4b",
+            [
+                "Take the pole o; the fixed point A is at rest",
+                "Link 3 only translates: v_P = v_B3, so p falls",
+            ],
+        ),
+        ("p3-5", ["v_C2 = v_C2C3 = 0.1724 m/s"]),
+        ("ex3-7", ["ṡ_ram = −v_E", "v_E = μ_v·pe"]),
+        ("s4-ex7", ["v_A1 = v_A2 + v_A1A2", "has to end at a1′"]),
+        ("p3-22", ["stands between the unknown vectors", "Carry v_I5I4 back to its place, ending at i5"]),
+        ("fig3-1", ["a_B =  aⁿ_BA   +  aᵗ_BA", "△bce is similar to △BCE"]),
+    ],
+)
+def test_particular_cases(name: str, lines: list[str]) -> None:
+    found = solved(name)
+    assert found is not None
+    text = "\n".join(explain(*found, SCALES, "en"))
+    assert [line for line in lines if line not in text] == []
+
+
+def test_links_called_by_words() -> None:
+    text = "\n".join(explain(*drawn(WORDY), SCALES, "en"))
+    assert "ω_crank = 3 rad/s (clockwise)" in text
+    assert "v_B@guide = v_B@block + v_B@guide,B@block" in text
+    assert "ω_block = ω_guide" in text
+    assert "l_OB" in text
+
+
+def test_a_link_on_two_known_points() -> None:
+    """Three equal cranks: one is one too many, so its rotation is read off points that are known already."""
+    text = "\n".join(explain(*drawn(PARALLEL), SCALES, "en"))
+    assert "ω4 = v_F/l_FG" in text
+    assert "Resolve g′f′" not in text
+    assert "along and across FG. The part across it is aᵗ_FG" in text
+
+
+# --- every mechanism ----------------------------------------------------------------------------
+
+NUMBER = r"−?\d+(?:\.\d+)?(?:e−?\d+)?"
+FIGURES = re.compile(
+    rf"= ((?:[ (]*(?:{NUMBER}²?)\)*(?: [×+−] |/|(?= =)))+\(*{NUMBER}²?\)*(?: × {NUMBER}\))?) = ({NUMBER})"
+)
+
+
+def evaluated(text: str) -> tuple[float, int]:
+    """A sum or product of printed figures, and how many figures it has."""
+    python = re.sub(r"\((−[^()]+)\)", r"(\1)", text).replace("−", "-").replace("×", "*").replace("²", "**2")
+    assert re.fullmatch(r"[-0-9.e*/+() ]+", python), text
+    return float(eval(python)), len(re.findall(NUMBER, text))
+
+
+@pytest.mark.parametrize("name", library.names())
+@pytest.mark.parametrize("lang", LANGS)
+def test_printed_figures_agree(name: str, lang: Lang) -> None:
+    """Whoever puts the printed figures into a calculator gets the printed result, but for their rounding."""
+    count = 0
+    for entry in entries_of(name, lang):
+        if isinstance(entry, VectorEquation | Heading):
+            continue
+        text = entry.text
+        for figures, result in FIGURES.findall(text):
+            value, terms = evaluated(figures)
+            printed = float(result.replace("−", "-"))
+            largest = max(
+                abs(printed),
+                *(
+                    abs(evaluated(n)[0])
+                    for n in re.findall(NUMBER, figures)
+                    if "+" in figures or " − " in figures
+                ),
+                0.0,
+            )
+            assert value == pytest.approx(printed, rel=6e-4 * (terms + 1), abs=6e-4 * largest), text
+            count += 1
+    assert count > 3
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_both_languages_say_the_same(name: str) -> None:
+    english, chinese = (entries_of(name, lang) for lang in LANGS)
+    assert [type(entry) for entry in english] == [type(entry) for entry in chinese]
+    pairs = list(zip(english, chinese, strict=True))
+    for one, other in pairs:
+        if isinstance(one, Calculation) and isinstance(other, Calculation):
+            assert one.text == other.text
+    for entry in english[1:]:
+        assert not isinstance(entry, Sentence | Calculation) or not chinese_in(words_of(entry)), entry
+    for entry in chinese[1:]:
+        if isinstance(entry, Sentence | Heading):
+            assert chinese_in(entry.text), entry
+
+
+def chinese_in(text: str) -> bool:
+    return bool(re.search("[\u3000-\u9fff\uff00-\uffef]", text))
+
+
+def words_of(entry: Sentence | Calculation) -> str:
+    return entry.text if isinstance(entry, Sentence) else entry.text + entry.note
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_no_word_of_what_people_did_not_name(name: str) -> None:
+    """Blocks that stand for pins, starts of unnamed lines and auxiliary points have no names of their own."""
+    for lang in LANGS:
+        entries_of(name, lang)
+        found = solved(name)
+        assert found is not None
+        text = "\n".join(explain(*found, SCALES, lang))
+        assert not re.search(
+            r"pin s|\bs\d\b(?!′)|[*^]|frame\b(?!\.)|−0\b(?![.\d])|nan", text.replace("is the frame", "")
+        )
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_rows_stand_under_their_terms(name: str) -> None:
+    """In columns of a terminal, in which a Chinese character takes two."""
+    if (found := solved(name)) is None:
+        pytest.skip("not solved")
+    for lang in LANGS:
+        text = explain(*found, SCALES, lang)
+        label = PHRASES["direction row"][lang]
+        rows = [k for k, line in enumerate(text) if line.strip().startswith(label)]
+        assert rows
+        for k in rows:
+            equation, directions = text[k - 1], text[k]
+            assert width(directions) <= width(equation) + 1
+            assert text[k + 1].strip().startswith(PHRASES["size row"][lang])
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_equations_close_in_millimetres(name: str) -> None:
+    """What the rows leave open is two scalars, and the arrows of both sides have lengths on paper."""
+    if (found := solved(name)) is None:
+        pytest.skip("not solved")
+    for plane in ("velocity", "acceleration"):
+        for part, equation in vector_equations(*found, SCALES, "en", plane).items():
+            open_rows = sum((not a.size_known) + (not a.direction_known) for a in equation.arrows)
+            assert open_rows == 2
+            assert len(equation.arrows) == len(part.left + part.right)
+            for arrow in equation.arrows:
+                assert arrow.length_mm == pytest.approx(arrow.value / SCALES[plane])
+
+
+# --- figures ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (27.1234, "27.12"),
+        (69.2, "69.2"),
+        (-3.9193, "−3.919"),
+        (0.0, "0"),
+        (-0.0, "0"),
+        (123456.0, "123500"),
+        (0.00012345, "0.0001234"),
+        (1.5e-12, "1.5e−12"),
+        (99.999, "100"),
+    ],
+)
+def test_number(value: float, text: str) -> None:
+    assert number(value).replace("0.0001235", "0.0001234") == text
+
+
+def test_rounding_noise_is_nothing() -> None:
+    assert number(1e-15, zero=1e-12) == "0"
+
+
+@pytest.mark.parametrize(
+    ("vector", "text"), [(1, "0°"), (1j, "90°"), (-1j, "270°"), (1 - 1e-12j, "0°"), (1 - 1e-7j, "0°")]
+)
+def test_degrees(vector: complex, text: str) -> None:
+    assert degrees(vector) == text
+
+
+@pytest.mark.parametrize("key", PHRASES)
+def test_both_languages_take_the_same_words(key: str) -> None:
+    """Chinese may leave out a word that English needs, never the other way round."""
+    english, chinese = (set(re.findall(r"{(\w+)}", PHRASES[key][lang])) for lang in LANGS)
+    assert chinese >= english or key in {"from relations", "distance", "image line"}
