@@ -297,3 +297,7 @@ def schema() -> None:
     from graphkin import loading
 
     click.echo(loading.json_schema_text(), nl=False)
+
+
+if __name__ == "__main__":
+    main()

@@ -16,7 +16,7 @@ __all__ = ["Seen", "common_link", "pair", "seen"]
 POINT = re.compile(r"[A-Z][0-9]*'*")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Seen:
     """A point of the mechanism as part of a link; `explicit` where the text names the link."""
 

@@ -65,7 +65,7 @@ LETTER: Mapping[Plane, str] = {"position": "r", "velocity": "v", "acceleration":
 # --- where things point -----------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Along:
     """From the point `tail` of the mechanism to its point `head`."""
 
@@ -73,7 +73,7 @@ class Along:
     head: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Across:
     """At right angles to tail -> head, counter-clockwise of it: where `head` goes when it turns so about `tail`."""
 
@@ -81,14 +81,14 @@ class Across:
     head: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class AlongGuide:
     """Along the line of a slide, as s counts."""
 
     slide: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Quarter:
     """A relative velocity turned by 90 deg with the rotation of `link`: the direction of a Coriolis term."""
 
@@ -103,7 +103,7 @@ Direction = Along | Across | AlongGuide | Quarter
 # --- how long they are ------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Drawn:
     """Already in this plane, from point `tail` to point `head`."""
 
@@ -111,7 +111,7 @@ class Drawn:
     head: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Turning:
     """omega l of `link`, for its points tail -> head."""
 
@@ -120,7 +120,7 @@ class Turning:
     head: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Normal:
     """omega^2 l of `link`, from head towards tail."""
 
@@ -129,7 +129,7 @@ class Normal:
     head: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Tangential:
     """alpha l of `link`, for its points tail -> head."""
 
@@ -138,7 +138,7 @@ class Tangential:
     head: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Coriolis:
     """2 omega v_r: omega of `link`, v_r from `tail` to `head` in the velocity polygon."""
 
@@ -147,7 +147,7 @@ class Coriolis:
     head: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Driven:
     """The driven sliding speed of a slide (in the acceleration plane: its rate of change).
 
@@ -158,7 +158,7 @@ class Driven:
     sign: int = 1
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Relative:
     """A driven relative rotation: the motion of `link`'s point `head` about `tail` as seen from `seen_from`.
 
@@ -172,7 +172,7 @@ class Relative:
     part: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Arm:
     """The vector tail -> head of one link."""
 
@@ -181,7 +181,7 @@ class Arm:
     head: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Slid:
     """The displacement s of a slide, along its line; `sign` -1 from the sliding point back to the origin."""
 
@@ -189,7 +189,7 @@ class Slid:
     sign: int = 1
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Span:
     """Arms and displacements end to end, of links that hold their angles to one another."""
 
@@ -202,7 +202,7 @@ Size = Drawn | Turning | Normal | Tangential | Coriolis | Driven | Relative | Sp
 # --- terms and equations ----------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Term:
     """One arrow of a vector equation: the motion of `of` as seen from `seen_from`.
 
@@ -249,7 +249,7 @@ def span_of(chain: tuple[Term, ...]) -> tuple[str, str]:
     return chain[0].tail, chain[-1].head
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Equation:
     """left = right, with the steps that draw it. Paper closes it when exactly two scalars are unknown.
 
@@ -276,7 +276,7 @@ class Equation:
 # --- steps ------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Given:
     """A point to start from: a fixed pivot, or the pole; `also` are the fixed points that sit on the pole."""
 
@@ -284,7 +284,7 @@ class Given:
     also: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class LayOff:
     """A known arrow from `start` to `tip`; `backwards`: the arrow ends at `start` and the pencil goes to its tail."""
 
@@ -294,7 +294,7 @@ class LayOff:
     backwards: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Ray:
     """The line through a point in a known direction: where the head of an unknown arrow must lie."""
 
@@ -302,7 +302,7 @@ class Ray:
     direction: Direction
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Arc:
     """The circle about a point with a known radius: where the end of a link must lie."""
 
@@ -310,7 +310,7 @@ class Arc:
     reach: Span
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Meet:
     """Two lines or circles cross at `point`.
 
@@ -325,7 +325,7 @@ class Meet:
     choice: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Swing:
     """A link with a guide line turns about its `pivot` until the line passes where it must for `through`.
 
@@ -343,7 +343,7 @@ class Swing:
     choice: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Image:
     """A further point of `link`: the figure similar to the link on its two known points.
 
@@ -357,7 +357,7 @@ class Image:
     point: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Measure:
     """Ruler and protractor: a quantity read off, with its sense.
 
@@ -380,7 +380,7 @@ class Measure:
 Step = Given | LayOff | Ray | Arc | Meet | Swing | Image | Measure
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Site:
     """A point of the mechanism as part of a link."""
 
@@ -388,7 +388,7 @@ class Site:
     link: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Node:
     """A point of a plane: its name, what it belongs to as written (`B3`, `pole`, `a^n_CB`), and its site."""
 
@@ -436,7 +436,7 @@ class Construction:
 # --- what a replay starts from and what it gives ----------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class TurnOf:
     """How a link's angle hangs on another's: theta = theta(base) + constant + sum of sign * driver value."""
 

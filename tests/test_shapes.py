@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import pytest
 from hypothesis import given, settings
@@ -18,6 +18,7 @@ from graphkin.errors import (
     MissingCcw,
     NoTriangle,
     TooFewMeasures,
+    TooManyPoints,
     Where,
 )
 from graphkin.loading.measures import link_points, read_measures
@@ -155,17 +156,26 @@ def test_figures_that_cannot_be(
     assert chinese in caught.value.message("zh")
 
 
-def test_a_link_of_very_many_points_ends() -> None:
-    names = [f"A{n}" for n in range(400)]
-    table: dict[str, object] = {f"{a}{b}": 1 for a, b in zip(names, names[1:])}
-    table |= {f"{a}{b}": 2 for a, b in zip(names, names[2:])}
-    with pytest.raises(TooFewMeasures):
+def test_a_chain_of_very_many_points() -> None:
+    def strip(count: int) -> dict[str, object]:
+        names = [f"A{n}" for n in range(count)]
+        sides: dict[str, object] = {f"{a}{b}": 1 for a, b in pairwise(names)}
+        return sides | {f"{a}{b}": 2 for a, b in zip(names, names[2:])}
+
+    assert shape(strip(50))["A49"] == pytest.approx(49)
+    with pytest.raises(TooManyPoints, match="more than 50 points"):
+        shape(strip(51))
+
+
+def test_very_many_mirror_images_end() -> None:
+    table: dict[str, object] = {"BC": 70} | {f"{a}E{n}": 60 for n in range(45) for a in "BC"}
+    with pytest.raises(MissingCcw):
         shape(table)
+    with pytest.raises(TooFewMeasures):
+        shape(table | {"points": ["F"]})
 
 
-PLACES = st.lists(
-    st.builds(complex, st.integers(-50, 50), st.integers(-50, 50)), min_size=3, max_size=6, unique=True
-)
+PLACES = st.lists(st.builds(complex, st.integers(-50, 50), st.integers(-50, 50)), min_size=3, max_size=6, unique=True)
 
 
 def _turn(places: dict[str, complex], triple: str) -> float:

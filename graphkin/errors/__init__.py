@@ -97,6 +97,7 @@ from graphkin.errors.shapes import (
     RigidlyJoined,
     ShapeAndMeasures,
     TooFewMeasures,
+    TooManyPoints,
 )
 
 __all__ = [
@@ -162,6 +163,7 @@ __all__ = [
     "TooFewDrivers",
     "TooFewMeasures",
     "TooManyDrivers",
+    "TooManyPoints",
     "TooSmall",
     "UnknownKey",
     "UnknownLink",

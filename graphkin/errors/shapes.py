@@ -21,6 +21,7 @@ __all__ = [
     "RigidlyJoined",
     "ShapeAndMeasures",
     "TooFewMeasures",
+    "TooManyPoints",
 ]
 
 
@@ -191,3 +192,14 @@ class RigidlyJoined(GraphkinError):
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return {**super()._words(lang), "points": ", ".join(self.points)}
+
+
+@dataclass(eq=False)
+class TooManyPoints(GraphkinError):
+    where: Where
+    link: str
+    limit: int
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: link {link} has more than {limit} points. Give their coordinates with shape.",
+        "zh": "{where}：构件 {link} 的点超过 {limit} 个，请用 shape 给出坐标。",
+    }

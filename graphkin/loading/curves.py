@@ -1,4 +1,4 @@
-"""Circles and straight lines on which a link's next point may lie, and where two of them cross.
+"""Lengths and angles of a link, and the circles and straight lines they make of where a point may lie.
 
 Unlike `graphkin.geometry` this works on one layout at a time and must decide: curves that touch within 1e-9
 of their size touch in one point, as three collinear points want it.
@@ -6,10 +6,12 @@ of their size touch in one point, as three collinear points want it.
 
 from __future__ import annotations
 
+import cmath
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-__all__ = ["Circle", "Curve", "StraightLine", "crossings", "gap"]
+__all__ = ["Angle", "Circle", "Curve", "Length", "Measure", "Places", "StraightLine", "Triple", "crossings", "gap"]
 
 TOUCHES = 1e-9
 """Two curves closer than this part of their size touch."""
@@ -33,6 +35,68 @@ class StraightLine:
 
 
 Curve = Circle | StraightLine
+Places = Mapping[str, complex]
+Triple = tuple[str, str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Length:
+    """`AB = 24`."""
+
+    key: str
+    points: tuple[str, str]
+    value: float
+
+    def curves(self, point: str, placed: Places) -> list[Curve]:
+        """Where `point` may lie, the other point being placed."""
+        other = self.points[1] if point == self.points[0] else self.points[0]
+        return [Circle(placed[other], self.value)]
+
+    def miss(self, placed: Places) -> float:
+        """How far a layout is off this length [m]."""
+        a, b = (placed[point] for point in self.points)
+        return abs(abs(b - a) - self.value)
+
+
+@dataclass(frozen=True, slots=True)
+class Angle:
+    """`BDE = 90`: the angle at the middle point, 0 to pi."""
+
+    key: str
+    points: Triple
+    value: float
+
+    def curves(self, point: str, placed: Places) -> list[Curve]:
+        """Where `point` may lie, the other two points being placed."""
+        first, vertex, last = self.points
+        if point == vertex:
+            return _equal_angles(placed[first], placed[last], self.value)
+        along = placed[last if point == first else first] - placed[vertex]
+        if along == 0:
+            return []
+        turns = {cmath.rect(1, self.value), cmath.rect(1, -self.value)}
+        return [StraightLine(placed[vertex], along / abs(along) * turn) for turn in turns]
+
+    def miss(self, placed: Places) -> float:
+        """How far the end of the shorter arm is off this angle [m]."""
+        first, vertex, last = (placed[point] for point in self.points)
+        one, other = first - vertex, last - vertex
+        if one == 0 or other == 0:
+            return 0.0
+        return abs(abs(cmath.phase(one / other)) - self.value) * min(abs(one), abs(other))
+
+
+Measure = Length | Angle
+
+
+def _equal_angles(a: complex, b: complex, angle: float) -> list[Curve]:
+    """The points that see the stretch ab under an angle."""
+    if a == b:
+        return []
+    if math.sin(angle) < 1e-9:
+        return [StraightLine(a, (b - a) / abs(b - a))]
+    offset = (b - a) / 2j / math.tan(angle)
+    return [Circle((a + b) / 2 + side * offset, abs(b - a) / 2 / math.sin(angle)) for side in (1, -1)]
 
 
 def crossings(one: Curve, other: Curve) -> list[complex]:

@@ -12,7 +12,10 @@ from graphkin.loading.names import tidy
 from graphkin.loading.positions import Path
 from graphkin.mechanism import FRAME, Link
 
-__all__ = ["Draft"]
+__all__ = ["MOST_PROBLEMS", "Draft"]
+
+MOST_PROBLEMS = 100
+"""Nobody reads more of them at a time."""
 
 
 @dataclass
@@ -56,7 +59,8 @@ class Draft:
             where = getattr(problem, "where", None)
             return where.line if isinstance(where, Where) and where.line is not None else float("inf")
 
-        problems = list({problem.message(): problem for problem in sorted(self.problems, key=line)}.values())
+        first = sorted(self.problems, key=line)[:MOST_PROBLEMS]
+        problems = list({problem.message(): problem for problem in first}.values())
         raise problems[0] if len(problems) == 1 else Several(tuple(problems))
 
     def link(self, given: str, *path: str | int) -> str:

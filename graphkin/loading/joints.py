@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from itertools import combinations
+from itertools import combinations, islice
 
 from graphkin.errors import CannotMove, LooseLink, NoDriver, RigidlyJoined, Where
-from graphkin.loading.draft import Draft
+from graphkin.loading.draft import MOST_PROBLEMS, Draft
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Cam, Gear, Roll, Slide
 
@@ -21,12 +21,12 @@ def check_joints(draft: Draft, pairs: list[Slide | Gear | Roll | Cam], drivers: 
     for name in draft.links:
         if name not in tied and name != FRAME:
             draft.problems.append(LooseLink(draft.where("links", name), name))
-    for (first, second), points in shared.items():
-        if len(points) > 1:
-            where = draft.where("links", second)
-            fixed = first == FRAME
-            problem = CannotMove(where, second, points) if fixed else RigidlyJoined(where, first, second, points)
-            draft.problems.append(problem)
+    twice = ((links, points) for links, points in shared.items() if len(points) > 1)
+    for (first, second), points in islice(twice, MOST_PROBLEMS):
+        where = draft.where("links", second)
+        fixed = first == FRAME
+        problem = CannotMove(where, second, points) if fixed else RigidlyJoined(where, first, second, points)
+        draft.problems.append(problem)
     if not drivers:
         draft.problems.append(NoDriver(Where(draft.file)))
 

@@ -6,11 +6,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from graphkin.errors import FrameNameTaken, MissingKey, NoPoints, ShapeAndMeasures, TooFewMeasures
+from graphkin.loading.curves import Measure
 from graphkin.loading.draft import Draft
 from graphkin.loading.measures import link_points
 from graphkin.loading.names import tidy
 from graphkin.loading.schema import File, LinkTable
-from graphkin.loading.shapes import Measure, Measures, check_round, own_axes, solve_shape
+from graphkin.loading.shapes import Measures, check_round, own_axes, solve_shape
 from graphkin.mechanism import FRAME, Link
 
 __all__ = ["read_links"]

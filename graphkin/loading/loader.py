@@ -6,9 +6,9 @@ from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
 from graphkin.errors import Lang
+from graphkin.loading.curves import Measure
 from graphkin.loading.draft import Draft
 from graphkin.loading.measures import frame_problems, read_measures
-from graphkin.loading.shapes import Measure
 from graphkin.loading.source import read_text, read_toml
 from graphkin.mechanism import Mechanism
 

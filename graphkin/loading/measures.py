@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from graphkin.errors import NOWHERE, AngleRange, BadName, DuplicateName, GraphkinError, KeyClash, UnknownKey, Where
+from graphkin.loading.curves import Angle, Length, Measure
 from graphkin.loading.names import POINT, split_points, tidy
-from graphkin.loading.shapes import Angle, Length, Measure
 from graphkin.loading.values import above_zero, quantity, shown
 
 __all__ = ["OWN_KEYS", "frame_problems", "link_points", "read_measures"]

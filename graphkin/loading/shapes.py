@@ -7,7 +7,6 @@ point is the circle of equal angles over two placed ones. Mirror images are told
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -22,83 +21,24 @@ from graphkin.errors import (
     NoTriangle,
     OneSpot,
     TooFewMeasures,
+    TooManyPoints,
     Where,
 )
-from graphkin.loading.curves import Circle, Curve, StraightLine, crossings, gap
+from graphkin.loading.curves import Length, Measure, Places, Triple, crossings, gap
 
-__all__ = ["Angle", "Length", "Measure", "Measures", "check_round", "own_axes", "solve_shape"]
+__all__ = ["Measures", "check_round", "own_axes", "solve_shape"]
 
 AGREES = 1e-6
 """Measures that say the same thing twice may differ by this part of the link's size."""
+
+MOST_POINTS = 50
+"""Links of more points than this need coordinates."""
 
 MOST_TRIALS = 300
 """Partial layouts looked at before the search for a shape is given up."""
 
 MOST_CURVES = 20
 """Of more curves than this for one point, the first are crossed and the others only held against the result."""
-
-Places = Mapping[str, complex]
-Triple = tuple[str, str, str]
-
-
-@dataclass(frozen=True, slots=True)
-class Length:
-    """`AB = 24`."""
-
-    key: str
-    points: tuple[str, str]
-    value: float
-
-    def curves(self, point: str, placed: Places) -> list[Curve]:
-        """Where `point` may lie, the other point being placed."""
-        other = self.points[1] if point == self.points[0] else self.points[0]
-        return [Circle(placed[other], self.value)]
-
-    def miss(self, placed: Places) -> float:
-        """How far a layout is off this length [m]."""
-        a, b = (placed[point] for point in self.points)
-        return abs(abs(b - a) - self.value)
-
-
-@dataclass(frozen=True, slots=True)
-class Angle:
-    """`BDE = 90`: the angle at the middle point, 0 to pi."""
-
-    key: str
-    points: Triple
-    value: float
-
-    def curves(self, point: str, placed: Places) -> list[Curve]:
-        """Where `point` may lie, the other two points being placed."""
-        first, vertex, last = self.points
-        if point == vertex:
-            return _equal_angles(placed[first], placed[last], self.value)
-        along = placed[last if point == first else first] - placed[vertex]
-        if along == 0:
-            return []
-        turns = {cmath.rect(1, self.value), cmath.rect(1, -self.value)}
-        return [StraightLine(placed[vertex], along / abs(along) * turn) for turn in turns]
-
-    def miss(self, placed: Places) -> float:
-        """How far the end of the shorter arm is off this angle [m]."""
-        first, vertex, last = (placed[point] for point in self.points)
-        one, other = first - vertex, last - vertex
-        if one == 0 or other == 0:
-            return 0.0
-        return abs(abs(cmath.phase(one / other)) - self.value) * min(abs(one), abs(other))
-
-
-Measure = Length | Angle
-
-
-def _equal_angles(a: complex, b: complex, angle: float) -> list[Curve]:
-    """The points that see the stretch ab under an angle."""
-    if a == b:
-        return []
-    if math.sin(angle) < 1e-9:
-        return [StraightLine(a, (b - a) / abs(b - a))]
-    offset = (b - a) / 2j / math.tan(angle)
-    return [Circle((a + b) / 2 + side * offset, abs(b - a) / 2 / math.sin(angle)) for side in (1, -1)]
 
 
 @dataclass(frozen=True)
@@ -120,6 +60,8 @@ def solve_shape(given: Measures) -> dict[str, complex]:
     """The points in the link's own axes [m]. Errors: see `graphkin.errors.shapes`."""
     if len(given.points) == 1:
         return {given.points[0]: 0j}
+    if len(given.points) > MOST_POINTS:
+        raise TooManyPoints(given.where, given.link, MOST_POINTS)
     found = _Search(given, given.ccw).first_two()
     if not found:
         raise _why_not_round(given)

@@ -18,7 +18,7 @@ Aside = Callable[[], str]
 """Names a point that only helps the drawing."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class _Signed:
     """A term on the way from the start of the left side to the start of the right side."""
 

@@ -17,7 +17,7 @@ from graphkin.steps import Site
 __all__ = ["Hop", "Lever", "Slip", "Twist", "halves"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Lever:
     """Two points of one link."""
 
@@ -26,7 +26,7 @@ class Lever:
     known: bool
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Slip:
     """Coincident points of a sliding pair."""
 
@@ -36,7 +36,7 @@ class Slip:
     slide: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Twist:
     """Coincident points of two links that a driver turns against each other about `pivot`."""
 

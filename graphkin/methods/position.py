@@ -31,7 +31,7 @@ from graphkin.steps import (
 __all__ = ["position"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class _Piece:
     """One stretch of a loop: an arm of a body, or the displacement of a slide."""
 

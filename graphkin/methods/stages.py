@@ -19,7 +19,7 @@ from graphkin.methods.structure import Hinge, Joint, Sliding, Structure
 __all__ = ["Bridge", "Carry", "Loop", "Stage", "stages"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Carry:
     """`body` becomes known by its known angle and the joint `by`."""
 
@@ -27,7 +27,7 @@ class Carry:
     by: Joint
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Bridge:
     """`body` becomes known by two known points."""
 
@@ -35,7 +35,7 @@ class Bridge:
     points: tuple[str, str]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Loop:
     """From known over `joints[0]`, `bodies[0]`, `joints[1]`, .. back to known.
 

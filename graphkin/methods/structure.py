@@ -19,14 +19,14 @@ from graphkin.steps import TurnOf
 __all__ = ["Hinge", "Joint", "Sliding", "Structure"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Hinge:
     """Bodies turn about a common point."""
 
     point: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Sliding:
     """Two bodies slide on one another."""
 

@@ -32,7 +32,8 @@ _WIDE = re.compile(r"([\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]+)")
 _INK, _NEW = "#000000", "#c00000"
 _FILLS: dict[Fill, str] = {"none": "none", "paper": "#ffffff", "ink": _INK, "grey": "#dddddd"}
 _CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
-_TIP = {False: "tip", True: "tip-new"}
+_TIP = 2.8
+"""Length of an arrow head; on arrows too short for it, half of that [mm]."""
 
 
 @dataclass(eq=False)
@@ -128,13 +129,14 @@ class _Pen:
         self.drawing.set_desc(title=sheet.title)
         self.drawing.set_metadata(_metadata(sheet))
         for new in (False, True):
-            self._marker(new)
+            self._marker(new, 1.0)
+            self._marker(new, 0.5)
 
-    def _marker(self, new: bool) -> None:
+    def _marker(self, new: bool, part: float) -> None:
         """An arrow head whose tip lies exactly on the end of its line."""
         head = self.drawing.marker(
-            id=_TIP[new], insert=("2.8", "0.5"), size=("2.8", "1"), orient="auto", viewBox="0 0 2.8 1",
-            markerUnits="userSpaceOnUse",
+            id=_tip(new, part), insert=("2.8", "0.5"), size=(mm(_TIP * part), mm(part)), orient="auto",
+            viewBox="0 0 2.8 1", markerUnits="userSpaceOnUse",
         )  # fmt: skip
         head.add(self.drawing.path(d="M0 0L2.8 .5L0 1Z", fill=_NEW if new else _INK))
         self.drawing.defs.add(head)
@@ -177,24 +179,15 @@ class _Pen:
         element["stroke-linejoin"] = element["stroke-linecap"] = "round"
         if mark.link:
             element["class"], element["data-link"] = "link", mark.link
-        if mark.arrow:
-            element["marker-end"] = f"url(#{_TIP[mark.new]})"
         return element
 
     def _arc(self, mark: Arc) -> Any:
-        """A curved arrow ends in a short straight piece, so that its head points along its chord."""
         start = mark.centre + cmath.rect(mark.radius, mark.start)
-        last = mark.centre + cmath.rect(mark.radius, mark.start + mark.sweep)
-        head = math.copysign(2.8 / mark.radius, mark.sweep) if mark.arrow else 0.0
-        end = mark.centre + cmath.rect(mark.radius, mark.start + mark.sweep - head)
+        end = mark.centre + cmath.rect(mark.radius, mark.start + mark.sweep)
         flags = f"{int(abs(mark.sweep) > math.pi)} {int(mark.sweep > 0)}"
-        radius = mm(mark.radius)
-        (x1, y1), (x2, y2) = _xy(start), _xy(end)
-        tip = "L" + " ".join(_xy(last)) if mark.arrow else ""
-        element = self.drawing.path(d=f"M{x1} {y1}A{radius} {radius} 0 {flags} {x2} {y2}{tip}")
+        (x1, y1), (x2, y2), radius = _xy(start), _xy(end), mm(mark.radius)
+        element = self.drawing.path(d=f"M{x1} {y1}A{radius} {radius} 0 {flags} {x2} {y2}")
         self._line(element, mark.pen, mark.new)
-        if mark.arrow:
-            element["marker-end"] = f"url(#{_TIP[mark.new]})"
         return element
 
     def _vector(self, mark: VectorMark) -> Any:
@@ -204,7 +197,7 @@ class _Pen:
         for key in ("plane", "name", "tail", "head"):
             element[f"data-{key}"] = getattr(mark, key)
         if mark.length > 0.05:
-            element["marker-end"] = f"url(#{_TIP[mark.new]})"
+            _head(element, mark.new, 1.0 if mark.length > 1.6 * _TIP else 0.5)
         return element
 
     def _point(self, mark: PointMark) -> Any:
@@ -222,6 +215,15 @@ class _Pen:
         for span in writer.spans(mark.label):
             element.add(span)
         return element
+
+
+def _tip(new: bool, part: float) -> str:
+    """Name of an arrow head."""
+    return "tip" + ("-small" if part < 1 else "") + ("-new" if new else "")
+
+
+def _head(element: Any, new: bool, part: float = 1.0) -> None:
+    element["marker-end"] = f"url(#{_tip(new, part)})"
 
 
 @dataclass

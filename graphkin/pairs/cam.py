@@ -10,7 +10,7 @@ from graphkin.pairs.line import Line
 __all__ = ["Cam", "Profile"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Profile:
     """A circle about `centre` with `radius` [m], or a `line` (`left`: the other profile lies left of it)."""
 
@@ -20,7 +20,7 @@ class Profile:
     left: bool
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Cam:
     """One `[[cam]]`: two links and their profiles; circles touch outside unless `internal`."""
 

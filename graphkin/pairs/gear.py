@@ -8,7 +8,7 @@ from typing import ClassVar
 __all__ = ["Gear"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Gear:
     """One `[[gear]]`: two links, their centres and pitch radii [m]; `internal` if one rim encloses the other."""
 

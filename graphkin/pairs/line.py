@@ -7,7 +7,7 @@ from dataclasses import dataclass
 __all__ = ["Line"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Line:
     """A directed line of `link`, through its point `origin`.
 

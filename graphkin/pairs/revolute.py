@@ -8,7 +8,7 @@ from typing import ClassVar
 __all__ = ["Revolute"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Revolute:
     """`links` (the frame may be one) all turn about `point`; three or more make a multiple hinge."""
 

@@ -10,7 +10,7 @@ from graphkin.pairs.line import Line
 __all__ = ["Roll"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Roll:
     """One `[[roll]]`; lengths in metres.
 

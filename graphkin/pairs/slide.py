@@ -15,7 +15,7 @@ from graphkin.pairs.line import Line
 __all__ = ["Slide"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Slide:
     """One `[[slide]]`.
 

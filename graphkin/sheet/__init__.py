@@ -8,20 +8,20 @@ into is `graphkin.outputs`' business.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
-from graphkin.sheet.composition import compose
+from graphkin.sheet.composition import Composed, compose
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.paper import PAPERS, Paper
 from graphkin.sheet.scales import TooLargeForPaper, UnknownPaper
-from graphkin.sheet.window import step_count
+from graphkin.sheet.window import PLANES, step_count
 from graphkin.steps import Plane, Plot
 
-__all__ = ["PAPERS", "Paper", "Sheet", "TooLargeForPaper", "UnknownPaper", "sheet", "step_count"]
+__all__ = ["PAPERS", "Paper", "Sheet", "TooLargeForPaper", "UnknownPaper", "sheet", "step_count", "step_sheets"]
 
 
 @dataclass(frozen=True)
@@ -66,11 +66,31 @@ def sheet(
 
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
-    planes: tuple[Plane, ...] = ("position", "velocity", "acceleration")
-    if only is not None:
-        wanted = (only,) if isinstance(only, str) else only
-        planes = tuple(plane for plane in planes if plane in wanted)
-    composed = compose(method, plot, planes, paper, lang, upto)
+    composed = compose(method, plot, _planes(only), paper, lang, stages=upto is not None)
+    whole = _sheet(method, plot, composed, lang)
+    return whole if upto is None else _at_step(whole, upto)
+
+
+def step_sheets(
+    method: Method,
+    plot: Plot,
+    *,
+    paper: str | None = None,
+    lang: Lang = "en",
+    only: Plane | Collection[Plane] | None = None,
+) -> Iterator[Sheet]:
+    """One sheet a step, as `sheet(.., upto=step)` gives them, drawn and lettered only once."""
+    whole = _sheet(method, plot, compose(method, plot, _planes(only), paper, lang, stages=True), lang)
+    for step in range(1, step_count(method) + 1):
+        yield _at_step(whole, step)
+
+
+def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
+    wanted = PLANES if only is None else (only,) if isinstance(only, str) else only
+    return tuple(plane for plane in PLANES if plane in wanted)
+
+
+def _sheet(method: Method, plot: Plot, composed: Composed, lang: Lang) -> Sheet:
     return Sheet(
         paper=composed.layout.paper,
         marks=tuple(composed.marks),
@@ -81,3 +101,9 @@ def sheet(
         title=method.mechanism.headline(lang),
         lang=lang,
     )
+
+
+def _at_step(whole: Sheet, upto: int) -> Sheet:
+    """What is there after a step; its own marks are new."""
+    marks = (mark for mark in whole.marks if mark.step is None or mark.step <= upto)
+    return replace(whole, marks=tuple(replace(m, new=True) if m.step == upto else m for m in marks))

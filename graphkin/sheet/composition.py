@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from functools import cached_property
 
 from graphkin.errors import Lang
 from graphkin.methods import Method
 from graphkin.sheet.labels import Room, settle
-from graphkin.sheet.layout import HEAD, Extent, Layout, lay_out
+from graphkin.sheet.layout import HEAD, Extent, Layout, lay_out, papers_for
 from graphkin.sheet.lettering import plain, width
-from graphkin.sheet.marks import Mark, Place, Text
+from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import LABEL
+from graphkin.sheet.paper import LABEL, PAPERS, Paper
 from graphkin.sheet.pencil import pencil_lines
 from graphkin.sheet.polygons import Polygon, polygon_figure
-from graphkin.sheet.results import tables
-from graphkin.sheet.scales import KEYS, finest, written
+from graphkin.sheet.results import Table, tables
+from graphkin.sheet.scales import KEYS, TooLargeForPaper, finest, written
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import strip, strip_heights
 from graphkin.sheet.window import Figure, Window, births, constructions, first_steps
@@ -27,6 +28,8 @@ __all__ = ["Composed", "compose"]
 
 _TRIAL = 100.0
 """Size of a figure when it is drawn to see how far its signs reach [mm]."""
+_CROWDED = 12
+"""With more leaders than this a larger paper is tried."""
 _LETTERS = 6.5
 """What labels need around a figure [mm]."""
 HEADINGS: dict[Lang, dict[Plane, str]] = {
@@ -42,6 +45,11 @@ class Composed:
     layout: Layout
     marks: list[Mark]
     origins: Mapping[Plane, Place]
+
+    @property
+    def crowded(self) -> int:
+        """How many labels stand off from what they name, at the end of a leader."""
+        return sum(isinstance(mark, Stroke) and mark.pen == "leader" for mark in self.marks)
 
 
 @dataclass(frozen=True)
@@ -99,20 +107,49 @@ def _corners(values: Sequence[complex]) -> tuple[complex, complex]:
 
 
 def compose(
-    method: Method, plot: Plot, planes: tuple[Plane, ...], paper: str | None, lang: Lang, upto: int | None
+    method: Method, plot: Plot, planes: tuple[Plane, ...], paper: str | None, lang: Lang, stages: bool
 ) -> Composed:
-    """Draw, lay out, letter. The layout is the same for every `upto`, so the steps of a series lie over one another."""
-    drawing = _Planes(method, plot)
-    extents = {plane: drawing.extent(plane) for plane in planes}
-    found = tables(method, plot, lang)
-    layout = lay_out(extents, strip_heights(found), paper)
-    shown = found if upto is None else []
-    marks = strip(method.mechanism, shown, layout.paper, layout.strip, layout.scales, lang)
-    origins: dict[Plane, Place] = {}
-    for plane in planes:
-        origins[plane] = _origin(drawing.values(plane), extents[plane], layout, plane)
-        marks += _placed(drawing, plane, layout, origins[plane], lang, upto)
-    return Composed(layout, marks, origins)
+    """Draw, lay out, letter. With `stages` the pencil's own lines are there too, and no results.
+
+    The paper is the smallest that holds all and leaves its letters room; the same for `stages` or not.
+    """
+    work = _Work(_Planes(method, plot), planes, tables(method, plot, lang), lang)
+    try:
+        layout = work.layout(papers_for(paper))
+    except TooLargeForPaper as error:
+        raise error.at(method.mechanism.where("scales", error.key)) from None
+    composed = work.on(layout)
+    if paper is None and not layout.paper.name.startswith("A3") and composed.crowded > _CROWDED:
+        larger = work.on(work.layout([PAPERS["A3-landscape"], PAPERS["A3"]]))
+        composed = larger if larger.crowded <= composed.crowded / 2 else composed
+    return work.on(composed.layout, stages=True) if stages else composed
+
+
+@dataclass(frozen=True)
+class _Work:
+    """What does not depend on the paper."""
+
+    drawing: _Planes
+    planes: tuple[Plane, ...]
+    found: list[Table]
+    lang: Lang
+
+    @cached_property
+    def extents(self) -> dict[Plane, Extent]:
+        return {plane: self.drawing.extent(plane) for plane in self.planes}
+
+    def layout(self, papers: Sequence[Paper]) -> Layout:
+        return lay_out(self.extents, strip_heights(self.found), papers)
+
+    def on(self, layout: Layout, stages: bool = False) -> Composed:
+        """Everything on a divided paper."""
+        machine, found = self.drawing.method.mechanism, [] if stages else self.found
+        marks = strip(machine, found, layout.paper, layout.strip, layout.scales, self.lang)
+        origins: dict[Plane, Place] = {}
+        for plane in self.planes:
+            origins[plane] = _origin(self.drawing.values(plane), self.extents[plane], layout, plane)
+            marks += _placed(self.drawing, plane, layout, origins[plane], self.lang, stages)
+        return Composed(layout, marks, origins)
 
 
 def _origin(values: Sequence[complex], extent: Extent, layout: Layout, plane: Plane) -> Place:
@@ -125,24 +162,17 @@ def _origin(values: Sequence[complex], extent: Extent, layout: Layout, plane: Pl
     return complex(x, y) - low.conjugate() / scale
 
 
-def _placed(drawing: _Planes, plane: Plane, layout: Layout, origin: Place, lang: Lang, upto: int | None) -> list[Mark]:
+def _placed(drawing: _Planes, plane: Plane, layout: Layout, origin: Place, lang: Lang, stages: bool) -> list[Mark]:
     """One plane with its heading, lines of the pencil and labels."""
     room, window = layout.rooms[plane], Window(origin, layout.scales[plane])
     figure = drawing.figure(plane, window)
     marks = [*_heading(plane, room, layout.scales[plane], lang)]
-    if upto is not None:
+    if stages:
         before = first_steps(drawing.method)[plane]
         marks += pencil_lines(drawing.construction(plane), drawing.plot, window, room, before)
     marks += figure.marks
     inner = Room(room.left + 1, room.top + 1, room.right - 1, room.bottom - 1)
-    marks += settle(figure.wanted, marks, inner)
-    if upto is None:
-        return marks
-    return [_fresh(mark, upto) for mark in marks if mark.step is None or mark.step <= upto]
-
-
-def _fresh(mark: Mark, upto: int) -> Mark:
-    return replace(mark, new=True) if mark.step == upto else mark
+    return marks + settle(figure.wanted, marks, inner)
 
 
 def _heading(plane: Plane, room: Room, scale: float, lang: Lang) -> list[Mark]:

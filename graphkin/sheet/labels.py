@@ -48,7 +48,8 @@ class Room:
 class Wanted:
     """A label and what it names: a point (`start` only) or a line from start to end.
 
-    gap   how far the symbol at the point, or the line's width, reaches [mm]; away  the side it likes (any length; 0 for none)
+    gap   how far the symbol at the point, or the line's width, reaches [mm]
+    away  the side it likes (any length; 0 for none)
     """
 
     label: Label

@@ -11,12 +11,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
+from graphkin.errors import NOWHERE
 from graphkin.sheet.labels import Room
 from graphkin.sheet.paper import PAPERS, Paper
-from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, finest
+from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, finer, finest
 from graphkin.steps import Plane
 
-__all__ = ["HEAD", "Extent", "Layout", "lay_out"]
+__all__ = ["HEAD", "Extent", "Layout", "lay_out", "papers_for"]
 
 HEAD = 7.5
 """Height of a figure's heading [mm]."""
@@ -69,15 +70,19 @@ class Layout:
     strip: Room
 
 
-def lay_out(extents: Mapping[Plane, Extent], strip_height: Mapping[str, float], paper: str | None) -> Layout:
-    """The smallest paper that holds all, or the one asked for.
+def papers_for(name: str | None) -> list[Paper]:
+    """The paper asked for, or all."""
+    if name is not None and name not in PAPERS:
+        raise UnknownPaper(name, ", ".join(PAPERS))
+    return [PAPERS[name]] if name is not None else list(PAPERS.values())
+
+
+def lay_out(extents: Mapping[Plane, Extent], strip_height: Mapping[str, float], candidates: Sequence[Paper]) -> Layout:
+    """The smallest of the papers that holds all.
 
     strip_height  what the tables and the title need on each paper [mm]
     Raises TooLargeForPaper where a given scale is too fine for every paper.
     """
-    if paper is not None and paper not in PAPERS:
-        raise UnknownPaper(paper, ", ".join(PAPERS))
-    candidates = [PAPERS[paper]] if paper is not None else list(PAPERS.values())
     for size in dict.fromkeys(p.width * p.height for p in candidates):
         best = _best([p for p in candidates if p.width * p.height == size], extents, strip_height)
         if best is not None:
@@ -133,23 +138,21 @@ def _worth(plane: Plane, large: float, labels: int) -> float:
 def _too_large(
     extents: Mapping[Plane, Extent], strip_height: Mapping[str, float], papers: Sequence[Paper]
 ) -> TooLargeForPaper:
-    """The given scale that does not fit, and one that would."""
+    """The given scale that does not fit, and the finest one that would."""
     given = [plane for plane, extent in extents.items() if extent.given is not None]
-    large = max(papers, key=lambda p: p.width * p.height)
-    for count in (1, 2, 3):
-        for plane in given:
-            freed = given if count == 3 else [plane]
-            loose = {p: _free(e) if p in freed else e for p, e in extents.items()}
-            found = _best([p for p in papers if p.width * p.height == large.width * large.height], loose, strip_height)
-            if found is not None:
-                scale = extents[plane].given
-                assert scale is not None
-                return TooLargeForPaper(KEYS[plane], scale, found.scales[plane], large.name[:2], UNITS[plane])
+    area = max(paper.width * paper.height for paper in papers)
+    large = [paper for paper in papers if paper.width * paper.height == area]
+    for freed in (*([plane] for plane in given), given):
+        loose = {plane: replace(e, given=None) if plane in freed else e for plane, e in extents.items()}
+        found = _best(large, loose, strip_height)
+        if found is not None:
+            plane = freed[0]
+            scale, fits = extents[plane].given, found.scales[plane]
+            while _best(large, loose | {plane: replace(loose[plane], given=finer(fits))}, strip_height):
+                fits = finer(fits)
+            assert scale is not None
+            return TooLargeForPaper(NOWHERE, KEYS[plane], scale, fits, large[0].name[:2], UNITS[plane])
     raise AssertionError("free scales fit every paper")
-
-
-def _free(extent: Extent) -> Extent:
-    return replace(extent, given=None)
 
 
 # --- ways to divide a field -------------------------------------------------------------------

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Literal
 
 __all__ = [
@@ -67,6 +68,7 @@ Label = tuple[Run, ...]
 # --- sizes ------------------------------------------------------------------------------------
 
 
+@cache
 def advance(text: str, italic: bool = False) -> float:
     """Width of letters [em]; what the table does not hold counts as half an em, a wide character as one."""
     style = 1 if italic else 0

@@ -29,7 +29,6 @@ class Stroke:
     closed: bool = False
     fill: Fill = "none"
     link: str = ""
-    arrow: bool = False
     step: int | None = None
     new: bool = False
 
@@ -49,14 +48,13 @@ class Disc:
 
 @dataclass(frozen=True, slots=True)
 class Arc:
-    """A part of a circle from angle `start` over `sweep` [rad, clockwise on paper]; `arrow` at its end."""
+    """A part of a circle from angle `start` over `sweep` [rad, clockwise on paper]."""
 
     centre: Place
     radius: float
     start: float
     sweep: float
     pen: PenName = "thin"
-    arrow: bool = False
     step: int | None = None
     new: bool = False
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Slide
@@ -174,4 +175,4 @@ def _widest_gap(places: list[Place]) -> tuple[Place, Place]:
     ends = in_line(places)
     assert ends is not None
     order = sorted(places, key=lambda p: abs(p - places[ends[0]]))
-    return max(zip(order, order[1:], strict=False), key=lambda pair: abs(pair[1] - pair[0]))
+    return max(pairwise(order), key=lambda pair: abs(pair[1] - pair[0]))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -45,7 +46,7 @@ def tree(drawn: Iterable[Mark]) -> Tree:
             if filled:
                 areas.append(places)
             else:
-                lines += zip(places, places[1:], strict=False)
+                lines += pairwise(places)
     segments = np.array([[(a.real, a.imag), (b.real, b.imag)] for a, b in lines]).reshape(-1, 2, 2)
     shapes = [*shapely.linestrings(segments)]
     shapes += [shapely.Polygon([(p.real, p.imag) for p in area]) for area in areas]

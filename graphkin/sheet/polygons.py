@@ -12,7 +12,7 @@ from graphkin.sheet.lettering import joined, point_label, vector_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Stroke, VectorMark
 from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.window import Figure, Window
-from graphkin.steps import LETTER, Construction, Plot
+from graphkin.steps import LETTER, Construction, Given, Plot
 
 __all__ = ["Polygon", "polygon_figure"]
 
@@ -42,6 +42,12 @@ class Polygon:
         """The points that bear a letter."""
         return {name: at for name, at in self.points.items() if self.of(name)}
 
+    @cached_property
+    def fixed(self) -> set[str]:
+        """The pole, and the points that sit on it because they never move."""
+        given = [step for step in self.construction.steps if isinstance(step, Given)]
+        return {name for step in given for name in (step.point, *step.also)}
+
     def of(self, name: str) -> str:
         if name == self.construction.pole:
             return "pole"
@@ -60,7 +66,7 @@ class Polygon:
         pole = self.construction.pole
         for name in self.points:
             node = self.construction.nodes.get(name)
-            if node is None or node.site is None or name == pole or (pole, name) in drawn:
+            if node is None or node.site is None or name in self.fixed or (pole, name) in drawn:
                 continue
             if node.site.point[0].isupper():
                 yield self._vector(f"{LETTER[self.construction.plane]}_{node.of}", pole, name)

@@ -9,11 +9,11 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from graphkin.errors import GraphkinError, Lang
+from graphkin.errors import GraphkinError, Lang, Where
 from graphkin.sheet.lettering import Label, Run, number, quantity_label
 from graphkin.steps import Plane
 
-__all__ = ["KEYS", "LETTERS", "UNITS", "TooLargeForPaper", "UnknownPaper", "finest", "written"]
+__all__ = ["KEYS", "LETTERS", "UNITS", "TooLargeForPaper", "UnknownPaper", "finer", "finest", "written"]
 
 LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
 UNITS: dict[Plane, str] = {"position": "m/mm", "velocity": "(m/s)/mm", "acceleration": "(m/s²)/mm"}
@@ -25,6 +25,7 @@ KEYS: dict[Plane, str] = {"position": "length", "velocity": "velocity", "acceler
 class TooLargeForPaper(GraphkinError):
     """A given scale at which the drawing fits no paper."""
 
+    where: Where
     key: str
     given: float
     fits: float
@@ -32,9 +33,9 @@ class TooLargeForPaper(GraphkinError):
     unit: str
 
     text: ClassVar[dict[Lang, str]] = {
-        "en": "scales.{key} = {given:g} {unit}: the drawing does not fit on {paper}. {fits:g} would fit; "
+        "en": "{where}: at {given:g} {unit} the drawing does not fit on {paper}. {fits:g} would fit; "
         "or leave the scale out and it is chosen.",
-        "zh": "scales.{key} = {given:g} {unit}：图形放不进 {paper} 图纸。可改用 {fits:g}，或不写比例尺，由程序选取。",
+        "zh": "{where}：按 {given:g} {unit}，图形放不进 {paper} 图纸。可改用 {fits:g}，或不写比例尺，由程序选取。",
     }
 
 
@@ -66,6 +67,12 @@ def finest(size: complex, room: complex) -> float:
         if scale >= least * (1 - 1e-9):
             return scale
     return float(f"1e{power + 1}")
+
+
+def finer(scale: float) -> float:
+    """The next finer scale of the series 1-2-5."""
+    power = math.floor(math.log10(scale) + 1e-9)
+    return float({1: f"5e{power - 1}", 2: f"1e{power}", 5: f"2e{power}"}[round(scale / 10.0**power)])
 
 
 def written(plane: Plane, scale: float) -> Label:

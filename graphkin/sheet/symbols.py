@@ -26,6 +26,7 @@ BLOCK = complex(10.0, 5.6)
 SWEEP = math.radians(62)
 """Angle of a turning arrow."""
 _SLOT = 1.75
+_HEAD = 3.0
 _PITCH, _SLANT = 1.5, 1.7
 
 
@@ -122,9 +123,21 @@ def spin(at: Place, towards: complex, sense: float, radius: float, step: int | N
 
     Paper has y down, so counter-clockwise is a negative sweep.
     """
-    return [Arc(at, radius, cmath.phase(towards), -sense * SWEEP, "vector", arrow=True, step=step)]
+    start, turn = cmath.phase(towards), -sense * SWEEP
+    tip = at + cmath.rect(radius, start + turn)
+    shaft = turn + sense * 0.8 * _HEAD / radius
+    back = at + cmath.rect(radius, start + turn + sense * _HEAD / radius)
+    return [Arc(at, radius, start, shaft, "vector", step=step), _head(tip, (tip - back) / abs(tip - back), step)]
 
 
 def push(start: Place, along: complex, step: int | None = None) -> list[Mark]:
     """A straight arrow beside a driven slide."""
-    return [Stroke((start, start + 11 * along), "vector", arrow=True, step=step)]
+    tip = start + 11 * along
+    return [Stroke((start, tip - 0.8 * _HEAD * along), "vector", step=step), _head(tip, along, step)]
+
+
+def _head(tip: Place, along: complex, step: int | None) -> Mark:
+    """A filled arrow head."""
+    back = tip - _HEAD * along
+    side = 0.55j * along
+    return Stroke((tip, back + side, back - side), "hatch", closed=True, fill="ink", step=step)

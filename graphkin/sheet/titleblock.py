@@ -74,8 +74,8 @@ def _words(machine: Mechanism, corner: Place, scales: Mapping[Plane, float], lan
     marks: list[Mark] = []
     pen = corner + 1.2j
     title = machine.headline(lang)
-    size = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else 0.85 * TITLE
-    for text, size in ((title, size), (machine.source, LEAST + 0.2)):
+    large = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else 0.85 * TITLE
+    for text, size in ((title, large), (machine.source, LEAST + 0.2)):
         for line in broken(text, size, _WIDE - 6):
             pen += 1j * (size * 1.25)
             marks.append(Text(plain(line), pen, size))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import degrees
 
 from graphkin.mechanism import FRAME, Driver
 from graphkin.words import names
@@ -11,8 +12,6 @@ from graphkin.words.figures import number
 from graphkin.words.reading import Reading
 
 __all__ = ["given"]
-
-DEGREES = 57.29577951308232
 
 
 def given(reading: Reading) -> Iterator[Entry]:
@@ -51,7 +50,7 @@ def _slide(reading: Reading, driver: Driver, value: float, rate: float, more: fl
     return reading.say("and").join(
         [
             reading.say("driven slide", slide=driver.link, place=place),
-            f"{speed} = {number(rate)} m/s",
+            f"{speed} = {number(rate)} m/s" if rate else f"{speed} = 0",
             f"{change} = {number(more)} m/s²" if more else f"{change} = 0",
         ]
     )
@@ -59,7 +58,7 @@ def _slide(reading: Reading, driver: Driver, value: float, rate: float, more: fl
 
 def _angle(reading: Reading, driver: Driver, value: float) -> str:
     assert driver.vector is not None
-    angle = f"{reading.against(driver, 'φ')} = {number(value * DEGREES)}°"
+    angle = f"{reading.against(driver, 'φ')} = {number(degrees(value))}°"
     line, link = "".join(names.point(p) for p in driver.vector), reading.link(driver.link)
     if driver.from_vector is None:
         return reading.say("driven link", line=line, link=link, angle=angle)

@@ -15,9 +15,7 @@ __all__ = ["lines", "width"]
 
 def width(text: str) -> int:
     """Columns that a text takes: two for a Chinese character, none for an accent."""
-    return sum(
-        0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text
-    )
+    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
 
 
 def lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:

@@ -69,9 +69,7 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
         "以 {about} 为圆心、{length} 为半径作弧",
     ),
     "take guide": _both("take {guide}", "取{guide}"),
-    "line parallel": _both(
-        "draw the line through {through} {direction}", "过 {through} 作{direction} 的直线"
-    ),
+    "line parallel": _both("draw the line through {through} {direction}", "过 {through} 作{direction} 的直线"),
     "meet circles": _both(
         "{first}; {second}. They cross at {point} (of the two crossings, the one on the side of the sketch).",
         "{first}；{second}；两者交于 {point}（两交点中取与给定装配位置一致者）。",
@@ -124,7 +122,7 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
     "from relations": _both("{relations}:", "由{relations}的{motion}关系，有"),
     "between relations": _both("; ", "、"),
     "last relation": _both("; ", "以及"),
-    "plain equation": _both("The motion of {of}:", "{of} 的{motion}："),
+    "plain equation": _both("The {motion} of {of}:", "{of} 的{motion}："),
     "motion velocity": _both("velocity", "速度"),
     "motion acceleration": _both("acceleration", "加速度"),
     "only normal": _both(
@@ -184,15 +182,13 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
     # --- polygons: rotation --------------------------------------------------------------------
     "sense rule": _both(
         "{sense}: {ends} carried to {head} turns link {link} so about {tail}",
-        "{sense}：将 {ends} 平移至 {head} 点，其绕 {tail} 点的转向",
+        "{sense}：将 {ends} 平移至 {head} 点，即构件 {link} 绕 {tail} 点的转向",
     ),
     "translation now": _both(
         "{name} = 0: at this instant link {link} is in translation.",
         "{name} = 0，此瞬时构件 {link} 作瞬时平动。",
     ),
-    "rest now": _both(
-        "{name} = 0: at this instant link {link} is at rest.", "{name} = 0，此瞬时构件 {link} 静止。"
-    ),
+    "rest now": _both("{name} = 0: at this instant link {link} is at rest.", "{name} = 0，此瞬时构件 {link} 静止。"),
     "held": _both(
         "Links {links} slide on each other and do not turn against each other:",
         "构件 {links} 之间组成移动副，无相对转动：",

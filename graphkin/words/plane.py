@@ -157,9 +157,7 @@ class Polygon:
         ends, mu = names.stretch(tail, head), names.SCALE[self.plane]
         numbers = f"{number(self.scale)} × {number(self.length_mm(tail, head))}"
         unit, size = names.UNIT[self.plane], self.size(tail, head)
-        return Calculation(
-            name or self.name(tail, head), (f"{mu}·{ends}",), numbers, size, unit, note if size else ""
-        )
+        return Calculation(name or self.name(tail, head), (f"{mu}·{ends}",), numbers, size, unit, note if size else "")
 
     def laid(self, name: str, tail: str, head: str, ends: tuple[str, str] | None = None) -> str:
         """`pb2 = v_B2/μ_v = 0.24/0.01 = 24 mm`; `ends`: drawn elsewhere than where it belongs."""

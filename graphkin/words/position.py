@@ -110,9 +110,7 @@ class PositionReader:
         metres = float(abs(self.reading.plot.span(span)))
         if len(span.parts) == 1 and not isinstance(first, Arm):
             symbol = names.of_slide("s", first.slide)
-            return self._length(
-                name, f"|{symbol}|" if self.reading.plot.s[first.slide] < 0 else symbol, metres
-            )
+            return self._length(name, f"|{symbol}|" if self.reading.plot.s[first.slide] < 0 else symbol, metres)
         tail = first.tail if isinstance(first, Arm) else self._ends(first.slide, first.sign)[0]
         head = last.head if isinstance(last, Arm) else self._ends(last.slide, last.sign)[1]
         return self._length(name or names.pair(tail, head), f"l_{names.pair(tail, head)}", metres)

@@ -24,9 +24,7 @@ def rotation(polygon: Polygon, step: Measure) -> Iterator[Entry]:
     if polygon.plane == "acceleration" and not polygon.written(step.tail, step.head):
         yield from _resolved(polygon, step)
     else:
-        yield _rate(
-            polygon, step, polygon.name(step.tail, step.head), polygon.length_mm(step.tail, step.head)
-        )
+        yield _rate(polygon, step, polygon.name(step.tail, step.head), polygon.length_mm(step.tail, step.head))
         if polygon.plane == "velocity" and not polygon.arrow(step.tail, step.head):
             resting = step.tail == polygon.construction.pole
             key = "rest now" if resting else "translation now"
@@ -54,7 +52,7 @@ def _rate(polygon: Polygon, step: Measure, name: str, length_mm: float) -> Calcu
     below = f"({number(reading.scales['length'])} × {reading.on_paper(lever)})"
     return Calculation(
         polygon.rate(step.of),
-        (f"{name}/l_{line}", measured) if polygon.written(step.tail, step.head) else (f"{name}/l_{line}",),
+        (f"{name}/l_{line}", measured) if name == polygon.name(step.tail, step.head) else (f"{name}/l_{line}",),
         f"{number(polygon.scale)} × {number(length_mm)}/{below}",
         length_mm * polygon.scale / lever,
         _unit(polygon),
@@ -154,9 +152,7 @@ def _driven_between(polygon: Polygon, link: str, other: str) -> list[tuple[int, 
 def _signed(parts: list[tuple[int, str]]) -> str:
     """`ω1 + ω21`, `ω2 − ω21`, `−0.49 + 2`, `1.5 − (−2)`."""
     first = ("−" if parts[0][0] < 0 else "") + _bracketed(parts[0][1], parts[0][0] < 0)
-    return first + "".join(
-        f" {'−' if sign < 0 else '+'} {_bracketed(text, True)}" for sign, text in parts[1:]
-    )
+    return first + "".join(f" {'−' if sign < 0 else '+'} {_bracketed(text, True)}" for sign, text in parts[1:])
 
 
 def _bracketed(figure: str, after_sign: bool) -> str:

@@ -1,0 +1,72 @@
+"""The gallery: every solved library mechanism as a sheet in each language.
+
+    .venv/bin/python tests/gallery.py            rebuilds figures/
+    .venv/bin/python tests/gallery.py ex3-1      one of them
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import sys
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from pathlib import Path
+
+from solvable import SOLVABLE
+
+from graphkin import Drawing, library
+from graphkin.outputs.svg import svg
+
+FIGURES = Path(__file__).parent.parent / "figures"
+NUMBER = re.compile(r"[-+]?\d*\.?\d+(?:e[-+]?\d+)?")
+CLOSE_MM = 0.02
+
+
+def drawings(name: str) -> Iterator[tuple[Path, str]]:
+    """The files of one mechanism, relative to the gallery, and what should be in them."""
+    drawing = Drawing.of(library.load(name))
+    for lang, end in (("en", ""), ("zh", "-zh")):
+        yield Path(name) / f"{name}{end}.svg", svg(drawing.sheet(lang=lang))
+
+
+def differences(old: str, new: str) -> Iterator[str]:
+    """What differs between two drawings: elements, texts, or numbers by more than 0.02 mm."""
+    first, second = list(ET.fromstring(old).iter()), list(ET.fromstring(new).iter())
+    if len(first) != len(second):
+        yield f"{len(first)} elements, now {len(second)}"
+        return
+    for one, two in zip(first, second, strict=True):
+        if one.tag != two.tag or one.attrib.keys() != two.attrib.keys():
+            yield f"{one.tag} {one.attrib} is now {two.tag} {two.attrib}"
+        elif one.tag.endswith("}sheet"):
+            continue
+        elif (one.text or "") != (two.text or ""):
+            yield f"text {one.text!r} is now {two.text!r}"
+        else:
+            for key, value in one.attrib.items():
+                if not same(value, two.attrib[key]):
+                    yield f"{one.tag} {key}={value!r} is now {two.attrib[key]!r}"
+
+
+def same(old: str, new: str) -> bool:
+    """Equal but for numbers that lie within 0.02 of each other."""
+    if old == new:
+        return True
+    numbers = [(float(a), float(b)) for a, b in zip(NUMBER.findall(old), NUMBER.findall(new), strict=False)]
+    return NUMBER.sub("#", old) == NUMBER.sub("#", new) and all(abs(a - b) <= CLOSE_MM for a, b in numbers)
+
+
+def main(names: list[str]) -> None:
+    """Rebuild all, or some, of the gallery."""
+    if not names:
+        shutil.rmtree(FIGURES, ignore_errors=True)
+    for name in names or SOLVABLE:
+        for path, text in drawings(name):
+            (FIGURES / path).parent.mkdir(parents=True, exist_ok=True)
+            (FIGURES / path).write_text(text, encoding="utf-8", newline="\n")
+            print(path)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

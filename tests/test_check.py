@@ -1,0 +1,175 @@
+"""The drawing file, read by nothing but an XML parser, and what a ruler must catch in it."""
+
+from __future__ import annotations
+
+import json
+import re
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import pytest
+from solvable import SOLVABLE
+
+from graphkin import Drawing, library
+from graphkin.check import measure
+from graphkin.errors import BadDrawing, GraphkinError
+from graphkin.outputs.svg import svg
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+@pytest.fixture(scope="module")
+def example() -> str:
+    return svg(Drawing.of(library.load("ex3-1")).sheet())
+
+
+def put(folder: Path, text: str) -> Path:
+    path = folder / "drawing.svg"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def vectors(text: str) -> dict[str, tuple[float, float, float, float]]:
+    return {
+        line.get("data-name"): tuple(float(line.get(key)) for key in ("x1", "y1", "x2", "y2"))
+        for line in ET.fromstring(text).iter(f"{SVG}line")
+        if line.get("class") == "vector"
+    }
+
+
+def length(place: tuple[float, float, float, float]) -> float:
+    x1, y1, x2, y2 = place
+    return ((x2 - x1) ** 2 + (y2 - y1) ** 2) ** 0.5
+
+
+def test_example_3_1_on_paper(example: str):
+    """Sun Huan, example 3-1: lengths laid off and measured, at the book's own scales."""
+    found = vectors(example)
+    assert length(found["v_B3"]) == pytest.approx(27.12, abs=0.005)
+    assert length(found["v_B3B2"]) == pytest.approx(32.08, abs=0.005)
+    assert length(found["a^k_B3B2"]) * 0.1 == pytest.approx(2.5149, abs=5e-4)
+    assert length(found["a^n_B3D"]) * 0.1 == pytest.approx(1.0629, abs=5e-4)
+    root = ET.fromstring(example)
+    width, height = root.get("width"), root.get("height")
+    assert root.get("viewBox") == f"0 0 {width.removesuffix('mm')} {height.removesuffix('mm')}"
+    assert not [e for e in root.iter() if e.get("transform") and e.get("class") in ("vector", "point")]
+
+
+def test_lines_join_points(example: str):
+    root = ET.fromstring(example)
+    points = {
+        (c.get("data-plane"), c.get("data-name")): (c.get("cx"), c.get("cy"))
+        for c in root.iter(f"{SVG}circle") if c.get("class") == "point"
+    }  # fmt: skip
+    assert points["velocity", "b3"] is not None
+    for line in root.iter(f"{SVG}line"):
+        if line.get("class") == "vector":
+            plane = line.get("data-plane")
+            assert points[plane, line.get("data-tail")] == (line.get("x1"), line.get("y1"))
+            assert points[plane, line.get("data-head")] == (line.get("x2"), line.get("y2"))
+
+
+@pytest.mark.parametrize("name", SOLVABLE)
+def test_every_library_drawing_is_good(name: str, tmp_path: Path):
+    text = svg(Drawing.of(library.load(name)).sheet())
+    report = measure(put(tmp_path, text))
+    assert report.passed(0.01), [m for m in report.measured if m.off_mm > 0.01] + list(report.faults)
+    assert max(entry.off_mm for entry in report.measured) < 0.0005
+
+
+def moved(text: str) -> list[tuple[str, str]]:
+    """The drawing with one coordinate of one vector or point moved by 0.02 mm, for every one there is."""
+    found = []
+    elements = re.finditer(r"<(?:line|circle)\b[^>]*class=\"(?:vector|point)\"[^>]*>", text)
+    for element in elements:
+        for coordinate in re.finditer(r'\b(x1|y1|x2|y2|cx|cy)="([^"]*)"', element.group()):
+            new = f'{coordinate[1]}="{float(coordinate[2]) + 0.02:.4f}"'
+            whole = element.group().replace(coordinate[0], new, 1)
+            found.append((whole, text[: element.start()] + whole + text[element.end() :]))
+    return found
+
+
+@pytest.mark.parametrize("name", ["ex3-1", "p3-6a", "p3-14", "s4-ex7"])
+def test_a_ruler_sees_anything_moved(name: str, tmp_path: Path):
+    text = svg(Drawing.of(library.load(name)).sheet())
+    changes = moved(text)
+    assert len(changes) > 40
+    for what, changed in changes:
+        assert not measure(put(tmp_path, changed)).passed(0.01), what
+
+
+def claims(text: str) -> tuple[re.Match[str], dict[str, object]]:
+    found = re.search(r"(?<=<gk:sheet>)(.*?)(?=</gk:sheet>)", text, re.S)
+    unescaped = found[0].replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")
+    return found, json.loads(unescaped)
+
+
+def with_claims(text: str, data: dict[str, object]) -> str:
+    found, _ = claims(text)
+    new = json.dumps(data).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    return text[: found.start()] + new + text[found.end() :]
+
+
+@pytest.mark.parametrize("key", ["length", "velocity", "acceleration"])
+def test_a_changed_scale_is_seen(example: str, key: str, tmp_path: Path):
+    _, data = claims(example)
+    data["scales"][key] *= 1.01
+    assert not measure(put(tmp_path, with_claims(example, data))).passed(0.01)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("AB = 24", "AB = 24.1"), ("omega = 10", "omega = 10.1"), ("DC = 48", "DC = 48.1"), ("angle = 100", "angle = 101"),
+     ("D = [78, 0]", "D = [78.1, 0]"), ("angle = 60", "angle = 61")],
+)  # fmt: skip
+def test_a_changed_mechanism_is_seen(example: str, old: str, new: str, tmp_path: Path):
+    _, data = claims(example)
+    assert old in data["mechanism"]
+    data["mechanism"] = data["mechanism"].replace(old, new)
+    if new == "angle = 61":
+        data["drivers"] = [1.0646508437165410]
+    try:
+        assert not measure(put(tmp_path, with_claims(example, data))).passed(0.01)
+    except GraphkinError:
+        pass
+
+
+def test_changed_drivers_are_seen(example: str, tmp_path: Path):
+    _, data = claims(example)
+    data["drivers"] = [1.05]
+    assert not measure(put(tmp_path, with_claims(example, data))).passed(0.01)
+
+
+def test_a_transform_is_seen(example: str, tmp_path: Path):
+    changed = example.replace('class="vector"', 'class="vector" transform="translate(1,0)"', 1)
+    assert not measure(put(tmp_path, changed)).passed(0.01)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "not xml", "<svg/>", '<svg xmlns="http://www.w3.org/2000/svg"/>', "<a>" * 5000,
+     '<!DOCTYPE l [<!ENTITY a "x">]><svg xmlns="http://www.w3.org/2000/svg">&a;</svg>'],
+)  # fmt: skip
+def test_what_is_no_drawing(text: str, tmp_path: Path):
+    with pytest.raises(BadDrawing):
+        measure(put(tmp_path, text))
+
+
+def test_no_file(tmp_path: Path):
+    with pytest.raises(BadDrawing):
+        measure(tmp_path / "nothing.svg")
+    with pytest.raises(BadDrawing):
+        measure(tmp_path)
+
+
+@pytest.mark.parametrize("key", ["mechanism", "drivers", "scales", "program"])
+def test_metadata_spoilt(example: str, key: str, tmp_path: Path):
+    _, data = claims(example)
+    for spoilt in (None, "x", [], {}, [None], 7, {"length": "a"}, {"length": -1}, ["nan"]):
+        data[key] = spoilt
+        with pytest.raises(GraphkinError):
+            measure(put(tmp_path, with_claims(example, data)))
+
+
+def test_same_bytes(example: str):
+    assert svg(Drawing.of(library.load("ex3-1")).sheet()) == example

@@ -1,0 +1,237 @@
+"""The commands as a user types them: what they print, what they write, and their exit status."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+from solvable import SOLVABLE
+
+from graphkin import library
+from graphkin.cli import main
+
+FOUR_BAR = """
+[frame]
+A = [0, 0]
+D = [80, 0]
+[links.1]
+AB = 30
+[links.2]
+BC = 70
+[links.3]
+DC = 60
+[[driver]]
+vector = "AB"
+angle = 60
+omega = 10
+[sketch]
+C = [80, 60]
+"""
+
+
+@pytest.fixture(autouse=True)
+def in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("GRAPHKIN_LANG", "en")
+
+
+def run(*words: str, text: str | bytes | None = None) -> Result:
+    return CliRunner().invoke(main, list(words), input=text)
+
+
+def mechanism(text: str = FOUR_BAR, name: str = "mine.toml") -> str:
+    Path(name).write_text(text, encoding="utf-8")
+    return name
+
+
+def test_draw_writes_here():
+    assert run("draw", "ex3-1").exit_code == 0
+    assert run("check", "ex3-1.svg").exit_code == 0
+
+
+def test_draw_replaces_only_its_own():
+    mechanism()
+    assert run("draw", "mine.toml").exit_code == 0
+    assert run("draw", "mine.toml").exit_code == 0
+    Path("mine.svg").write_text("<svg>mine</svg>")
+    refused = run("draw", "mine.toml")
+    assert refused.exit_code == 3
+    assert "mine.svg" in refused.stderr
+    assert Path("mine.svg").read_text() == "<svg>mine</svg>"
+    assert run("draw", "mine.toml", "--force").exit_code == 0
+
+
+def test_draw_from_standard_input_to_standard_output():
+    result = run("draw", "-", "-o", "-", text=FOUR_BAR)
+    assert result.exit_code == 0
+    assert result.stdout.startswith("<?xml")
+    assert not list(Path().iterdir())
+
+
+@pytest.mark.parametrize("only", ["position", "velocity", "acceleration"])
+def test_draw_one_figure(only: str):
+    assert run("draw", "ex3-1", "--only", only, "-o", "one.svg").exit_code == 0
+    assert run("check", "one.svg").exit_code == 0
+
+
+@pytest.mark.parametrize("paper", ["A4", "A3", "A4-landscape", "A3-landscape"])
+def test_draw_on_paper(paper: str):
+    assert run("draw", "ex3-1", "--paper", paper).exit_code == 0
+    assert run("check", "ex3-1.svg").exit_code == 0
+
+
+def test_draw_on_no_such_paper():
+    result = run("draw", "ex3-1", "--paper", "B5")
+    assert result.exit_code in (2, 3)
+    assert "B5" in result.stderr
+    assert not list(Path().iterdir())
+
+
+def test_draw_at_another_angle():
+    assert run("draw", "ex3-1", "--angle", "120").exit_code == 0
+    assert run("check", "ex3-1.svg").exit_code == 0
+    assert run("draw", "ex3-1", "--angle", "120", "--angle", "7").exit_code == 2
+    assert run("draw", "ex3-1", "--at", "12").exit_code == 2
+    assert run("draw", "ex3-1", "--angle", "nan").exit_code == 2
+
+
+def test_draw_steps():
+    assert run("draw", "ex3-1", "--steps", "steps").exit_code == 0
+    pages = sorted(Path("steps").iterdir())
+    assert len(pages) > 10
+    assert {"ex3-1-01.svg"} < {page.name for page in pages}
+    for page in pages:
+        assert run("check", str(page)).exit_code == 0, page
+
+
+@pytest.mark.parametrize("name", SOLVABLE)
+def test_solve_json(name: str):
+    result = run("solve", "--json", name)
+    assert result.exit_code == 0, result.stderr
+    found = json.loads(result.stdout)
+    assert found["format"] == 1
+    assert found["name"] == name
+    for position in found["positions"]:
+        assert position["worst"] < 1e-9
+        assert position["links"].keys() == position["analytic"]["links"].keys()
+        assert position["points"].keys() == position["analytic"]["points"].keys()
+
+
+def test_solve_several_goes_on():
+    mechanism("x = 1", "bad.toml")
+    result = run("solve", "--json", "ex3-1", "bad.toml", "no-such", "ex3-5")
+    assert result.exit_code == 3
+    lines = [json.loads(line) for line in result.stdout.splitlines()]
+    assert [line["name"] for line in lines] == ["ex3-1", "bad", "no-such", "ex3-5"]
+    assert ["error" in line for line in lines] == [False, True, True, False]
+
+
+def test_solve_also():
+    mechanism(FOUR_BAR.replace("angle = 60", "angle = 60\nalso = [120, 220]"))
+    found = json.loads(run("solve", "--json", "mine.toml").stdout)
+    assert len(found["positions"]) == 3
+    assert all(position["worst"] < 1e-9 for position in found["positions"])
+
+
+def test_solve_for_people():
+    result = run("solve", "ex3-1", "ex3-5")
+    assert result.exit_code == 0
+    assert "-3.91933" in result.stdout
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("name", SOLVABLE)
+def test_explain(name: str, lang: str):
+    result = run("explain", name, "--lang", lang)
+    assert result.exit_code == 0, result.stderr
+    assert ("解" in result.stdout or "速度" in result.stdout) == (lang == "zh")
+
+
+def test_check_statuses():
+    run("draw", "ex3-1")
+    text = Path("ex3-1.svg").read_text("utf-8")
+    Path("bad.svg").write_text(text.replace('data-name="b3" ', 'data-name="b3" cx="1" ', 1) if False else text, "utf-8")
+    first = text.index('class="point"')
+    at = text.index('cx="', first) + 4
+    end = text.index('"', at)
+    Path("moved.svg").write_text(text[:at] + f"{float(text[at:end]) + 0.02:.4f}" + text[end:], "utf-8")
+    Path("nothing.svg").write_text("nothing")
+    assert run("check", "ex3-1.svg").exit_code == 0
+    assert run("check", "moved.svg").exit_code == 1
+    assert run("check", "moved.svg", "--tolerance", "0.1").exit_code == 0
+    assert run("check", "ex3-1.svg", "moved.svg").exit_code == 1
+    assert run("check", "nothing.svg", "ex3-1.svg").exit_code == 3
+    assert run("check", "ex3-1.svg", "--tolerance", "-1").exit_code == 2
+
+
+def test_list_and_show():
+    result = run("list", "--lang", "zh")
+    assert all(name in result.stdout for name in library.names())
+    shown = run("show", "ex3-1")
+    assert run("draw", "-", "-o", "-", text=shown.stdout).exit_code == 0
+    unknown = run("show", "ex3-l")
+    assert unknown.exit_code == 3
+    assert "ex3-1" in unknown.stderr
+
+
+def test_schema():
+    assert json.loads(run("schema").stdout)["type"] == "object"
+
+
+def test_usage():
+    assert run("draw").exit_code == 2
+    assert run("no-such").exit_code == 2
+    for command in ("draw", "explain", "solve", "check", "list", "show", "schema"):
+        assert "Example" in run(command, "--help").stdout
+
+
+REFUSED = {
+    "empty": "",
+    "not utf-8": b"\xff\xfe\x00",
+    "broken": "[frame",
+    "too large": "#" * (1 << 20) + "\n",
+    "too few drivers": FOUR_BAR[: FOUR_BAR.index("[[driver]]")] + "[sketch]\nC = [80, 60]\n",
+    "two on one freedom": FOUR_BAR + '[[driver]]\nvector = "DC"\nangle = 90\n',
+    "cannot be assembled": FOUR_BAR.replace("BC = 70", "BC = 5"),
+    "between two assemblies": FOUR_BAR.replace("C = [80, 60]", "C = [47.5, 13]"),
+    "dead point": FOUR_BAR.replace("angle = 60", "angle = 0").replace("BC = 70", "BC = 110"),
+    "scale too fine": FOUR_BAR + "[scales]\nlength = 0.00001\n",
+    "infinite": FOUR_BAR.replace("AB = 30", "AB = inf"),
+    "mistyped key": FOUR_BAR.replace("omega", "omgea"),
+    "mistyped point": FOUR_BAR.replace('vector = "AB"', 'vector = "AX"'),
+}
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("kind", REFUSED)
+def test_bad_input(kind: str, lang: str):
+    text = REFUSED[kind]
+    Path("bad.toml").write_bytes(text if isinstance(text, bytes) else text.encode())
+    for command in ("draw", "explain"):
+        result = run(command, "bad.toml", "--lang", lang)
+        assert result.exit_code == 3, (command, result.output)
+        assert "bad.toml" in result.stderr
+        assert "Traceback" not in result.stderr
+        assert any("\u4e00" <= letter <= "\u9fff" for letter in result.stderr) == (lang == "zh")
+    assert [path.name for path in Path().iterdir()] == ["bad.toml"]
+
+
+def test_a_folder_and_no_file():
+    Path("folder.toml").mkdir()
+    for name in ("folder.toml", "nothing.toml", "sub/ex3-1"):
+        result = run("draw", name)
+        assert result.exit_code == 3, result.output
+        assert result.stderr.strip()
+
+
+def test_drivers_are_counted():
+    two = FOUR_BAR + '[[driver]]\nvector = "DC"\nangle = 96.1\n'
+    mechanism(two)
+    assert "1 degree" in run("draw", "mine.toml").stderr
+    five = FOUR_BAR.replace("BC = 70", "BE = 40\n[links.4]\nEC = 50").replace("C = [80, 60]", "C = [80, 60]\nE = [40, 60]")
+    mechanism(five)
+    result = run("draw", "mine.toml")
+    assert result.exit_code == 3
+    assert "2 degrees" in result.stderr

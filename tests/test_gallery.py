@@ -1,0 +1,29 @@
+"""The gallery is what graphkin draws now, and every drawing in it passes its check."""
+
+from __future__ import annotations
+
+import pytest
+from gallery import FIGURES, differences, drawings
+from solvable import SOLVABLE
+
+from graphkin.check import measure
+
+
+@pytest.mark.parametrize("name", SOLVABLE)
+def test_gallery(name: str):
+    for path, text in drawings(name):
+        old = FIGURES / path
+        found = list(differences(old.read_text("utf-8"), text))
+        if found:
+            new = old.with_suffix(".new.svg")
+            new.write_text(text, encoding="utf-8", newline="\n")
+            pytest.fail(f"{new} differs from {old.name}: {found[:3]}; rebuild with tests/gallery.py if it is right")
+
+
+@pytest.mark.parametrize("path", sorted(FIGURES.glob("*/*.svg")), ids=lambda path: path.name)
+def test_gallery_is_good(path):
+    assert measure(path).passed(0.01)
+
+
+def test_gallery_is_whole():
+    assert {path.name for path in FIGURES.iterdir()} == set(SOLVABLE)

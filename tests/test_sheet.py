@@ -1,0 +1,285 @@
+"""The sheet: true to scale, inside its paper, and its letters on nothing."""
+
+from __future__ import annotations
+
+import re
+import time
+from functools import cache
+
+import pytest
+
+from graphkin import library
+from graphkin.errors import GraphkinError
+from graphkin.loading import loads
+from graphkin.methods import Method, plan, replay_all
+from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_count
+from graphkin.sheet.lettering import Run, advance, box, number, point_label, scripts, vector_label, width
+from graphkin.sheet.marks import PointMark, Text, VectorMark
+from graphkin.sheet.obstacles import bounds
+from graphkin.sheet.scales import finer, finest
+from graphkin.steps import Given, Plot
+
+
+@cache
+def solved(name: str) -> tuple[Method, Plot]:
+    method = plan(library.load(name))
+    return method, replay_all(method)
+
+
+@cache
+def drawn(name: str) -> Sheet:
+    return sheet(*solved(name))
+
+
+def is_solved(name: str) -> bool:
+    try:
+        solved(name)
+    except GraphkinError:
+        return False
+    return True
+
+
+SOLVED = [name for name in library.names() if is_solved(name)]
+QUIET = [name for name in SOLVED if name not in ("p3-22", "p3-21", "p3-7")]
+"""All but the crowded ones: six- and eight-bars with forty letters in one polygon."""
+
+
+def vector(page: Sheet, name: str) -> VectorMark:
+    return next(mark for mark in page.marks if isinstance(mark, VectorMark) and mark.name == name)
+
+
+def plain_text(label: tuple[Run, ...]) -> str:
+    return "".join(run.text for run in label)
+
+
+# --- true to scale ----------------------------------------------------------------------------
+
+
+def test_example_3_1_has_the_lengths_of_the_book() -> None:
+    page = drawn("ex3-1")
+    assert vector(page, "v_B3").length == pytest.approx(27.12, abs=0.005)  # p b3 [mm]
+    assert vector(page, "v_B3B2").length == pytest.approx(32.08, abs=0.005)  # b2 b3
+    assert vector(page, "a^k_B3B2").length == pytest.approx(25.149, abs=0.005)
+    assert page.scales == {"position": 0.001, "velocity": 0.01, "acceleration": 0.1}
+
+
+@pytest.mark.parametrize("name", SOLVED)
+def test_points_and_arrows_lie_where_the_replay_puts_them(name: str) -> None:
+    _, plot = solved(name)
+    page = drawn(name)
+    for mark in page.marks:
+        if isinstance(mark, PointMark):
+            value = plot.points(mark.plane)[mark.name]
+            place = page.origins[mark.plane] + value.conjugate() / page.scales[mark.plane]
+            assert mark.at == pytest.approx(place, abs=1e-6)
+        if isinstance(mark, VectorMark):
+            points = plot.points(mark.plane)
+            arrow = (points[mark.head] - points[mark.tail]).conjugate() / page.scales[mark.plane]
+            assert mark.end - mark.start == pytest.approx(arrow, abs=1e-6)
+
+
+@pytest.mark.parametrize("name", SOLVED)
+def test_every_moving_point_has_its_absolute_arrow(name: str) -> None:
+    method, _ = solved(name)
+    arrows = {(m.plane, m.tail, m.head) for m in drawn(name).marks if isinstance(m, VectorMark)}
+    for construction in (method.velocity, method.acceleration):
+        fixed = {name for step in construction.steps if isinstance(step, Given) for name in (step.point, *step.also)}
+        for node in construction.nodes.values():
+            if node.site is not None and node.name not in fixed and node.site.point[0].isupper():
+                assert (construction.plane, construction.pole, node.name) in arrows
+
+
+@pytest.mark.parametrize("name", SOLVED)
+def test_no_arrow_is_drawn_twice(name: str) -> None:
+    names = [(m.plane, m.name) for m in drawn(name).marks if isinstance(m, VectorMark)]
+    assert len(names) == len(set(names))
+
+
+# --- on the paper -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", SOLVED)
+def test_everything_is_inside_the_drawing_frame(name: str) -> None:
+    page = drawn(name)
+    left, top, right, bottom = bounds(page.marks)
+    margin = page.paper.margin - 1e-6
+    assert left >= margin
+    assert top >= margin
+    assert right <= page.paper.width - margin
+    assert bottom <= page.paper.height - margin
+
+
+def boxes(page: Sheet) -> list[tuple[str, float, float, float, float]]:
+    found = []
+    for mark in page.marks:
+        if isinstance(mark, Text):
+            wide, up, down = box(mark.label, mark.size)
+            x, y = mark.at.real, mark.at.imag
+            found.append((plain_text(mark.label), x, y - up, x + wide, y + down))
+    return found
+
+
+@pytest.mark.parametrize("name", SOLVED)
+def test_no_letters_lie_on_letters(name: str) -> None:
+    found = boxes(drawn(name))
+    for k, (text, x0, y0, x1, y1) in enumerate(found):
+        for other, u0, v0, u1, v1 in found[:k]:
+            apart = x1 <= u0 + 0.01 or u1 <= x0 + 0.01 or y1 <= v0 + 0.01 or v1 <= y0 + 0.01
+            assert apart, f"{text} lies on {other}"
+
+
+@pytest.mark.parametrize("name", QUIET)
+def test_no_letters_lie_on_arrows(name: str) -> None:
+    import shapely
+
+    page = drawn(name)
+    arrows = [m for m in page.marks if isinstance(m, VectorMark)]
+    lines = [shapely.LineString([(m.start.real, m.start.imag), (m.end.real, m.end.imag)]) for m in arrows]
+    for text, *corners in boxes(page):
+        for arrow, line in zip(arrows, lines, strict=True):
+            assert not line.intersects(shapely.box(*corners)), f"{text} lies on {arrow.name}"
+
+
+@pytest.mark.parametrize("name", ["ex3-1", "p3-20"])
+def test_labels_are_placed_quickly(name: str) -> None:
+    method, plot = solved(name)
+    start = time.perf_counter()
+    sheet(method, plot)
+    assert time.perf_counter() - start < 1.0
+
+
+def test_same_input_same_sheet() -> None:
+    assert sheet(*solved("p3-7")).marks == sheet(*solved("p3-7")).marks
+
+
+def test_chinese_headings() -> None:
+    texts = [plain_text(m.label) for m in sheet(*solved("ex3-1"), lang="zh").marks if isinstance(m, Text)]
+    assert {"机构运动简图", "速度多边形", "加速度多边形"} <= set(texts)
+    assert solved("ex3-1")[0].mechanism.title["zh"] in texts
+
+
+def test_only_some_planes() -> None:
+    page = sheet(*solved("ex3-1"), only="velocity")
+    assert {m.plane for m in page.marks if isinstance(m, VectorMark | PointMark)} == {"velocity"}
+    assert set(page.scales) == {"velocity"}
+
+
+# --- steps ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["ex3-1", "fig3-1", "p3-14"])
+def test_steps_build_up_the_whole_drawing(name: str) -> None:
+    method, plot = solved(name)
+    last = step_count(method)
+    whole = {(m.plane, m.name) for m in drawn(name).marks if isinstance(m, VectorMark)}
+    before: set[tuple[str, str]] = set()
+    for step in range(1, last + 1):
+        page = sheet(method, plot, upto=step)
+        now = {(m.plane, m.name) for m in page.marks if isinstance(m, VectorMark)}
+        assert before <= now
+        assert all(m.step is None or m.step <= step for m in page.marks)
+        assert all(m.new == (m.step == step) for m in page.marks)
+        before = now
+    assert before == whole
+
+
+def test_steps_lie_over_one_another() -> None:
+    method, plot = solved("ex3-5")
+    early, late = (sheet(method, plot, upto=step) for step in (16, step_count(method)))
+    places = {(m.plane, m.name): m.at for m in late.marks if isinstance(m, PointMark)}
+    assert all(places[m.plane, m.name] == m.at for m in early.marks if isinstance(m, PointMark))
+
+
+# --- scales and paper -------------------------------------------------------------------------
+
+
+def example(text: str = "", **changes: str) -> tuple[Method, Plot]:
+    """Example 3-1 with other values."""
+    text = library.load("ex3-1").text
+    for key, value in changes.items():
+        text = re.sub(rf"(?m)^{key}\s*=.*$", f"{key} = {value}", text)
+    method = plan(loads(text, name="ex", file="ex.toml"))
+    return method, replay_all(method)
+
+
+@pytest.mark.parametrize(
+    ("size", "room", "scale"),
+    [
+        (78 + 50j, 100 + 100j, 1), (101 + 5j, 100 + 100j, 2), (5 + 300j, 100 + 100j, 5), (0.001 + 0j, 100 + 100j, 1e-5),
+        (999 + 0j, 100 + 100j, 10), (2e9 + 0j, 100 + 100j, 2e7), (0j, 100 + 100j, 0.01),
+    ],
+)  # fmt: skip
+def test_finest_scale_of_the_series(size: complex, room: complex, scale: float) -> None:
+    assert finest(size, room) == scale
+
+
+def test_finer_scales() -> None:
+    assert [finer(s) for s in (1.0, 5.0, 2.0, 0.001, 1e9)] == [0.5, 2.0, 1.0, 0.0005, 5e8]
+
+
+def test_a_given_scale_too_fine_for_paper_names_one_that_fits() -> None:
+    method, plot = example(velocity="0.0001")
+    with pytest.raises(TooLargeForPaper, match=r"ex\.toml:\d+, scales\.velocity.*0\.002 would fit") as caught:
+        sheet(method, plot)
+    assert "放不进" in caught.value.message("zh")
+    method, plot = example(velocity="0.002")
+    assert sheet(method, plot).scales["velocity"] == 0.002
+
+
+def test_a_given_scale_may_need_larger_paper() -> None:
+    assert sheet(*example(velocity="0.0015")).paper.name.startswith("A3")
+
+
+def test_papers() -> None:
+    assert sheet(*solved("ex3-1"), paper="A3").paper == PAPERS["A3"]
+    with pytest.raises(UnknownPaper, match="A4-landscape"):
+        sheet(*solved("ex3-1"), paper="A7")
+
+
+def test_a_mechanism_at_rest_has_polygons_of_one_point() -> None:
+    page = sheet(*example(omega="0"))
+    assert all(m.length == 0 for m in page.marks if isinstance(m, VectorMark))
+
+
+def test_fast_mechanisms_have_coarse_scales() -> None:
+    method, plot = example(omega="1e6", velocity="1000", acceleration="1e9")
+    assert sheet(method, plot).scales["acceleration"] == 1e9
+
+
+# --- lettering --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "runs"),
+    [
+        ("b3'", [("b", True, "base"), ("3", False, "sub"), ("′", False, "base")]),
+        ("O1", [("O", True, "base"), ("1", False, "sub")]),
+        ("k'", [("k", True, "base"), ("′", False, "base")]),
+        ("b@guide'", [("b", True, "base"), ("guide", True, "sub"), ("′", False, "base")]),
+    ],
+)
+def test_point_labels(name: str, runs: list[tuple[str, bool, str]]) -> None:
+    assert [(run.text, run.italic, run.place) for run in point_label(name)] == runs
+
+
+def test_the_part_of_a_vector_stands_above_its_subscript() -> None:
+    label = vector_label("a^n_B3D")
+    assert plain_text(label) == "aB3Dn"
+    placed = scripts(label, 10.0)
+    assert placed[-1][1] == placed[1][1]  # n begins where the subscript begins
+    assert placed[-1][2] < 0 < placed[1][2]
+
+
+def test_widths_are_those_of_times() -> None:
+    assert advance("v", italic=True) == 0.444
+    assert advance("ω", italic=True) == 0.706
+    assert advance("速度") == 2.0
+    assert width(point_label("b3"), 10.0) == pytest.approx(5.0 + 3.4)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(0.27120, "0.2712"), (-3.91934, "−3.919"), (0.0, "0"), (2e-5, "2×10−5"), (1e9, "109"), (100.0, "100")],
+)
+def test_numbers(value: float, text: str) -> None:
+    assert plain_text(number(value)) == text
