@@ -95,7 +95,7 @@ def read(source: str) -> Mechanism:
     from graphkin import api, loading
 
     if source == "-":
-        return loading.loads(click.get_binary_stream("stdin").read(), name="stdin", file="<stdin>")
+        return loading.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>")
     return api.load(source)
 
 
@@ -105,7 +105,7 @@ def at_values(
     """Driver values with those of the command line put in; None for the drawn position."""
     if not angles and not displacements:
         return None
-    given = {"spin": [], "angle": [math.radians(a) for a in angles], "slide": [s / 1000 for s in displacements]}
+    given: dict[str, list[float]] = {"spin": [], "angle": [math.radians(a) for a in angles], "slide": [s / 1000 for s in displacements]}
     if not all(math.isfinite(v) for values in given.values() for v in values):
         raise click.UsageError("--angle and --at take finite numbers")
     values = [given[d.kind].pop(0) if given[d.kind] else (d.value or 0.0) for d in mechanism.drivers]

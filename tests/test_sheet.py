@@ -12,7 +12,7 @@ from graphkin import library
 from graphkin.errors import GraphkinError
 from graphkin.loading import loads
 from graphkin.methods import Method, plan, replay_all
-from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_count
+from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_count, step_sheets
 from graphkin.sheet.lettering import Run, advance, box, number, point_label, scripts, vector_label, width
 from graphkin.sheet.marks import PointMark, Text, VectorMark
 from graphkin.sheet.obstacles import bounds
@@ -188,6 +188,18 @@ def test_steps_lie_over_one_another() -> None:
     early, late = (sheet(method, plot, upto=step) for step in (16, step_count(method)))
     places = {(m.plane, m.name): m.at for m in late.marks if isinstance(m, PointMark)}
     assert all(places[m.plane, m.name] == m.at for m in early.marks if isinstance(m, PointMark))
+
+
+def test_a_series_of_steps_is_each_step_by_itself() -> None:
+    method, plot = solved("ex3-1")
+    series = list(step_sheets(method, plot))
+    assert len(series) == step_count(method)
+    assert all(page.marks == sheet(method, plot, upto=k).marks for k, page in enumerate(series, 1) if k % 5 == 0)
+
+
+def test_crowded_letters_take_a_larger_paper() -> None:
+    assert drawn("p3-22").paper.name.startswith("A3")
+    assert sheet(*solved("p3-22"), paper="A4").paper.name == "A4"
 
 
 # --- scales and paper -------------------------------------------------------------------------

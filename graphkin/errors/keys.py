@@ -285,7 +285,7 @@ class BadName(WrongType):
     """A name or key that is not formed as its kind is."""
 
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given} does not read as {expected}. Rename it.",
+        "en": "{where}: {given} is not formed as it must be: {expected}. Rename it.",
         "zh": "{where}：{given} 的写法不对，应为：{expected}。请改名。",
     }
 
@@ -296,7 +296,7 @@ class WrongCount(GraphkinError):
     expected: int
     given: int
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the list has {given} items, it needs {expected}. Add or remove some.",
+        "en": "{where}: the list needs {expected} items, not {given}. Add or remove some.",
         "zh": "{where}：列表有 {given} 项，应为 {expected} 项，请增减。",
     }
 

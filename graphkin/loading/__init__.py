@@ -8,6 +8,6 @@ and a reader beside `slides` and `contacts`, called in `loader`.
 """
 
 from graphkin.loading.export import json_schema, json_schema_text
-from graphkin.loading.loader import load, loads
+from graphkin.loading.loader import load, load_stream, loads
 
-__all__ = ["json_schema", "json_schema_text", "load", "loads"]
+__all__ = ["json_schema", "json_schema_text", "load", "load_stream", "loads"]

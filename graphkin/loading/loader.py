@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path as FilePath
-from typing import TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING, Any
 
 from graphkin.errors import Lang
 from graphkin.loading.curves import Measure
 from graphkin.loading.draft import Draft
 from graphkin.loading.measures import frame_problems, read_measures
-from graphkin.loading.source import read_text, read_toml
+from graphkin.loading.source import LARGEST_FILE, decoded, read_text, read_toml
 from graphkin.mechanism import Mechanism
 
 if TYPE_CHECKING:
     from graphkin.loading.schema import File
 
-__all__ = ["load", "loads"]
+__all__ = ["load", "load_stream", "loads"]
 
 
 def load(source: str | FilePath) -> Mechanism:
@@ -33,6 +33,11 @@ def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> Mechan
     draft = Draft(file, lines)
     tables, measures = _checked(draft, document)
     return _drawn_up(draft, tables, document, measures, name, text)
+
+
+def load_stream(stream: IO[bytes], *, name: str, file: str) -> Mechanism:
+    """The mechanism that comes in through a pipe."""
+    return loads(decoded(stream.read(LARGEST_FILE + 1), file), name=name, file=file)
 
 
 def _checked(draft: Draft, document: dict[str, Any]) -> tuple[File, dict[str, list[Measure]]]:

@@ -21,7 +21,7 @@ from graphkin.errors import (
 from graphkin.loading.names import tidy
 from graphkin.loading.positions import Path, positions
 
-__all__ = ["LARGEST_FILE", "read_text", "read_toml"]
+__all__ = ["LARGEST_FILE", "decoded", "read_text", "read_toml"]
 
 LARGEST_FILE = 1_000_000
 """Mechanism files have some hundred bytes; more than this many are refused."""
@@ -30,7 +30,7 @@ _PLACE = re.compile(r"\s*\(at (?:line ([0-9]+), column [0-9]+|end of document)\)
 
 
 def read_text(path: FilePath) -> str:
-    """The file's text; a byte order mark is not part of it."""
+    """The file's text."""
     where = Where(str(path))
     try:
         if path.is_dir():
@@ -41,12 +41,17 @@ def read_text(path: FilePath) -> str:
         raise NoFile(where, path.name, _beside(path)) from None
     except (OSError, ValueError) as problem:
         raise Unreadable(where, getattr(problem, "strerror", None) or str(problem)) from None
-    _check_size(len(content), where.file)
+    return decoded(content, where.file)
+
+
+def decoded(content: bytes, file: str) -> str:
+    """The text of a file's bytes; a byte order mark is not part of it."""
+    _check_size(len(content), file)
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
         line = content.count(b"\n", 0, problem.start) + 1
-        raise NotUtf8(Where(where.file, line)) from None
+        raise NotUtf8(Where(file, line)) from None
 
 
 def read_toml(text: str, file: str) -> tuple[dict[str, Any], dict[Path, int]]:

@@ -13,6 +13,7 @@ from graphkin.errors import HigherClass
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.methods.assembly import pick_sides, refuse_bad_positions
+from graphkin.methods.equivalent import lower_pairs
 from graphkin.methods.hops import Slip, Twist, halves
 from graphkin.methods.motion import Labels, motion
 from graphkin.methods.position import position
@@ -67,7 +68,7 @@ def plan(mechanism: Mechanism) -> Method:
     assembled, or has a sketch that does not tell its assemblies apart.
     """
     refuse_unsolved(mechanism)
-    structure = Structure(mechanism)
+    structure = Structure(lower_pairs(mechanism))
     order, left = stages(structure)
     if left:
         names = list(dict.fromkeys(structure.home(body) for body in left))
@@ -98,12 +99,10 @@ def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
 
 def _facts(structure: Structure, values: Sequence[Value] | None) -> Facts:
     mechanism = structure.mechanism
-    shapes = {name: dict(link.points) for name, link in mechanism.links.items()}
-    shapes |= {body: {points[0]: 0j} for body, points in structure.bodies.items() if structure.is_pin(body)}
     drivers = mechanism.drivers
     return Facts(
         frame=FRAME,
-        shapes=shapes,
+        shapes=structure.shapes,
         lines={s.name: (s.guide, s.line.origin, s.line.direction) for s in mechanism.slides},
         turns=structure.turns,
         slides_driven=structure.slides_driven,

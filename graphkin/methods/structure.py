@@ -50,6 +50,12 @@ class Structure:
         return bodies
 
     @cached_property
+    def shapes(self) -> dict[str, Mapping[str, complex]]:
+        """Points of each body in its axes [m]; the one of a pin's body is its origin."""
+        shapes: dict[str, Mapping[str, complex]] = {n: link.points for n, link in self.mechanism.links.items()}
+        return shapes | {b: {points[0]: 0j} for b, points in self.bodies.items() if self.is_pin(b)}
+
+    @cached_property
     def order(self) -> dict[str, int]:
         return {name: k for k, name in enumerate(self.bodies)}
 

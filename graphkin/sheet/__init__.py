@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
+from importlib import import_module
 
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
@@ -43,9 +44,9 @@ class Sheet:
     lang: Lang
 
     def _repr_svg_(self) -> str:
-        from graphkin.outputs.svg import svg
-
-        return svg(self)
+        """How a notebook shows it. Writers come after sheets, so the one for SVG is looked up by name here."""
+        writer = import_module("graphkin.outputs.svg")
+        return str(writer.svg(self))
 
 
 def sheet(

@@ -21,6 +21,7 @@ from graphkin.sheet.results import Table, tables
 from graphkin.sheet.scales import KEYS, TooLargeForPaper, finest, written
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import strip, strip_heights
+from graphkin.sheet.wheels import rims
 from graphkin.sheet.window import Figure, Window, births, constructions, first_steps
 from graphkin.steps import Construction, Plane, Plot
 
@@ -66,7 +67,9 @@ class _Planes:
         """The points a plane shows, in SI units."""
         points = self.plot.points(plane)
         if plane == "position":
-            return [complex(v) for name, v in points.items() if name in self.method.mechanism.points]
+            machine = self.method.mechanism
+            named = [complex(v) for name, v in points.items() if name in machine.points]
+            return [*named, *rims(machine, points)]
         names = {self.construction(plane).pole, *self.construction(plane).nodes}
         return [complex(v) for name, v in points.items() if name in names]
 

@@ -6,6 +6,7 @@ import cmath
 import math
 
 from graphkin.mechanism import FRAME, Driver
+from graphkin.pairs import Line
 from graphkin.sheet import symbols
 from graphkin.sheet.grounds import ground_way
 from graphkin.sheet.labels import Wanted
@@ -82,17 +83,24 @@ def _turn_label(skeleton: Skeleton, driver: Driver) -> Label:
 
 def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     """Beside the block, the way it goes."""
-    slide = skeleton.mechanism.slide(driver.link)
-    along = skeleton.along(slide) * math.copysign(1, driver.rate or driver.acceleration)
+    point, line, pair = _path(skeleton, driver)
+    along = skeleton.direction(line) * math.copysign(1, driver.rate or driver.acceleration)
     up = along * 1j if (along * 1j).imag <= 0 else along * -1j
-    at = skeleton.at(slide.point)
+    at = skeleton.at(point)
     across = max((up, -up), key=lambda side: _room(skeleton, at + side * 5.2 + along * 3))
     start = at + across * 5.2 - along * 4
-    marks = symbols.push(start, along, skeleton.step(slide.point))
+    marks = symbols.push(start, along, skeleton.step(point))
     figure.marks += marks
-    if slide.guide == FRAME:
-        label = quantity_label("v", slide.point)
-    else:
-        names = [skeleton.mechanism.called(link) for link in reversed(slide.joins)]
-        label = quantity_label("v", "".join(names))
+    names = [skeleton.mechanism.called(link) for link in reversed(pair)]
+    label = quantity_label("v", point if line.link == FRAME else "".join(names))
     figure.wanted.append(Wanted(label, start, start + 11 * along, away=across, step=marks[0].step))
+
+
+def _path(skeleton: Skeleton, driver: Driver) -> tuple[str, Line, tuple[str, ...]]:
+    """The point a driven slide (or roll) moves, the line it moves along, the links it joins."""
+    for slide in skeleton.mechanism.slides:
+        if slide.name == driver.link:
+            return slide.point, slide.line, slide.joins
+    roll = next(roll for roll in skeleton.mechanism.rolls if roll.name == driver.link)
+    assert roll.line is not None
+    return roll.centre, roll.line, roll.joins

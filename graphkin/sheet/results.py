@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from graphkin.errors import Lang
@@ -21,7 +20,7 @@ from graphkin.sheet.lettering import (
     width,
 )
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
-from graphkin.steps import Plot
+from graphkin.steps import Node, Plot
 
 __all__ = ["PITCH", "Table", "arranged", "drawn_tables", "height_of", "tables"]
 
@@ -31,6 +30,7 @@ SIZE = 2.8
 """Letters of the table [mm]."""
 _GAP, _BETWEEN = 2.6, 6.0
 _MOST_ROWS = 12
+_NOISE = 1e-9
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
 
 
@@ -55,9 +55,138 @@ class Table:
             yield Table(self.head, self.rows[k : k + count])
 
 
+@dataclass(frozen=True, slots=True)
+class _Usual:
+    """What is usual in a mechanism: values far below are the noise of computing, and written 0.
+
+    length [m], speed [m/s], acceleration [m/s^2], turning [rad/s]
+    """
+
+    length: float
+    speed: float
+    acceleration: float
+    turning: float
+
+    @classmethod
+    def of(cls, plot: Plot) -> _Usual:
+        places = [complex(v) for v in plot.position.values()]
+        length = max((abs(a - b) for a in places for b in places), default=0.0) or 1.0
+        speed = _largest(plot.velocity)
+        turning = max(_largest(plot.omega), speed / length)
+        return cls(length, speed, max(_largest(plot.acceleration), turning**2 * length), turning)
+
+    def speeds(self, value: float) -> Label:
+        return number(value if abs(value) > _NOISE * self.speed else 0.0)
+
+    def accelerations(self, value: float) -> Label:
+        return number(value if abs(value) > _NOISE * self.acceleration else 0.0)
+
+
+def _largest(values: Mapping[str, complex]) -> float:
+    return max((abs(v) for v in values.values()), default=0.0)
+
+
+@dataclass(frozen=True)
+class _Results:
+    """The tables in the making."""
+
+    method: Method
+    plot: Plot
+    lang: Lang
+    usual: _Usual
+
+    def asked(self, name: str) -> bool:
+        """Whether the problem asks for something of this name."""
+        return any(name in text.replace("/", " ").split() for text in self.method.mechanism.ask)
+
+    def links(self) -> Table:
+        """Angular velocities and accelerations with their sense."""
+        machine, plot = self.method.mechanism, self.plot
+        head = (
+            plain({"en": "link", "zh": "构件"}[self.lang]), _unit(quantity_label("ω", ""), "rad/s"),
+            _unit(quantity_label("α", ""), "rad/s²"),
+        )  # fmt: skip
+        names = [name for name in machine.moving if name in plot.omega]
+        names.sort(key=lambda name: not self.asked(machine.called(name)))
+        quick = self.usual.acceleration / self.usual.length
+        rows = (
+            (
+                link_label(machine.called(name)),
+                self.turning(float(plot.omega[name]), self.usual.turning),
+                self.turning(float(plot.alpha[name]), quick),
+            )
+            for name in names
+        )
+        return Table(head, tuple(rows))
+
+    def turning(self, value: float, usual: float) -> Label:
+        """`3.919 cw`."""
+        if abs(value) <= _NOISE * usual:
+            return plain("0")
+        return (*number(abs(value)), Run(f" {_SENSE[self.lang][value < 0]}"))
+
+    def points(self) -> Table:
+        """Speeds and accelerations of the moving points."""
+        word = {"en": "point", "zh": "点"}[self.lang]
+        head = (plain(word), _unit(quantity_label("v", ""), "m/s"), _unit(quantity_label("a", ""), "m/s²"))
+        method, plot, usual = self.method, self.plot, self.usual
+        primed = {node.of: name for name, node in method.acceleration.nodes.items() if node.site is not None}
+        nodes = [node for node in method.velocity.nodes.values() if node.of in primed and _moves(node)]
+        nodes.sort(key=lambda node: not self.asked(node.of))
+        rows = (
+            (
+                point_label(node.of),
+                usual.speeds(abs(plot.velocity[node.name])),
+                usual.accelerations(abs(plot.acceleration[primed[node.of]])),
+            )
+            for node in nodes
+        )
+        return Table(head, tuple(rows))
+
+    def parts(self) -> Table:
+        """Relative motions of coincident points: velocity, Coriolis and relative acceleration."""
+        head = (
+            plain(""), _unit(quantity_label("v", "", "r"), "m/s"), _unit(quantity_label("a", "", "k"), "m/s²"),
+            _unit(quantity_label("a", "", "r"), "m/s²"),
+        )  # fmt: skip
+        found: list[tuple[Label, ...]] = []
+        arrows = self.method.acceleration.vectors()
+        at, usual = self.plot.acceleration, self.usual
+        for name, term in self.method.velocity.vectors().items():
+            low = name.partition("_")[2]
+            pair = [arrows.get(f"a^{part}_{low}") for part in ("k", "r")]
+            if not any(pair):
+                continue
+            speed = abs(self.plot.velocity[term.head] - self.plot.velocity[term.tail])
+            sizes = (usual.accelerations(abs(at[t.head] - at[t.tail])) if t else plain("") for t in pair)
+            found.append((_pair_label(low), usual.speeds(speed), *sizes))
+        found.sort(key=lambda row: not self.asked("".join(run.text for run in row[0])))
+        return Table(head, tuple(found))
+
+    def slides(self) -> Table:
+        """Displacements that have a name, with their rates."""
+        head = (
+            plain(""), _unit(plain("s", True), "mm"), _unit(plain("ds/dt", True), "m/s"),
+            _unit(plain("d²s/dt²", True), "m/s²"),
+        )  # fmt: skip
+        plot, usual = self.plot, self.usual
+        rows = (
+            (
+                plain(slide.name, True),
+                number(1000 * float(plot.s[slide.name])),
+                usual.speeds(float(plot.s_rate.get(slide.name, 0.0))),
+                usual.accelerations(float(plot.s_acceleration.get(slide.name, 0.0))),
+            )
+            for slide in self.method.mechanism.slides
+            if slide.named and slide.name in plot.s
+        )
+        return Table(head, tuple(rows))
+
+
 def tables(method: Method, plot: Plot, lang: Lang) -> list[Table]:
     """Links, points, coincident points, slides; empty ones left out."""
-    found = (_links(method, plot, lang), _points(method, plot, lang), _parts(method, plot), _slides(method, plot))
+    results = _Results(method, plot, lang, _Usual.of(plot))
+    found = (results.links(), results.points(), results.parts(), results.slides())
     return [table for table in found if table.rows]
 
 
@@ -65,100 +194,14 @@ def _unit(label: Label, unit: str) -> Label:
     return (*label, Run(f" [{unit}]"))
 
 
-def _asked(method: Method, name: str) -> bool:
-    """Whether the problem asks for something of this name."""
-    return any(name in text.replace("/", " ").split() for text in method.mechanism.ask)
+def _moves(node: Node) -> bool:
+    """Whether a point of the polygon is a named point of a moving link."""
+    return node.site is not None and node.site.point[0].isupper() and node.site.link != FRAME
 
 
-def _links(method: Method, plot: Plot, lang: Lang) -> Table:
-    machine = method.mechanism
-    word = {"en": "link", "zh": "构件"}[lang]
-    head = (plain(word), _unit(quantity_label("ω", ""), "rad/s"), _unit(quantity_label("α", ""), "rad/s²"))
-    names = sorted((n for n in machine.moving if n in plot.omega), key=lambda n: not _asked(method, machine.called(n)))
-    rows = tuple(
-        (
-            link_label(machine.called(n)),
-            _turning(plot.omega[n], plot.omega, lang),
-            _turning(plot.alpha[n], plot.alpha, lang),
-        )
-        for n in names
-    )
-    return Table(head, rows)
-
-
-def _turning(value: object, among: dict[str, object], lang: Lang) -> Label:
-    """`3.919 cw`; what is nothing beside the others is 0."""
-    size = float(value)  # type: ignore[arg-type]
-    largest = max((abs(float(v)) for v in among.values()), default=0.0)  # type: ignore[arg-type]
-    if abs(size) <= 1e-9 * largest:
-        return plain("0")
-    return (*number(abs(size)), Run(f" {_SENSE[lang][size < 0]}"))
-
-
-def _points(method: Method, plot: Plot, lang: Lang) -> Table:
-    """Speeds and accelerations of the moving points."""
-    word = {"en": "point", "zh": "点"}[lang]
-    head = (plain(word), _unit(quantity_label("v", ""), "m/s"), _unit(quantity_label("a", ""), "m/s²"))
-    primed = {node.of: name for name, node in method.acceleration.nodes.items() if node.site is not None}
-    sites = [n for n in method.velocity.nodes.values() if n.site is not None and n.of in primed]
-    sites.sort(key=lambda node: not (_asked(method, node.of)))
-    rows = tuple(
-        (point_label(node.of), _size(plot.velocity, node.name), _size(plot.acceleration, primed[node.of]))
-        for node in sites
-        if node.site is not None and node.site.point[0].isupper() and node.site.link != FRAME
-    )
-    return Table(head, rows)
-
-
-def _size(points: dict[str, complex], name: str, tail: complex = 0j) -> Label:
-    largest = max((abs(v) for v in points.values()), default=0.0)
-    size = abs(points[name] - tail)
-    return number(size if size > 1e-9 * largest else 0.0)
-
-
-def _parts(method: Method, plot: Plot) -> Table:
-    """Relative motions: their velocity, and their Coriolis and relative acceleration."""
-    found: list[tuple[Label, ...]] = []
-    parts = {k: t for k, t in method.acceleration.vectors().items() if t.part in ("k", "r")}
-    for name, term in method.velocity.vectors().items():
-        low = name.partition("_")[2]
-        if f"a^r_{low}" not in parts and f"a^k_{low}" not in parts:
-            continue
-        row = [point_label_pair(low), _size(plot.velocity, term.head, plot.velocity[term.tail])]
-        for part in ("k", "r"):
-            other = parts.get(f"a^{part}_{low}")
-            at = plot.acceleration
-            row.append(_size(at, other.head, at[other.tail]) if other is not None else plain(""))
-        found.append(tuple(row))
-    found.sort(key=lambda row: not _asked(method, "".join(run.text for run in row[0])))
-    head = (
-        plain(""), _unit(quantity_label("v", "", "r"), "m/s"), _unit(quantity_label("a", "", "k"), "m/s²"),
-        _unit(quantity_label("a", "", "r"), "m/s²"),
-    )  # fmt: skip
-    return Table(head, tuple(found))
-
-
-def point_label_pair(low: str) -> Label:
+def _pair_label(low: str) -> Label:
     """`B3B2` as a row's name: the subscript of a relative velocity."""
     return tuple(Run(run.text, run.italic) for run in vector_label(f"v_{low}")[1:])
-
-
-def _slides(method: Method, plot: Plot) -> Table:
-    head = (
-        plain(""), _unit(plain("s", True), "mm"), _unit(plain("ds/dt", True), "m/s"),
-        _unit(plain("d²s/dt²", True), "m/s²"),
-    )  # fmt: skip
-    rows = tuple(
-        (plain(slide.name, True), *(number(float(v)) for v in _displacement(plot, slide.name)))
-        for slide in method.mechanism.slides
-        if slide.named and slide.name in plot.s and not math.isnan(float(plot.s[slide.name]))
-    )
-    return Table(head, rows)
-
-
-def _displacement(plot: Plot, slide: str) -> tuple[float, float, float]:
-    rate, speed_up = plot.s_rate.get(slide, 0.0), plot.s_acceleration.get(slide, 0.0)
-    return 1000 * float(plot.s[slide]), float(rate), float(speed_up)
 
 
 # --- on paper ---------------------------------------------------------------------------------

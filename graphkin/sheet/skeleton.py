@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Slide
+from graphkin.pairs import Line, Slide
 from graphkin.sheet.marks import Place
 from graphkin.sheet.window import Window
 from graphkin.steps import Plot
@@ -59,6 +60,10 @@ class Skeleton:
     def along(self, slide: Slide) -> complex:
         """Direction of a slide's line on paper."""
         return self.window.turned(self.plot.guide_direction(slide.name))
+
+    def direction(self, line: Line) -> complex:
+        """Direction of any line of a link on paper."""
+        return self.window.turned(line.direction * cmath.rect(1, float(self.plot.theta.get(line.link, 0.0))))
 
     def is_cylinder(self, slide: Slide) -> bool:
         """A moving guide of one point, which the line passes."""

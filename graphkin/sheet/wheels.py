@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+
+from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Cam, Gear, Line, Roll
 from graphkin.sheet.marks import Disc, Mark, Stroke
 from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.symbols import hatch
 from graphkin.sheet.window import Figure
 
-__all__ = ["wheels"]
+__all__ = ["rims", "wheels"]
 
 
 def wheels(skeleton: Skeleton) -> Figure:
@@ -42,8 +46,11 @@ def _roll(skeleton: Skeleton, roll: Roll) -> list[Mark]:
     if roll.track_centre is not None:
         marks.append(_circle(skeleton, roll.track_centre, roll.track_radius, roll.track))
     elif roll.line is not None:
-        foot = roll.radius / skeleton.window.scale
-        marks.append(_straight(skeleton, roll.line, roll.centre, foot + 12))
+        track = _straight(skeleton, roll.line, roll.centre, roll.radius / skeleton.window.scale + 12)
+        marks.append(track)
+        if roll.line.link == FRAME:
+            under = (1j if roll.left else -1j) * skeleton.direction(roll.line)
+            marks += hatch(track.places[0], track.places[1], under)
     return marks
 
 
@@ -59,16 +66,20 @@ def _cam(skeleton: Skeleton, cam: Cam) -> list[Mark]:
     return marks
 
 
-def _straight(skeleton: Skeleton, line: Line, near: str, reach: float) -> Mark:
+def _straight(skeleton: Skeleton, line: Line, near: str, reach: float) -> Stroke:
     """A line of a link, around the foot of a point on it."""
-    theta = complex(skeleton.plot.theta.get(line.link, 0.0))
-    along = skeleton.window.turned(line.direction * complex(1, 0) * _turn(theta.real))
-    foot = skeleton.at(line.origin)
+    along, foot = skeleton.direction(line), skeleton.at(line.origin)
     t = (along.conjugate() * (skeleton.at(near) - foot)).real
     return Stroke((foot + along * (t - reach), foot + along * (t + reach)), "visible", link=line.link)
 
 
-def _turn(theta: float) -> complex:
-    import cmath
-
-    return cmath.rect(1, theta)
+def rims(machine: Mechanism, position: Mapping[str, complex]) -> Iterator[complex]:
+    """Corners of the squares around all circles, in the mechanism's plane [m]: how far they reach."""
+    circles = [(c, r) for gear in machine.gears for c, r in zip(gear.centres, gear.radii, strict=True)]
+    circles += [(roll.centre, roll.radius) for roll in machine.rolls]
+    circles += [(roll.track_centre, roll.track_radius) for roll in machine.rolls if roll.track_centre is not None]
+    profiles = (profile for cam in machine.cams for profile in cam.profiles)
+    circles += [(profile.centre, profile.radius) for profile in profiles if profile.centre is not None]
+    for centre, radius in circles:
+        at = complex(position[centre])
+        yield from (at - complex(radius, radius), at + complex(radius, radius))
