@@ -157,6 +157,9 @@ class _Table:
         middle = np.array([(spot.middle.real, spot.middle.imag) for spot in self.spots])
         half = np.array(sizes)
         self.low, self.high = middle - half, middle + half
+        anchors = [spot.middle if spot.anchor is None else spot.anchor for spot in self.spots]
+        self.middle, self.anchor = middle, np.array([(anchor.real, anchor.imag) for anchor in anchors])
+        self.led = np.array([spot.anchor is not None for spot in self.spots])
         self.cost = np.array([spot.cost for spot in self.spots])
         self.free = self._judge(drawn, room)
 
@@ -196,4 +199,18 @@ class _Table:
         clash = np.all(self.low < self.high[row] + _APART, axis=1)
         clash &= np.all(self.high > self.low[row] - _APART, axis=1)
         self.cost[clash] += 80.0
-        self.free &= ~clash
+        crossed = self.led & _cross(self.middle, self.anchor, self.low[row], self.high[row])
+        if self.led[row]:
+            crossed |= _cross(self.middle[row], self.anchor[row], self.low, self.high)
+        self.cost[crossed] += 25.0
+        self.free &= ~(clash | crossed)
+
+
+def _cross(start: Any, end: Any, low: Any, high: Any) -> Any:
+    """Whether lines start..end pass through boxes low..high, one against many or many against one (by slabs)."""
+    way = end - start
+    way = np.where(np.abs(way) < 1e-9, 1e-9, way)
+    first, second = (low - start) / way, (high - start) / way
+    enter = np.minimum(first, second).max(axis=-1)
+    leave = np.maximum(first, second).min(axis=-1)
+    return np.maximum(enter, 0.0) <= np.minimum(leave, 1.0)
