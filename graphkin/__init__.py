@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "errors", "geometry", "steps", "pairs", "mechanism", "loading", "library", "methods", "naming", "analytic",
+    "errors", "geometry", "steps", "pairs", "mechanism", "loading", "library", "methods", "naming", "seal", "analytic",
     "freedoms", "readings", "check", "results", "reports", "words", "sheet", "outputs", "api", "cli",
 )  # fmt: skip
 

@@ -114,10 +114,9 @@ class Drawing:
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None
     ) -> Iterator[Sheet]:
         """One sheet a step of the construction, the newest marks emphasised."""
-        from graphkin.sheet import sheet, step_count
+        from graphkin.sheet import step_sheets
 
-        for step in range(1, step_count(self.method) + 1):
-            yield sheet(self.method, self.plot, paper=paper, lang=lang, only=only, upto=step)
+        return step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only)
 
     def explain(self, lang: Lang = "en") -> list[str]:
         """The vector equations and what is measured, line by line, at the scales of the sheet."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,6 +25,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
 from graphkin.naming import pair, seen
 from graphkin.readings import Readings, relative
+from graphkin.seal import seal
 from graphkin.steps import Plane, Plot
 
 __all__ = ["Measured", "Report", "compare", "measure"]
@@ -118,16 +120,19 @@ class Report:
 
 
 UNITS: Mapping[Plane, str] = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
+WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+)?)")
+"""A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm, or 2×10⁻⁵ with its exponent raised."""
 SCALES: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
 
 @dataclass(frozen=True)
 class _Drawing:
-    """A parsed drawing file: lines and circles in mm, y up, and what the file claims to be."""
+    """A parsed drawing file: lines and circles in mm, y up, scales as written, and what the file claims to be."""
 
     file: str
     vectors: tuple[tuple[Mapping[str, str], complex, complex], ...]
     points: tuple[tuple[Mapping[str, str], complex], ...]
+    written: tuple[tuple[str, str], ...]
     claims: Mapping[str, object]
     faults: tuple[str, ...]
 
@@ -143,7 +148,7 @@ def measure(path: str | Path, tolerance_mm: float = 0.01) -> Report:
     exact = motion(mechanism, _numbers(drawing, "drivers", len(mechanism.drivers)))
     scales = _scales(drawing)
     entries = [*_vectors(drawing, mechanism, exact, scales), *_points(drawing, mechanism, exact, scales)]
-    faults = (*drawing.faults, *_loose_ends(drawing, tolerance_mm))
+    faults = (*drawing.faults, *_changed(drawing, scales), *_loose_ends(drawing, tolerance_mm))
     return Report(drawing.file, tuple(entries), faults)
 
 
@@ -166,7 +171,7 @@ def _read(path: Path) -> _Drawing:
 
 
 def _parse(file: str, root: Element) -> _Drawing:
-    vectors, points = [], []
+    vectors, points, written = [], [], list[tuple[str, str]]()
     faults = _paper(root)
     try:
         for element, moved in _walk(root):
@@ -175,6 +180,9 @@ def _parse(file: str, root: Element) -> _Drawing:
                 vectors.append((element.attrib, _place(element, "x1", "y1"), _place(element, "x2", "y2")))
             elif tag == "circle" and "point" in kind:
                 points.append((element.attrib, _place(element, "cx", "cy")))
+            elif tag == "text" and (found := WRITTEN.search("".join(element.itertext()))):
+                written.append((found[1], found[2]))
+                continue
             else:
                 continue
             if moved:
@@ -183,7 +191,7 @@ def _parse(file: str, root: Element) -> _Drawing:
         raise BadDrawing(Where(file), f"a vector or point without {error}") from error
     if not points:
         raise BadDrawing(Where(file), "no points")
-    return _Drawing(file, tuple(vectors), tuple(points), _claims(file, root), tuple(faults))
+    return _Drawing(file, tuple(vectors), tuple(points), tuple(written), _claims(file, root), tuple(faults))
 
 
 def _walk(root: Element) -> Iterator[tuple[Element, bool]]:
@@ -323,6 +331,30 @@ def _origin(pairs: list[tuple[complex, complex]]) -> complex:
     """Where zero lies on the paper, as the point with which most of the others agree has it."""
     origins = [place - right for place, right in pairs]
     return min(origins, key=lambda origin: sorted(abs(other - origin) for other in origins)[len(origins) // 2])
+
+
+def _changed(drawing: _Drawing, scales: Mapping[Plane, float]) -> Iterator[str]:
+    """What the file says of itself must be as it was when it was drawn, and the printed scales the same."""
+    claims = drawing.claims
+    given = claims.get("scales")
+    drivers = claims.get("drivers")
+    assert isinstance(given, dict)
+    assert isinstance(drivers, list)
+    if claims.get("seal") != seal(str(claims.get("mechanism")), drivers, given):
+        yield "metadata: mechanism, drivers or scales changed"
+    letters: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "acceleration"}
+    for letter, text in drawing.written:
+        plane = letters[letter]
+        if plane in scales and not _as_written(text, scales[plane]):
+            yield f"μ_{letter} = {text}"
+
+
+def _as_written(text: str, scale: float) -> bool:
+    mantissa, *power = re.split(r"\s*[×·]\s*10", text.replace("−", "-"))
+    try:
+        return math.isclose(float(mantissa) * 10.0 ** int(power[0] if power else 0), scale, rel_tol=1e-3)
+    except ValueError:
+        return False
 
 
 def _loose_ends(drawing: _Drawing, tolerance_mm: float) -> Iterator[str]:

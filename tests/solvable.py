@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from graphkin import library
-from graphkin.methods.stages import stages
-from graphkin.methods.structure import Structure
+from graphkin.errors import HigherClass, NotYetSolved
+from graphkin.methods import plan
 
 
 def _solved(name: str) -> bool:
-    mechanism = library.load(name)
-    if mechanism.gears or mechanism.rolls or mechanism.cams or mechanism.poses:
+    try:
+        plan(library.load(name))
+    except (HigherClass, NotYetSolved):
         return False
-    return not stages(Structure(mechanism))[1]
+    return True
 
 
 SOLVABLE = tuple(name for name in library.names() if _solved(name))

@@ -1,7 +1,8 @@
 """The drawn position: of all ways to put the mechanism together, the one nearest to the sketch.
 
 The search starts from the sketch and from many other positions, so that every assembly within reach
-is seen and the sketch only has to choose. The random starts are the same every time.
+is seen and the sketch only has to choose. The random starts are the same every time. A sketch that is
+exact needs no choice.
 """
 
 from __future__ import annotations
@@ -27,6 +28,8 @@ _MET = 1e-6
 """A loop open by less than this (in units of size) is closed, once Newton has settled: lengths in files are rounded."""
 _SAME = 1e-4
 """Positions of all unknowns nearer than this are one assembly [rad, size]."""
+_EXACT = 1e-6
+"""An assembly this near its sketch has none nearer [size]."""
 
 
 @dataclass(frozen=True)
@@ -77,12 +80,28 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
     relations, c = _standing(mechanism, loops, driving)
     closure = Closure.of(loops, relations)
     starts = _starts(guess(mechanism, loops), mechanism, loops)
+    first, _ = _closed(closure, starts[:1], c)
+    if len(first) and _as_sketched(mechanism, loops, first[0]):
+        return Assembled(first[0], 0.0)
+    found, ends = _closed(closure, starts, c)
+    if not len(found):
+        return Assembled(None, _smallest_gap(closure, ends, c) * loops.size)
+    return Assembled(choose(mechanism, loops, _distinct(found)), 0.0)
+
+
+def _closed(closure: Closure, starts: Real, c: Real) -> tuple[Real, Real]:
+    """The assemblies found from starts (b, n), one for each that led to one; and where the search ended (b, n)."""
     ends = search(closure, starts, c)
     closed = close(closure, ends, c, steps=40)
     met = (closed.gap < _MET) & (closed.step < _MET) & (closure.known.mismatch(c) < _MET)
-    if not np.any(met):
-        return Assembled(None, _smallest_gap(closure, ends, c) * loops.size)
-    return Assembled(choose(mechanism, loops, _distinct(closed.q[met])), 0.0)
+    return closed.q[met], ends
+
+
+def _as_sketched(mechanism: Mechanism, loops: Loops, q: Real) -> bool:
+    """Whether `choose` would choose this assembly from any: at the sketch, and no displacement the wrong way."""
+    away = _from_sketch(mechanism, loops, q[None])[0]
+    wrong = _negative(loops, q[None], _lengths(mechanism, loops) | _forwards(mechanism))
+    return bool(away < _EXACT * loops.size and wrong[0] == 0)
 
 
 def _smallest_gap(closure: Closure, ends: Real, c: Real) -> float:
@@ -103,11 +122,12 @@ def _standing(mechanism: Mechanism, loops: Loops, driving: bool) -> tuple[tuple[
 
 
 def _starts(seen: Real, mechanism: Mechanism, loops: Loops) -> Real:
-    """The sketch first, then the sketch shaken more and more, then anything: (b, n)."""
+    """The sketch first (with angles not seen at 0), then the sketch shaken more and more, then anything: (b, n)."""
     rng = np.random.default_rng(1)
     reach = np.array([np.pi if unknown.kind == "theta" else 1.5 for unknown in loops.unknowns])
     anywhere = rng.uniform(-reach, reach, (_STARTS, len(reach)))
-    cylinders = _columns(loops, {pair.name for pair in mechanism.slides if _own_line(mechanism, pair)})
+    anywhere[0, reach == np.pi] = 0.0
+    cylinders = _columns(loops, _lengths(mechanism, loops))
     anywhere[:, cylinders] = abs(anywhere[:, cylinders])
     shaken = seen + rng.normal(0, 1, anywhere.shape) * np.linspace(0, 0.5, _STARTS)[:, None]
     sketched = (np.arange(_STARTS) < _STARTS // 2)[:, None] & ~np.isnan(seen)
@@ -131,16 +151,20 @@ def choose(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
 
     Where the sketch does not tell two apart, displacements along a link are taken positive.
     """
-    backwards = _negative(loops, found, {p.name for p in mechanism.slides if _own_line(mechanism, p)})
+    backwards = _negative(loops, found, _lengths(mechanism, loops))
     found = found[backwards == backwards.min()]
+    distance = _from_sketch(mechanism, loops, found)
+    found = found[distance <= distance.min() + _SAME * loops.size]
+    return np.asarray(found[int(np.argmin(_negative(loops, found, _forwards(mechanism))))])
+
+
+def _from_sketch(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
+    """Distance of all sketched points together from their places in the sketch [m]: (a,)."""
     names = [name for name in mechanism.sketch if name in loops.points]
     rows = np.array([loops.points[name] for name in names]).reshape(len(names), len(loops.vectors.base))
     places = loops.vectors.at(found) @ rows.T * loops.size
     away = np.abs(places - np.array([mechanism.sketch[name] for name in names])) ** 2
-    distance = np.sqrt(away.sum(axis=-1))
-    found = found[distance <= distance.min() + _SAME * loops.size]
-    forwards = {pair.name for pair in mechanism.slides if _ahead(mechanism, pair)}
-    return np.asarray(found[int(np.argmin(_negative(loops, found, forwards)))])
+    return np.asarray(np.sqrt(away.sum(axis=-1)))
 
 
 def _negative(loops: Loops, found: Real, names: set[str]) -> Real:
@@ -153,9 +177,18 @@ def _columns(loops: Loops, names: set[str]) -> list[int]:
     return [at for at, unknown in enumerate(loops.unknowns) if unknown.kind == "s" and unknown.name in names]
 
 
-def _own_line(mechanism: Mechanism, pair: Slide) -> bool:
-    """A moving guide of one point is its own line (a cylinder): s is positive as drawn."""
-    return pair.guide != FRAME and len(mechanism.links[pair.guide].points) == 1
+def _lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
+    """Displacements that are positive as drawn: along a moving link of one point, which is its own line
+    (a cylinder), and along a line of centres.
+    """
+    links = mechanism.links
+    own = (joint for joint in loops.joints if joint.tail not in links or len(links[joint.tail].points) == 1)
+    return {joint.slide for joint in own if joint.slide is not None and joint.tail != FRAME}
+
+
+def _forwards(mechanism: Mechanism) -> set[str]:
+    """Displacements taken positive where the sketch leaves them open."""
+    return {pair.name for pair in mechanism.slides if _ahead(mechanism, pair)}
 
 
 def _ahead(mechanism: Mechanism, pair: Slide) -> bool:

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from graphkin.analytic.rules import Joint, Relation, Unknown, shares, theta
 from graphkin.analytic.singular import NotJoined
@@ -31,6 +32,7 @@ class Loops:
     rows        (r, m): row . arrows = 0 closes a loop
     points      row of each point, origins: row of each link's origin
     relations   what the pairs ask besides
+    joints      where the links meet
     """
 
     unknowns: tuple[Unknown, ...]
@@ -41,6 +43,7 @@ class Loops:
     points: dict[str, Complex]
     origins: dict[str, Complex]
     relations: tuple[Relation, ...]
+    joints: tuple[Joint, ...]
 
     def weights(self, relations: Sequence[Relation]) -> Real:
         """Left sides of relations as a matrix on the internal unknowns: (k, n)."""
@@ -62,12 +65,15 @@ class Loops:
         """d gap / dq: (..., 2r, n)."""
         return parts(self.vectors.slope(self.rows, q), -2)
 
+    def moves(self, rows: Sequence[Complex] | Complex) -> NDArray[np.bool_]:
+        """Which unknowns move any of these rows: (n,)."""
+        arrows = np.abs(np.reshape(rows, (-1, len(self.vectors.base)))).sum(axis=0)
+        return np.asarray(arrows @ (np.abs(self.vectors.turning) + np.abs(self.vectors.stretching)) > 0)
+
     def silent(self, relations: Sequence[Relation]) -> tuple[Unknown, ...]:
         """Unknowns that move nothing and stand in no relation: the rotation of a link of one point."""
-        everything = np.array([*self.rows, *self.points.values()])
-        heard = np.abs(everything) @ (np.abs(self.vectors.turning) + np.abs(self.vectors.stretching))
-        named = np.abs(self.weights(relations)).sum(axis=0)
-        loud = heard.sum(axis=0) + named > 0
+        named = np.abs(self.weights(relations)).sum(axis=0) > 0
+        loud = self.moves([*self.rows, *self.points.values()]) | named
         return tuple(unknown for unknown, on in zip(self.unknowns, loud, strict=True) if not on)
 
 
@@ -91,7 +97,7 @@ def loops_of(mechanism: Mechanism) -> Loops:
     vectors = _vectors(links, slides)
     closing = np.array(rows).reshape(-1, len(vectors.base))
     relations = tuple(relation for share in brought for relation in share.relations)
-    return Loops(unknowns, unit, size, vectors, closing, points, origins, relations)
+    return Loops(unknowns, unit, size, vectors, closing, points, origins, relations, joints)
 
 
 def parts(values: Complex, axis: int) -> Real:
@@ -100,11 +106,14 @@ def parts(values: Complex, axis: int) -> Real:
 
 
 def _size(mechanism: Mechanism) -> float:
-    """The longest distance between two points of one link [m]; without any, the largest displacement."""
+    """The longest distance between two points of one link, or radius [m]; without any, the largest displacement."""
+    circles = [*(radius for gear in mechanism.gears for radius in gear.radii),
+               *(radius for roll in mechanism.rolls for radius in (roll.radius, roll.track_radius)),
+               *(profile.radius for cam in mechanism.cams for profile in cam.profiles)]  # fmt: skip
     arms = [abs(a - b) for link in mechanism.links.values() for a in link.points.values()
             for b in link.points.values()]  # fmt: skip
     values = [abs(driver.value) for driver in mechanism.drivers if driver.kind == "slide" and driver.value]
-    return max(arms, default=0.0) or max(values, default=0.0) or 1.0
+    return max([*arms, *circles], default=0.0) or max(values, default=0.0) or 1.0
 
 
 def _names(mechanism: Mechanism, joints: Sequence[Joint]) -> tuple[tuple[str, ...], dict[str, str]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,7 +33,7 @@ class Motion:
 
     values                            each driver's value, in their order [rad or m]
     theta, omega, alpha               by link, the frame included [rad, rad/s, rad/s^2]; theta on any branch
-    s, s_rate, s_acceleration         by slide [m, m/s, m/s^2]
+    s, s_rate, s_acceleration         by slide, and by roll on a line (of the centre) [m, m/s, m/s^2]
     position, velocity, acceleration  by point, complex [m, m/s, m/s^2]
     condition                         reciprocal condition number, 0 at a dead point
     idle                              links whose rotation nothing shows: it is given as 0
@@ -154,8 +154,9 @@ def _motion(mechanism: Mechanism, closure: Closure, values: tuple[Real, ...], q:
     """Read everything off the unknowns."""
     loops, vectors = closure.loops, closure.loops.vectors
     three = q, found.first, found.second
-    theta, omega, alpha = ({FRAME: np.zeros(q.shape[:-1])[()], **_named(loops, part, "theta")} for part in three)
-    s, s_rate, s_acceleration = (_named(loops, part, "s") for part in three)
+    still, along = np.zeros(q.shape[:-1])[()], (*mechanism.slides, *mechanism.rolls)
+    theta, omega, alpha = ({FRAME: still, **_named(loops, part, "theta", mechanism.moving)} for part in three)
+    s, s_rate, s_acceleration = (_named(loops, part, "s", [pair.name for pair in along]) for part in three)
     arrows = vectors.at(q), vectors.rate(*three[:2]), vectors.acceleration(*three)
     position, velocity, acceleration = (_places(loops, part) for part in arrows)
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
@@ -177,12 +178,12 @@ def _motion(mechanism: Mechanism, closure: Closure, values: tuple[Real, ...], q:
     )
 
 
-def _named(loops: Loops, values: Real, kind: str) -> dict[str, Real]:
-    """Unknowns of one kind by name, in SI units."""
+def _named(loops: Loops, values: Real, kind: str, names: Collection[str]) -> dict[str, Real]:
+    """Unknowns of one kind by name, those of the analysis' own making left out, in SI units."""
     return {
         unknown.name: np.asarray(values[..., at] * loops.unit[at])[()]
         for at, unknown in enumerate(loops.unknowns)
-        if unknown.kind == kind
+        if unknown.kind == kind and unknown.name in names
     }
 
 

@@ -27,7 +27,7 @@ _SHORTEST = 1e-5
 _MARGIN = 4 * _SHORTEST
 """So near its end a way still counts as leading there: a dead point itself is reached by Newton only."""
 _REACH = 0.2
-"""Longest sub-step of any unknown [rad, size]."""
+"""Longest sub-step of any unknown in the loops [rad, size]."""
 _TRUST = 0.1
 """Newton may correct a sub-step by this much [rad, size]."""
 
@@ -58,7 +58,7 @@ def _fanned(closure: Closure, start: Real, c: Real, change: Real) -> Real:
         pass
     closed = close(closure, q, c + change, steps=25)
     reached = done >= 1 - _MARGIN * _longest(closure, change)
-    return np.where((reached & _good(closed, q))[:, None], closed.q, np.nan)
+    return np.where((reached & _good(closure, closed, q))[:, None], closed.q, np.nan)
 
 
 def _on_line(closure: Closure, start: Real, c: Real, line: Real, along: Real) -> Real:
@@ -70,7 +70,7 @@ def _on_line(closure: Closure, start: Real, c: Real, line: Real, along: Real) ->
     closed = close(closure, guess, c + along[:, None] * line, steps=25)
     margin = _MARGIN * _longest(closure, line[None])[0]
     reached = (along >= at[0] - margin) & (along <= at[-1] + margin)
-    return np.where((reached & _good(closed, guess))[:, None], closed.q, np.nan)
+    return np.where((reached & _good(closure, closed, guess))[:, None], closed.q, np.nan)
 
 
 def _way(closure: Closure, start: Real, c: Real, line: Real, end: float) -> tuple[Real, Real]:
@@ -99,16 +99,16 @@ def _between(at: Real, nodes: Real, slopes: Real, along: Real) -> Real:
 def _walk(closure: Closure, start: Real, c: Real, change: Real) -> Iterator[tuple[Real, Real]]:
     """Yield (q (p, n), share of the way done (p,)) after each sub-step, until all arrive or are stuck."""
     q, done = np.repeat(start[None], len(change), axis=0), np.zeros(len(change))
-    longest = _longest(closure, change)
+    longest, heard = _longest(closure, change), closure.loops.moves(closure.loops.rows)
     stride = longest.copy()
     while (active := (done < 1) & (stride > _SHORTEST * longest)).any():
         toward = tangent(closure, q[active], change[active])
-        fastest = np.max(np.abs(toward), axis=1, initial=0.0)
+        fastest = np.max(np.abs(toward[:, heard]), axis=1, initial=0.0)
         share = np.minimum(stride[active], _REACH / np.maximum(fastest, _REACH))
         ahead = np.where(done[active] + share > 1 - 1e-12, 1.0, done[active] + share)
         tried = q[active] + (ahead - done[active])[:, None] * toward
         closed = close(closure, tried, c + ahead[:, None] * change[active], steps=7)
-        good = _good(closed, tried)
+        good = _good(closure, closed, tried)
         stride[active] = np.where(good, np.minimum(2 * share, longest[active]), share / 2)
         q[active] = np.where(good[:, None], closed.q, q[active])
         done[active] = np.where(good, ahead, done[active])
@@ -123,7 +123,8 @@ def _longest(closure: Closure, change: Real) -> Real:
     return np.asarray(np.minimum(1.0, _STRIDE / np.maximum(way, _STRIDE)))
 
 
-def _good(closed: Closed, tried: Real) -> NDArray[np.bool_]:
+def _good(closure: Closure, closed: Closed, tried: Real) -> NDArray[np.bool_]:
     """Closed, settled, and not far from where it was expected."""
-    near = np.max(np.abs(closed.q - tried), axis=-1, initial=0.0) < _TRUST
+    away = np.abs(closed.q - tried)[:, closure.loops.moves(closure.loops.rows)]
+    near = np.max(away, axis=-1, initial=0.0) < _TRUST
     return np.asarray((closed.gap < 1e-6) & (closed.step < 1e-8) & near)

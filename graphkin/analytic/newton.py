@@ -21,6 +21,10 @@ __all__ = ["Closed", "Closure", "close", "inverse", "search"]
 
 _SETTLED = 1e-13
 """Newton steps below this are rounding."""
+_CLOSED = 1e-20
+"""A search has closed the loops where the square of the gap is below this [size^2]; Newton does the rest."""
+_SLOW = 1e-10
+"""A search that closes less than this share of the gap in a step has come to its end."""
 
 
 @dataclass(frozen=True)
@@ -117,18 +121,22 @@ def _condition(matrix: Real) -> Real:
 def search(closure: Closure, q: Real, c: Real, steps: int = 60) -> Real:
     """Levenberg-Marquardt from many starts q (b, n): where each ends.
 
-    A step that opens the loops further is taken back and damped more, each start for itself.
+    A step that opens the loops further is taken back and damped more, each start for itself; one that has
+    closed the loops, or finds no way to close them further, is left alone.
     """
-    y = q[..., closure.known.free]
-    q = closure.known.unknowns(y, c)
-    damping, gap = np.full(len(y), 0.1), closure.loops.gap(q)
+    q = closure.known.unknowns(q[..., closure.known.free], c)
+    damping, busy = np.full(len(q), 0.1), np.arange(len(q))
     for _ in range(steps):
-        step = _damped_step(closure.matrix(q), gap, damping)
-        tried = closure.move(q, step)
-        new = closure.loops.gap(tried)
-        better = np.sum(new**2, axis=-1) < np.sum(gap**2, axis=-1)
-        q, gap = np.where(better[:, None], tried, q), np.where(better[:, None], new, gap)
-        damping = np.clip(np.where(better, damping / 5, damping * 4), 1e-12, 1e6)
+        if not len(busy):
+            break
+        gap = closure.loops.gap(q[busy])
+        tried = closure.move(q[busy], _damped_step(closure.matrix(q[busy]), gap, damping[busy]))
+        before, after = np.sum(gap**2, axis=-1), np.sum(closure.loops.gap(tried) ** 2, axis=-1)
+        better = after < before
+        q[busy] = np.where(better[:, None], tried, q[busy])
+        damping[busy] = np.clip(np.where(better, damping[busy] / 5, damping[busy] * 4), 1e-12, 1e6)
+        slow = np.where(better, before - after < _SLOW * before, damping[busy] >= 1e6)
+        busy = busy[~(slow | (np.minimum(before, after) < _CLOSED))]
     return q
 
 

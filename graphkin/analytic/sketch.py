@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import cmath
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
 from graphkin.analytic.loops import Loops
-from graphkin.analytic.rules import Unknown, placing, theta
+from graphkin.analytic.rules import Joint, Unknown, placing, theta
 from graphkin.analytic.vectors import Real
 from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
 from graphkin.pairs import Slide
@@ -18,12 +19,14 @@ __all__ = ["guess"]
 
 def guess(mechanism: Mechanism, loops: Loops) -> Real:
     """The unknowns (n,) as far as the sketch and the drivers show them, in internal units; nan elsewhere."""
-    seen = _Seen(mechanism)
+    seen = _Seen(mechanism, loops.joints)
     for _ in mechanism.links:
         seen.look()
+    seen.join_centres()
     found = {theta(link): angle for link, angle in seen.angles.items()}
-    for pair in mechanism.slides:
-        found[Unknown("s", pair.name)] = seen.displacement(pair)
+    for joint in loops.joints:
+        if joint.slide is not None:
+            found[Unknown("s", joint.slide)] = seen.displacement(joint)
     return np.array([found.get(unknown, np.nan) for unknown in loops.unknowns]) / loops.unit
 
 
@@ -32,6 +35,7 @@ class _Seen:
     """Located points [m] and angles of links [rad]; `look` adds what follows from them."""
 
     mechanism: Mechanism
+    joints: tuple[Joint, ...]
     points: dict[str, complex] = field(default_factory=dict)
     angles: dict[str, float] = field(default_factory=lambda: {FRAME: 0.0})
 
@@ -43,7 +47,7 @@ class _Seen:
             if given.kind == "angle":
                 self._driven(given, value)
             elif given.kind == "slide":
-                self._pushed(self.mechanism.slide(given.link), value)
+                self._pushed(next(joint for joint in self.joints if joint.slide == given.link), value)
         for pair in self.mechanism.slides:
             self._aligned(pair)
         for link in self.mechanism.links.values():
@@ -57,10 +61,13 @@ class _Seen:
             angle = self.angles[given.from_link] + start + value
             self.angles.setdefault(given.link, angle - cmath.phase(links[given.link].arm(*given.vector)))
 
-    def _pushed(self, pair: Slide, value: float) -> None:
-        if pair.guide in self.angles and pair.line.origin in self.points:
-            along = pair.line.direction * cmath.rect(1, self.angles[pair.guide])
-            self.points.setdefault(pair.point, self.points[pair.line.origin] + value * along)
+    def _pushed(self, joint: Joint, value: float) -> None:
+        origin = self._place(joint.tail, joint.tail_arm)
+        if joint.tail in self.angles and origin is not None:
+            place = origin + value * joint.direction * cmath.rect(1, self.angles[joint.tail])
+            for name, arm in self.mechanism.links[joint.head].points.items():
+                if arm == joint.head_arm:
+                    self.points.setdefault(name, place)
 
     def _aligned(self, pair: Slide) -> None:
         """A block turns with its guide; two located points on a line give its direction."""
@@ -86,10 +93,31 @@ class _Seen:
             for name, there in link.points.items():
                 self.points.setdefault(name, place + (there - arm) * unit)
 
-    def displacement(self, pair: Slide) -> float:
+    def join_centres(self) -> None:
+        """Lines of centres, links of a pair's own making: from one centre to the other."""
+        for near, far in pairwise(self.joints):
+            if near.head == far.tail and near.head not in self.mechanism.links:
+                start, end = self._place(near.tail, near.tail_arm), self._place(far.head, far.head_arm)
+                if start is not None and end is not None:
+                    self.points[near.head] = start
+                    self.angles[near.head] = cmath.phase(end - start)
+
+    def displacement(self, joint: Joint) -> float:
         """s as seen, nan where it is not [m]."""
-        origin, point = self.points.get(pair.line.origin), self.points.get(pair.point)
-        if origin is None or point is None or pair.guide not in self.angles:
+        origin, point = self._place(joint.tail, joint.tail_arm), self._place(joint.head, joint.head_arm)
+        if origin is None or point is None or joint.tail not in self.angles:
             return float("nan")
-        along = pair.line.direction * cmath.rect(1, self.angles[pair.guide])
+        along = joint.direction * cmath.rect(1, self.angles[joint.tail])
         return ((point - origin) / along).real
+
+    def _place(self, name: str, arm: complex) -> complex | None:
+        """Where an arm of a link ends, None if that is not seen."""
+        link = self.mechanism.links.get(name, Link(name, {name: 0}))
+        seen = [(abs(arm - base), self.points[point], arm - base) for point, base in link.points.items()
+                if point in self.points]  # fmt: skip
+        if name == FRAME:
+            return arm
+        away, base, rest = min(seen, key=lambda each: each[0], default=(np.inf, 0j, 0j))
+        if name in self.angles and seen:
+            return base + rest * cmath.rect(1, self.angles[name])
+        return base if away == 0 else None

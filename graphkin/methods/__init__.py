@@ -18,7 +18,7 @@ from graphkin.methods.hops import Slip, Twist, halves
 from graphkin.methods.motion import Labels, motion
 from graphkin.methods.position import position
 from graphkin.methods.refusals import refuse_unsolved
-from graphkin.methods.stages import Bridge, Carry, Loop, Stage, stages
+from graphkin.methods.stages import Bridge, Carry, Group, Loop, Stage, stages
 from graphkin.methods.structure import Sliding, Structure
 from graphkin.steps import Construction, Equation, Facts, Meet, Plot, Site, Step, Swing, replay
 
@@ -70,6 +70,7 @@ def plan(mechanism: Mechanism) -> Method:
     refuse_unsolved(mechanism)
     structure = Structure(lower_pairs(mechanism))
     order, left = stages(structure)
+    left += tuple(body for stage in order if isinstance(stage, Group) for body in stage.bodies)
     if left:
         names = list(dict.fromkeys(structure.home(body) for body in left))
         raise HigherClass(mechanism.where("links", names[0]), tuple(names))

@@ -1,22 +1,29 @@
 """The order of solution: which bodies become known after which, from topology alone.
 
-Three kinds of stage. `Carry`: a body whose angle is known hangs on a known point or a driven slide.
-`Bridge`: a body joins two known points (it repeats a constraint that others keep). `Loop`: a way round
-through unknown bodies, from known to known, with exactly two unknown scalars (the angle of a group of
-links, the displacement of a slide): the Assur dyads RRR, RRP, RPR, PRP, RPP in every order, and longer
-ways whose further terms are driven. Two unknowns are what one vector equation gives, so the same loop is
-closed in all three planes.
+Kinds of stage. `Carry`: a body whose angle is known hangs on a known point or a known displacement.
+`Bridge`: a body joins two known points (it repeats a constraint that others keep). `Mesh`: wheels that roll
+on each other leave one angle or displacement to be found. `Loop`: a way round through unknown bodies, from
+known to known, with exactly two unknown scalars (the angle of a group of links, the displacement of a
+slide): the Assur dyads RRR, RRP, RPR, PRP, RPP in every order, and longer ways whose further terms are
+driven. Two unknowns are what one vector equation gives, so the same loop is closed in all three planes.
+`Group`: the fewest loops and rolling contacts that only together have as many unknowns as equations: an
+Assur group of Class III or higher, or a gear train whose planets and arm hang on each other.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import combinations
 
 from graphkin.mechanism import FRAME
+from graphkin.methods.equivalent import Contact
 from graphkin.methods.structure import Hinge, Joint, Sliding, Structure
 
-__all__ = ["Bridge", "Carry", "Loop", "Stage", "stages"]
+__all__ = ["Bridge", "Carry", "Group", "Loop", "Mesh", "Stage", "stages"]
+
+MOST = 8
+"""Unknown scalars of one loop of a group."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +55,27 @@ class Loop:
     slides: tuple[str, ...]
 
 
-Stage = Carry | Bridge | Loop
+@dataclass(frozen=True)
+class Mesh:
+    """One rolling contact gives the last unknown of its wheels: the angle of a group of links, or a displacement."""
+
+    contact: Contact
+    angle: str = ""
+    slide: str = ""
+
+
+@dataclass(frozen=True)
+class Group:
+    """Loops and contacts whose unknown scalars can only be found together."""
+
+    bodies: tuple[str, ...]
+    loops: tuple[Loop, ...]
+    contacts: tuple[Contact, ...]
+    angles: tuple[str, ...]
+    slides: tuple[str, ...]
+
+
+Stage = Carry | Bridge | Mesh | Loop | Group
 
 
 @dataclass
@@ -58,6 +85,7 @@ class _Known:
     structure: Structure
     bodies: set[str] = field(default_factory=lambda: {FRAME})
     angles: set[str] = field(default_factory=lambda: {FRAME})
+    slides: set[str] = field(default_factory=set)
 
     @property
     def unknown(self) -> list[str]:
@@ -74,16 +102,27 @@ class _Known:
         return self.point(joint.point) if isinstance(joint, Hinge) else others[0] in self.bodies
 
     def learn(self, stage: Stage) -> None:
-        bodies = stage.bodies if isinstance(stage, Loop) else (stage.body,)
-        self.bodies.update(bodies)
-        self.angles.update(self.structure.base(body) for body in bodies)
+        match stage:
+            case Carry() | Bridge():
+                self.bodies.add(stage.body)
+                self.angles.add(self.structure.base(stage.body))
+            case Mesh():
+                self.angles |= {stage.angle} - {""}
+                self.slides |= {stage.slide} - {""}
+            case Loop() | Group():
+                self.bodies.update(stage.bodies)
+                self.angles.update(stage.angles)
+                self.slides.update(stage.slides)
+        for name, slide in self.structure.slides.items():
+            if {slide.guide, self.structure.block(slide)} <= self.bodies:
+                self.slides.add(name)
 
 
 def stages(structure: Structure) -> tuple[tuple[Stage, ...], tuple[str, ...]]:
     """The stages in the order a textbook takes them, and the bodies that no stage reaches."""
-    known, found = _Known(structure), list[Stage]()
+    known, found = _Known(structure, slides=set(structure.slides_driven)), list[Stage]()
     while known.unknown:
-        stage = _carried(known) or _bridged(known) or _loop(known)
+        stage = _carried(known) or _bridged(known) or _meshed(known) or _loop(known) or _group(known)
         if stage is None:
             break
         found.append(stage)
@@ -96,7 +135,7 @@ def _carried(known: _Known) -> Stage | None:
         if not known.angle(body):
             continue
         for joint, others in known.structure.joints(body):
-            held = isinstance(joint, Hinge) or joint.slide in known.structure.slides_driven
+            held = isinstance(joint, Hinge) or joint.slide in known.slides
             if held and known.joint(joint, others):
                 return Carry(body, joint)
     return None
@@ -110,39 +149,103 @@ def _bridged(known: _Known) -> Stage | None:
     return None
 
 
+def _meshed(known: _Known) -> Mesh | None:
+    for contact in known.structure.contacts:
+        angles, slides = _open(known, contact)
+        if len(angles) + len(slides) == 1:
+            return Mesh(contact, next(iter(angles), ""), next(iter(slides), ""))
+    return None
+
+
+def _open(known: _Known, contact: Contact) -> tuple[dict[str, None], dict[str, None]]:
+    """What is unknown of a rolling contact."""
+    bases = (known.structure.base(body) for body, _ in contact.angles)
+    angles = dict.fromkeys(base for base in bases if base not in known.angles)
+    slides = dict.fromkeys(slide for slide in (contact.slide,) if slide and slide not in known.slides)
+    return angles, slides
+
+
 def _loop(known: _Known) -> Loop | None:
-    order = known.structure.order
-
-    def rank(loop: Loop) -> tuple[int, list[int], list[int]]:
-        way = [order[body] for body in loop.bodies]
-        return len(way), sorted(way), way
-
-    return min(_loops(known), key=rank, default=None)
+    """The shortest loop with two unknowns, first in the order of the file."""
+    return min(_loops(known, 2), key=lambda loop: _rank(known, loop), default=None)
 
 
-def _loops(known: _Known) -> Iterator[Loop]:
+def _rank(known: _Known, loop: Loop) -> tuple[int, list[int], list[int]]:
+    way = [known.structure.order[body] for body in loop.bodies]
+    return len(way), sorted(way), way
+
+
+def _group(known: _Known) -> Group | None:
+    """The smallest set of loops and contacts with as many unknowns as equations."""
+    loops = _bases(sorted(_loops(known, MOST), key=lambda loop: _rank(known, loop)))
+    parts: list[tuple[Loop | Contact, frozenset[str], int]] = [
+        (loop, frozenset(loop.angles + loop.slides), 2) for loop in loops
+    ]
+    for contact in known.structure.contacts:
+        angles, slides = _open(known, contact)
+        if angles or slides:
+            parts.append((contact, frozenset([*angles, *slides]), 1))
+    for count in range(1, len(parts) + 1):
+        for chosen in combinations(parts, count):
+            unknown = frozenset[str]().union(*(names for _, names, _ in chosen))
+            if len(unknown) == sum(equations for *_, equations in chosen):
+                return _as_group(known, [part for part, *_ in chosen], unknown)
+    return None
+
+
+def _bases(loops: list[Loop]) -> list[Loop]:
+    """Loops that are no sum of shorter ones: independent as sets of joints."""
+    chosen: list[Loop] = []
+    rows: list[set[object]] = []
+    for loop in loops:
+        row: set[object] = set(loop.joints)
+        for pivot in rows:
+            head = min(pivot, key=str)
+            if head in row:
+                row = row ^ pivot
+        if row:
+            rows.append(row)
+            chosen.append(loop)
+    return chosen
+
+
+def _as_group(known: _Known, parts: list[Loop | Contact], unknown: frozenset[str]) -> Group:
+    loops = tuple(part for part in parts if isinstance(part, Loop))
+    contacts = tuple(part for part in parts if isinstance(part, Contact))
+    structure = known.structure
+    bodies = tuple(dict.fromkeys(body for loop in loops for body in loop.bodies))
+    slides = tuple(name for name in structure.slides if name in unknown)
+    angles = tuple(body for body in structure.bodies if body in unknown)
+    return Group(bodies, loops, contacts, angles, slides)
+
+
+def _loops(known: _Known, most: int) -> Iterator[Loop]:
+    """Every way from known to known with two unknown scalars, or with up to `most`."""
     for body in known.unknown:
         for joint, others in known.structure.joints(body):
             if known.joint(joint, others):
-                yield from _walk(known, (body,), (joint,))
+                yield from _walk(known, (body,), (joint,), most)
 
 
-def _walk(known: _Known, bodies: tuple[str, ...], joints: tuple[Joint, ...]) -> Iterator[Loop]:
-    """Every way on from here that keeps to two unknown scalars."""
+def _walk(
+    known: _Known, bodies: tuple[str, ...], joints: tuple[Joint, ...], most: int
+) -> Iterator[Loop]:
+    """Every way on from here that keeps to so many unknown scalars."""
     angles, slides = _unknowns(known, bodies, joints)
-    if len(angles) + len(slides) > 2:
+    if len(angles) + len(slides) > most:
         return
     for joint, others in known.structure.joints(bodies[-1]):
         if joint in joints:
             continue
         if known.joint(joint, others):
             angles, slides = _unknowns(known, bodies, (*joints, joint))
-            if len(angles) + len(slides) == 2 and _together(known, bodies):
+            count = len(angles) + len(slides)
+            if most > 2 or (count == 2 and _together(known, bodies)):
                 yield Loop(bodies, (*joints, joint), angles, slides)
             continue
         for other in others:
             if other not in bodies and other not in known.bodies:
-                yield from _walk(known, (*bodies, other), (*joints, joint))
+                yield from _walk(known, (*bodies, other), (*joints, joint), most)
 
 
 def _unknowns(
@@ -153,7 +256,7 @@ def _unknowns(
     slides = dict.fromkeys(
         joint.slide
         for joint in joints
-        if isinstance(joint, Sliding) and joint.slide not in structure.slides_driven
+        if isinstance(joint, Sliding) and joint.slide not in known.slides
     )
     return tuple(angles), tuple(slides)
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.methods.equivalent import Contact
 from graphkin.pairs import Slide
 from graphkin.steps import TurnOf
 
@@ -41,6 +42,7 @@ class Structure:
     """The mechanism as the planner sees it."""
 
     mechanism: Mechanism
+    contacts: tuple[Contact, ...] = ()
 
     @cached_property
     def bodies(self) -> dict[str, tuple[str, ...]]:

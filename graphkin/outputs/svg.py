@@ -19,6 +19,7 @@ from typing import Any, ClassVar
 from graphkin.errors import GraphkinError, Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import SMALL, Label, scripts
+from graphkin.seal import seal
 from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
 from graphkin.sheet.scales import KEYS
@@ -276,6 +277,7 @@ def _metadata(sheet: Sheet) -> ET.Element:
         "scales": {KEYS[plane]: scale for plane, scale in sheet.scales.items()},
         "origin": {plane: [round(o.real, 4), round(o.imag, 4)] for plane, o in sheet.origins.items()},
     }
+    data["seal"] = seal(machine.text, sheet.drivers, {KEYS[plane]: scale for plane, scale in sheet.scales.items()})
     element = ET.Element("gk:sheet")
     element.text = json.dumps(data, ensure_ascii=False)
     return element
