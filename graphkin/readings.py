@@ -65,19 +65,24 @@ class Readings:
 
     @property
     def s(self) -> Mapping[str, Value]:
-        return self.plot.s
+        return self._told(self.plot.s)
 
     @property
     def s_rate(self) -> Mapping[str, Value]:
-        return self.plot.s_rate
+        return self._told(self.plot.s_rate)
 
     @property
     def s_acceleration(self) -> Mapping[str, Value]:
-        return self.plot.s_acceleration
+        return self._told(self.plot.s_acceleration)
 
     @property
     def position(self) -> Mapping[str, Value]:
         return self.plot.position
+
+    def _told(self, table: Mapping[str, Value]) -> Mapping[str, Value]:
+        """Sliding pairs and rolling wheels of the file, without the slots that stand for cams."""
+        names = {pair.name for pair in (*self.method.mechanism.slides, *self.method.mechanism.rolls)}
+        return {name: value for name, value in table.items() if name in names}
 
     def _moves(self, link: str) -> bool:
         return link in self.method.mechanism.moving
@@ -88,7 +93,7 @@ class Readings:
         found: dict[str, list[tuple[str, str]]] = {}
         owners = self.method.mechanism.owners
         for node in self.method.velocity.nodes.values():
-            if node.site is not None:
+            if node.site is not None and node.site.point in owners:
                 links = owners[node.site.point] if node.site.link in owners[node.site.point] else (node.site.link,)
                 for link in links:
                     found.setdefault(link, []).append((node.site.point, node.name))

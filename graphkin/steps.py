@@ -97,7 +97,14 @@ class Quarter:
     head: str
 
 
-Direction = Along | Across | AlongGuide | Quarter
+@dataclass(frozen=True)
+class AcrossGuide:
+    """At right angles to the line of a slide."""
+
+    slide: str
+
+
+Direction = Along | Across | AlongGuide | AcrossGuide | Quarter
 
 
 # --- how long they are ------------------------------------------------------------------------
@@ -211,6 +218,7 @@ class Term:
     size            what its length is made of, None while unknown
     direction       where it points, None while unknown
     tail, head      the points of the plane between which it lies
+    over            a point between: two arrows on one line, of `over` and of `of` seen from `over`, drawn as one
     """
 
     of: str
@@ -220,9 +228,15 @@ class Term:
     direction: Direction | None
     tail: str
     head: str
+    over: str = ""
 
     def name(self, plane: Plane) -> str:
-        """`v_CB`, `a^n_CB`, `a^k_B3B2`."""
+        """`v_CB`, `a^n_CB`, `a^k_B3B2`; `v_DG+v_S4D` where two lie on one line."""
+        if self.over:
+            halves = Term(self.over, self.seen_from, self.part, None, None, "", ""), Term(
+                self.of, self.over, self.part.replace("r", "t") if self.part else "", None, None, "", ""
+            )
+            return "+".join(half.name(plane) for half in halves)
         part = f"^{self.part}" if self.part else ""
         comma = "," if "@" in self.of + self.seen_from and self.seen_from else ""
         return f"{LETTER[plane]}{part}_{self.of}{comma}{self.seen_from}"
@@ -377,7 +391,98 @@ class Measure:
     sign: int = 1
 
 
-Step = Given | LayOff | Ray | Arc | Meet | Swing | Image | Measure
+@dataclass(frozen=True)
+class Closure:
+    """A way round through a group: from the point `start` over the parts to the point `end`."""
+
+    start: str
+    parts: tuple[Arm | Slid, ...]
+    end: str
+
+
+@dataclass(frozen=True)
+class InStep:
+    """Wheels that roll on each other: sum of coefficient * turn + on_slide * displacement = 0 since the drawn position.
+
+    name    of the gear pair or the rolling wheel
+    angles  links with their coefficients [m]
+    """
+
+    name: str
+    angles: tuple[tuple[str, float], ...]
+    slide: str = ""
+    on_slide: float = 0.0
+
+
+@dataclass(frozen=True)
+class Roll:
+    """A rolling contact gives its last unknown: the angle (or its rate) of a group of links, or of a displacement."""
+
+    contact: InStep
+    angle: str = ""
+    slide: str = ""
+
+
+@dataclass(frozen=True)
+class Fit:
+    """Links tried until they fit (样板法): positions that ruler and compass do not give, found numerically.
+
+    angles, slides      what is found: bases of groups of links, displacements
+    closures, contacts  what must hold
+    """
+
+    name: str
+    angles: tuple[str, ...]
+    slides: tuple[str, ...]
+    closures: tuple[Closure, ...]
+    contacts: tuple[InStep, ...]
+
+
+@dataclass(frozen=True)
+class Touch:
+    """Where two wheels touch, on the line of their centres; or a wheel and its track, at right angles to it.
+
+    ratio   how far from `centre` towards `other`; for a track, 0 and `offset` [m] to its left
+    """
+
+    point: str
+    centre: str
+    other: str = ""
+    ratio: float = 0.0
+    slide: str = ""
+    offset: float = 0.0
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """One unknown scalar in a closed chain of arrows: turning of `link` over an arm, or sliding; `sign` of its arrow."""
+
+    link: str
+    slide: str
+    tail: str
+    head: str
+    sign: int
+
+
+@dataclass(frozen=True)
+class Chain:
+    """A closed chain of arrows: known sizes with their signs, and unknown scalars."""
+
+    known: tuple[tuple[Size, int], ...]
+    unknown: tuple[Unknown, ...]
+
+
+@dataclass(frozen=True)
+class Simultaneous:
+    """Several chains closed at once by calculation: no order of ruler and triangle reaches their unknowns."""
+
+    angles: tuple[str, ...]
+    slides: tuple[str, ...]
+    chains: tuple[Chain, ...]
+    contacts: tuple[InStep, ...]
+
+
+Step = Given | LayOff | Ray | Arc | Meet | Swing | Image | Measure | Roll | Fit | Touch | Simultaneous
 
 
 @dataclass(frozen=True)
@@ -462,6 +567,8 @@ class Facts:
     values: tuple[Value, ...]
     rates: tuple[Value, ...]
     accelerations: tuple[Value, ...]
+    drawn: Mapping[str, float] = field(default_factory=dict)
+    """Angles of links [rad] and displacements of slides [m] at the drawn position, where contacts count from them."""
 
     def relative_angle(self, link: str) -> Value:
         """Angle of a link against its base link [rad]."""
@@ -484,9 +591,12 @@ class Plot:
     s, s_rate, s_acceleration    by slide [m, m/s, m/s^2]
     sines        sine of the angle at which two lines or circles met, by plane and point
     misses       by how much two circles, or a line and a circle, miss each other [m]; 0 or less where they meet
+    near         angles by base link and displacements by slide of a position close by: what is fitted starts
+                 there, and angles are counted on from there
     """
 
     facts: Facts
+    near: Mapping[str, Value] = field(default_factory=dict)
     position: dict[str, Value] = field(default_factory=dict)
     velocity: dict[str, Value] = field(default_factory=dict)
     acceleration: dict[str, Value] = field(default_factory=dict)
@@ -537,6 +647,8 @@ class Plot:
                 return 1j * unit(self.arm(tail, head))
             case AlongGuide(slide):
                 return self.guide_direction(slide)
+            case AcrossGuide(slide):
+                return 1j * self.guide_direction(slide)
             case Quarter(link, tail, head):
                 return 1j * np.sign(self.omega[link]) * unit(self.velocity[head] - self.velocity[tail])
             case _:
@@ -559,8 +671,8 @@ class Plot:
             case Coriolis(link, tail, head):
                 return 2j * self.omega[link] * (self.velocity[head] - self.velocity[tail])
             case Driven(slide, sign):
-                given = self.facts.rates if plane == "velocity" else self.facts.accelerations
-                return sign * given[self.facts.slides_driven[slide]] * self.guide_direction(slide)
+                known = self.s_rate if plane == "velocity" else self.s_acceleration
+                return sign * known[slide] * self.guide_direction(slide)
             case Relative():
                 return self._relative(size)
             case _:
@@ -582,6 +694,8 @@ class Plot:
     def settle(self, quantity: str, base: str, value: Value) -> None:
         """Give a whole group of links that hold their angles to one another its angle or its rate."""
         table: dict[str, Value] = getattr(self, quantity)
+        if quantity == "theta" and base in self.near:
+            value = value + 2 * np.pi * np.round((self.near[base] - value) / (2 * np.pi))
         for link, turn in self.facts.turns.items():
             if turn.base != base:
                 continue
@@ -626,6 +740,14 @@ def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value]) ->
                 points[point] = _image(plot, plane, link, corners, points[base[0]], points[base[1]])
             case Measure():
                 _measure(step, plot, points)
+            case Roll():
+                _roll(step, plot, plane)
+            case Fit():
+                _fit(step, plot)
+            case Touch():
+                points[step.point] = _touch(step, plot)
+            case Simultaneous():
+                _solve_together(step, plot, plane)
             case _:
                 assert_never(step)
 
@@ -704,3 +826,189 @@ def _measure(step: Measure, plot: Plot, points: Mapping[str, Value]) -> None:
     else:
         table: dict[str, Value] = getattr(plot, step.quantity)
         table[step.of] = step.sign * dot(plot.guide_direction(step.of), arrow)
+
+
+# --- rolling contacts and groups ---------------------------------------------------------------
+
+
+def _roll(step: Roll, plot: Plot, plane: Plane) -> None:
+    """The one unknown of a contact: coefficients times turns add up to nothing."""
+    coefficients, known = _in_step(step.contact, plot, plane, {step.angle} - {""}, {step.slide} - {""})
+    value = -known / sum(coefficients.values())
+    if step.angle:
+        plot.settle(("theta", "omega", "alpha")[_order(plane)], step.angle, value)
+    else:
+        (plot.s, plot.s_rate, plot.s_acceleration)[_order(plane)][step.slide] = value
+
+
+def _order(plane: Plane) -> int:
+    return ("position", "velocity", "acceleration").index(plane)
+
+
+def _in_step(
+    contact: InStep, plot: Plot, plane: Plane, angles: set[str], slides: set[str]
+) -> tuple[dict[str, float], Value]:
+    """A contact's coefficient for each unknown, by base link or slide, and the sum of the rest."""
+    order, facts = _order(plane), plot.facts
+    turned = (plot.theta, plot.omega, plot.alpha)[order]
+    coefficients: dict[str, float] = {}
+    known: Value = 0.0
+    for link, coefficient in contact.angles:
+        drawn = facts.drawn.get(link, 0.0) if order == 0 else 0.0
+        base = facts.turns[link].base
+        if base in angles:
+            coefficients[base] = coefficients.get(base, 0.0) + coefficient
+            relative = facts.relative_angle(link) if order == 0 else facts.relative_rate(link, order)
+            known = known + coefficient * (relative - drawn)
+        else:
+            known = known + coefficient * (turned[link] - drawn)
+    if contact.slide in slides:
+        coefficients[contact.slide] = contact.on_slide
+        known = known - contact.on_slide * (facts.drawn[contact.slide] if order == 0 else 0.0)
+    elif contact.slide:
+        moved = (plot.s, plot.s_rate, plot.s_acceleration)[order][contact.slide]
+        known = known + contact.on_slide * (moved - (facts.drawn[contact.slide] if order == 0 else 0.0))
+    return coefficients, known
+
+
+def _touch(step: Touch, plot: Plot) -> Value:
+    centre = plot.position[step.centre]
+    if step.slide:
+        return centre + 1j * step.offset * plot.guide_direction(step.slide)
+    return centre + step.ratio * plot.arm(step.centre, step.other)
+
+
+ROUNDS = 30
+FITTED = 1e-13
+
+
+def _fit(step: Fit, plot: Plot) -> None:
+    """Newton's method on the closures and contacts of a group, for all positions at once."""
+    names = step.angles + step.slides
+    shape = np.broadcast_shapes(*(np.shape(v) for v in (*plot.position.values(), *plot.near.values(), *plot.s.values())))
+    x = np.array([np.broadcast_to(plot.near[name], shape) for name in names], dtype=float)
+    size = _reach(step, plot)
+    scale = np.array([1.0] * len(step.angles) + [size] * len(step.slides))
+    for _ in range(ROUNDS):
+        _settle_all(step, plot, x)
+        residual, slope = _closures(step, plot, shape, size)
+        slope = slope * scale.reshape((-1, *(1 for _ in shape)))
+        change = _solve(slope, residual) * scale.reshape((-1, *(1 for _ in shape)))
+        limit = np.max(np.abs(change) / scale.reshape((-1, *(1 for _ in shape))), axis=0)
+        x = x - change / np.maximum(1.0, limit / 0.5)
+        if not np.any(limit > FITTED):
+            break
+    _settle_all(step, plot, x)
+    residual, slope = _closures(step, plot, shape, size)
+    fits = np.max(np.abs(residual), axis=0) < 1e-10
+    _settle_all(step, plot, np.where(fits, x, np.nan))
+    plot.sines["position", step.name] = np.where(fits, _least(slope * scale.reshape((-1, *(1 for _ in shape)))), np.nan)[()]
+    plot.misses[step.name] = np.where(fits, 0.0, np.max(np.abs(residual), axis=0) * size)[()]
+
+
+def _reach(step: Fit, plot: Plot) -> float:
+    """The longest arm of a group: what its gaps are measured by [m]."""
+    arms = [part for closure in step.closures for part in closure.parts if isinstance(part, Arm)]
+    shapes = plot.facts.shapes
+    lengths = [abs(shapes[a.link][a.head] - shapes[a.link][a.tail]) for a in arms]
+    return max([*lengths, *(abs(c) for contact in step.contacts for _, c in contact.angles)]) or 1.0
+
+
+def _settle_all(step: Fit, plot: Plot, x: np.ndarray) -> None:
+    near, plot.near = plot.near, {}
+    for k, base in enumerate(step.angles):
+        plot.settle("theta", base, x[k][()])
+    for k, slide in enumerate(step.slides):
+        plot.s[slide] = x[len(step.angles) + k][()]
+    plot.near = near
+
+
+def _closures(step: Fit, plot: Plot, shape: tuple[int, ...], size: float) -> tuple[np.ndarray, np.ndarray]:
+    """Gaps (m,) and their slopes (m, n), over positions; in units of the group's size."""
+    names = step.angles + step.slides
+    rows = 2 * len(step.closures) + len(step.contacts)
+    gap, slope = np.zeros((rows, *shape)), np.zeros((rows, len(names), *shape))
+    for k, closure in enumerate(step.closures):
+        total = plot.position[closure.start] - plot.position[closure.end]
+        slopes: dict[str, Value] = {}
+        for part in closure.parts:
+            base, arrow = _stretch(part, plot)
+            total = total + arrow
+            slopes[base] = slopes.get(base, 0.0) + 1j * arrow
+            if isinstance(part, Slid):
+                slopes[part.slide] = part.sign * plot.guide_direction(part.slide)
+        gap[2 * k], gap[2 * k + 1] = np.real(total) / size, np.imag(total) / size
+        for j, name in enumerate(names):
+            slope[2 * k, j] = np.real(slopes.get(name, 0.0)) / size
+            slope[2 * k + 1, j] = np.imag(slopes.get(name, 0.0)) / size
+    for k, contact in enumerate(step.contacts, 2 * len(step.closures)):
+        coefficients, known = _in_step(contact, plot, "position", set(), set())
+        gap[k] = known / size
+        coefficients, _ = _in_step(contact, plot, "position", set(step.angles), set(step.slides))
+        for j, name in enumerate(names):
+            slope[k, j] = coefficients.get(name, 0.0) / size
+    return gap, slope
+
+
+def _stretch(part: Arm | Slid, plot: Plot) -> tuple[str, Value]:
+    """One part of a closure as it lies now, with the base link that turns it [m]."""
+    if isinstance(part, Arm):
+        shape = plot.facts.shapes[part.link]
+        arrow = (shape[part.head] - shape[part.tail]) * np.exp(1j * plot.theta[part.link])
+        return plot.facts.turns[part.link].base, arrow
+    guide = plot.facts.lines[part.slide][0]
+    return plot.facts.turns[guide].base, part.sign * plot.s[part.slide] * plot.guide_direction(part.slide)
+
+
+def _solve(slope: np.ndarray, gap: np.ndarray) -> np.ndarray:
+    """Linear equations (m, n, ...) x = (m, ...) for every position; least squares where singular."""
+    matrix, right = np.moveaxis(slope, (0, 1), (-2, -1)), np.moveaxis(gap, 0, -1)[..., None]
+    finite = np.isfinite(matrix).all(axis=(-2, -1)) & np.isfinite(right).all(axis=(-2, -1))
+    matrix = np.where(finite[..., None, None], matrix, np.eye(*matrix.shape[-2:]))
+    try:
+        found = np.linalg.solve(matrix, right)
+    except np.linalg.LinAlgError:
+        found = np.linalg.pinv(matrix) @ right
+    found = np.where(finite[..., None, None], found, np.nan)
+    return np.moveaxis(found[..., 0], -1, 0)
+
+
+def _least(slope: np.ndarray) -> Value:
+    """How far a system is from singular: least singular value, columns of length 1. Like the sine of an angle."""
+    matrix = np.moveaxis(slope, (0, 1), (-2, -1))
+    lengths = np.linalg.norm(matrix, axis=-2, keepdims=True)
+    matrix = np.nan_to_num(matrix / np.where(lengths > 0, lengths, 1.0))
+    return np.linalg.svd(matrix, compute_uv=False)[..., -1]
+
+
+def _solve_together(step: Simultaneous, plot: Plot, plane: Plane) -> None:
+    """The unknown rates of a group, from all its chains of arrows at once."""
+    names = step.angles + step.slides
+    shape = np.broadcast_shapes(*(np.shape(v) for v in plot.position.values()))
+    rows = 2 * len(step.chains) + len(step.contacts)
+    right, matrix = np.zeros((rows, *shape)), np.zeros((rows, len(names), *shape))
+    for k, chain in enumerate(step.chains):
+        total: Value = sum((sign * plot.arrow(size, plane) for size, sign in chain.known), 0j)
+        right[2 * k], right[2 * k + 1] = -np.real(total), -np.imag(total)
+        for unknown in chain.unknown:
+            if unknown.slide:
+                column, arrow = names.index(unknown.slide), unknown.sign * plot.guide_direction(unknown.slide)
+            else:
+                column = names.index(plot.facts.turns[unknown.link].base)
+                arrow = unknown.sign * 1j * plot.arm(unknown.tail, unknown.head)
+                more = arrow * plot.facts.relative_rate(unknown.link, _order(plane))
+                right[2 * k] -= np.real(more)
+                right[2 * k + 1] -= np.imag(more)
+            matrix[2 * k, column] += np.real(arrow)
+            matrix[2 * k + 1, column] += np.imag(arrow)
+    for k, contact in enumerate(step.contacts, 2 * len(step.chains)):
+        coefficients, known = _in_step(contact, plot, plane, set(step.angles), set(step.slides))
+        right[k] = -known
+        for name, coefficient in coefficients.items():
+            matrix[k, names.index(name)] = coefficient
+    found = _solve(matrix, right)
+    for k, base in enumerate(step.angles):
+        plot.settle("omega" if plane == "velocity" else "alpha", base, found[k][()])
+    table = plot.s_rate if plane == "velocity" else plot.s_acceleration
+    for k, slide in enumerate(step.slides, len(step.angles)):
+        table[slide] = found[k][()]

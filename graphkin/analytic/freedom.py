@@ -79,7 +79,7 @@ def mobility(mechanism: Mechanism) -> Mobility:
         redundant=redundant,
         repeated=len(constraints) - rank(constraints),
         idle=idle,
-        unplaced=_unplaced(mechanism, loops, ranks.q, np.vstack([constraints, quiet])),
+        unplaced=_unplaced(mechanism, loops, ranks.q),
         gap_mm=gap_mm,
     )
 
@@ -161,7 +161,9 @@ def _moving(mechanism: Mechanism, loops: Loops, q: Real, equations: Real) -> tup
     return tuple(link for link, moves in links.items() if moves > _RANK)
 
 
-def _unplaced(mechanism: Mechanism, loops: Loops, q: Real, constraints: Real) -> tuple[str, ...]:
-    """Links that neither driver values nor poses place at the drawn position."""
-    rows = loops.weights([driven(mechanism, each) for each, _ in placing(mechanism)])
-    return _moving(mechanism, loops, q, np.vstack([constraints, rows / _scale(rows)]))
+def _unplaced(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[str, ...]:
+    """Links that neither driver values nor poses place at the drawn position; gears and rolling do not place."""
+    known = [relation for relation in loops.relations if relation.offset is not None]
+    known += [driven(mechanism, each) for each, _ in placing(mechanism)]
+    rows = loops.weights([*known, *held(loops, known)])
+    return _moving(mechanism, loops, q, np.vstack([loops.slope(q), rows / _scale(rows)]))

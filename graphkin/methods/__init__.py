@@ -9,18 +9,20 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from graphkin.errors import HigherClass
 from graphkin.geometry import Value
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.methods.assembly import pick_sides, refuse_bad_positions
-from graphkin.methods.equivalent import lower_pairs
-from graphkin.methods.hops import Slip, Twist, halves
+from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.methods.assembly import assemble, refuse_bad_positions
+from graphkin.methods.equivalent import contacts, lower_pairs
+from graphkin.methods.hops import Slip, Twist, halves, way_round
 from graphkin.methods.motion import Labels, motion
 from graphkin.methods.position import position
-from graphkin.methods.refusals import refuse_unsolved
+from graphkin.methods.special import Ternary, ternary
 from graphkin.methods.stages import Bridge, Carry, Group, Loop, Stage, stages
 from graphkin.methods.structure import Sliding, Structure
-from graphkin.steps import Construction, Equation, Facts, Meet, Plot, Site, Step, Swing, replay
+from graphkin.steps import Construction, Equation, Facts, Fit, Meet, Node, Plot, Ray, Roll, Site, Step, Swing, replay
 
 __all__ = ["Method", "plan", "replay_all"]
 
@@ -40,6 +42,13 @@ class Method:
     velocity: Construction
     acceleration: Construction
     coincident: Mapping[str, str]
+    near: Mapping[str, float]
+    drawn: Mapping[str, float]
+
+    @property
+    def moves_on(self) -> bool:
+        """Whether positions are found by moving on from the drawn one: where links are fitted, or wheels roll."""
+        return any(isinstance(step, Fit | Roll) for step in self.position.steps)
 
     @property
     def doubtful(self) -> bool:
@@ -58,7 +67,7 @@ class Method:
 
     def facts(self, values: Sequence[Value] | None = None) -> Facts:
         """Dimensions, and drivers at the drawn position or at other values [rad, m]."""
-        return _facts(self.structure, values)
+        return _facts(self.structure, values, self.drawn)
 
 
 def plan(mechanism: Mechanism) -> Method:
@@ -67,22 +76,89 @@ def plan(mechanism: Mechanism) -> Method:
     Raises a `GraphkinError` where the mechanism holds groups or pairs that are not solved, cannot be
     assembled, or has a sketch that does not tell its assemblies apart.
     """
-    refuse_unsolved(mechanism)
-    structure = Structure(lower_pairs(mechanism))
+    lower = lower_pairs(mechanism)
+    ties = tuple(contacts(mechanism, lower))
+    drawn: dict[str, float] = {}
+    if ties or mechanism.poses:
+        drawn, lower = _as_drawn(mechanism, lower)
+    structure = Structure(lower, ties)
     order, left = stages(structure)
-    left += tuple(body for stage in order if isinstance(stage, Group) for body in stage.bodies)
     if left:
         names = list(dict.fromkeys(structure.home(body) for body in left))
         raise HigherClass(mechanism.where("links", names[0]), tuple(names))
-    coincident = _coincident(structure, order)
-    labels = Labels(structure, coincident)
-    drawn, choices = position(structure, order)
-    pole = _pole(mechanism)
-    velocity, at = motion(structure, order, labels, "velocity", pole, lambda site: "")
-    acceleration, _ = motion(structure, order, labels, "acceleration", pole, at)
-    sides = pick_sides(structure, drawn, choices, _facts(structure, None))
-    drawn = _with_sides(drawn, sides)
-    return Method(mechanism, structure, order, drawn, velocity, acceleration, coincident)
+    construction, choices = position(structure, order)
+    facts = _facts(structure, None, drawn)
+    found = assemble(structure, construction, choices, facts, drawn)
+    construction = _with_sides(construction, found.sides)
+    plot = replay(construction, Plot(facts, found.near))
+    ternaries = _ternaries(structure, order, plot)
+    construction = _with_special_points(construction, ternaries)
+    coincident = _coincident(structure, order, ternaries)
+    labels, pole = Labels(structure, coincident), _pole(mechanism)
+    velocity, at = motion(structure, order, labels, "velocity", pole, lambda site: "", ternaries)
+    acceleration, _ = motion(structure, order, labels, "acceleration", pole, at, ternaries)
+    return Method(
+        mechanism, structure, order, construction, velocity, acceleration, coincident, found.near, drawn
+    )
+
+
+def _as_drawn(mechanism: Mechanism, lower: Mechanism) -> tuple[dict[str, float], Mechanism]:
+    """Angles and displacements at the drawn position, from which rolling counts, and the drivers with all their values.
+
+    There the poses hold, and nothing rolls; a wheel that no pose and no other link turns stands at 0.
+    """
+    posed = tuple(
+        Driver(pose.kind, pose.link, pose.vector, pose.from_link, pose.from_vector, pose.value)
+        for pose in mechanism.poses
+    )
+    standing = tuple(driver for driver in mechanism.drivers if driver.value is not None and driver.kind != "spin")
+    still = replace(lower, drivers=(*standing, *posed))
+    structure = Structure(still)
+    order, left = stages(structure)
+    construction, choices = position(structure, order)
+    facts = _facts(structure, None, {})
+    found = assemble(structure, construction, choices, facts, {})
+    plot = replay(_with_sides(construction, found.sides), Plot(facts, found.near))
+    drawn = {link: float(plot.theta[link]) if link in plot.theta else 0.0 for link in structure.bodies}
+    drawn |= {slide: float(value) for slide, value in plot.s.items()}
+    sketch = {**lower.sketch, **{p: complex(z) for p, z in plot.position.items() if p[0].isupper()}}
+    drivers = tuple(_valued(driver, lower, plot, drawn) for driver in mechanism.drivers)
+    return drawn, replace(lower, drivers=drivers, sketch=sketch)
+
+
+def _valued(driver: Driver, lower: Mechanism, plot: Plot, drawn: Mapping[str, float]) -> Driver:
+    """A driver whose value a pose has fixed, with that value."""
+    if driver.kind == "slide":
+        return driver if driver.value is not None else replace(driver, value=drawn[driver.link])
+    if driver.kind == "spin":
+        points = tuple(lower.links[driver.link].points)
+        return replace(driver, value=drawn[driver.link])
+    if driver.value is not None or driver.vector is None:
+        return driver
+    value = np.angle(plot.arm(*driver.vector))
+    if driver.from_vector is not None:
+        value -= np.angle(plot.arm(*driver.from_vector))
+    return replace(driver, value=float(value))
+
+
+def _ternaries(structure: Structure, order: tuple[Stage, ...], plot: Plot) -> dict[Group, Ternary]:
+    """The special point of each Class III group, with a letter of its own."""
+    letters = (letter for letter in "STUVWXYZ" if letter not in structure.owners)
+    found: dict[Group, Ternary] = {}
+    for stage in order:
+        if isinstance(stage, Group) and (one := ternary(structure, stage, plot, next(letters))) is not None:
+            found[stage] = one
+    return found
+
+
+def _with_special_points(construction: Construction, ternaries: Mapping[Group, Ternary]) -> Construction:
+    """The mechanism with the lines of two legs, which meet in the special point."""
+    parts, nodes = list(construction.parts), dict(construction.nodes)
+    for one in ternaries.values():
+        first, second = (Ray(leg.end.point, leg.line) for leg in one.legs[:2])
+        parts += [first, second, Meet(first, second, one.name)]
+        nodes[one.name] = Node(one.name, one.name, Site(one.name, one.link))
+    return replace(construction, parts=tuple(parts), nodes=nodes)
 
 
 def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
@@ -91,14 +167,36 @@ def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
     A single position that cannot be reached, or that is a dead point, raises; in arrays it is NaN, and
     `Plot.sines` tells how near each position is to a dead point.
     """
-    plot = Plot(method.facts(values))
-    replay(method.position, plot)
+    plot = _positioned(method, values)
     refuse_bad_positions(method.structure, method.position, plot)
     replay(method.velocity, plot)
     return replay(method.acceleration, plot)
 
 
-def _facts(structure: Structure, values: Sequence[Value] | None) -> Facts:
+STEP_DEG, STEP_PART = 3.0, 0.02
+"""How far a mechanism is moved at once where its position is found from the one before [deg, of its size]."""
+
+
+def _positioned(method: Method, values: Sequence[Value] | None) -> Plot:
+    """Positions, all at once; where they hang on those before (a fit, rolling) by moving on from the drawn one."""
+    facts = method.facts(values)
+    if values is None or not method.moves_on:
+        plot = Plot(facts, method.near if method.moves_on else {})
+        return replay(method.position, plot)
+    start = method.facts(None).values
+    ways = [np.asarray(end) - begin for begin, end in zip(start, facts.values, strict=True)]
+    size = max(abs(z) for shape in facts.shapes.values() for z in shape.values()) or 1.0
+    units = [size * STEP_PART if d.kind == "slide" else np.radians(STEP_DEG) for d in method.structure.mechanism.drivers]
+    count = max(1, *(int(np.ceil(np.max(np.abs(way)) / unit)) for way, unit in zip(ways, units, strict=True)))
+    near: Mapping[str, Value] = method.near
+    for k in range(1, count + 1):
+        there = tuple(begin + way * (k / count) for begin, way in zip(start, ways, strict=True))
+        plot = replay(method.position, Plot(replace(facts, values=there), near))
+        near = {base: plot.theta[base] for base in method.structure.bases} | dict(plot.s)
+    return plot
+
+
+def _facts(structure: Structure, values: Sequence[Value] | None, drawn: Mapping[str, float]) -> Facts:
     mechanism = structure.mechanism
     drivers = mechanism.drivers
     return Facts(
@@ -110,6 +208,7 @@ def _facts(structure: Structure, values: Sequence[Value] | None) -> Facts:
         values=tuple(values) if values is not None else tuple(driver.value or 0.0 for driver in drivers),
         rates=tuple(driver.rate for driver in drivers),
         accelerations=tuple(driver.acceleration for driver in drivers),
+        drawn=drawn,
     )
 
 
@@ -118,11 +217,13 @@ def _pole(mechanism: Mechanism) -> str:
     return next(letter for letter in ("p", "o", "q", "z", "pole") if letter.upper() not in mechanism.owners)
 
 
-def _coincident(structure: Structure, order: tuple[Stage, ...]) -> dict[str, str]:
+def _coincident(
+    structure: Structure, order: tuple[Stage, ...], ternaries: Mapping[Group, Ternary]
+) -> dict[str, str]:
     """Points at which links move past a moving link, with the link of which the hinge there is a point."""
     found: dict[str, str] = {}
     for stage in order:
-        for hop in _jumps(structure, stage):
+        for hop in _jumps(structure, stage, ternaries):
             if FRAME not in (hop.seen_from.link, hop.of.link) or isinstance(hop, Twist):
                 owners = structure.owners[hop.of.point]
                 homes = [site.link for site in (hop.of, hop.seen_from) if site.link in owners]
@@ -131,11 +232,14 @@ def _coincident(structure: Structure, order: tuple[Stage, ...]) -> dict[str, str
     return found
 
 
-def _jumps(structure: Structure, stage: Stage) -> list[Slip | Twist]:
+def _jumps(structure: Structure, stage: Stage, ternaries: Mapping[Group, Ternary]) -> list[Slip | Twist]:
     """The coincident points of one stage."""
     if isinstance(stage, Loop):
         _, left, _, right = halves(structure, stage)
         return [hop for hop in left + right if isinstance(hop, Slip | Twist)]
+    if isinstance(stage, Group):
+        ways = [way_round(structure, loop)[1] for loop in stage.loops]
+        return [hop for way in ways for hop in way if isinstance(hop, Slip | Twist)]
     if isinstance(stage, Carry) and isinstance(stage.by, Sliding):
         pair = structure.slides[stage.by.slide]
         ends = (Site(pair.point, pair.guide), Site(pair.point, structure.block(pair)))

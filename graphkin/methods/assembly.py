@@ -7,16 +7,18 @@ picks the nearest. A sketch that says nothing of a choice leaves it to custom: d
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
 from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
 from graphkin.geometry import Value, cross
+from graphkin.mechanism import FRAME
 from graphkin.methods.structure import Structure
-from graphkin.steps import Arc, Arm, Construction, Facts, Meet, Plot, Ray, Span, Swing, replay
+from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, replay
 
-__all__ = ["DEAD_SINE", "pick_sides", "refuse_bad_positions"]
+__all__ = ["DEAD_SINE", "Assembly", "assemble", "refuse_bad_positions"]
 
 DEAD_DEG = 0.5
 """Lines that meet under less than this give no usable drawing [deg]."""
@@ -25,18 +27,75 @@ CLOSED = 1e-9
 """A gap of less than this part of the mechanism's size is none."""
 
 
-def pick_sides(structure: Structure, construction: Construction, choices: int, facts: Facts) -> tuple[int, ...]:
-    """The crossing of each choice, +1 or -1."""
-    if choices == 0:
-        return ()
-    combinations = np.array(list(itertools.product((1, -1), repeat=choices)))
+STARTS = 96
+"""Assemblies tried from as many places where a group is found by fitting."""
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """The crossing of each choice, +1 or -1, and angles by base link and displacements by slide as drawn."""
+
+    sides: tuple[int, ...]
+    near: Mapping[str, float]
+
+
+def assemble(
+    structure: Structure, construction: Construction, choices: int, facts: Facts, known: Mapping[str, float]
+) -> Assembly:
+    """The assembly that the sketch means.
+
+    known  angles and displacements where the drawn position has them already
+    """
+    fits = [step for step in construction.steps if isinstance(step, Fit)]
+    combinations = np.array(list(itertools.product((1, -1), repeat=choices)), dtype=int).reshape(2**choices, choices)
+    near: dict[str, Value] = {}
+    if fits:
+        combinations = np.repeat(combinations, STARTS, axis=0)
+        near = _starts(structure, fits, len(combinations))
+        near |= {name: np.full(len(combinations), known[name]) for name in near if name in known}
     sides = {k: combinations[:, k] for k in range(choices)}
-    plot = replay(construction, Plot(facts), sides)
+    plot = replay(construction, Plot(facts, {**known, **near}), sides)
     possible = _possible(structure, plot, len(combinations))
     if not possible.any():
         raise _refusal(structure, construction, plot)
     best = _nearest(structure, plot, possible)
-    return tuple(int(side) for side in combinations[best])
+    drawn = {base: _at(plot.theta[base], best).real for base in structure.bases if base in plot.theta}
+    drawn |= {slide: _at(value, best).real for slide, value in plot.s.items()}
+    return Assembly(tuple(int(side) for side in combinations[best]), drawn)
+
+
+def _starts(structure: Structure, fits: list[Fit], count: int) -> dict[str, Value]:
+    """Where fitting starts: angles and displacements as in the sketch where it tells them, else at random."""
+    rng = np.random.default_rng(20)
+    near: dict[str, Value] = {}
+    for fit in fits:
+        for base in fit.angles:
+            hint = _sketched_angle(structure, base)
+            spread = rng.uniform(-np.pi, np.pi, count) * (1.0 if hint is None else rng.choice((0.03, 0.3, 1.0), count))
+            near[base] = (hint or 0.0) + spread
+        size = _sketch_size(structure)
+        for slide in fit.slides:
+            near[slide] = rng.uniform(-1.5, 1.5, count) * size
+    return near
+
+
+def _sketched_angle(structure: Structure, base: str) -> float | None:
+    """The angle of a base link by two places of one of its group that the sketch, or the frame, tells."""
+    mechanism = structure.mechanism
+    places = {**mechanism.sketch, **mechanism.links[FRAME].points}
+    for body, turn in structure.turns.items():
+        told = [p for p in structure.bodies[body] if p in places]
+        if turn.base == base and len(told) > 1 and not turn.drivers:
+            shape = structure.shapes[body]
+            arm, drawn = shape[told[1]] - shape[told[0]], places[told[1]] - places[told[0]]
+            return float(np.angle(drawn / arm)) - turn.constant
+    return None
+
+
+def _sketch_size(structure: Structure) -> float:
+    mechanism = structure.mechanism
+    places = [*mechanism.sketch.values(), *mechanism.links[FRAME].points.values()]
+    return max((abs(a - places[0]) for a in places), default=1.0) or 1.0
 
 
 def _possible(structure: Structure, plot: Plot, count: int) -> np.ndarray:
@@ -45,7 +104,7 @@ def _possible(structure: Structure, plot: Plot, count: int) -> np.ndarray:
     for value in plot.position.values():
         possible &= np.isfinite(np.broadcast_to(value, count))
     for name, slide in structure.slides.items():
-        if name in plot.s and _bare(structure, slide.guide):
+        if name in plot.s and slide.guide != FRAME and _bare(structure, slide.guide):
             possible &= np.broadcast_to(plot.s[name], count) > 0
     return possible
 
@@ -135,13 +194,15 @@ def refuse_bad_positions(structure: Structure, construction: Construction, plot:
         raise CannotAssemble(mechanism.where("links", link), (mechanism.called(link),), gap * 1000)
 
 
-def _crossings(construction: Construction) -> Iterator[tuple[Meet | Swing, str]]:
+def _crossings(construction: Construction) -> Iterator[tuple[Meet | Swing | Fit, str]]:
     """The steps that may fail, each with the name under which the plot keeps its angle."""
     for step in construction.steps:
         if isinstance(step, Meet):
             yield step, step.point
         elif isinstance(step, Swing):
             yield step, step.slide
+        elif isinstance(step, Fit):
+            yield step, step.name
 
 
 def _refusal(structure: Structure, construction: Construction, plot: Plot) -> CannotAssemble | DeadPoint:
@@ -152,7 +213,7 @@ def _refusal(structure: Structure, construction: Construction, plot: Plot) -> Ca
     return _refusal_at(structure, step, key, plot)
 
 
-def _refusal_at(structure: Structure, step: Meet | Swing, key: str, plot: Plot) -> CannotAssemble | DeadPoint:
+def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: Plot) -> CannotAssemble | DeadPoint:
     mechanism, links = structure.mechanism, _links(structure, step)
     where = mechanism.where("links", links[-1]) if links else mechanism.where("links")
     called = tuple(mechanism.called(link) for link in links)
@@ -178,6 +239,8 @@ def _open_link(structure: Structure, plot: Plot) -> tuple[str, float]:
     worst = ("", 0.0)
     for link in structure.mechanism.links.values():
         points = list(link.points)
+        if link.name not in plot.theta:
+            continue
         turned = np.exp(1j * plot.theta[link.name])
         for point in points[1:]:
             gap = abs(plot.arm(points[0], point) - link.arm(points[0], point) * turned)
@@ -189,11 +252,14 @@ def _open_link(structure: Structure, plot: Plot) -> tuple[str, float]:
     return worst
 
 
-def _links(structure: Structure, step: Meet | Swing) -> list[str]:
+def _links(structure: Structure, step: Meet | Swing | Fit) -> list[str]:
     """The links whose reach, or whose guide, a crossing is about."""
     if isinstance(step, Swing):
         pair = structure.slides[step.slide]
         return list(dict.fromkeys((pair.guide, structure.home(structure.block(pair)))))
+    if isinstance(step, Fit):
+        arms = [part for closure in step.closures for part in closure.parts if isinstance(part, Arm)]
+        return list(dict.fromkeys(structure.home(arm.link) for arm in arms))
     found: dict[str, None] = {}
     for locus in (step.first, step.second):
         if isinstance(locus, Arc):

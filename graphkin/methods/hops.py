@@ -14,7 +14,7 @@ from graphkin.methods.stages import Loop
 from graphkin.methods.structure import Hinge, Sliding, Structure
 from graphkin.steps import Site
 
-__all__ = ["Hop", "Lever", "Slip", "Twist", "halves"]
+__all__ = ["Hop", "Lever", "Slip", "Twist", "halves", "outward", "way_round"]
 
 
 @dataclass(frozen=True)
@@ -60,6 +60,18 @@ def halves(structure: Structure, loop: Loop) -> tuple[Site, tuple[Hop, ...], Sit
     left = tuple(hops[:middle])
     right = tuple(_turned(hop) for hop in reversed(hops[middle:]))
     return start, left, end, right
+
+
+def way_round(structure: Structure, loop: Loop) -> tuple[Site, tuple[Hop, ...], Site]:
+    """The whole loop in one direction: from a known site over all hops to a known site."""
+    places = _places(structure, loop)
+    last = len(loop.joints) - 1
+    return _edge(structure, loop, places, 0), tuple(_hops(structure, loop, places)), _edge(structure, loop, places, last)
+
+
+def outward(hops: tuple[Hop, ...]) -> tuple[Hop, ...]:
+    """The same hops walked from the other end."""
+    return tuple(_turned(hop) for hop in reversed(hops))
 
 
 def _places(structure: Structure, loop: Loop) -> list[str]:

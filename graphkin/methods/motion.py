@@ -8,16 +8,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from itertools import combinations
 
 from graphkin.mechanism import FRAME
 from graphkin.methods.closing import close, known_sum
-from graphkin.methods.hops import Hop, Lever, Slip, Twist, halves
-from graphkin.methods.stages import Bridge, Carry, Loop, Stage
+from graphkin.methods.equivalent import Contact
+from graphkin.methods.hops import Hop, Lever, Slip, Twist, halves, way_round
+from graphkin.methods.position import in_step, touching
+from graphkin.methods.special import Leg, Ternary
+from graphkin.methods.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.methods.structure import Hinge, Structure
 from graphkin.steps import (
     Across,
+    AcrossGuide,
     Along,
     AlongGuide,
+    Chain,
     Construction,
     Coriolis,
     Direction,
@@ -33,12 +39,15 @@ from graphkin.steps import (
     Plane,
     Quarter,
     Relative,
+    Roll,
+    Simultaneous,
     Site,
     Size,
     Step,
     Tangential,
     Term,
     Turning,
+    Unknown,
 )
 
 __all__ = ["Labels", "motion"]
@@ -54,7 +63,8 @@ class Labels:
 
     def label(self, site: Site) -> str:
         point = site.point
-        owned = site.link == FRAME or site.link in self.structure.owners[point]
+        owners = self.structure.owners.get(point, ())
+        owned = site.link in owners or (site.link == FRAME and bool(owners))
         if owned:
             if point not in self.coincident:
                 return point
@@ -65,7 +75,7 @@ class Labels:
 
     def numbered(self, point: str, link: str) -> str:
         plain = point + self.structure.mechanism.called(link)
-        clear = link.isdigit() and not point[-1].isdigit() and plain not in self.structure.owners
+        clear = self.structure.mechanism.called(link).isdigit() and not point[-1].isdigit() and plain not in self.structure.owners
         return plain if clear else f"{point}@{self.structure.mechanism.called(link)}"
 
 
@@ -92,7 +102,7 @@ class _Polygon:
 
     def key(self, site: Site) -> Site:
         """A hinge moves as one point, whichever of its links it is seen as part of."""
-        owners = self.structure.owners[site.point]
+        owners = self.structure.owners.get(site.point, ())
         return Site(site.point, owners[0]) if site.link in owners else site
 
     def name(self, site: Site) -> str:
@@ -261,6 +271,204 @@ class _Polygon:
         sign = 1 if hop.of.link == block else -1
         self.parts.append(Measure(quantity, hop.slide, term.tail, term.head, sign=sign))
 
+    def mesh(self, stage: Mesh) -> None:
+        """Pure rolling gives the contact of the one wheel the velocity of the other's; a rack follows its pinion."""
+        letter = next(one for one, contact in touching(self.structure) if contact == stage.contact)
+        wheel = self._turned_by(stage)
+        if wheel is None or not self.known(wheel):
+            self.parts.append(Roll(in_step(stage.contact), stage.angle, stage.slide))
+            return
+        other = next(w for w in stage.contact.wheels if w != wheel.link)
+        of, at = Site(letter, wheel.link), Site(letter, other)
+        self.reach(at)
+        if self.plane == "velocity":
+            self.at[self.key(of)] = self.name(at)
+            self.parts.append(Measure("omega", wheel.link, self.name(wheel), self.name(of), (wheel.point, letter)))
+        else:
+            self.roll_acceleration(stage.contact, wheel, of, at)
+        self.apart.add(frozenset((self.key(wheel), self.key(of))))
+
+    def _turned_by(self, stage: Mesh) -> Site | None:
+        """The centre of the wheel whose turning the contact gives, where it is one of the two wheels."""
+        for wheel, centre in zip(stage.contact.wheels, stage.contact.centres, strict=True):
+            if stage.angle and self.structure.base(wheel) == stage.angle and centre:
+                return Site(centre, wheel)
+        return None
+
+    def roll_acceleration(self, contact: Contact, centre: Site, of: Site, at: Site) -> None:
+        """The contacts of two wheels differ in acceleration along their common normal only."""
+        lever = Lever(centre, of, False)
+        left = self.side(centre, (lever,))
+        normal: Direction = AcrossGuide(contact.slide) if contact.slide else Along(*contact.centres)
+        label, other = self.labels.label(of), self.labels.label(at)
+        start = self.absolute(at)
+        tail = start[-1].head if start else self.pole
+        sliding = Term(label, other, "", None, normal, tail, self.name(of))
+        equation = close(label, left, (*start, sliding), {}, self.aside, _no_choice)
+        self.parts.append(equation)
+        self.measure(lever, self.unknown[lever])
+
+    def train(self, stage: Group) -> bool:
+        """A planet between two wheels of known motion: both its contacts are known, and so is all of it."""
+        planets = set(stage.contacts[0].wheels) & set(stage.contacts[-1].wheels)
+        arm = stage.contacts[0].arm
+        if self.plane != "velocity" or stage.loops or len(stage.contacts) != 2 or len(planets) != 1:
+            return False
+        planet = planets.pop()
+        letters = {contact: letter for letter, contact in touching(self.structure)}
+        sites = []
+        for contact in stage.contacts:
+            other = next(wheel for wheel in contact.wheels if wheel != planet)
+            if self.structure.base(other) in stage.angles or contact.arm != arm or not self.base_of(other):
+                return False
+            sites.append((Site(letters[contact], planet), Site(letters[contact], other)))
+        for of, at in sites:
+            self.reach(at)
+            self.at[self.key(of)] = self.name(at)
+        (first, _), (second, _) = sites
+        self.parts.append(
+            Measure("omega", planet, self.name(first), self.name(second), (first.point, second.point))
+        )
+        self.apart.add(frozenset((self.key(first), self.key(second))))
+        self.arm(arm, planet, stage.contacts[0])
+        return True
+
+    def arm(self, arm: str, planet: str, contact: Contact) -> None:
+        """The arm's turning from the planet's centre."""
+        centre = contact.centres[contact.wheels.index(planet)]
+        self.reach(Site(centre, planet))
+        pivot = next(site for site in self.base_of(arm) if site.point != centre)
+        nodes = self.name(pivot), self.name(Site(centre, arm))
+        self.parts.append(Measure("omega", arm, *nodes, (pivot.point, centre)))
+
+    # --- groups -------------------------------------------------------------------------------
+
+    def group(self, stage: Group, found: Ternary | None) -> None:
+        if found is None:
+            if not self.train(stage):
+                self.together(stage)
+        else:
+            self.special(found)
+        waiting = list(stage.bodies)
+        while waiting:
+            body = next(b for b in waiting if self.base_of(b) or self._slid_from(b))
+            waiting.remove(body)
+            if not self.base_of(body):
+                self.driven(self._slid_from(body), body)
+            self.fill(body)
+
+    def _slid_from(self, body: str) -> str:
+        """A slide whose other link is drawn."""
+        for name, pair in self.structure.slides.items():
+            ends = pair.guide, self.structure.block(pair)
+            if body in ends:
+                other = ends[0] if body == ends[1] else ends[1]
+                if other == FRAME or self.base_of(other):
+                    return name
+        return ""
+
+    def special(self, found: Ternary) -> None:
+        """Two equations by way of the special point, then what each leg turns or slides."""
+        first, second, third = found.legs
+        point = Site(found.name, found.link)
+        for leg in found.legs:
+            self.reach(leg.start)
+        sides = [self.leg(leg, point) for leg in (first, second)]
+        self.parts.append(close(self.labels.label(point), sides[0], sides[1], {}, self.aside, _no_choice))
+        lever = Lever(point, third.end, False)
+        left, right = self.side(point, (lever,)), self.side(third.start, third.hops)
+        if self._swap(left, right):
+            left, right = right, left
+        self.parts.append(close(self.labels.label(third.end), left, right, {}, self.aside, _no_choice))
+        self.measure(lever, self.unknown[lever])
+        self.measure(third.unknown, self.unknown[third.unknown])
+        for leg in (first, second):
+            self.reach(leg.end)
+            self.measure_leg(leg)
+
+    def leg(self, leg: Leg, point: Site) -> tuple[Term, ...]:
+        """Known arrows first, then the two unknown ones that lie on one line."""
+        terms = list(self.absolute(leg.start))
+        pieces: list[tuple[str, str, str, Size]] = []
+        over = self.labels.label(leg.end)
+        for hop in leg.hops:
+            seen_from, of = self.labels.label(hop.seen_from), self.labels.label(hop.of)
+            pieces += [(of, seen_from, part, size) for part, size, _ in self.pieces(hop) if size is not None]
+        final = Lever(leg.end, point, True)
+        label = self.labels.label(point)
+        if self.plane == "acceleration":
+            part, size, _ = self.pieces(final)[0]
+            assert size is not None
+            pieces.append((label, over, part, size))
+        tail = terms[-1].head if terms else self.name(leg.start)
+        for of, seen_from, part, size in pieces:
+            head = self.between("k" if part == "k" else "n", self.structure.home(leg.end.link), f"a^{part}_{of}{seen_from}")
+            direction = self._direction_of(size, leg, point)
+            terms.append(Term(of, seen_from, part, size, direction, tail, head))
+            tail = head
+        unknown = leg.unknown
+        seen_from = self.labels.label(unknown.seen_from)
+        if unknown.seen_from.link == FRAME and (self.plane == "velocity" or isinstance(unknown, Slip)):
+            seen_from = ""
+        part = "" if self.plane == "velocity" else ("t" if isinstance(unknown, Lever) else "r")
+        if isinstance(unknown, Slip) and unknown.seen_from.link == FRAME:
+            part = "" 
+        terms.append(Term(label, seen_from, part, None, leg.way, tail, self.name(point), over))
+        return tuple(terms)
+
+    def _direction_of(self, size: Size, leg: Leg, point: Site) -> Direction:
+        match size:
+            case Normal(_, tail, head):
+                return Along(head, tail)
+            case Coriolis(link, tail, head):
+                return Quarter(link, tail, head)
+            case Driven(slide, _):
+                return AlongGuide(slide)
+            case Turning(_, tail, head) | Tangential(_, tail, head):
+                return Across(tail, head)
+            case _:
+                return leg.way
+
+    def measure_leg(self, leg: Leg) -> None:
+        """With the ternary link known, its end's arrow gives what the leg itself does."""
+        hop = leg.unknown
+        for later in reversed(leg.hops[leg.hops.index(hop) + 1 :]):
+            for term in reversed(self.terms(later, last=False)):
+                self.parts.append(LayOff(term, term.head, term.tail, backwards=True))
+        tail, head = self.name(hop.seen_from), self.name(hop.of)
+        if isinstance(hop, Lever):
+            quantity = "omega" if self.plane == "velocity" else "alpha"
+            self.parts.append(Measure(quantity, hop.of.link, tail, head, (hop.seen_from.point, hop.of.point)))
+        elif isinstance(hop, Slip):
+            quantity = "s_rate" if self.plane == "velocity" else "s_acceleration"
+            self.parts.append(Measure(quantity, hop.slide, tail, head, sign=self._sense(hop)))
+
+    def together(self, stage: Group) -> None:
+        """All chains at once, by calculation."""
+        chains = tuple(self._chain(loop) for loop in stage.loops)
+        contacts = tuple(in_step(contact) for contact in stage.contacts)
+        self.parts.append(Simultaneous(stage.angles, stage.slides, chains, contacts))
+
+    def _chain(self, loop: Loop) -> Chain:
+        start, hops, end = way_round(self.structure, loop)
+        self.reach(start)
+        self.reach(end)
+        known: list[tuple[Size, int]] = [(Drawn(self.name(end), self.name(start)), 1)]
+        unknown: list[Unknown] = []
+        for hop in hops:
+            for _, size, _ in self.pieces(hop):
+                if size is not None:
+                    known.append((size, 1))
+                elif isinstance(hop, Slip):
+                    unknown.append(Unknown("", hop.slide, "", "", self._sense(hop)))
+                else:
+                    unknown.append(Unknown(hop.of.link, "", hop.seen_from.point, hop.of.point, 1))
+        return Chain(tuple(known), tuple(unknown))
+
+    def _sense(self, hop: Slip) -> int:
+        """Whether the block is seen from its guide."""
+        return 1 if hop.of.link == self.structure.block(self.structure.slides[hop.slide]) else -1
+
     def carry(self, stage: Carry) -> None:
         if not isinstance(stage.by, Hinge):
             self.driven(stage.by.slide, stage.body)
@@ -319,11 +527,9 @@ class _Polygon:
         """Known sites of a body that lie apart, its own points first."""
         own = [Site(point, body) for point in self.structure.bodies[body] if point[0].isupper()]
         more = [key for key in self.at if key.link == body and key not in own]
-        found: list[Site] = []
-        for site in own + more:
-            if self.known(site) and all(self._apart(body, site, other) for other in found):
-                found.append(site)
-        return found
+        known = [site for site in own + more if self.known(site)]
+        pairs = combinations(known, 2)
+        return next(([*pair] for pair in pairs if self._apart(body, *pair)), known[:1])
 
     def _apart(self, body: str, first: Site, second: Site) -> bool:
         """Points of one link are apart by their shape; a coincident point may come to lie on another,
@@ -333,7 +539,8 @@ class _Polygon:
             return True
         points = self.structure.bodies[body]
         if first.point in points and second.point in points and not self.structure.is_pin(body):
-            return abs(self.structure.mechanism.links[body].arm(first.point, second.point)) > 0
+            shape = self.structure.shapes[body]
+            return abs(shape[second.point] - shape[first.point]) > 0
         return False
 
     def levered(self, start: Site, site: Site) -> None:
@@ -367,6 +574,7 @@ def motion(
     plane: Plane,
     pole: str,
     velocity: Callable[[Site], str],
+    ternaries: Mapping[Group, Ternary],
 ) -> tuple[Construction, Callable[[Site], str]]:
     """One polygon, and the name in it of each site; the acceleration polygon asks the velocity polygon's."""
     prime = "'" if plane == "acceleration" else ""
@@ -382,8 +590,12 @@ def motion(
                 polygon.carry(stage)
             case Bridge():
                 polygon.bridge(stage)
+            case Mesh():
+                polygon.mesh(stage)
             case Loop():
                 polygon.loop(stage)
+            case Group():
+                polygon.group(stage, ternaries.get(stage))
     return Construction(plane, tuple(polygon.parts), polygon.nodes, polygon.pole), polygon.name
 
 

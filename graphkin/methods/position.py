@@ -2,33 +2,40 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from graphkin.mechanism import FRAME
 from graphkin.methods.closing import close
-from graphkin.methods.stages import Bridge, Carry, Loop, Stage
+from graphkin.methods.equivalent import Contact
+from graphkin.methods.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.methods.structure import Hinge, Joint, Sliding, Structure
 from graphkin.steps import (
     Along,
     AlongGuide,
     Arm,
+    Closure,
     Construction,
     Drawn,
     Equation,
+    Fit,
     Given,
     Image,
+    InStep,
     LayOff,
     Measure,
     Node,
+    Roll,
     Site,
     Slid,
     Span,
     Step,
     Swing,
     Term,
+    Touch,
 )
 
-__all__ = ["position"]
+__all__ = ["in_step", "position", "touching"]
 
 
 @dataclass(frozen=True)
@@ -49,6 +56,8 @@ class _Drawing:
     angles: set[str] = field(default_factory=lambda: {FRAME})
     asides: list[str] = field(default_factory=list)
     choices: int = 0
+    fits: int = 0
+    contacts: list[str] = field(default_factory=list)
 
     def choice(self) -> int:
         self.choices += 1
@@ -121,6 +130,41 @@ class _Drawing:
             Swing(guide, pivot, through, stage.slides[0], span, choice=self.choice())
         )
 
+    def mesh(self, stage: Mesh) -> None:
+        """A rolling contact; its own point is drawn where both wheels have their places."""
+        self.parts.append(Roll(in_step(stage.contact), stage.angle, stage.slide))
+        self.angles |= {stage.angle} - {""}
+
+    def touch(self, letter: str, contact: Contact) -> None:
+        """The contact itself, where both wheels have their places."""
+        first, second = contact.centres
+        if contact.slide:
+            self.parts.append(Touch(letter, second, slide=contact.slide, offset=-contact.radii[1]))
+        else:
+            self.parts.append(Touch(letter, first, second, contact.radii[0] / sum(contact.radii)))
+        self.contacts.append(letter)
+
+    def group(self, stage: Group) -> None:
+        closures = tuple(_closure(self.structure, loop) for loop in stage.loops)
+        contacts = tuple(in_step(contact) for contact in stage.contacts)
+        self.fits += 1
+        self.parts.append(Fit(f"fit {self.fits}", stage.angles, stage.slides, closures, contacts))
+        self.angles.update(stage.angles)
+        waiting = list(stage.bodies)
+        while waiting:
+            body = next(b for b in waiting if self._startable(b))
+            waiting.remove(body)
+            self.fill(body)
+
+    def _startable(self, body: str) -> bool:
+        """Whether some point of a body is drawn, or the other end of one of its slides."""
+        ends = set(self.structure.bodies[body])
+        for joint, _ in self.structure.joints(body):
+            if isinstance(joint, Sliding):
+                slide = self.structure.slides[joint.slide]
+                ends |= {slide.line.origin, slide.point}
+        return bool(ends & self.points)
+
     # --- further points -----------------------------------------------------------------------
 
     def measure_angle(self, link: str, run: list[_Piece]) -> None:
@@ -164,7 +208,8 @@ class _Drawing:
     def _apart(self, body: str, first: str, second: str) -> bool:
         if self.structure.is_pin(body):
             return False
-        return abs(self.structure.mechanism.links[body].arm(first, second)) > 0
+        shape = self.structure.shapes[body]
+        return abs(shape[second] - shape[first]) > 0
 
 
 def position(structure: Structure, order: tuple[Stage, ...]) -> tuple[Construction, int]:
@@ -179,15 +224,49 @@ def position(structure: Structure, order: tuple[Stage, ...]) -> tuple[Constructi
                 drawing.fill(body)
             case Bridge():
                 drawing.bridge(stage)
+            case Mesh():
+                drawing.mesh(stage)
             case Loop():
                 drawing.loop(stage)
+            case Group():
+                drawing.group(stage)
+    known = _found_otherwise(order)
+    for letter, contact in touching(structure):
+        drawing.touch(letter, contact)
     measured = {part.of for part in drawing.parts if isinstance(part, Measure) and part.quantity == "s"}
     for slide in structure.slides:
-        if slide not in measured and slide not in structure.slides_driven and not drawing._swung(slide):
+        if slide not in measured | known and slide not in structure.slides_driven and not drawing._swung(slide):
             drawing.measure_slide(slide)
     nodes = {point: Node(point, point, Site(point, structure.owners[point][0])) for point in drawing.points}
     nodes |= {name: Node(name, "") for name in drawing.asides}
+    nodes |= {name: Node(name, name) for name in drawing.contacts}
     return Construction("position", tuple(drawing.parts), nodes), drawing.choices
+
+
+def _found_otherwise(order: tuple[Stage, ...]) -> set[str]:
+    """Slides whose displacement a contact or a fit gives."""
+    found: set[str] = set()
+    for stage in order:
+        if isinstance(stage, Mesh):
+            found |= {stage.slide}
+        elif isinstance(stage, Group):
+            found |= set(stage.slides)
+    return found
+
+
+def touching(structure: Structure) -> Iterator[tuple[str, Contact]]:
+    """Each rolling contact with a letter of its own: K, L, .. or what the mechanism leaves free."""
+    letters = (letter for letter in "KLMNQRHJVWXYZ" if letter not in structure.owners)
+    return zip(letters, structure.contacts, strict=False)
+
+
+def in_step(contact: Contact) -> InStep:
+    return InStep(contact.name, contact.angles, contact.slide, contact.on_slide)
+
+
+def _closure(structure: Structure, loop: Loop) -> Closure:
+    pieces = _pieces(structure, loop)
+    return Closure(pieces[0].tail, tuple(piece.part for piece in pieces), pieces[-1].head)
 
 
 def _pieces(structure: Structure, loop: Loop) -> list[_Piece]:

@@ -159,6 +159,10 @@ class Structure:
             offset += cmath.phase(links[driver.from_link].arm(*driver.from_vector))
         return offset
 
+    @property
+    def bases(self) -> list[str]:
+        return list(dict.fromkeys(turn.base for turn in self.turns.values()))
+
     def base(self, body: str) -> str:
         return self.turns[body].base
 

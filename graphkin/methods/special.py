@@ -1,0 +1,132 @@
+"""The special point of a ternary link (特殊点法): where the lines of two of its legs meet.
+
+Each leg carries the ternary link from known to a point of it, with one unknown of its own. Of a bar, that
+unknown moves its end at right angles to the bar; of a sliding pair, along the guide. A point of the ternary link
+on the bar's line, or on the line at right angles to the guide, moves relative to that end in the same direction,
+so both unknown arrows of a leg lie on one line. Where two such lines meet, two equations suffice (Assur).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from graphkin.mechanism import FRAME
+from graphkin.methods.hops import Hop, Lever, Slip, outward, way_round
+from graphkin.methods.stages import Group
+from graphkin.methods.structure import Structure
+from graphkin.steps import Across, Along, AcrossGuide, AlongGuide, Direction, Plot, Site
+
+__all__ = ["Leg", "Ternary", "ternary"]
+
+APART = 0.1
+"""Least sine of the angle under which two legs' lines may meet, where another pair is better."""
+
+
+@dataclass(frozen=True)
+class Leg:
+    """From a known site over hops, one of them unknown, to a point of the ternary link.
+
+    end   that point, as part of the ternary link
+    line  where the special point lies: through `end`, in this direction
+    way   the direction in which the leg's unknown moves the special point
+    """
+
+    start: Site
+    hops: tuple[Hop, ...]
+    end: Site
+    line: Direction
+    way: Direction
+
+    @property
+    def unknown(self) -> Hop:
+        return next(hop for hop in self.hops if not hop.known)
+
+
+@dataclass(frozen=True)
+class Ternary:
+    """A ternary link with its legs: the special point is taken on the first two."""
+
+    link: str
+    name: str
+    legs: tuple[Leg, Leg, Leg]
+
+
+def ternary(structure: Structure, group: Group, plot: Plot, name: str) -> Ternary | None:
+    """The ternary link of a Class III group, with the best pair of legs first; None for any other group."""
+    if group.contacts or len(group.loops) != 2:
+        return None
+    for base in group.angles:
+        legs = _legs(structure, group, base)
+        if legs is not None:
+            pairs = sorted(combinations(legs, 2), key=lambda pair: -_worth(pair, legs, plot))
+            best = pairs[0]
+            if _worth(best, legs, plot) <= 0:
+                return None
+            rest = next(leg for leg in legs if leg not in best)
+            return Ternary(best[0].end.link, name, (*best, rest))
+    return None
+
+
+def _legs(structure: Structure, group: Group, base: str) -> list[Leg] | None:
+    """Three legs that start at three known places, if all loops pass over a lever of this group of links."""
+    found: dict[tuple[Site, Hop], Leg] = {}
+    for loop in group.loops:
+        start, hops, end = way_round(structure, loop)
+        levers = [k for k, hop in enumerate(hops) if _is_lever(structure, hop, base)]
+        if len(levers) != 1:
+            return None
+        at = levers[0]
+        for site, part, last in (
+            (start, hops[:at], hops[at].seen_from), (end, outward(hops[at + 1 :]), hops[at].of),
+        ):  # fmt: skip
+            leg = _leg(site, part, last)
+            if leg is None:
+                return None
+            found.setdefault((leg.start, leg.unknown), leg)
+    legs = list(found.values())
+    return legs if len(legs) == 3 and len({leg.end.link for leg in legs}) == 1 else None
+
+
+def _is_lever(structure: Structure, hop: Hop, base: str) -> bool:
+    return isinstance(hop, Lever) and not hop.known and structure.base(hop.of.link) == base
+
+
+def _leg(start: Site, hops: tuple[Hop, ...], end: Site) -> Leg | None:
+    unknown = [hop for hop in hops if not hop.known]
+    if len(unknown) != 1:
+        return None
+    hop = unknown[0]
+    if isinstance(hop, Lever):
+        arm = hop.seen_from.point, hop.of.point
+        return Leg(start, hops, end, Along(*arm), Across(*arm))
+    if isinstance(hop, Slip):
+        return Leg(start, hops, end, AcrossGuide(hop.slide), AlongGuide(hop.slide))
+    return None
+
+
+def _worth(pair: tuple[Leg, Leg], legs: list[Leg], plot: Plot) -> float:
+    """How well two legs' lines meet; legs on the frame first, and never where the third leg ends."""
+    first, second = (plot.direction(leg.line) for leg in pair)
+    sine = abs(complex(np.conj(first) * second).imag)
+    if sine < 0.01:
+        return 0.0
+    at, other = plot.position[pair[0].end.point], plot.position[pair[1].end.point]
+    along = complex(np.conj(other - at) * second).imag / complex(np.conj(first) * second).imag
+    meeting = at + along * first
+    rest = next(leg for leg in legs if leg not in pair)
+    span = max(abs(plot.position[leg.end.point] - at) for leg in legs) or 1.0
+    away = abs(meeting - plot.position[rest.end.point]) / span
+    if away < 0.05:
+        return 0.0
+    grounded = sum(leg.start.link == FRAME for leg in pair)
+    return grounded * (1.0 if sine > APART and abs(meeting - at) < 20 * span else 0.1) + 0.05 * sine
+
+
+def sites(legs: tuple[Leg, ...]) -> Iterator[Site]:
+    """The ternary link's points at which its legs end."""
+    for leg in legs:
+        yield leg.end
