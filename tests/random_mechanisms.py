@@ -10,10 +10,10 @@ from __future__ import annotations
 import cmath
 import math
 import random
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from graphkin.mechanism import FRAME, Driver, Link, Mechanism
-from graphkin.pairs import Line, Slide
+from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
+from graphkin.pairs import Cam, Gear, Line, Profile, Roll, Slide
 
 DYADS = ("RRR", "RRP", "PRR", "RPR", "PRP", "RPP", "PPR")
 
@@ -193,3 +193,169 @@ def chain(seed: int) -> Mechanism:
             (build.hinge if joint == "R" else build.slide)(body, other)
         known += [one, two]
     return build.finish(f"chain-{seed}")
+
+
+# --- groups of Class III, gears, rolling, cams -------------------------------------------------
+
+
+def _begun(seed: int, name: str, crank: bool = True) -> Build:
+    """A frame, and a driven crank on it."""
+    rng = random.Random(f"{name}{seed}")
+    build = Build(rng, letters=[f"{c}{k}" for k in (4, 3, 2, 1) for c in "ABCDEFGHJKLMNQRSTUVWXYZ"])
+    rng.shuffle(build.letters)
+    build.body(FRAME)
+    if crank:
+        build.hinge(FRAME, "1")
+        build.body("1").points[build.letter()] = build.place()
+        build.drivers.append(Driver("angle", "1", rate=rng.uniform(-10, 10), acceleration=rng.uniform(-20, 20)))
+    return build
+
+
+def triad(seed: int) -> Mechanism:
+    """A ternary link on three legs: bars, blocks on known guides, or blocks on the ternary link itself."""
+    build = _begun(seed, "triad")
+    rng = build.rng
+    grounds = ["1", FRAME, rng.choice(("1", FRAME))]
+    rng.shuffle(grounds)
+    for leg, ground in zip(("3", "4", "5"), grounds, strict=True):
+        kind = rng.choice(("RR", "RR", "RP", "PR"))
+        if kind == "RR":
+            build.hinge(ground, leg)
+            build.hinge(leg, "2")
+        elif kind == "RP":
+            build.slide(ground, leg)
+            build.hinge(leg, "2")
+        else:
+            build.hinge(ground, leg)
+            build.slide(leg, "2")
+    return build.finish(f"triad-{seed}")
+
+
+def six_bar(seed: int) -> Mechanism:
+    """Watt's or Stephenson's chain, driven at any link of it by its angle against the frame."""
+    build = _begun(seed, "six", crank=False)
+    rng = build.rng
+    if rng.random() < 0.5:
+        pairs = [(FRAME, "1"), ("1", "2"), ("2", "3"), ("3", FRAME), ("3", "4"), ("4", "5"), ("5", FRAME)]
+    else:
+        pairs = [(FRAME, "1"), ("1", "2"), ("2", "3"), ("3", FRAME), ("2", "4"), ("4", "5"), ("5", FRAME)]
+    for first, second in pairs:
+        build.hinge(first, second)
+    build.drivers.append(
+        Driver("angle", str(rng.randint(1, 5)), rate=rng.uniform(-5, 5), acceleration=rng.uniform(-9, 9))
+    )
+    return build.finish(f"six-{seed}")
+
+
+def geared_five_bar(seed: int) -> Mechanism:
+    """Two cranks geared together on the frame, or a gear fixed to one coupler meshing with the other crank's."""
+    build = _begun(seed, "geared")
+    rng = build.rng
+    build.hinge(FRAME, "4")
+    build.hinge("1", "2")
+    build.hinge("2", "3")
+    build.hinge("3", "4")
+    machine = build.finish(f"geared-{seed}")
+    one, four = (next(p for p in machine.links[FRAME].points if p in machine.links[n].points) for n in "14")
+    distance = abs(machine.links[FRAME].arm(one, four))
+    return replace(machine, gears=(_gear(rng, ("1", "4"), (one, four), distance),), poses=(_pose(machine, build, "4"),))
+
+
+def _gear(rng: random.Random, links: tuple[str, str], centres: tuple[str, str], distance: float) -> Gear:
+    if rng.random() < 0.5:
+        share = rng.uniform(0.2, 0.8)
+        return Gear(links, centres, (distance * share, distance * (1 - share)), False)
+    ratio = rng.uniform(1.5, 3)
+    small = distance / (ratio - 1)
+    radii = (small * ratio, small) if rng.random() < 0.5 else (small, small * ratio)
+    return Gear(links, centres, radii, True)
+
+
+def _pose(machine: Mechanism, build: Build, link: str) -> Pose:
+    """How a link stands at the drawn position."""
+    points = build.bodies[link].points
+    vector = tuple(machine.links[link].points)[:2]
+    return Pose("angle", link, cmath.phase(points[vector[1]] - points[vector[0]]), vector)
+
+
+def epicyclic(seed: int) -> Mechanism:
+    """Sun, planet and ring on one arm, any of the three coaxial ones fixed or driven; a bar and rocker on the planet."""
+    build = _begun(seed, "epicyclic", crank=False)
+    rng = build.rng
+    centre, planet = build.letter(), build.letter()
+    place, arm = build.place(), cmath.rect(rng.uniform(0.03, 0.06), rng.uniform(0, 6.28))
+    build.body(FRAME).points[centre] = place
+    build.body("2").points |= {planet: place + arm, build.letter(): build.place()}
+    build.body("4").points |= {centre: place, planet: place + arm}
+    small = abs(arm) * rng.uniform(0.2, 0.6)
+    sun, ring = abs(arm) - small, abs(arm) + small
+    build.body("1").points |= {centre: place, build.letter(): build.place()}
+    build.hinge("2", "5")
+    build.hinge("5", "6")
+    build.hinge("6", FRAME)
+    driven = rng.choice(("1", "4", "2"))
+    build.drivers.append(Driver("angle", driven, rate=rng.uniform(-9, 9), acceleration=rng.uniform(-9, 9)))
+    machine = build.finish(f"epicyclic-{seed}")
+    gears = (
+        Gear(("1", "2"), (centre, planet), (sun, small), False),
+        Gear(("2", FRAME), (planet, centre), (small, ring), True),
+    )
+    poses = tuple(_pose(machine, build, link) for link in ("1", "2", "4") if link != driven)
+    return replace(machine, gears=gears, poses=poses)
+
+
+def rolling(seed: int) -> Mechanism:
+    """A wheel on a line or circle of the frame or of the crank, pushed at its centre by a bar from the other one."""
+    build = _begun(seed, "rolling")
+    rng = build.rng
+    track, other = rng.choice(((FRAME, "1"), ("1", FRAME)))
+    radius, centre = rng.uniform(0.01, 0.04), build.letter()
+    spot = build.place()
+    build.body("2").points |= {centre: spot, build.letter(): spot + radius * build.direction()}
+    build.body("3").points[centre] = spot
+    build.hinge("3", other)
+    if rng.random() < 0.5:
+        machine = build.finish(f"rolling-{seed}")
+        return _on_a_line(build, machine, track, centre, spot, radius)
+    hub, away, internal = build.letter(), build.direction(), rng.random() < 0.5
+    rim = radius * rng.uniform(1.5, 3)
+    build.body(track).points[hub] = spot + away * (rim - radius if internal else rim + radius)
+    machine = build.finish(f"rolling-{seed}")
+    roll = Roll("r0", False, "2", centre, radius, track, None, True, hub, rim, internal)
+    return replace(machine, rolls=(roll,), poses=(_pose(machine, build, "2"),))
+
+
+def _on_a_line(
+    build: Build, machine: Mechanism, track: str, centre: str, spot: complex, radius: float
+) -> Mechanism:
+    left, line, origin = build.rng.random() < 0.5, build.direction(), "r0"
+    foot = spot - 1j * line * (radius if left else -radius) - line * build.rng.uniform(-0.05, 0.05)
+    body = build.bodies[track]
+    first = next(iter(body.points.values())) if track != FRAME else 0j
+    points = {**machine.links[track].points, origin: (foot - first) / body.axis}
+    links = {**machine.links, track: Link(track, points)}
+    roll = Roll("r0", False, "2", centre, radius, track, Line(track, origin, line / body.axis), left, None, 0.0, False)
+    return replace(machine, links=links, rolls=(roll,), poses=(_pose(machine, build, "2"),))
+
+
+def cam(seed: int) -> Mechanism:
+    """A disc on the crank against a disc, a knife edge or a flat face of a turning or a sliding follower."""
+    build = _begun(seed, "cam")
+    rng = build.rng
+    disc, spot, radius = build.letter(), build.place(), rng.uniform(0.01, 0.05)
+    build.body("1").points[disc] = spot
+    (build.hinge if rng.random() < 0.6 else build.slide)(FRAME, "2")
+    if rng.random() < 0.5:
+        mate, away = build.letter(), build.direction()
+        internal = rng.random() < 0.3
+        other = rng.choice((0.0, rng.uniform(0.005, 0.04)))
+        length = abs(radius - other) if internal else radius + other
+        build.body("2").points[mate] = spot + away * length
+        machine = build.finish(f"cam-{seed}")
+        profiles = (Profile(disc, radius, None, True), Profile(mate, other, None, True))
+        return replace(machine, cams=(Cam(("1", "2"), profiles, internal),))
+    left, line, origin = rng.random() < 0.5, build.direction(), build.letter()
+    build.body("2").points[origin] = spot - 1j * line * (radius if left else -radius) - 0.02 * line
+    machine = build.finish(f"cam-{seed}")
+    face = Profile(None, 0.0, Line("2", origin, line / build.bodies["2"].axis), left)
+    return replace(machine, cams=(Cam(("1", "2"), (Profile(disc, radius, None, True), face), False),))

@@ -62,9 +62,12 @@ def halves(structure: Structure, loop: Loop) -> tuple[Site, tuple[Hop, ...], Sit
     return start, left, end, right
 
 
-def way_round(structure: Structure, loop: Loop) -> tuple[Site, tuple[Hop, ...], Site]:
-    """The whole loop in one direction: from a known site over all hops to a known site."""
-    places = _places(structure, loop)
+def way_round(structure: Structure, loop: Loop, lever: str = "") -> tuple[Site, tuple[Hop, ...], Site]:
+    """The whole loop in one direction: from a known site over all hops to a known site.
+
+    lever  the body of its group that shall carry the lever, where this is to be chosen
+    """
+    places = _places(structure, loop, lever)
     last = len(loop.joints) - 1
     return _edge(structure, loop, places, 0), tuple(_hops(structure, loop, places)), _edge(structure, loop, places, last)
 
@@ -74,10 +77,15 @@ def outward(hops: tuple[Hop, ...]) -> tuple[Hop, ...]:
     return tuple(_turned(hop) for hop in reversed(hops))
 
 
-def _places(structure: Structure, loop: Loop) -> list[str]:
+def _places(structure: Structure, loop: Loop, lever: str = "") -> list[str]:
     """The point at which each joint is looked at: the hinge itself; for slides the coincident point."""
     places = [joint.point if isinstance(joint, Hinge) else "" for joint in loop.joints]
     for first, last in _groups(structure, loop):
+        if lever in loop.bodies[first : last + 1]:
+            at = loop.bodies.index(lever)
+            for k in range(first + 1, last + 1):
+                places[k] = places[first] if k <= at else places[last + 1]
+            continue
         inner = [loop.joints[k] for k in range(first + 1, last + 1)]
         slide = next((joint.slide for joint in inner if isinstance(joint, Sliding)), None)
         at_entry = slide is not None and _block_side(structure, loop, slide) == "entry"

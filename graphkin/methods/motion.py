@@ -310,9 +310,11 @@ class _Polygon:
 
     def train(self, stage: Group) -> bool:
         """A planet between two wheels of known motion: both its contacts are known, and so is all of it."""
+        if self.plane != "velocity" or stage.loops or len(stage.contacts) != 2:
+            return False
         planets = set(stage.contacts[0].wheels) & set(stage.contacts[-1].wheels)
         arm = stage.contacts[0].arm
-        if self.plane != "velocity" or stage.loops or len(stage.contacts) != 2 or len(planets) != 1:
+        if len(planets) != 1:
             return False
         planet = planets.pop()
         letters = {contact: letter for letter, contact in touching(self.structure)}

@@ -8,7 +8,6 @@ so both unknown arrows of a leg lie on one line. Where two such lines meet, two 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -59,8 +58,9 @@ def ternary(structure: Structure, group: Group, plot: Plot, name: str) -> Ternar
     """The ternary link of a Class III group, with the best pair of legs first; None for any other group."""
     if group.contacts or len(group.loops) != 2:
         return None
-    for base in group.angles:
-        legs = _legs(structure, group, base)
+    common = set(group.loops[0].bodies) & set(group.loops[1].bodies)
+    for link in sorted(common, key=lambda body: structure.order[body]):
+        legs = _legs(structure, group, link) if structure.base(link) in group.angles else None
         if legs is not None:
             pairs = sorted(combinations(legs, 2), key=lambda pair: -_worth(pair, legs, plot))
             best = pairs[0]
@@ -71,12 +71,12 @@ def ternary(structure: Structure, group: Group, plot: Plot, name: str) -> Ternar
     return None
 
 
-def _legs(structure: Structure, group: Group, base: str) -> list[Leg] | None:
-    """Three legs that start at three known places, if all loops pass over a lever of this group of links."""
+def _legs(structure: Structure, group: Group, link: str) -> list[Leg] | None:
+    """Three legs that start at three known places and end on this link, if it is the ternary one."""
     found: dict[tuple[Site, Hop], Leg] = {}
     for loop in group.loops:
-        start, hops, end = way_round(structure, loop)
-        levers = [k for k, hop in enumerate(hops) if _is_lever(structure, hop, base)]
+        start, hops, end = way_round(structure, loop, link)
+        levers = [k for k, hop in enumerate(hops) if isinstance(hop, Lever) and hop.of.link == link]
         if len(levers) != 1:
             return None
         at = levers[0]
@@ -89,10 +89,6 @@ def _legs(structure: Structure, group: Group, base: str) -> list[Leg] | None:
             found.setdefault((leg.start, leg.unknown), leg)
     legs = list(found.values())
     return legs if len(legs) == 3 and len({leg.end.link for leg in legs}) == 1 else None
-
-
-def _is_lever(structure: Structure, hop: Hop, base: str) -> bool:
-    return isinstance(hop, Lever) and not hop.known and structure.base(hop.of.link) == base
 
 
 def _leg(start: Site, hops: tuple[Hop, ...], end: Site) -> Leg | None:
@@ -125,8 +121,3 @@ def _worth(pair: tuple[Leg, Leg], legs: list[Leg], plot: Plot) -> float:
     grounded = sum(leg.start.link == FRAME for leg in pair)
     return grounded * (1.0 if sine > APART and abs(meeting - at) < 20 * span else 0.1) + 0.05 * sine
 
-
-def sites(legs: tuple[Leg, ...]) -> Iterator[Site]:
-    """The ternary link's points at which its legs end."""
-    for leg in legs:
-        yield leg.end
