@@ -896,7 +896,7 @@ def _fit(step: Fit, plot: Plot) -> None:
         change = _solve(slope, residual) * scale.reshape((-1, *(1 for _ in shape)))
         limit = np.max(np.abs(change) / scale.reshape((-1, *(1 for _ in shape))), axis=0)
         x = x - change / np.maximum(1.0, limit / 0.5)
-        if not np.any(limit > FITTED):
+        if not np.any((limit > FITTED) & (limit < np.inf)):
             break
     _settle_all(step, plot, x)
     residual, slope = _closures(step, plot, shape, size)

@@ -185,15 +185,40 @@ def _positioned(method: Method, values: Sequence[Value] | None) -> Plot:
         return replay(method.position, plot)
     start = method.facts(None).values
     ways = [np.asarray(end) - begin for begin, end in zip(start, facts.values, strict=True)]
+    longest = 1.0 / _stretches(method, facts, ways)
+    done, step, before = 0.0, longest, dict(method.near)
+    near: dict[str, Value] = before
+    slope: dict[str, Value] = dict.fromkeys(near, 0.0)
+    while True:
+        there = min(1.0, done + step)
+        values = tuple(begin + way * there for begin, way in zip(start, ways, strict=True))
+        guess = {name: near[name] + slope[name] * (there - done) for name in near}
+        plot = replay(method.position, Plot(replace(facts, values=values), guess))
+        now = {base: plot.theta[base] for base in method.structure.bases} | dict(plot.s)
+        if _surprise(now, guess, method.structure.bases) > SURPRISE and step > longest / 256:
+            step /= 2
+            continue
+        if there == 1.0:
+            return plot
+        slope = {name: np.nan_to_num((now[name] - near[name]) / (there - done)) for name in now}
+        near, done, step = now, there, min(longest, 1.5 * step)
+
+
+SURPRISE = 0.02
+"""How far a link may turn beside what its turning so far foretold [rad]; more, and the step is halved."""
+
+
+def _stretches(method: Method, facts: Facts, ways: Sequence[Value]) -> int:
+    """In how many steps the drivers go their way."""
     size = max(abs(z) for shape in facts.shapes.values() for z in shape.values()) or 1.0
-    units = [size * STEP_PART if d.kind == "slide" else np.radians(STEP_DEG) for d in method.structure.mechanism.drivers]
-    count = max(1, *(int(np.ceil(np.max(np.abs(way)) / unit)) for way, unit in zip(ways, units, strict=True)))
-    near: Mapping[str, Value] = method.near
-    for k in range(1, count + 1):
-        there = tuple(begin + way * (k / count) for begin, way in zip(start, ways, strict=True))
-        plot = replay(method.position, Plot(replace(facts, values=there), near))
-        near = {base: plot.theta[base] for base in method.structure.bases} | dict(plot.s)
-    return plot
+    drivers = method.structure.mechanism.drivers
+    units = [size * STEP_PART if driver.kind == "slide" else np.radians(STEP_DEG) for driver in drivers]
+    return max(1, *(int(np.ceil(np.max(np.abs(way)) / unit)) for way, unit in zip(ways, units, strict=True)))
+
+
+def _surprise(now: Mapping[str, Value], guess: Mapping[str, Value], bases: Sequence[str]) -> float:
+    """The largest angle between where links are and where they were expected."""
+    return max((float(np.nanmax(np.abs(now[b] - guess[b]), initial=0.0)) for b in bases), default=0.0)
 
 
 def _facts(structure: Structure, values: Sequence[Value] | None, drawn: Mapping[str, float]) -> Facts:
