@@ -20,13 +20,14 @@ import numpy as np
 from graphkin import loading
 from graphkin.analytic import Motion, motion
 from graphkin.errors import BadDrawing, Where
-from graphkin.geometry import Value
-from graphkin.mechanism import Mechanism
-from graphkin.methods import Method
+from graphkin.geometry import Value, meet_lines
+from graphkin.mechanism import FRAME, Mechanism
+from graphkin.methods import Method, plan
 from graphkin.naming import pair, seen
+from graphkin.pairs import Line
 from graphkin.readings import Readings, relative
 from graphkin.seal import seal
-from graphkin.steps import Plane, Plot
+from graphkin.steps import Across, AcrossGuide, Along, AlongGuide, Direction, Meet, Plane, Plot, Ray, Touch
 
 __all__ = ["Measured", "Report", "compare", "measure"]
 
@@ -119,6 +120,101 @@ class Report:
         return not self.faults and all(entry.off_mm <= tolerance_mm for entry in self.measured)
 
 
+@dataclass(frozen=True)
+class _Widened:
+    """The analytic solution, at points too that a construction adds: special points, rolling contacts."""
+
+    mechanism: Mechanism
+    motion: Motion
+    added: Mapping[str, complex]
+
+    @property
+    def theta(self) -> Mapping[str, Value]:
+        return self.motion.theta
+
+    @property
+    def omega(self) -> Mapping[str, Value]:
+        return self.motion.omega
+
+    @property
+    def alpha(self) -> Mapping[str, Value]:
+        return self.motion.alpha
+
+    @property
+    def s(self) -> Mapping[str, Value]:
+        return self.motion.s
+
+    @property
+    def s_rate(self) -> Mapping[str, Value]:
+        return self.motion.s_rate
+
+    @property
+    def s_acceleration(self) -> Mapping[str, Value]:
+        return self.motion.s_acceleration
+
+    @property
+    def position(self) -> Mapping[str, Value]:
+        return {**self.motion.position, **self.added}
+
+    def velocity_at(self, point: str, link: str) -> Value:
+        if point not in self.added or link == FRAME:
+            return 0j if link == FRAME else self.motion.velocity_at(point, link)
+        start = next(iter(self.mechanism.links[link].points))
+        arm = self.added[point] - self.motion.position[start]
+        return self.motion.velocity_at(start, link) + 1j * self.motion.omega[link] * arm
+
+    def acceleration_at(self, point: str, link: str) -> Value:
+        if point not in self.added or link == FRAME:
+            return 0j if link == FRAME else self.motion.acceleration_at(point, link)
+        start = next(iter(self.mechanism.links[link].points))
+        arm = self.added[point] - self.motion.position[start]
+        turn = 1j * self.motion.alpha[link] - self.motion.omega[link] ** 2
+        return self.motion.acceleration_at(start, link) + turn * arm
+
+
+def _added(mechanism: Mechanism, exact: Motion, drawing: _Drawing) -> Mapping[str, complex]:
+    """Where the added points of a drawing lie by the analytic solution. What they are, the planner says."""
+    named = [attributes.get("data-of", "") for attributes, _ in drawing.points]
+    if all(name == "pole" or "^" in name or seen(mechanism, name) for name in named):
+        return {}
+    steps = [step for step in plan(mechanism).position.steps if isinstance(step, Touch | Meet)]
+    places = {step.point: added_point(step, mechanism, exact) for step in steps}
+    return {point: place for point, place in places.items() if place is not None}
+
+
+def added_point(step: Touch | Meet, mechanism: Mechanism, exact: Motion) -> complex | None:
+    """The special point or the rolling contact that a step gives, from positions of the analytic solution."""
+    if isinstance(step, Touch):
+        centre = complex(exact.position[step.centre])
+        if step.slide:
+            return centre + 1j * step.offset * _along(step.slide, mechanism, exact)
+        return centre + step.ratio * (complex(exact.position[step.other]) - centre)
+    rays = [ray for ray in (step.first, step.second) if isinstance(ray, Ray)]
+    if step.point in mechanism.points or not step.point[0].isupper() or len(rays) != 2:
+        return None
+    first, second = ((exact.position[ray.through], _line(ray.direction, mechanism, exact)) for ray in rays)
+    return complex(meet_lines(*first, *second)[0])
+
+
+def _line(direction: Direction, mechanism: Mechanism, exact: Motion) -> complex:
+    if isinstance(direction, AcrossGuide | AlongGuide):
+        along = _along(direction.slide, mechanism, exact)
+        return 1j * along if isinstance(direction, AcrossGuide) else along
+    assert isinstance(direction, Along | Across)
+    arm = complex(exact.position[direction.head] - exact.position[direction.tail])
+    return arm / abs(arm) * (1j if isinstance(direction, Across) else 1)
+
+
+def _along(slide: str, mechanism: Mechanism, exact: Motion) -> complex:
+    """Direction of a sliding pair's line, a track, or the flat face of a cam."""
+    lines: dict[str, Line | None] = {pair.name: pair.line for pair in mechanism.slides}
+    lines |= {roll.name: roll.line for roll in mechanism.rolls}
+    lines |= {f"c{k}": face.line for k, cam in enumerate(mechanism.cams) for face in cam.profiles if face.line}
+    line = lines[slide]
+    assert line is not None
+    return complex(line.direction * np.exp(1j * exact.theta[line.link]))
+
+
 UNITS: Mapping[Plane, str] = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
 WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+)?)")
 """A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm, or 2×10⁻⁵ with its exponent raised."""
@@ -145,7 +241,8 @@ def measure(path: str | Path, tolerance_mm: float = 0.01) -> Report:
     """
     drawing = _read(Path(path))
     mechanism = _mechanism(drawing)
-    exact = motion(mechanism, _numbers(drawing, "drivers", len(mechanism.drivers)))
+    solved = motion(mechanism, _numbers(drawing, "drivers", len(mechanism.drivers)))
+    exact = _Widened(mechanism, solved, _added(mechanism, solved, drawing))
     scales = _scales(drawing)
     entries = [*_vectors(drawing, mechanism, exact, scales), *_points(drawing, mechanism, exact, scales)]
     faults = (*drawing.faults, *_changed(drawing, scales), *_loose_ends(drawing, tolerance_mm))
@@ -274,7 +371,7 @@ def _plane(drawing: _Drawing, attributes: Mapping[str, str]) -> Plane:
 
 
 def _vectors(
-    drawing: _Drawing, mechanism: Mechanism, exact: Motion, scales: Mapping[Plane, float]
+    drawing: _Drawing, mechanism: Mechanism, exact: _Widened, scales: Mapping[Plane, float]
 ) -> Iterator[Measured]:
     for attributes, tail, head in drawing.vectors:
         plane, name = _plane(drawing, attributes), attributes.get("data-name", "")
@@ -284,23 +381,26 @@ def _vectors(
         yield Measured(plane, name, "vector", head - tail, value / scales[plane], scales[plane], UNITS[plane])
 
 
-def _exact(mechanism: Mechanism, exact: Motion, plane: Plane, name: str) -> complex | None:
-    """What a vector called `v_CB` or `a^k_B3B2` should be, from the analytic solution."""
+def _exact(mechanism: Mechanism, exact: _Widened, plane: Plane, name: str) -> complex | None:
+    """What a vector called `v_CB`, `a^k_B3B2` or `v_DG+v_S4D` should be, from the analytic solution."""
+    if "+" in name:
+        parts = [_exact(mechanism, exact, plane, part) for part in name.split("+")]
+        return sum((part for part in parts if part is not None), 0j) if None not in parts else None
     head, _, sites = name.partition("_")
     letter, _, part = head.partition("^")
     if letter != {"velocity": "v", "acceleration": "a"}.get(plane):
         return None
-    if (site := seen(mechanism, sites)) is not None and not part:
+    if (site := seen(mechanism, sites, exact.added)) is not None and not part:
         at = exact.velocity_at if plane == "velocity" else exact.acceleration_at
         return complex(at(site.point, site.link))
-    if (both := pair(mechanism, sites)) is None:
+    if (both := pair(mechanism, sites, exact.added)) is None:
         return None
     value = relative(mechanism, exact, plane, part, *both)
     return None if value is None else complex(value)
 
 
 def _points(
-    drawing: _Drawing, mechanism: Mechanism, exact: Motion, scales: Mapping[Plane, float]
+    drawing: _Drawing, mechanism: Mechanism, exact: _Widened, scales: Mapping[Plane, float]
 ) -> Iterator[Measured]:
     """Points of the mechanism against each other; points of a polygon against its pole."""
     for plane in dict.fromkeys(_plane(drawing, attributes) for attributes, _ in drawing.points):
@@ -315,10 +415,10 @@ def _points(
             yield Measured(plane, name, "point", place - origin, right, scales[plane], UNITS[plane])
 
 
-def _exact_point(mechanism: Mechanism, exact: Motion, plane: Plane, of: str) -> complex | None:
+def _exact_point(mechanism: Mechanism, exact: _Widened, plane: Plane, of: str) -> complex | None:
     if of == "pole":
         return 0j
-    site = seen(mechanism, of)
+    site = seen(mechanism, of, exact.added)
     if site is None:
         return None
     if plane == "position":

@@ -7,6 +7,7 @@ link's name is a word. Two of them together, `CB` or `B3B2`, are a motion of the
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 from dataclasses import dataclass
 
 from graphkin.mechanism import FRAME, Mechanism
@@ -25,31 +26,37 @@ class Seen:
     explicit: bool
 
 
-def seen(mechanism: Mechanism, text: str) -> Seen | None:
-    """What `C`, `B3` or `B@guide` means; None for a text that means nothing here."""
+def seen(mechanism: Mechanism, text: str, more: Collection[str] = ()) -> Seen | None:
+    """What `C`, `B3` or `B@guide` means; None for a text that means nothing here.
+
+    more  points that a construction has added: a special point S, a rolling contact K
+    """
     if text in mechanism.points:
         owners = mechanism.owners[text]
         return Seen(text, next((link for link in owners if link != FRAME), FRAME), False)
+    if text in more:
+        return Seen(text, FRAME, False)
+    points = (*mechanism.points, *more)
     point, at, link = text.partition("@")
     if at:
-        return _site(mechanism, point, link)
-    found = [_site(mechanism, point, text[len(point) :]) for point in mechanism.points if text.startswith(point)]
+        return _site(mechanism, point, link, points)
+    found = [_site(mechanism, point, text[len(point) :], points) for point in points if text.startswith(point)]
     return next((site for site in found if site is not None), None)
 
 
-def _site(mechanism: Mechanism, point: str, link: str) -> Seen | None:
+def _site(mechanism: Mechanism, point: str, link: str, points: Collection[str]) -> Seen | None:
     name = FRAME if link == mechanism.frame else link
-    if point not in mechanism.points or name not in mechanism.links:
+    if point not in points or name not in mechanism.links:
         return None
     return Seen(point, name, True)
 
 
-def pair(mechanism: Mechanism, text: str) -> tuple[Seen, Seen] | None:
+def pair(mechanism: Mechanism, text: str, more: Collection[str] = ()) -> tuple[Seen, Seen] | None:
     """What `CB`, `B3B2` or `B@guide,B@block` means."""
     first, comma, second = text.partition(",")
     cuts = [(first, second)] if comma else [(text[:k], text[k:]) for k in range(1, len(text))]
     for one, other in cuts:
-        sites = seen(mechanism, one), seen(mechanism, other)
+        sites = seen(mechanism, one, more), seen(mechanism, other, more)
         if sites[0] is not None and sites[1] is not None:
             return sites[0], sites[1]
     return None
@@ -63,5 +70,5 @@ def common_link(mechanism: Mechanism, of: Seen, seen_from: Seen) -> str | None:
 
 def _links(mechanism: Mechanism, site: Seen) -> set[str]:
     """The links a site belongs to: all that have the point, unless it is a point of another link there."""
-    owners = mechanism.owners[site.point]
+    owners = mechanism.owners.get(site.point, ())
     return set(owners) if not site.explicit or site.link in owners else {site.link}

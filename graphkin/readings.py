@@ -81,7 +81,8 @@ class Readings:
 
     def _told(self, table: Mapping[str, Value]) -> Mapping[str, Value]:
         """Sliding pairs and rolling wheels of the file, without the slots that stand for cams."""
-        names = {pair.name for pair in (*self.method.mechanism.slides, *self.method.mechanism.rolls)}
+        mechanism = self.method.mechanism
+        names = {pair.name for pair in mechanism.slides} | {roll.name for roll in mechanism.rolls}
         return {name: value for name, value in table.items() if name in names}
 
     def _moves(self, link: str) -> bool:

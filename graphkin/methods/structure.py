@@ -112,7 +112,7 @@ class Structure:
     def surplus(self) -> int:
         """Drivers beyond the degrees of freedom by the formula F = 3 n - 2 p."""
         hinges = sum(len(bodies) - 1 for bodies in self.owners.values())
-        freedoms = 3 * (len(self.bodies) - 1) - 2 * (hinges + len(self.slides))
+        freedoms = 3 * (len(self.bodies) - 1) - 2 * (hinges + len(self.slides)) - len(self.contacts)
         return len(self.mechanism.drivers) - freedoms
 
     # --- links that hold their angles to one another ------------------------------------------
@@ -142,7 +142,7 @@ class Structure:
             elif body == self.block(slide):
                 yield slide.guide, TurnOf(body, -turn)
         for k, driver in enumerate(self.mechanism.drivers):
-            if driver.kind != "angle":
+            if driver.kind == "slide":
                 continue
             offset = self._driver_offset(driver)
             if body == driver.from_link:
@@ -153,7 +153,8 @@ class Structure:
     def _driver_offset(self, driver: Driver) -> float:
         """Angle of the driven link against the other where the driver's own value is 0."""
         links = self.mechanism.links
-        assert driver.vector is not None
+        if driver.vector is None:
+            return 0.0
         offset = -cmath.phase(links[driver.link].arm(*driver.vector))
         if driver.from_vector is not None:
             offset += cmath.phase(links[driver.from_link].arm(*driver.from_vector))
