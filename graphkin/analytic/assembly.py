@@ -140,9 +140,9 @@ def _distinct(found: Real) -> Real:
     Angles count modulo 2 pi; read as an angle too, a small difference of displacements stays what it is.
     """
     kept: list[Real] = []
-    for q in found:
-        if not any(np.max(np.abs(np.exp(1j * (q - other)) - 1), initial=0.0) < _SAME for other in kept):
-            kept.append(q)
+    while len(found):
+        kept.append(found[0])
+        found = found[np.max(np.abs(np.exp(1j * (found - found[0])) - 1), axis=1, initial=0.0) >= _SAME]
     return np.array(kept)
 
 

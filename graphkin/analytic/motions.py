@@ -154,9 +154,10 @@ def _motion(mechanism: Mechanism, closure: Closure, values: tuple[Real, ...], q:
     """Read everything off the unknowns."""
     loops, vectors = closure.loops, closure.loops.vectors
     three = q, found.first, found.second
-    still, along = np.zeros(q.shape[:-1])[()], (*mechanism.slides, *mechanism.rolls)
+    still = np.zeros(q.shape[:-1])[()]
+    along = [*(slide.name for slide in mechanism.slides), *(roll.name for roll in mechanism.rolls)]
     theta, omega, alpha = ({FRAME: still, **_named(loops, part, "theta", mechanism.moving)} for part in three)
-    s, s_rate, s_acceleration = (_named(loops, part, "s", [pair.name for pair in along]) for part in three)
+    s, s_rate, s_acceleration = (_named(loops, part, "s", along) for part in three)
     arrows = vectors.at(q), vectors.rate(*three[:2]), vectors.acceleration(*three)
     position, velocity, acceleration = (_places(loops, part) for part in arrows)
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)

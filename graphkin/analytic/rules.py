@@ -134,7 +134,8 @@ def cam(mechanism: Mechanism, pair: Cam) -> Share:
             distance = circle.radius if line.left else -circle.radius
             return Share((_beside(mechanism, line.line, distance, link, circle.centre, name),))
     one, other = pair.profiles
-    assert one.centre is not None and other.centre is not None
+    assert one.centre is not None
+    assert other.centre is not None
     centres, radii = (one.centre, other.centre), (one.radius, other.radius)
     ends = _ends(mechanism, pair.links, centres)
     return Share(_line_of_centres(mechanism, centres, ends, name, _apart(radii, pair.internal))[1])

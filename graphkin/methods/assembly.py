@@ -13,6 +13,7 @@ import numpy as np
 
 from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
 from graphkin.geometry import Value, cross
+from graphkin.mechanism import FRAME
 from graphkin.methods.structure import Structure
 from graphkin.steps import Arc, Arm, Construction, Facts, Meet, Plot, Ray, Span, Swing, replay
 
@@ -45,7 +46,7 @@ def _possible(structure: Structure, plot: Plot, count: int) -> np.ndarray:
     for value in plot.position.values():
         possible &= np.isfinite(np.broadcast_to(value, count))
     for name, slide in structure.slides.items():
-        if name in plot.s and _bare(structure, slide.guide):
+        if name in plot.s and slide.guide != FRAME and _bare(structure, slide.guide):
             possible &= np.broadcast_to(plot.s[name], count) > 0
     return possible
 
