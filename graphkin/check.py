@@ -11,7 +11,6 @@ import json
 import math
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from xml.etree.ElementTree import Element, ParseError
 
@@ -27,6 +26,7 @@ from graphkin.naming import pair, seen
 from graphkin.readings import Readings, relative
 from graphkin.seal import seal
 from graphkin.steps import Plane, Plot
+from graphkin.value import frozen
 
 __all__ = ["Measured", "Report", "compare", "measure"]
 
@@ -83,7 +83,7 @@ def _worst(drawn: Mapping[str, Value], right: Mapping[str, Value], natural: floa
 # --- a drawing file ---------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class Measured:
     """One vector or point of the drawing: what the ruler says, what it should be.
 
@@ -104,7 +104,7 @@ class Measured:
         return abs(self.drawn - self.exact)
 
 
-@dataclass(frozen=True)
+@frozen
 class Report:
     """What a ruler finds in one drawing file.
 
@@ -125,7 +125,7 @@ WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]
 SCALES: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
 
-@dataclass(frozen=True)
+@frozen
 class _Drawing:
     """A parsed drawing file: lines and circles in mm, y up, scales as written, and what the file claims to be."""
 

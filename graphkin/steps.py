@@ -18,6 +18,7 @@ from typing import Literal, assert_never
 import numpy as np
 
 from graphkin.geometry import Value, cross, dot, meet_circles, meet_line_circle, meet_lines, root, unit
+from graphkin.value import frozen
 
 __all__ = [
     "Across",
@@ -65,7 +66,7 @@ LETTER: Mapping[Plane, str] = {"position": "r", "velocity": "v", "acceleration":
 # --- where things point -----------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class Along:
     """From the point `tail` of the mechanism to its point `head`."""
 
@@ -73,7 +74,7 @@ class Along:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Across:
     """At right angles to tail -> head, counter-clockwise of it: where `head` goes when it turns so about `tail`."""
 
@@ -81,14 +82,14 @@ class Across:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class AlongGuide:
     """Along the line of a slide, as s counts."""
 
     slide: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Quarter:
     """A relative velocity turned by 90 deg with the rotation of `link`: the direction of a Coriolis term."""
 
@@ -103,7 +104,7 @@ Direction = Along | Across | AlongGuide | Quarter
 # --- how long they are ------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class Drawn:
     """Already in this plane, from point `tail` to point `head`."""
 
@@ -111,7 +112,7 @@ class Drawn:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Turning:
     """omega l of `link`, for its points tail -> head."""
 
@@ -120,7 +121,7 @@ class Turning:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Normal:
     """omega^2 l of `link`, from head towards tail."""
 
@@ -129,7 +130,7 @@ class Normal:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Tangential:
     """alpha l of `link`, for its points tail -> head."""
 
@@ -138,7 +139,7 @@ class Tangential:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Coriolis:
     """2 omega v_r: omega of `link`, v_r from `tail` to `head` in the velocity polygon."""
 
@@ -147,7 +148,7 @@ class Coriolis:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Driven:
     """The driven sliding speed of a slide (in the acceleration plane: its rate of change).
 
@@ -158,7 +159,7 @@ class Driven:
     sign: int = 1
 
 
-@dataclass(frozen=True)
+@frozen
 class Relative:
     """A driven relative rotation: the motion of `link`'s point `head` about `tail` as seen from `seen_from`.
 
@@ -172,7 +173,7 @@ class Relative:
     part: str = ""
 
 
-@dataclass(frozen=True)
+@frozen
 class Arm:
     """The vector tail -> head of one link."""
 
@@ -181,7 +182,7 @@ class Arm:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Slid:
     """The displacement s of a slide, along its line; `sign` -1 from the sliding point back to the origin."""
 
@@ -189,7 +190,7 @@ class Slid:
     sign: int = 1
 
 
-@dataclass(frozen=True)
+@frozen
 class Span:
     """Arms and displacements end to end, of links that hold their angles to one another."""
 
@@ -202,7 +203,7 @@ Size = Drawn | Turning | Normal | Tangential | Coriolis | Driven | Relative | Sp
 # --- terms and equations ----------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class Term:
     """One arrow of a vector equation: the motion of `of` as seen from `seen_from`.
 
@@ -249,7 +250,7 @@ def span_of(chain: tuple[Term, ...]) -> tuple[str, str]:
     return chain[0].tail, chain[-1].head
 
 
-@dataclass(frozen=True)
+@frozen
 class Equation:
     """left = right, with the steps that draw it. Paper closes it when exactly two scalars are unknown.
 
@@ -276,7 +277,7 @@ class Equation:
 # --- steps ------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class Given:
     """A point to start from: a fixed pivot, or the pole; `also` are the fixed points that sit on the pole."""
 
@@ -284,7 +285,7 @@ class Given:
     also: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
+@frozen
 class LayOff:
     """A known arrow from `start` to `tip`; `backwards`: the arrow ends at `start` and the pencil goes to its tail."""
 
@@ -294,7 +295,7 @@ class LayOff:
     backwards: bool = False
 
 
-@dataclass(frozen=True)
+@frozen
 class Ray:
     """The line through a point in a known direction: where the head of an unknown arrow must lie."""
 
@@ -302,7 +303,7 @@ class Ray:
     direction: Direction
 
 
-@dataclass(frozen=True)
+@frozen
 class Arc:
     """The circle about a point with a known radius: where the end of a link must lie."""
 
@@ -310,7 +311,7 @@ class Arc:
     reach: Span
 
 
-@dataclass(frozen=True)
+@frozen
 class Meet:
     """Two lines or circles cross at `point`.
 
@@ -325,7 +326,7 @@ class Meet:
     choice: int | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class Swing:
     """A link with a guide line turns about its `pivot` until the line passes where it must for `through`.
 
@@ -343,7 +344,7 @@ class Swing:
     choice: int | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class Image:
     """A further point of `link`: the figure similar to the link on its two known points.
 
@@ -357,7 +358,7 @@ class Image:
     point: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Measure:
     """Ruler and protractor: a quantity read off, with its sense.
 
@@ -380,7 +381,7 @@ class Measure:
 Step = Given | LayOff | Ray | Arc | Meet | Swing | Image | Measure
 
 
-@dataclass(frozen=True)
+@frozen
 class Site:
     """A point of the mechanism as part of a link."""
 
@@ -388,7 +389,7 @@ class Site:
     link: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Node:
     """A point of a plane: its name, what it belongs to as written (`B3`, `pole`, `a^n_CB`), and its site."""
 
@@ -397,7 +398,7 @@ class Node:
     site: Site | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class Construction:
     """The steps of one plane in order; those of one vector equation are grouped in it."""
 
@@ -436,7 +437,7 @@ class Construction:
 # --- what a replay starts from and what it gives ----------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class TurnOf:
     """How a link's angle hangs on another's: theta = theta(base) + constant + sum of sign * driver value."""
 
@@ -445,7 +446,7 @@ class TurnOf:
     drivers: tuple[tuple[int, int], ...] = ()
 
 
-@dataclass(frozen=True)
+@frozen
 class Facts:
     """What is known before the pencil moves: dimensions and drivers. SI units; drivers scalar or (n,) each.
 

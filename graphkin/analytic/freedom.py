@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from graphkin.analytic.assembly import assemble, held
+from graphkin.analytic.assembly import assemble, held, idle
 from graphkin.analytic.loops import Loops, loops_of
 from graphkin.analytic.newton import Closure, close
 from graphkin.analytic.rules import driven, placing
@@ -64,22 +64,22 @@ def mobility(mechanism: Mechanism) -> Mobility:
     pairs = whole if whole.q is not None else assemble(mechanism, loops, driving=False)
     gap_mm = None if whole.q is not None else whole.gap * 1e3
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
-    idle = tuple(unknown.name for unknown in loops.silent((*loops.relations, *drivers)))
+    quiet = idle(mechanism, loops)
     if pairs.q is None:
-        return Mobility(None, len(drivers), 0, (), (), 0, idle, (), pairs.gap * 1e3)
+        return Mobility(None, len(drivers), 0, (), (), 0, quiet, (), pairs.gap * 1e3)
     ranks = _Ranks.at(loops, loops.weights(drivers), _nearby(loops, pairs.q))
     independent, redundant = ranks.drivers()
     constraints = ranks.constraints()
-    quiet = loops.weights(held(loops, loops.relations))
+    still = loops.weights(held(loops, loops.relations))
     return Mobility(
-        freedoms=len(loops.unknowns) - len(idle) - rank(constraints),
+        freedoms=len(loops.unknowns) - len(quiet) - rank(constraints),
         drivers=len(drivers),
         independent=independent,
-        free=_moving(mechanism, loops, ranks.q, np.vstack([constraints, ranks.driving, quiet])),
+        free=_moving(mechanism, loops, ranks.q, np.vstack([constraints, ranks.driving, still])),
         redundant=redundant,
         repeated=len(constraints) - rank(constraints),
-        idle=idle,
-        unplaced=_unplaced(mechanism, loops, ranks.q, np.vstack([constraints, quiet])),
+        idle=quiet,
+        unplaced=_unplaced(mechanism, loops, ranks.q),
         gap_mm=gap_mm,
     )
 
@@ -161,7 +161,9 @@ def _moving(mechanism: Mechanism, loops: Loops, q: Real, equations: Real) -> tup
     return tuple(link for link, moves in links.items() if moves > _RANK)
 
 
-def _unplaced(mechanism: Mechanism, loops: Loops, q: Real, constraints: Real) -> tuple[str, ...]:
-    """Links that neither driver values nor poses place at the drawn position."""
-    rows = loops.weights([driven(mechanism, each) for each, _ in placing(mechanism)])
-    return _moving(mechanism, loops, q, np.vstack([constraints, rows / _scale(rows)]))
+def _unplaced(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[str, ...]:
+    """Links that neither driver values nor poses place at the drawn position; gears and rolling do not place."""
+    known = [relation for relation in loops.relations if relation.offset is not None]
+    known += [driven(mechanism, each) for each, _ in placing(mechanism)]
+    rows = loops.weights([*known, *held(loops, known)])
+    return _moving(mechanism, loops, q, np.vstack([loops.slope(q), rows / _scale(rows)]))

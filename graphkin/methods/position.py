@@ -27,11 +27,12 @@ from graphkin.steps import (
     Swing,
     Term,
 )
+from graphkin.value import frozen
 
 __all__ = ["position"]
 
 
-@dataclass(frozen=True)
+@frozen
 class _Piece:
     """One stretch of a loop: an arm of a body, or the displacement of a slide."""
 
