@@ -22,8 +22,8 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "errors", "geometry", "steps", "pairs", "mechanism", "loading", "library", "methods", "naming", "seal", "analytic",
-    "freedoms", "readings", "check", "results", "reports", "words", "sheet", "outputs", "api", "cli",
+    "value", "errors", "geometry", "steps", "pairs", "mechanism", "loading", "library", "methods", "naming", "seal",
+    "analytic", "freedoms", "readings", "check", "results", "reports", "words", "sheet", "outputs", "api", "cli",
 )  # fmt: skip
 
 _WHERE = {

@@ -14,7 +14,6 @@ True
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -24,6 +23,7 @@ from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
 from graphkin.steps import Plane, Plot
+from graphkin.value import frozen
 
 if TYPE_CHECKING:
     from graphkin.readings import Answer
@@ -85,7 +85,7 @@ def replay(method: Method, values: Sequence[Value] | None = None) -> Plot:
     return methods.replay_all(method, values)
 
 
-@dataclass(frozen=True)
+@frozen
 class Drawing:
     """A mechanism, planned and drawn at one position; a notebook shows its sheet.
 

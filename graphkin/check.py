@@ -11,7 +11,6 @@ import json
 import math
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from xml.etree.ElementTree import Element, ParseError
 
@@ -28,6 +27,7 @@ from graphkin.pairs import Line
 from graphkin.readings import Readings, relative
 from graphkin.seal import seal
 from graphkin.steps import Across, AcrossGuide, Along, AlongGuide, Direction, Meet, Plane, Plot, Ray, Touch
+from graphkin.value import frozen
 
 __all__ = ["Measured", "Report", "compare", "measure"]
 
@@ -84,7 +84,7 @@ def _worst(drawn: Mapping[str, Value], right: Mapping[str, Value], natural: floa
 # --- a drawing file ---------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class Measured:
     """One vector or point of the drawing: what the ruler says, what it should be.
 
@@ -105,7 +105,7 @@ class Measured:
         return abs(self.drawn - self.exact)
 
 
-@dataclass(frozen=True)
+@frozen
 class Report:
     """What a ruler finds in one drawing file.
 
@@ -120,7 +120,7 @@ class Report:
         return not self.faults and all(entry.off_mm <= tolerance_mm for entry in self.measured)
 
 
-@dataclass(frozen=True)
+@frozen
 class _Widened:
     """The analytic solution, at points too that a construction adds: special points, rolling contacts."""
 
@@ -221,7 +221,7 @@ WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]
 SCALES: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
 
-@dataclass(frozen=True)
+@frozen
 class _Drawing:
     """A parsed drawing file: lines and circles in mm, y up, scales as written, and what the file claims to be."""
 

@@ -6,6 +6,7 @@ Exit status: 0 good, 1 a check failed, 2 wrong usage, 3 bad input.
 from __future__ import annotations
 
 import functools
+import gc
 import json
 import math
 import os
@@ -75,7 +76,23 @@ def speaking(command: Callable[..., None]) -> Callable[..., None]:
     return wrapped
 
 
-@click.group(context_settings=CONTEXT)
+class Program(click.Group):
+    """The commands as a process of their own (a test, which calls `main.main`, has its own settings).
+
+    It ends soon: garbage is collected rarely, and not once more at the end. pydantic need not search all
+    installed packages for plugins, which no mechanism file needs.
+    """
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        gc.set_threshold(200_000)
+        os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+        try:
+            return super().__call__(*args, **kwargs)
+        finally:
+            gc.freeze()
+
+
+@click.group(cls=Program, context_settings=CONTEXT)
 @click.version_option(package_name="graphkin")
 def main() -> None:
     """Graphical kinematics for planar mechanisms.

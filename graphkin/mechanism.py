@@ -9,11 +9,12 @@ the world's.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 from graphkin.errors import Lang, Where
 from graphkin.pairs import Cam, Gear, Revolute, Roll, Slide
+from graphkin.value import frozen
 
 __all__ = ["FRAME", "Driver", "Link", "Mechanism", "Pose"]
 
@@ -21,7 +22,7 @@ FRAME = "frame"
 """The fixed link's own name in every mapping by link; `Mechanism.frame` is what people call it."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Link:
     """A rigid body: where its points are in its own axes [m]."""
 
@@ -33,7 +34,7 @@ class Link:
         return self.points[head] - self.points[tail]
 
 
-@dataclass(frozen=True)
+@frozen
 class Driver:
     """One `[[driver]]`.
 
@@ -63,7 +64,7 @@ class Driver:
         return "".join(self.vector) + tail
 
 
-@dataclass(frozen=True)
+@frozen
 class Pose:
     """One `[[pose]]`: holds at the drawn position only; read like a driver's value."""
 
@@ -75,7 +76,7 @@ class Pose:
     from_vector: tuple[str, str] | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class Mechanism:
     """A planar mechanism.
 

@@ -8,16 +8,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
-from dataclasses import dataclass
 
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.value import frozen
 
 __all__ = ["Seen", "common_link", "pair", "seen"]
 
 POINT = re.compile(r"[A-Z][0-9]*'*")
 
 
-@dataclass(frozen=True)
+@frozen
 class Seen:
     """A point of the mechanism as part of a link; `explicit` where the text names the link."""
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
 
@@ -19,6 +18,7 @@ from graphkin.mechanism import FRAME, Mechanism
 from graphkin.methods import Method
 from graphkin.naming import Seen, common_link, pair, seen
 from graphkin.steps import Plane, Plot
+from graphkin.value import frozen
 
 __all__ = ["Answer", "Motions", "Readings", "answer", "relative"]
 
@@ -44,7 +44,7 @@ class Motions(Protocol):
     def acceleration_at(self, point: str, link: str) -> Value: ...
 
 
-@dataclass(frozen=True)
+@frozen
 class Readings:
     """A finished drawing, read."""
 
@@ -121,7 +121,7 @@ class Readings:
         return 0.0 if link == FRAME else table[link]
 
 
-@dataclass(frozen=True)
+@frozen
 class Answer:
     """The answer to a question: a scalar with its unit, and the vector it is the length of."""
 

@@ -18,6 +18,7 @@ from typing import Literal, assert_never
 import numpy as np
 
 from graphkin.geometry import Value, cross, dot, meet_circles, meet_line_circle, meet_lines, root, unit
+from graphkin.value import frozen
 
 __all__ = [
     "Across",
@@ -65,7 +66,7 @@ LETTER: Mapping[Plane, str] = {"position": "r", "velocity": "v", "acceleration":
 # --- where things point -----------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class Along:
     """From the point `tail` of the mechanism to its point `head`."""
 
@@ -73,7 +74,7 @@ class Along:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Across:
     """At right angles to tail -> head, counter-clockwise of it: where `head` goes when it turns so about `tail`."""
 
@@ -81,14 +82,14 @@ class Across:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class AlongGuide:
     """Along the line of a slide, as s counts."""
 
     slide: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Quarter:
     """A relative velocity turned by 90 deg with the rotation of `link`: the direction of a Coriolis term."""
 
@@ -97,7 +98,7 @@ class Quarter:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class AcrossGuide:
     """At right angles to the line of a slide."""
 
@@ -110,7 +111,7 @@ Direction = Along | Across | AlongGuide | AcrossGuide | Quarter
 # --- how long they are ------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class Drawn:
     """Already in this plane, from point `tail` to point `head`."""
 
@@ -118,7 +119,7 @@ class Drawn:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Turning:
     """omega l of `link`, for its points tail -> head."""
 
@@ -127,7 +128,7 @@ class Turning:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Normal:
     """omega^2 l of `link`, from head towards tail."""
 
@@ -136,7 +137,7 @@ class Normal:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Tangential:
     """alpha l of `link`, for its points tail -> head."""
 
@@ -145,7 +146,7 @@ class Tangential:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Coriolis:
     """2 omega v_r: omega of `link`, v_r from `tail` to `head` in the velocity polygon."""
 
@@ -154,7 +155,7 @@ class Coriolis:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Driven:
     """The driven sliding speed of a slide (in the acceleration plane: its rate of change).
 
@@ -165,7 +166,7 @@ class Driven:
     sign: int = 1
 
 
-@dataclass(frozen=True)
+@frozen
 class Relative:
     """A driven relative rotation: the motion of `link`'s point `head` about `tail` as seen from `seen_from`.
 
@@ -179,7 +180,7 @@ class Relative:
     part: str = ""
 
 
-@dataclass(frozen=True)
+@frozen
 class Arm:
     """The vector tail -> head of one link."""
 
@@ -188,7 +189,7 @@ class Arm:
     head: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Slid:
     """The displacement s of a slide, along its line; `sign` -1 from the sliding point back to the origin."""
 
@@ -196,7 +197,7 @@ class Slid:
     sign: int = 1
 
 
-@dataclass(frozen=True)
+@frozen
 class Span:
     """Arms and displacements end to end, of links that hold their angles to one another."""
 
@@ -209,7 +210,7 @@ Size = Drawn | Turning | Normal | Tangential | Coriolis | Driven | Relative | Sp
 # --- terms and equations ----------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class Term:
     """One arrow of a vector equation: the motion of `of` as seen from `seen_from`.
 
@@ -263,7 +264,7 @@ def span_of(chain: tuple[Term, ...]) -> tuple[str, str]:
     return chain[0].tail, chain[-1].head
 
 
-@dataclass(frozen=True)
+@frozen
 class Equation:
     """left = right, with the steps that draw it. Paper closes it when exactly two scalars are unknown.
 
@@ -290,7 +291,7 @@ class Equation:
 # --- steps ------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class Given:
     """A point to start from: a fixed pivot, or the pole; `also` are the fixed points that sit on the pole."""
 
@@ -298,7 +299,7 @@ class Given:
     also: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
+@frozen
 class LayOff:
     """A known arrow from `start` to `tip`; `backwards`: the arrow ends at `start` and the pencil goes to its tail."""
 
@@ -308,7 +309,7 @@ class LayOff:
     backwards: bool = False
 
 
-@dataclass(frozen=True)
+@frozen
 class Ray:
     """The line through a point in a known direction: where the head of an unknown arrow must lie."""
 
@@ -316,7 +317,7 @@ class Ray:
     direction: Direction
 
 
-@dataclass(frozen=True)
+@frozen
 class Arc:
     """The circle about a point with a known radius: where the end of a link must lie."""
 
@@ -324,7 +325,7 @@ class Arc:
     reach: Span
 
 
-@dataclass(frozen=True)
+@frozen
 class Meet:
     """Two lines or circles cross at `point`.
 
@@ -339,7 +340,7 @@ class Meet:
     choice: int | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class Swing:
     """A link with a guide line turns about its `pivot` until the line passes where it must for `through`.
 
@@ -357,7 +358,7 @@ class Swing:
     choice: int | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class Image:
     """A further point of `link`: the figure similar to the link on its two known points.
 
@@ -371,7 +372,7 @@ class Image:
     point: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Measure:
     """Ruler and protractor: a quantity read off, with its sense.
 
@@ -391,7 +392,7 @@ class Measure:
     sign: int = 1
 
 
-@dataclass(frozen=True)
+@frozen
 class Closure:
     """A way round through a group: from the point `start` over the parts to the point `end`."""
 
@@ -400,7 +401,7 @@ class Closure:
     end: str
 
 
-@dataclass(frozen=True)
+@frozen
 class InStep:
     """Wheels that roll on each other: sum of coefficient * turn + on_slide * displacement = 0 since the drawn position.
 
@@ -414,7 +415,7 @@ class InStep:
     on_slide: float = 0.0
 
 
-@dataclass(frozen=True)
+@frozen
 class Roll:
     """A rolling contact gives its last unknown: the angle (or its rate) of a group of links, or of a displacement."""
 
@@ -423,7 +424,7 @@ class Roll:
     slide: str = ""
 
 
-@dataclass(frozen=True)
+@frozen
 class Fit:
     """Links tried until they fit (样板法): positions that ruler and compass do not give, found numerically.
 
@@ -438,7 +439,7 @@ class Fit:
     contacts: tuple[InStep, ...]
 
 
-@dataclass(frozen=True)
+@frozen
 class Touch:
     """Where two wheels touch, on the line of their centres; or a wheel and its track, at right angles to it.
 
@@ -453,7 +454,7 @@ class Touch:
     offset: float = 0.0
 
 
-@dataclass(frozen=True)
+@frozen
 class Unknown:
     """One unknown scalar in a closed chain of arrows: turning of `link` over an arm, or sliding; `sign` of its arrow."""
 
@@ -464,7 +465,7 @@ class Unknown:
     sign: int
 
 
-@dataclass(frozen=True)
+@frozen
 class Chain:
     """A closed chain of arrows: known sizes with their signs, and unknown scalars."""
 
@@ -472,7 +473,7 @@ class Chain:
     unknown: tuple[Unknown, ...]
 
 
-@dataclass(frozen=True)
+@frozen
 class Simultaneous:
     """Several chains closed at once by calculation: no order of ruler and triangle reaches their unknowns."""
 
@@ -485,7 +486,7 @@ class Simultaneous:
 Step = Given | LayOff | Ray | Arc | Meet | Swing | Image | Measure | Roll | Fit | Touch | Simultaneous
 
 
-@dataclass(frozen=True)
+@frozen
 class Site:
     """A point of the mechanism as part of a link."""
 
@@ -493,7 +494,7 @@ class Site:
     link: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Node:
     """A point of a plane: its name, what it belongs to as written (`B3`, `pole`, `a^n_CB`), and its site."""
 
@@ -502,7 +503,7 @@ class Node:
     site: Site | None = None
 
 
-@dataclass(frozen=True)
+@frozen
 class Construction:
     """The steps of one plane in order; those of one vector equation are grouped in it."""
 
@@ -541,7 +542,7 @@ class Construction:
 # --- what a replay starts from and what it gives ----------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class TurnOf:
     """How a link's angle hangs on another's: theta = theta(base) + constant + sum of sign * driver value."""
 
@@ -550,7 +551,7 @@ class TurnOf:
     drivers: tuple[tuple[int, int], ...] = ()
 
 
-@dataclass(frozen=True)
+@frozen
 class Facts:
     """What is known before the pencil moves: dimensions and drivers. SI units; drivers scalar or (n,) each.
 

@@ -21,7 +21,7 @@ from graphkin.analytic.vectors import Real
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Slide
 
-__all__ = ["Assembled", "Drawn", "assemble", "drawn", "held"]
+__all__ = ["Assembled", "Drawn", "assemble", "drawn", "held", "idle"]
 
 _STARTS = 128
 _MET = 1e-6
@@ -73,6 +73,12 @@ def driver_values(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[float, .
 def held(loops: Loops, relations: Sequence[Relation]) -> tuple[Relation, ...]:
     """Angles that nothing shows stay at 0."""
     return tuple(Relation({unknown: 1.0}) for unknown in loops.silent(relations))
+
+
+def idle(mechanism: Mechanism, loops: Loops) -> tuple[str, ...]:
+    """Links whose rotation nothing shows and nothing drives."""
+    drivers = (driven(mechanism, driver) for driver in mechanism.drivers)
+    return tuple(unknown.name for unknown in loops.silent((*loops.relations, *drivers)))
 
 
 def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assembled:
@@ -179,11 +185,13 @@ def _columns(loops: Loops, names: set[str]) -> list[int]:
 
 def _lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
     """Displacements that are positive as drawn: along a moving link of one point, which is its own line
-    (a cylinder), and along a line of centres.
+    (a cylinder), and along a line of centres. A rack that cannot turn may be passed either way.
     """
-    links = mechanism.links
+    links, slides = mechanism.links, {pair.name for pair in mechanism.slides}
+    blocks = {pair.block for pair in mechanism.slides}
     own = (joint for joint in loops.joints if joint.tail not in links or len(links[joint.tail].points) == 1)
-    return {joint.slide for joint in own if joint.slide is not None and joint.tail != FRAME}
+    kept = (joint for joint in own if joint.slide in slides or joint.tail not in blocks)
+    return {joint.slide for joint in kept if joint.slide is not None and joint.tail != FRAME}
 
 
 def _forwards(mechanism: Mechanism) -> set[str]:

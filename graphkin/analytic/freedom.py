@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from graphkin.analytic.assembly import assemble, held
+from graphkin.analytic.assembly import assemble, held, idle
 from graphkin.analytic.loops import Loops, loops_of
 from graphkin.analytic.newton import Closure, close
 from graphkin.analytic.rules import driven, placing
@@ -64,21 +64,21 @@ def mobility(mechanism: Mechanism) -> Mobility:
     pairs = whole if whole.q is not None else assemble(mechanism, loops, driving=False)
     gap_mm = None if whole.q is not None else whole.gap * 1e3
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
-    idle = tuple(unknown.name for unknown in loops.silent((*loops.relations, *drivers)))
+    quiet = idle(mechanism, loops)
     if pairs.q is None:
-        return Mobility(None, len(drivers), 0, (), (), 0, idle, (), pairs.gap * 1e3)
+        return Mobility(None, len(drivers), 0, (), (), 0, quiet, (), pairs.gap * 1e3)
     ranks = _Ranks.at(loops, loops.weights(drivers), _nearby(loops, pairs.q))
     independent, redundant = ranks.drivers()
     constraints = ranks.constraints()
-    quiet = loops.weights(held(loops, loops.relations))
+    still = loops.weights(held(loops, loops.relations))
     return Mobility(
-        freedoms=len(loops.unknowns) - len(idle) - rank(constraints),
+        freedoms=len(loops.unknowns) - len(quiet) - rank(constraints),
         drivers=len(drivers),
         independent=independent,
-        free=_moving(mechanism, loops, ranks.q, np.vstack([constraints, ranks.driving, quiet])),
+        free=_moving(mechanism, loops, ranks.q, np.vstack([constraints, ranks.driving, still])),
         redundant=redundant,
         repeated=len(constraints) - rank(constraints),
-        idle=idle,
+        idle=quiet,
         unplaced=_unplaced(mechanism, loops, ranks.q),
         gap_mm=gap_mm,
     )

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from graphkin.analytic.assembly import Drawn, drawn, held
+from graphkin.analytic.assembly import Drawn, drawn, held, idle
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.moving import moved
 from graphkin.analytic.newton import Closure, inverse
@@ -160,8 +160,6 @@ def _motion(mechanism: Mechanism, closure: Closure, values: tuple[Real, ...], q:
     s, s_rate, s_acceleration = (_named(loops, part, "s", along) for part in three)
     arrows = vectors.at(q), vectors.rate(*three[:2]), vectors.acceleration(*three)
     position, velocity, acceleration = (_places(loops, part) for part in arrows)
-    drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
-    idle = tuple(unknown.name for unknown in loops.silent((*loops.relations, *drivers)))
     return Motion(
         mechanism,
         values,
@@ -175,7 +173,7 @@ def _motion(mechanism: Mechanism, closure: Closure, values: tuple[Real, ...], q:
         velocity,
         acceleration,
         condition=found.condition[()],
-        idle=idle,
+        idle=idle(mechanism, loops),
     )
 
 

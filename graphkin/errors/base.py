@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal, dataclass_transform
+
+from graphkin.value import filled, frozen
 
 Lang = Literal["en", "zh"]
 
 __all__ = ["NOWHERE", "Choice", "GraphkinError", "Lang", "Several", "Where"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Where:
     """A place in a mechanism file: `shaper.toml:14, links.4.DE`."""
 
@@ -29,12 +30,20 @@ NOWHERE = Where("")
 """Stands until the one who knows the place fills it in (`GraphkinError.at`)."""
 
 
-@dataclass(eq=False)
+@dataclass_transform(eq_default=False)
 class GraphkinError(Exception):
-    """Something the user can mend. Exit status 3 at the command line."""
+    """Something the user can mend. Exit status 3 at the command line.
 
+    A subclass names its data as a dataclass does, and has `text`.
+    """
+
+    __match_args__: ClassVar[tuple[str, ...]] = ()
     text: ClassVar[dict[Lang, str]] = {"en": "", "zh": ""}
     exit_code: ClassVar[int] = 3
+
+    def __init_subclass__(cls) -> None:
+        cls.__doc__ = cls.__doc__ or cls.text["en"]
+        filled(cls)
 
     def message(self, lang: Lang = "en") -> str:
         """The sentence, with this error's own data in it."""
@@ -42,20 +51,21 @@ class GraphkinError(Exception):
 
     def at(self, where: Where) -> GraphkinError:
         """The same error at a place, for those that were raised with `NOWHERE`."""
-        data = {field.name: getattr(self, field.name) for field in fields(self)}
-        return type(self)(**{**data, "where": where})
+        return type(self)(**{**self._data(), "where": where})
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        return {field.name: getattr(self, field.name) for field in fields(self)}
+        return self._data()
+
+    def _data(self) -> dict[str, Any]:
+        return {name: getattr(self, name) for name in self.__match_args__}
 
     def __str__(self) -> str:
         return self.message("en")
 
     def __reduce__(self) -> tuple[type[GraphkinError], tuple[object, ...]]:
-        return type(self), tuple(getattr(self, field.name) for field in fields(self))
+        return type(self), tuple(self._data().values())
 
 
-@dataclass(eq=False)
 class Choice(GraphkinError):
     """Something named that is not there: `{hint}` says what is, the nearest first."""
 
@@ -79,7 +89,6 @@ def _hint(given: str, possible: Sequence[str], lang: Lang) -> str:
     return ask + (f"Possible: {shown}." if shown else "There is none yet.")
 
 
-@dataclass(eq=False)
 class Several(GraphkinError):
     """All that is wrong with one file, in the order of its lines."""
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
@@ -10,7 +9,6 @@ from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 __all__ = ["DrivenFrame", "DrivenTwice", "NoDriver", "NoVector", "SameLink", "SayValue", "WhatIsDriven"]
 
 
-@dataclass(eq=False)
 class NoDriver(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
@@ -20,7 +18,6 @@ class NoDriver(GraphkinError):
     }  # fmt: skip
 
 
-@dataclass(eq=False)
 class WhatIsDriven(GraphkinError):
     """None of the keys that say what a driver or a pose is about; `keys` could."""
 
@@ -35,7 +32,6 @@ class WhatIsDriven(GraphkinError):
         return {**super()._words(lang), "keys": ", ".join(self.keys)}
 
 
-@dataclass(eq=False)
 class NoVector(Choice):
     """No link has both points; `possible` are vectors that links do have."""
 
@@ -45,7 +41,6 @@ class NoVector(Choice):
     }
 
 
-@dataclass(eq=False)
 class DrivenFrame(GraphkinError):
     where: Where
     given: str
@@ -55,7 +50,6 @@ class DrivenFrame(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class SameLink(GraphkinError):
     where: Where
     link: str
@@ -66,7 +60,6 @@ class SameLink(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class SayValue(GraphkinError):
     """A driver without its value, and no pose to stand for it."""
 
@@ -78,7 +71,6 @@ class SayValue(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class DrivenTwice(GraphkinError):
     where: Where
     given: str

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
@@ -20,7 +19,6 @@ __all__ = [
 ]
 
 
-@dataclass(eq=False)
 class NoFile(Choice):
     """There is no such file; `possible` are the .toml files beside it."""
 
@@ -30,7 +28,6 @@ class NoFile(Choice):
     }
 
 
-@dataclass(eq=False)
 class UnknownMechanism(Choice):
     """No mechanism of that name in the library."""
 
@@ -40,7 +37,6 @@ class UnknownMechanism(Choice):
     }
 
 
-@dataclass(eq=False)
 class IsFolder(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
@@ -49,7 +45,6 @@ class IsFolder(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class Unreadable(GraphkinError):
     """The operating system refuses; `reason` is its own word."""
 
@@ -61,7 +56,6 @@ class Unreadable(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class EmptyFile(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
@@ -70,7 +64,6 @@ class EmptyFile(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class FileTooLarge(GraphkinError):
     where: Where
     limit_mb: float
@@ -80,7 +73,6 @@ class FileTooLarge(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class NotUtf8(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
@@ -89,7 +81,6 @@ class NotUtf8(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class BrokenToml(GraphkinError):
     """`reason` is the TOML reader's own sentence."""
 
@@ -101,7 +92,6 @@ class BrokenToml(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class TooDeep(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
@@ -70,7 +69,6 @@ def _pick(words: tuple[str, str], lang: Lang) -> str:
     return words[1] if lang == "zh" else words[0]
 
 
-@dataclass(eq=False)
 class UnknownKey(Choice):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the key {given} means nothing here. {hint}",
@@ -78,7 +76,6 @@ class UnknownKey(Choice):
     }
 
 
-@dataclass(eq=False)
 class UnknownPoint(Choice):
     """`possible` are the points that may stand there."""
 
@@ -88,7 +85,6 @@ class UnknownPoint(Choice):
     }
 
 
-@dataclass(eq=False)
 class UnknownLink(Choice):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: there is no link {given}. {hint}",
@@ -96,7 +92,6 @@ class UnknownLink(Choice):
     }
 
 
-@dataclass(eq=False)
 class UnknownSlide(Choice):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: no sliding pair or rolling pair on a line has the name {given}; give it one with "
@@ -105,7 +100,6 @@ class UnknownSlide(Choice):
     }
 
 
-@dataclass(eq=False)
 class NotOneOf(Choice):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given} is not one of the words that can stand here. {hint}",
@@ -113,7 +107,6 @@ class NotOneOf(Choice):
     }
 
 
-@dataclass(eq=False)
 class UnknownUnit(Choice):
     """`quantity` is what stands there, `possible` its units."""
 
@@ -127,7 +120,6 @@ class UnknownUnit(Choice):
         return {**super()._words(lang), "quantity": _pick(QUANTITIES[self.quantity], lang)}
 
 
-@dataclass(eq=False)
 class OtherDimension(Choice):
     """A known unit, but of something else (`found`)."""
 
@@ -143,7 +135,6 @@ class OtherDimension(Choice):
         return super()._words(lang) | {key: _pick(QUANTITIES[name], lang) for key, name in quantities.items()}
 
 
-@dataclass(eq=False)
 class NoUnit(Choice):
     """A number in quotes without a unit."""
 
@@ -153,7 +144,6 @@ class NoUnit(Choice):
     }  # fmt: skip
 
 
-@dataclass(eq=False)
 class NotANumber(GraphkinError):
     where: Where
     given: str
@@ -164,7 +154,6 @@ class NotANumber(GraphkinError):
     }  # fmt: skip
 
 
-@dataclass(eq=False)
 class OutOfRange(GraphkinError):
     """Not a number, infinite, or beyond anything that can be drawn."""
 
@@ -176,7 +165,6 @@ class OutOfRange(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class TooSmall(GraphkinError):
     """Zero, negative, or too small; `least` is the smallest that will do."""
 
@@ -189,7 +177,6 @@ class TooSmall(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class Negative(GraphkinError):
     where: Where
     given: str
@@ -199,7 +186,6 @@ class Negative(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class AngleRange(GraphkinError):
     where: Where
     given_deg: float
@@ -210,7 +196,6 @@ class AngleRange(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class MissingKey(GraphkinError):
     """`key` has to be there."""
 
@@ -222,7 +207,6 @@ class MissingKey(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class KeyClash(GraphkinError):
     """Two keys that say the same thing twice, or two different things."""
 
@@ -235,7 +219,6 @@ class KeyClash(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class NoMeaning(GraphkinError):
     """A key of the format that says nothing in this place; `why` chooses the reason."""
 
@@ -264,7 +247,6 @@ class NoMeaning(GraphkinError):
         return {**super()._words(lang), "why": _pick(self.reasons[self.why], lang)}
 
 
-@dataclass(eq=False)
 class WrongType(GraphkinError):
     """`expected` is one of `KINDS`."""
 
@@ -280,7 +262,6 @@ class WrongType(GraphkinError):
         return {**super()._words(lang), "expected": _pick(KINDS[self.expected], lang)}
 
 
-@dataclass(eq=False)
 class BadName(WrongType):
     """A name or key that is not formed as its kind is."""
 
@@ -290,7 +271,6 @@ class BadName(WrongType):
     }
 
 
-@dataclass(eq=False)
 class WrongCount(GraphkinError):
     where: Where
     expected: int
@@ -301,7 +281,6 @@ class WrongCount(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class DuplicateName(GraphkinError):
     where: Where
     given: str

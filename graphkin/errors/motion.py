@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import ClassVar
 
 from graphkin.errors.base import GraphkinError, Lang, Where
@@ -30,7 +29,6 @@ def listed(names: Iterable[str], lang: Lang) -> str:
     return ", ".join(names[:-1]) + " and " + names[-1]
 
 
-@dataclass(eq=False)
 class _AboutLinks(GraphkinError):
     """An error about several links, listed as the language does."""
 
@@ -41,7 +39,6 @@ class _AboutLinks(GraphkinError):
         return super()._words(lang) | {"links": listed(self.links, lang)}
 
 
-@dataclass(eq=False)
 class NotYetSolved(GraphkinError):
     """A pair kind or a driver that is read but not solved."""
 
@@ -54,7 +51,6 @@ class NotYetSolved(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class HigherClass(_AboutLinks):
     """Links that no vector equation with two unknowns reaches."""
 
@@ -65,7 +61,6 @@ class HigherClass(_AboutLinks):
     }
 
 
-@dataclass(eq=False)
 class CannotAssemble(_AboutLinks):
     """Links that do not reach each other."""
 
@@ -77,7 +72,6 @@ class CannotAssemble(_AboutLinks):
     }
 
 
-@dataclass(eq=False)
 class DeadPoint(_AboutLinks):
     """Two loci that meet under too small an angle."""
 
@@ -89,7 +83,6 @@ class DeadPoint(_AboutLinks):
     }
 
 
-@dataclass(eq=False)
 class AmbiguousSketch(GraphkinError):
     """A sketch as near to one assembly as to the other."""
 
@@ -109,7 +102,6 @@ class AmbiguousSketch(GraphkinError):
         return super()._words(lang) | {"points": listed(self.points, lang)}
 
 
-@dataclass(eq=False)
 class TooFewDrivers(_AboutLinks):
     """Freedoms that no driver takes."""
 
@@ -122,7 +114,6 @@ class TooFewDrivers(_AboutLinks):
     }
 
 
-@dataclass(eq=False)
 class TooManyDrivers(GraphkinError):
     """More drivers than freedoms."""
 
@@ -137,7 +128,6 @@ class TooManyDrivers(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class RepeatedDriver(_AboutLinks):
     """As many drivers as freedoms, but two of them move the same one."""
 
@@ -150,7 +140,6 @@ class RepeatedDriver(_AboutLinks):
     }
 
 
-@dataclass(eq=False)
 class BadDrawing(GraphkinError):
     """A file that is no drawing of graphkin's, or no longer one."""
 

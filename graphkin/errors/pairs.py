@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from graphkin.errors.base import GraphkinError, Lang, Where
@@ -21,7 +20,6 @@ __all__ = [
 ]
 
 
-@dataclass(eq=False)
 class BlockOrPin(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
@@ -30,7 +28,6 @@ class BlockOrPin(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class SlidesOnItself(GraphkinError):
     where: Where
     link: str
@@ -40,7 +37,6 @@ class SlidesOnItself(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class NeedsTilt(GraphkinError):
     where: Where
     link: str
@@ -51,7 +47,6 @@ class NeedsTilt(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class NeedsDirection(GraphkinError):
     where: Where
     link: str
@@ -62,7 +57,6 @@ class NeedsDirection(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class NoLine(GraphkinError):
     where: Where
     first: str
@@ -73,7 +67,6 @@ class NoLine(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class SameTwice(GraphkinError):
     """A pair needs two different links (or centres)."""
 
@@ -85,7 +78,6 @@ class SameTwice(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class SameCircles(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
@@ -94,7 +86,6 @@ class SameCircles(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class CircleOrLine(GraphkinError):
     where: Where
     circle: str
@@ -105,7 +96,6 @@ class CircleOrLine(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class LineOnLine(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
@@ -114,7 +104,6 @@ class LineOnLine(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class PointOnPoint(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from graphkin.errors.base import GraphkinError, Lang, Where
@@ -25,7 +24,6 @@ __all__ = [
 ]
 
 
-@dataclass(eq=False)
 class TooFewMeasures(GraphkinError):
     """`points` are those that stay free."""
 
@@ -41,7 +39,6 @@ class TooFewMeasures(GraphkinError):
         return {**super()._words(lang), "points": ", ".join(self.points)}
 
 
-@dataclass(eq=False)
 class Contradiction(GraphkinError):
     """`key` disagrees with the measures before it."""
 
@@ -56,7 +53,6 @@ class Contradiction(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class NoTriangle(GraphkinError):
     """One length is longer than the two others together."""
 
@@ -72,7 +68,6 @@ class NoTriangle(GraphkinError):
         return {**super()._words(lang), "keys": ", ".join(self.keys)}
 
 
-@dataclass(eq=False)
 class MissingCcw(GraphkinError):
     """The measures leave two mirror images."""
 
@@ -89,7 +84,6 @@ class MissingCcw(GraphkinError):
         return super()._words(lang) | {"one": f'["{a}", "{b}", "{c}"]', "other": f'["{a}", "{c}", "{b}"]'}
 
 
-@dataclass(eq=False)
 class CcwContradicts(GraphkinError):
     where: Where
     triple: tuple[str, ...]
@@ -103,7 +97,6 @@ class CcwContradicts(GraphkinError):
         return {**super()._words(lang), "triple": ", ".join(self.triple)}
 
 
-@dataclass(eq=False)
 class CcwOnLine(CcwContradicts):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {triple} lie on one line, so they run no way round. Leave this ccw out.",
@@ -111,7 +104,6 @@ class CcwOnLine(CcwContradicts):
     }
 
 
-@dataclass(eq=False)
 class ShapeAndMeasures(GraphkinError):
     where: Where
     link: str
@@ -122,7 +114,6 @@ class ShapeAndMeasures(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class OneSpot(GraphkinError):
     where: Where
     link: str
@@ -132,7 +123,6 @@ class OneSpot(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class NoPoints(GraphkinError):
     where: Where
     link: str
@@ -142,7 +132,6 @@ class NoPoints(GraphkinError):
     }  # fmt: skip
 
 
-@dataclass(eq=False)
 class FrameNameTaken(GraphkinError):
     where: Where
     link: str
@@ -152,7 +141,6 @@ class FrameNameTaken(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class LooseLink(GraphkinError):
     where: Where
     link: str
@@ -162,7 +150,6 @@ class LooseLink(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class CannotMove(GraphkinError):
     where: Where
     link: str
@@ -176,7 +163,6 @@ class CannotMove(GraphkinError):
         return {**super()._words(lang), "points": ", ".join(self.points)}
 
 
-@dataclass(eq=False)
 class RigidlyJoined(GraphkinError):
     """Two links that cannot move against each other."""
 
@@ -194,7 +180,6 @@ class RigidlyJoined(GraphkinError):
         return {**super()._words(lang), "points": ", ".join(self.points)}
 
 
-@dataclass(eq=False)
 class TooManyPoints(GraphkinError):
     where: Where
     link: str

@@ -9,7 +9,8 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from graphkin.value import frozen
 
 __all__ = ["Angle", "Circle", "Curve", "Length", "Measure", "Places", "StraightLine", "Triple", "crossings", "gap"]
 
@@ -17,13 +18,13 @@ TOUCHES = 1e-9
 """Two curves closer than this part of their size touch."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Circle:
     centre: complex
     radius: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class StraightLine:
     """Through `point` along the unit vector `along`."""
 
@@ -39,7 +40,7 @@ Places = Mapping[str, complex]
 Triple = tuple[str, str, str]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Length:
     """`AB = 24`."""
 
@@ -58,7 +59,7 @@ class Length:
         return abs(abs(b - a) - self.value)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Angle:
     """`BDE = 90`: the angle at the middle point, 0 to pi."""
 

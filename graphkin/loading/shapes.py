@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import combinations, islice
 
 from graphkin.errors import (
@@ -25,6 +25,7 @@ from graphkin.errors import (
     Where,
 )
 from graphkin.loading.curves import Length, Measure, Places, Triple, crossings, gap
+from graphkin.value import frozen
 
 __all__ = ["Measures", "check_round", "own_axes", "solve_shape"]
 
@@ -41,7 +42,7 @@ MOST_CURVES = 20
 """Of more curves than this for one point, the first are crossed and the others only held against the result."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Measures:
     """All that is known of one link's shape, and where each of it stands in the file."""
 

@@ -7,7 +7,7 @@ position or for any driver values, scalars or arrays.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -23,11 +23,12 @@ from graphkin.methods.special import Ternary, ternary
 from graphkin.methods.stages import Bridge, Carry, Group, Loop, Stage, stages
 from graphkin.methods.structure import Sliding, Structure
 from graphkin.steps import Construction, Equation, Facts, Fit, Meet, Node, Plot, Ray, Roll, Site, Step, Swing, replay
+from graphkin.value import frozen
 
 __all__ = ["Method", "plan", "replay_all"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Method:
     """How a mechanism is solved on paper: three constructions, planned once from its topology.
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from graphkin.geometry import Value, cross
 from graphkin.mechanism import FRAME
 from graphkin.methods.structure import Structure
 from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, replay
+from graphkin.value import frozen
 
 __all__ = ["DEAD_SINE", "Assembly", "assemble", "refuse_bad_positions"]
 
@@ -31,7 +31,7 @@ STARTS = 96
 """Assemblies tried from as many places where a group is found by fitting."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Assembly:
     """The crossing of each choice, +1 or -1, and angles by base link and displacements by slide as drawn."""
 

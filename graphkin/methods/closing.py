@@ -8,9 +8,9 @@ between the two unknown ones is laid off out of place first, and carried back on
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 
 from graphkin.steps import Arc, Drawn, Equation, LayOff, Meet, Ray, Span, Step, Term
+from graphkin.value import frozen
 
 __all__ = ["Aside", "close", "known_sum"]
 
@@ -18,7 +18,7 @@ Aside = Callable[[], str]
 """Names a point that only helps the drawing."""
 
 
-@dataclass(frozen=True)
+@frozen
 class _Signed:
     """A term on the way from the start of the left side to the start of the right side."""
 

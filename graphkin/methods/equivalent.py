@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 from graphkin.mechanism import FRAME, Link, Mechanism
 from graphkin.pairs import Cam, Line, Profile, Roll, Slide
+from graphkin.value import frozen
 
 __all__ = ["Contact", "contacts", "lower_pairs"]
 
@@ -78,7 +79,7 @@ def arm_of(links: dict[str, Link], first: str, second: str) -> str | None:
     return next((name for name in both if name != FRAME), both[0] if both else None)
 
 
-@dataclass(frozen=True)
+@frozen
 class Contact:
     """Rolling of two wheels, or of a wheel on a line: an angle relation between the drawn position and now.
 

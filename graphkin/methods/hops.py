@@ -7,17 +7,16 @@ differ from that link there by a relative motion.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from graphkin.mechanism import FRAME
 from graphkin.methods.stages import Loop
 from graphkin.methods.structure import Hinge, Sliding, Structure
 from graphkin.steps import Site
+from graphkin.value import frozen
 
 __all__ = ["Hop", "Lever", "Slip", "Twist", "halves", "outward", "way_round"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Lever:
     """Two points of one link."""
 
@@ -26,7 +25,7 @@ class Lever:
     known: bool
 
 
-@dataclass(frozen=True)
+@frozen
 class Slip:
     """Coincident points of a sliding pair."""
 
@@ -36,7 +35,7 @@ class Slip:
     slide: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Twist:
     """Coincident points of two links that a driver turns against each other about `pivot`."""
 

@@ -414,7 +414,7 @@ class _Polygon:
             seen_from = ""
         part = "" if self.plane == "velocity" else ("t" if isinstance(unknown, Lever) else "r")
         if isinstance(unknown, Slip) and unknown.seen_from.link == FRAME:
-            part = "" 
+            part = ""
         terms.append(Term(label, seen_from, part, None, leg.way, tail, self.name(point), over))
         return tuple(terms)
 

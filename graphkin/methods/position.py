@@ -34,11 +34,12 @@ from graphkin.steps import (
     Term,
     Touch,
 )
+from graphkin.value import frozen
 
 __all__ = ["in_step", "position", "touching"]
 
 
-@dataclass(frozen=True)
+@frozen
 class _Piece:
     """One stretch of a loop: an arm of a body, or the displacement of a slide."""
 

@@ -8,7 +8,6 @@ so both unknown arrows of a leg lie on one line. Where two such lines meet, two 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
@@ -17,7 +16,8 @@ from graphkin.mechanism import FRAME
 from graphkin.methods.hops import Hop, Lever, Slip, outward, way_round
 from graphkin.methods.stages import Group
 from graphkin.methods.structure import Structure
-from graphkin.steps import Across, Along, AcrossGuide, AlongGuide, Direction, Plot, Site
+from graphkin.steps import Across, AcrossGuide, Along, AlongGuide, Direction, Plot, Site
+from graphkin.value import frozen
 
 __all__ = ["Leg", "Ternary", "ternary"]
 
@@ -25,7 +25,7 @@ APART = 0.1
 """Least sine of the angle under which two legs' lines may meet, where another pair is better."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Leg:
     """From a known site over hops, one of them unknown, to a point of the ternary link.
 
@@ -45,7 +45,7 @@ class Leg:
         return next(hop for hop in self.hops if not hop.known)
 
 
-@dataclass(frozen=True)
+@frozen
 class Ternary:
     """A ternary link with its legs: the special point is taken on the first two."""
 

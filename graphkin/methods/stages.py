@@ -19,6 +19,7 @@ from itertools import combinations
 from graphkin.mechanism import FRAME
 from graphkin.methods.equivalent import Contact
 from graphkin.methods.structure import Hinge, Joint, Sliding, Structure
+from graphkin.value import frozen
 
 __all__ = ["Bridge", "Carry", "Group", "Loop", "Mesh", "Stage", "stages"]
 
@@ -26,7 +27,7 @@ MOST = 8
 """Unknown scalars of one loop of a group."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Carry:
     """`body` becomes known by its known angle and the joint `by`."""
 
@@ -34,7 +35,7 @@ class Carry:
     by: Joint
 
 
-@dataclass(frozen=True)
+@frozen
 class Bridge:
     """`body` becomes known by two known points."""
 
@@ -42,7 +43,7 @@ class Bridge:
     points: tuple[str, str]
 
 
-@dataclass(frozen=True)
+@frozen
 class Loop:
     """From known over `joints[0]`, `bodies[0]`, `joints[1]`, .. back to known.
 
@@ -55,7 +56,7 @@ class Loop:
     slides: tuple[str, ...]
 
 
-@dataclass(frozen=True)
+@frozen
 class Mesh:
     """One rolling contact gives the last unknown of its wheels: the angle of a group of links, or a displacement."""
 
@@ -64,7 +65,7 @@ class Mesh:
     slide: str = ""
 
 
-@dataclass(frozen=True)
+@frozen
 class Group:
     """Loops and contacts whose unknown scalars can only be found together."""
 

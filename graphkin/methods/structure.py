@@ -9,25 +9,25 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.methods.equivalent import Contact
 from graphkin.pairs import Slide
 from graphkin.steps import TurnOf
+from graphkin.value import frozen
 
 __all__ = ["Hinge", "Joint", "Sliding", "Structure"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Hinge:
     """Bodies turn about a common point."""
 
     point: str
 
 
-@dataclass(frozen=True)
+@frozen
 class Sliding:
     """Two bodies slide on one another."""
 
@@ -37,7 +37,7 @@ class Sliding:
 Joint = Hinge | Sliding
 
 
-@dataclass(frozen=True)
+@frozen
 class Structure:
     """The mechanism as the planner sees it."""
 

@@ -17,9 +17,9 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from graphkin.errors import GraphkinError, Lang
+from graphkin.seal import seal
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import SMALL, Label, scripts
-from graphkin.seal import seal
 from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
 from graphkin.sheet.scales import KEYS
@@ -37,7 +37,6 @@ _TIP = 2.8
 """Length of an arrow head; on arrows too short for it, half of that [mm]."""
 
 
-@dataclass(eq=False)
 class FileInTheWay(GraphkinError):
     """A file that graphkin did not write stands where one is to be written."""
 
@@ -49,7 +48,6 @@ class FileInTheWay(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class Unwritable(GraphkinError):
     """Text that no XML file can hold."""
 

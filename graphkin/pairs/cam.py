@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from graphkin.pairs.line import Line
+from graphkin.value import frozen
 
 __all__ = ["Cam", "Profile"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Profile:
     """A circle about `centre` with `radius` [m], or a `line` (`left`: the other profile lies left of it)."""
 
@@ -20,7 +20,7 @@ class Profile:
     left: bool
 
 
-@dataclass(frozen=True)
+@frozen
 class Cam:
     """One `[[cam]]`: two links and their profiles; circles touch outside unless `internal`."""
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
+
+from graphkin.value import frozen
 
 __all__ = ["Gear"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Gear:
     """One `[[gear]]`: two links, their centres and pitch radii [m]; `internal` if one rim encloses the other."""
 

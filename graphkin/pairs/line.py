@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from graphkin.value import frozen
 
 __all__ = ["Line"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Line:
     """A directed line of `link`, through its point `origin`.
 

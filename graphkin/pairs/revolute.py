@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
+
+from graphkin.value import frozen
 
 __all__ = ["Revolute"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Revolute:
     """`links` (the frame may be one) all turn about `point`; three or more make a multiple hinge."""
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from graphkin.pairs.line import Line
+from graphkin.value import frozen
 
 __all__ = ["Roll"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Roll:
     """One `[[roll]]`; lengths in metres.
 

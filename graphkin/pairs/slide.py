@@ -7,15 +7,15 @@ on the line and may turn. Displacement s is measured along the line from its ori
 from __future__ import annotations
 
 import cmath
-from dataclasses import dataclass
 from typing import ClassVar
 
 from graphkin.pairs.line import Line
+from graphkin.value import frozen
 
 __all__ = ["Slide"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Slide:
     """One `[[slide]]`.
 

@@ -9,7 +9,7 @@ into is `graphkin.outputs`' business.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from importlib import import_module
 
 from graphkin.errors import Lang
@@ -21,11 +21,12 @@ from graphkin.sheet.paper import PAPERS, Paper
 from graphkin.sheet.scales import TooLargeForPaper, UnknownPaper
 from graphkin.sheet.window import PLANES, step_count
 from graphkin.steps import Plane, Plot
+from graphkin.value import frozen
 
 __all__ = ["PAPERS", "Paper", "Sheet", "TooLargeForPaper", "UnknownPaper", "sheet", "step_count", "step_sheets"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Sheet:
     """A finished drawing.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from graphkin.errors import Lang
@@ -24,6 +23,7 @@ from graphkin.sheet.titleblock import strip, strip_heights
 from graphkin.sheet.wheels import rims
 from graphkin.sheet.window import Figure, Window, births, constructions, first_steps
 from graphkin.steps import Construction, Plane, Plot
+from graphkin.value import frozen
 
 __all__ = ["Composed", "compose"]
 
@@ -39,7 +39,7 @@ HEADINGS: dict[Lang, dict[Plane, str]] = {
 }
 
 
-@dataclass(frozen=True)
+@frozen
 class Composed:
     """Marks on a laid out paper, and where each plane's origin came to lie."""
 
@@ -53,7 +53,7 @@ class Composed:
         return sum(isinstance(mark, Stroke) and mark.pen == "leader" for mark in self.marks)
 
 
-@dataclass(frozen=True)
+@frozen
 class _Planes:
     """Draws any plane through any window."""
 
@@ -95,7 +95,7 @@ class _Planes:
         )  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Box:
     left: float
     top: float
@@ -128,7 +128,7 @@ def compose(
     return work.on(composed.layout, stages=True) if stages else composed
 
 
-@dataclass(frozen=True)
+@frozen
 class _Work:
     """What does not depend on the paper."""
 

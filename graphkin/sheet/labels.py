@@ -11,7 +11,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,6 +19,7 @@ from graphkin.sheet.lettering import Label, box
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import tree
 from graphkin.sheet.paper import LABEL
+from graphkin.value import frozen
 
 __all__ = ["Room", "Wanted", "settle"]
 
@@ -34,7 +34,7 @@ _TURNS = tuple(cmath.rect(1, math.tau * k / 16) for k in range(16))
 _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Room:
     """A rectangle of the paper that labels must stay in [mm]."""
 
@@ -44,7 +44,7 @@ class Room:
     bottom: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wanted:
     """A label and what it names: a point (`start` only) or a line from start to end.
 
@@ -61,7 +61,7 @@ class Wanted:
     step: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Spot:
     """A candidate: the middle of the label's box, what it costs, and where a leader would go."""
 

@@ -1,21 +1,26 @@
 """Which paper, where the three figures stand on it, and at which scales.
 
 A figure is as large as its points at the scale, plus what its signs and letters reach beyond them (`Extent.reach`).
-Ways to divide the paper are tried; the one with the largest figures is taken.
+Ways to divide the paper are tried, all shares at once (a `Room`'s sides are arrays then); the one with the
+largest figures is taken.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from functools import cache
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
 
 from graphkin.errors import NOWHERE
 from graphkin.sheet.labels import Room
 from graphkin.sheet.paper import PAPERS, Paper
-from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, finer, finest
+from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, finer, finest_each
 from graphkin.steps import Plane
+from graphkin.value import frozen
 
 __all__ = ["HEAD", "Extent", "Layout", "lay_out", "papers_for"]
 
@@ -29,7 +34,7 @@ _IN_ORDER = 0.12
 """What it is worth that the figures follow one another as they are drawn."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Extent:
     """How large a figure is: its points in SI units, and what signs and labels reach beyond them [mm].
 
@@ -49,18 +54,19 @@ class Extent:
     def reach(self) -> complex:
         return complex(self.left + self.right, self.top + self.bottom)
 
-    def scale_in(self, room: complex) -> float | None:
-        """The scale at which it fits a room [mm]; None where it does not fit."""
-        inner = room - self.reach
-        if inner.real <= 5 or inner.imag <= 5 or room.real < HEAD_WIDTH:
-            return None
+    def scales_in(self, room: Room) -> Any:
+        """The scale at which it fits each of many rooms; NaN where it does not fit."""
+        wide, high = room.right - room.left, room.bottom - room.top - HEAD
+        inner_wide, inner_high = wide - self.reach.real, high - self.reach.imag
+        fits = (inner_wide > 5) & (inner_high > 5) & (wide >= HEAD_WIDTH)
         if self.given is None:
-            return finest(self.size, inner)
+            least = np.maximum(self.size.real / np.maximum(inner_wide, 5), self.size.imag / np.maximum(inner_high, 5))
+            return np.where(fits, finest_each(least), math.nan)
         whole = self.size / self.given
-        return self.given if whole.real <= inner.real and whole.imag <= inner.imag else None
+        return np.where(fits & (whole.real <= inner_wide) & (whole.imag <= inner_high), self.given, math.nan)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Layout:
     """A paper divided: a room and a scale for each plane, and the strip for tables and title."""
 
@@ -91,48 +97,53 @@ def lay_out(extents: Mapping[Plane, Extent], strip_height: Mapping[str, float], 
 
 
 def _best(papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Mapping[str, float]) -> Layout | None:
-    best: tuple[float, Layout] | None = None
+    """The first of the best divisions, None where nothing fits."""
+    best, found = -math.inf, None
     for paper in papers:
         inner = Room(paper.margin, paper.margin, paper.width - paper.margin, paper.height - paper.margin)
         strip = Room(inner.left, inner.bottom - strip_height[paper.name], inner.right, inner.bottom)
         field = Room(inner.left, inner.top, inner.right, strip.top)
-        for rooms in _divisions(field, tuple(extents)):
-            scales = {plane: _scale(extents[plane], rooms[plane]) for plane in extents}
-            fitting = {plane: scale for plane, scale in scales.items() if scale is not None}
-            if len(fitting) < len(extents):
-                continue
-            score = _score(extents, fitting, rooms)
-            if best is None or score > best[0] + 1e-9:
-                best = score, Layout(paper, rooms, fitting, strip)
-    return best[1] if best is not None else None
+        ways = list(_divisions(field, tuple(extents)))
+        scales = [{plane: extents[plane].scales_in(rooms[plane]) for plane in extents} for rooms in ways]
+        scores = np.stack([_score(extents, *way) for way in zip(scales, ways)], axis=-1)
+        for k, score in enumerate(scores.ravel().tolist()):
+            if score > best + 1e-9:
+                share, way = divmod(k, len(ways))
+                best, found = score, (paper, ways[way], scales[way], strip, share)
+    return _picked(*found) if found is not None else None
 
 
-def _scale(extent: Extent, room: Room) -> float | None:
-    return extent.scale_in(complex(room.right - room.left, room.bottom - room.top - HEAD))
+def _picked(paper: Paper, rooms: Mapping[Plane, Room], scales: Mapping[Plane, Any], strip: Room, share: int) -> Layout:
+    """One of many divisions."""
+
+    def one(many: Any) -> float:
+        return float(many if np.ndim(many) == 0 else many[share])
+
+    each = {plane: Room(one(r.left), one(r.top), one(r.right), one(r.bottom)) for plane, r in rooms.items()}
+    return Layout(paper, each, {plane: one(scale) for plane, scale in scales.items()}, strip)
 
 
-def _score(extents: Mapping[Plane, Extent], scales: Mapping[Plane, float], rooms: Mapping[Plane, Room]) -> float:
-    """Large figures count, and a little that none is squeezed into its room."""
-    total = 0.0
+def _score(extents: Mapping[Plane, Extent], scales: Mapping[Plane, Any], rooms: Mapping[Plane, Room]) -> Any:
+    """Large figures count, and a little that none is squeezed into its room. NaN where one does not fit."""
+    total: Any = 0.0
     for plane, extent in extents.items():
         room = rooms[plane]
-        whole = extent.size / scales[plane]
-        total += _worth(plane, max(whole.real, whole.imag), extent.labels)
-        spare_x = room.right - room.left - whole.real - extent.reach.real
-        spare_y = room.bottom - room.top - HEAD - whole.imag - extent.reach.imag
-        total += 0.15 * math.log(1 + min(spare_x, spare_y))
-    corners = [(rooms[plane].top + 0.3 * rooms[plane].left) for plane in extents]
-    return total + (_IN_ORDER if corners == sorted(corners) else 0.0)
+        wide, high = extent.size.real / scales[plane], extent.size.imag / scales[plane]
+        total += _worth(plane, np.maximum(wide, high), extent.labels)
+        spare_x = room.right - room.left - wide - extent.reach.real
+        spare_y = room.bottom - room.top - HEAD - high - extent.reach.imag
+        total += 0.15 * np.log(1 + np.minimum(spare_x, spare_y))
+    corners = [rooms[plane].top + 0.3 * rooms[plane].left for plane in extents]
+    in_order = np.all([first <= second for first, second in pairwise(corners)], axis=0)
+    return total + np.where(in_order, _IN_ORDER, 0.0)
 
 
-def _worth(plane: Plane, large: float, labels: int) -> float:
+def _worth(plane: Plane, large: Any, labels: int) -> Any:
     """What the size of a figure is worth: it grows slowly once its letters have room, then not at all."""
-    if large <= 0:
-        return 0.0
     easy = 90.0 if plane == "position" else 30.0 + 2.2 * labels
     weight = math.sqrt(labels / 10) * (_MECHANISM if plane == "position" else 1)
-    more = max(1.0, min(large, 1.8 * easy) / easy)
-    return weight * (math.log(max(1.0, min(large, easy))) + 0.4 * math.log(more))
+    more = np.clip(large / easy, 1.0, 1.8)
+    return weight * (np.log(np.clip(large, 1.0, easy)) + 0.4 * np.log(more))
 
 
 def _too_large(
@@ -157,32 +168,26 @@ def _too_large(
 
 # --- ways to divide a field -------------------------------------------------------------------
 
-_SHARES = tuple(k / 32 for k in range(8, 25))
+_SHARES = np.arange(8, 25) / 32
 
 
 def _divisions(field: Room, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, Room]]:
-    """Rooms for one, two or three figures."""
+    """Rooms for one, two or three figures, each way with all its shares."""
     if len(planes) == 1:
         yield {planes[0]: field}
     elif len(planes) == 2:
-        for share in _SHARES:
-            for across in (True, False):
-                first, second = _cut(field, share, across)
-                yield {planes[0]: first, planes[1]: second}
+        for across in (True, False):
+            first, second = _cut(field, _SHARES, across)
+            yield {planes[0]: first, planes[1]: second}
     else:
-        for share, other in _pairs():
-            for across in (True, False):
-                for alone in planes if not across else (planes[0], planes[2]):
-                    yield _three(field, planes, alone, share, other, across)
-
-
-@cache
-def _pairs() -> tuple[tuple[float, float], ...]:
-    return tuple((a, b) for a in _SHARES for b in _SHARES)
+        share, other = np.repeat(_SHARES, len(_SHARES)), np.tile(_SHARES, len(_SHARES))
+        for across in (True, False):
+            for alone in planes if not across else (planes[0], planes[2]):
+                yield _three(field, planes, alone, share, other, across)
 
 
 def _three(
-    field: Room, planes: tuple[Plane, ...], alone: Plane, share: float, other: float, across: bool
+    field: Room, planes: tuple[Plane, ...], alone: Plane, share: Any, other: Any, across: bool
 ) -> dict[Plane, Room]:
     """One figure has a whole row (or column, `across`), the other two share the rest."""
     big, rest = _cut(field, share, across)
@@ -193,7 +198,7 @@ def _three(
     return {alone: big, left[0]: one, left[1]: two}
 
 
-def _cut(room: Room, share: float, across: bool) -> tuple[Room, Room]:
+def _cut(room: Room, share: Any, across: bool) -> tuple[Room, Room]:
     """Two parts beside each other (`across`) or one above the other."""
     if across:
         x = room.left + share * (room.right - room.left)

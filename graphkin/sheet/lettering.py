@@ -7,9 +7,11 @@ around a label is right on every machine that has one of them; Chinese character
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from typing import Literal
+
+from graphkin.value import frozen
 
 __all__ = [
     "SMALL", "Label", "Run", "box", "joined", "link_label", "number", "plain", "point_label", "quantity_label",
@@ -52,7 +54,7 @@ _WIDTHS = _table()
 _CJK = re.compile(r"[\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Run:
     """Letters in one style. `back`: it stands above the subscript before it (a^n_CB, stacked)."""
 

@@ -7,12 +7,12 @@ construction step a mark belongs to; `new` marks are those of the newest step of
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from graphkin.sheet.lettering import Label
 from graphkin.sheet.paper import PenName
 from graphkin.steps import Plane
+from graphkin.value import frozen
 
 __all__ = ["Arc", "Disc", "Fill", "Mark", "Place", "PointMark", "Stroke", "Text", "VectorMark"]
 
@@ -20,7 +20,7 @@ Place = complex
 Fill = Literal["none", "paper", "ink", "grey"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Stroke:
     """A line through `places`; `closed` back to the first; `link`: name of the link it shows."""
 
@@ -33,7 +33,7 @@ class Stroke:
     new: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Disc:
     """A circle."""
 
@@ -46,7 +46,7 @@ class Disc:
     new: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Arc:
     """A part of a circle from angle `start` over `sweep` [rad, clockwise on paper]."""
 
@@ -59,7 +59,7 @@ class Arc:
     new: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Text:
     """Letters; `at` is the left end of the base line."""
 
@@ -70,7 +70,7 @@ class Text:
     new: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class VectorMark:
     """An arrow of a polygon from `start` to `end`; a zero vector has both at one place."""
 
@@ -89,7 +89,7 @@ class VectorMark:
         return abs(self.end - self.start)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PointMark:
     """A named point of a plane and what it belongs to (`B`, `B3`, `pole`): a dot, or a hinge's white circle."""
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
+
+from graphkin.value import frozen
 
 __all__ = ["BODY", "LABEL", "LEAST", "PAPERS", "PENS", "TITLE", "Paper", "Pen", "PenName"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Paper:
     """A sheet of paper with a drawing frame `margin` inside its edge [mm]."""
 
@@ -37,7 +38,7 @@ PAPERS: Mapping[str, Paper] = {
 PenName = Literal["visible", "outline", "vector", "thin", "hatch", "dashed", "centre", "construction", "leader"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pen:
     """A kind of line: its width and its dashes [mm]; no dashes for a full line."""
 

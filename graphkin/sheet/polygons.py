@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from graphkin.mechanism import FRAME, Mechanism
@@ -13,6 +12,7 @@ from graphkin.sheet.marks import Mark, Place, PointMark, Stroke, VectorMark
 from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.window import Figure, Window
 from graphkin.steps import LETTER, Construction, Given, Plot
+from graphkin.value import frozen
 
 __all__ = ["Polygon", "polygon_figure"]
 
@@ -20,7 +20,7 @@ _SAME = 0.15
 """Closer than this two points are one on paper [mm]."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Polygon:
     """One plane's polygon through a window. `born`: the step in which each of its points is found."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
@@ -21,6 +20,7 @@ from graphkin.sheet.lettering import (
 )
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.steps import Node, Plot
+from graphkin.value import frozen
 
 __all__ = ["PITCH", "Table", "arranged", "drawn_tables", "height_of", "tables"]
 
@@ -34,7 +34,7 @@ _NOISE = 1e-9
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Table:
     """A heading and rows of labels."""
 
@@ -55,7 +55,7 @@ class Table:
             yield Table(self.head, self.rows[k : k + count])
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Usual:
     """What is usual in a mechanism: values far below are the noise of computing, and written 0.
 
@@ -86,7 +86,7 @@ def _largest(values: Mapping[str, complex]) -> float:
     return max((abs(v) for v in values.values()), default=0.0)
 
 
-@dataclass(frozen=True)
+@frozen
 class _Results:
     """The tables in the making."""
 

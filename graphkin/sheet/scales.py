@@ -6,22 +6,24 @@ mu_l in m/mm, mu_v in (m/s)/mm, mu_a in (m/s²)/mm: chosen from the series 1-2-5
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
+
+import numpy as np
 
 from graphkin.errors import GraphkinError, Lang, Where
 from graphkin.sheet.lettering import Label, Run, number, quantity_label
 from graphkin.steps import Plane
 
-__all__ = ["KEYS", "LETTERS", "UNITS", "TooLargeForPaper", "UnknownPaper", "finer", "finest", "written"]
+__all__ = ["KEYS", "LETTERS", "UNITS", "TooLargeForPaper", "UnknownPaper", "finer", "finest", "finest_each", "written"]
 
 LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
 UNITS: dict[Plane, str] = {"position": "m/mm", "velocity": "(m/s)/mm", "acceleration": "(m/s²)/mm"}
 KEYS: dict[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 """Key of a plane's scale in the mechanism file."""
+_CLOSE = 1 - 1e-9
+"""A scale that is too fine by rounding alone still fits."""
 
 
-@dataclass(eq=False)
 class TooLargeForPaper(GraphkinError):
     """A given scale at which the drawing fits no paper."""
 
@@ -39,7 +41,6 @@ class TooLargeForPaper(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class UnknownPaper(GraphkinError):
     """A paper that is not in the table."""
 
@@ -58,13 +59,25 @@ def finest(size: complex, room: complex) -> float:
     size  width + i height in SI units; room  the same in mm. A figure of no size takes 1 per mm of its room's
     hundredth, so that a mechanism at rest has a scale too.
     """
-    least = max(size.real / room.real, size.imag / room.imag)
+    return _next(max(size.real / room.real, size.imag / room.imag))
+
+
+def finest_each(least: Any) -> Any:
+    """The scale of the series next above each of many values (0.01 where there is none), as `finest` takes it."""
+    series = [_next(np.max(least))]
+    while series[-1] > np.min(least) > 0:
+        series.append(finer(series[-1]))
+    return np.array(series[::-1])[np.searchsorted(series[::-1], least * _CLOSE)]
+
+
+def _next(least: float) -> float:
+    """The scale of the series next above a value."""
     if not least > 1e-300:
         return 0.01
     power = math.floor(math.log10(least))
     for step in (1, 2, 5, 10):
         scale = float(f"{step}e{power}")
-        if scale >= least * (1 - 1e-9):
+        if scale >= least * _CLOSE:
             return scale
     return float(f"1e{power + 1}")
 

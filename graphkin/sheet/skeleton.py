@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from graphkin.mechanism import FRAME, Mechanism
@@ -12,6 +11,7 @@ from graphkin.pairs import Line, Slide
 from graphkin.sheet.marks import Place
 from graphkin.sheet.window import Window
 from graphkin.steps import Plot
+from graphkin.value import frozen
 
 __all__ = ["Skeleton", "hull", "in_line"]
 
@@ -19,7 +19,7 @@ OVERRUN = 9.0
 """How far a bar goes on beyond its block [mm]."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Skeleton:
     """A mechanism at one position, through a window. `born`: the step in which each point is found."""
 

@@ -9,13 +9,14 @@ from graphkin.methods import Method
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.marks import Mark, Place
 from graphkin.steps import Construction, Given, Image, LayOff, Meet, Plane, Step
+from graphkin.value import frozen
 
 __all__ = ["PLANES", "Figure", "Window", "births", "first_steps", "step_count"]
 
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Window:
     """A plane on paper: its origin [mm, y down] and its scale [SI unit per mm]. The one place where y turns."""
 

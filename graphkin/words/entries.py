@@ -2,28 +2,27 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from graphkin.value import frozen
 from graphkin.words.figures import number
 
 __all__ = ["Arrow", "Calculation", "Entry", "Heading", "Sentence", "VectorEquation"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Heading:
     """The title, or the name of one of the three parts."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sentence:
     """What the pencil does, or why."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Calculation:
     """`name = formula = .. = numbers = value unit (note)`.
 
@@ -46,7 +45,7 @@ class Calculation:
         return " = ".join([self.name, *self.formulas, *figures, result])
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Arrow:
     """One term of a vector equation with its two rows.
 
@@ -71,7 +70,7 @@ class Arrow:
         return self.direction != "?"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class VectorEquation:
     """`front = side = side`; `front` is "" where the first side is the motion sought itself."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import assert_never
 
@@ -20,6 +19,7 @@ from graphkin.steps import (
     Quarter,
     Term,
 )
+from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.entries import Calculation
 from graphkin.words.figures import degrees, number
@@ -28,7 +28,7 @@ from graphkin.words.reading import ROUNDING, Reading
 __all__ = ["Polygon"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Polygon:
     """The velocity or the acceleration polygon of a reading."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import assert_never
 
 from graphkin.geometry import cross, dot
@@ -27,6 +26,7 @@ from graphkin.steps import (
     Step,
     Swing,
 )
+from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.entries import Calculation, Entry, Heading, Sentence
 from graphkin.words.figures import degrees, number
@@ -35,7 +35,7 @@ from graphkin.words.reading import Reading
 __all__ = ["PositionReader"]
 
 
-@dataclass(frozen=True)
+@frozen
 class PositionReader:
     """Reads the steps of the position plane."""
 

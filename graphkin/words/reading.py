@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from graphkin.errors import Lang
@@ -12,6 +11,7 @@ from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.methods import Method
 from graphkin.methods.motion import Labels
 from graphkin.steps import Plot
+from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.figures import number
 from graphkin.words.phrases import say
@@ -22,7 +22,7 @@ ROUNDING = 1e-9
 """Sizes below this part of the largest of their kind are rounding noise."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Reading:
     """A method and the plot of one position of it, about to be worded in one language.
 

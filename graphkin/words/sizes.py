@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import assert_never
 
 from graphkin.steps import Coriolis, Drawn, Driven, Normal, Relative, Size, Span, Tangential, Term, Turning
+from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.entries import Calculation
 from graphkin.words.figures import number
@@ -14,7 +14,7 @@ from graphkin.words.plane import Polygon
 __all__ = ["Sized", "known_size", "size_row"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sized:
     """A size as a formula, with its figures in it, and the way its arrow points."""
 
