@@ -22,6 +22,7 @@ from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
     from graphkin.mechanism import Mechanism
+    from graphkin.methods import Method
     from graphkin.steps import Plane
 
 __all__ = ["main"]
@@ -116,19 +117,18 @@ def read(source: str) -> Mechanism:
     return api.load(source)
 
 
-def at_values(
-    mechanism: Mechanism, angles: Sequence[float], displacements: Sequence[float]
-) -> list[float] | None:
+def at_values(method: Method, angles: Sequence[float], displacements: Sequence[float]) -> list[float] | None:
     """Driver values with those of the command line put in; None for the drawn position."""
     if not angles and not displacements:
         return None
-    given: dict[str, list[float]] = {"spin": [], "angle": [math.radians(a) for a in angles], "slide": [s / 1000 for s in displacements]}
+    given: dict[str, list[float]] = {"angle": [math.radians(a) for a in angles], "spin": []}
+    given["slide"] = [s / 1000 for s in displacements]
     if not all(math.isfinite(v) for values in given.values() for v in values):
         raise click.UsageError("--angle and --at take finite numbers")
-    values = [given[d.kind].pop(0) if given[d.kind] else (d.value or 0.0) for d in mechanism.drivers]
+    values = [given[d.kind].pop(0) if given[d.kind] else (d.value or 0.0) for d in method.drivers]
     for option, rest in (("--angle", given["angle"]), ("--at", given["slide"])):
         if rest:
-            raise click.UsageError(f"{mechanism.name} has no driver left for {option} (of {len(values)} drivers)")
+            raise click.UsageError(f"{method.mechanism.name} has no driver left for {option} (of {len(values)} drivers)")
     return values
 
 
@@ -161,8 +161,8 @@ def draw(
     output = output or Path(f"{machine.name}.svg")
     if output.suffix.lower() != ".svg" and str(output) != "-":
         raise click.UsageError(f"{output}: the file to write must end in .svg")
-    values = at_values(machine, angles, displacements)
-    drawing = api.Drawing.of(machine, values)
+    method = api.plan(machine)
+    drawing = api.Drawing(machine, method, api.replay(method, at_values(method, angles, displacements)))
     sheet = drawing.sheet(paper=paper, lang=lang, only=only)
     pages = [(output, svg.svg(sheet))]
     if steps is not None:
@@ -195,7 +195,8 @@ def explain(mechanism: str, angles: tuple[float, ...], displacements: tuple[floa
     from graphkin import api
 
     machine = read(mechanism)
-    drawing = api.Drawing.of(machine, at_values(machine, angles, displacements))
+    method = api.plan(machine)
+    drawing = api.Drawing(machine, method, api.replay(method, at_values(method, angles, displacements)))
     click.echo("\n".join(drawing.explain(lang)))
 
 

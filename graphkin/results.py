@@ -21,9 +21,9 @@ __all__ = ["driver_values", "results"]
 Json = dict[str, Any]
 
 
-def driver_values(mechanism: Mechanism) -> Iterator[tuple[float, ...]]:
+def driver_values(method: Method) -> Iterator[tuple[float, ...]]:
     """The drawn position, then one for each value of `also`: drivers that list several move on together."""
-    drivers = mechanism.drivers
+    drivers = method.drivers
     for k in range(-1, max((len(driver.also) for driver in drivers), default=0)):
         yield tuple(d.also[k] if 0 <= k < len(d.also) else (d.value or 0.0) for d in drivers)
 
@@ -34,7 +34,7 @@ def results(mechanism: Mechanism, method: Method, lang: Lang = "en") -> Json:
         "format": 1,
         "name": mechanism.name,
         "title": mechanism.headline(lang),
-        "positions": [_position(mechanism, method, values) for values in driver_values(mechanism)],
+        "positions": [_position(mechanism, method, values) for values in driver_values(method)],
     }
 
 
@@ -71,7 +71,7 @@ def _motions(mechanism: Mechanism, motions: Motions) -> Json:
                 "v": _number(motions.s_rate[slide.name]),
                 "a": _number(motions.s_acceleration[slide.name]),
             }
-            for slide in mechanism.slides
+            for slide in (*mechanism.slides, *mechanism.rolls)
             if slide.name in motions.s_acceleration
         },
     }
@@ -88,7 +88,8 @@ def _point(mechanism: Mechanism, motions: Motions, point: str) -> Json:
 
 def _coincident(mechanism: Mechanism, method: Method, readings: Readings) -> Iterator[tuple[str, Json]]:
     """Each pair of coincident points of the polygons, seen either way round."""
-    sites = {label: _home(method, site) for label, site in method.sites.items()}
+    points = mechanism.points
+    sites = {label: _home(method, site) for label, site in method.sites.items() if site.point in points}
     for label, of in sites.items():
         for other, seen_from in sites.items():
             if other == label or seen_from.point != of.point:

@@ -12,6 +12,7 @@ __all__ = [
     "BadDrawing",
     "CannotAssemble",
     "DeadPoint",
+    "GearsApart",
     "HigherClass",
     "NotYetSolved",
     "RepeatedDriver",
@@ -81,6 +82,24 @@ class DeadPoint(_AboutLinks):
         "0.5 deg at least. Move the driver a little, or drive another link.",
         "zh": "{where}：死点位置：构件 {links} 的作图线夹角仅 {angle_deg:.3f}°，作图至少需要 0.5°。请稍微改变原动件的位置，或改选原动件。",
     }
+
+
+class GearsApart(GraphkinError):
+    """Two gears whose centres are not as far apart as their radii want."""
+
+    where: Where
+    centres: tuple[str, str]
+    distance_mm: float
+    wanted_mm: float
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the centres {pair} stand {distance_mm:.6g} mm apart, the pitch radii want {wanted_mm:.6g} mm. "
+        "Change the radii, or the links that hold the centres.",
+        "zh": "{where}：中心距 {pair} 为 {distance_mm:.6g} mm，而节圆半径要求 {wanted_mm:.6g} mm。请修改半径，或修改确定中心位置的构件。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return super()._words(lang) | {"pair": "".join(self.centres)}
+
 
 
 class AmbiguousSketch(GraphkinError):

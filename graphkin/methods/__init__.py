@@ -11,11 +11,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphkin.errors import HigherClass
+from graphkin.errors import GearsApart, HigherClass
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.methods.assembly import assemble, refuse_bad_positions
-from graphkin.methods.equivalent import contacts, lower_pairs
+from graphkin.methods.equivalent import Contact, contacts, lower_pairs
 from graphkin.methods.hops import Slip, Twist, halves, way_round
 from graphkin.methods.motion import Labels, motion
 from graphkin.methods.position import position
@@ -45,6 +45,11 @@ class Method:
     coincident: Mapping[str, str]
     near: Mapping[str, float]
     drawn: Mapping[str, float]
+
+    @property
+    def drivers(self) -> tuple[Driver, ...]:
+        """The drivers, each with its value at the drawn position."""
+        return self.structure.mechanism.drivers
 
     @property
     def moves_on(self) -> bool:
@@ -92,6 +97,7 @@ def plan(mechanism: Mechanism) -> Method:
     found = assemble(structure, construction, choices, facts, drawn)
     construction = _with_sides(construction, found.sides)
     plot = replay(construction, Plot(facts, found.near))
+    _refuse_gears_apart(mechanism, ties, plot)
     ternaries = _ternaries(structure, order, plot)
     construction = _with_special_points(construction, ternaries)
     coincident = _coincident(structure, order, ternaries)
@@ -101,6 +107,15 @@ def plan(mechanism: Mechanism) -> Method:
     return Method(
         mechanism, structure, order, construction, velocity, acceleration, coincident, found.near, drawn
     )
+
+
+def _refuse_gears_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot: Plot) -> None:
+    """The centres of a gear pair stand where the other links put them; their radii must fit that."""
+    for k, tie in enumerate(ties[: len(mechanism.gears)]):
+        distance, wanted = float(abs(plot.arm(*tie.centres))), abs(sum(tie.radii))
+        if abs(distance - wanted) > 1e-6 * max(distance, wanted):
+            where = mechanism.where("gear", k, "radii")
+            raise GearsApart(where, tie.centres, distance * 1000, wanted * 1000)
 
 
 def _as_drawn(mechanism: Mechanism, lower: Mechanism) -> tuple[dict[str, float], Mechanism]:
@@ -115,7 +130,7 @@ def _as_drawn(mechanism: Mechanism, lower: Mechanism) -> tuple[dict[str, float],
     standing = tuple(driver for driver in mechanism.drivers if driver.value is not None and driver.kind != "spin")
     still = replace(lower, drivers=(*standing, *posed))
     structure = Structure(still)
-    order, left = stages(structure)
+    order, _ = stages(structure)
     construction, choices = position(structure, order)
     facts = _facts(structure, None, {})
     found = assemble(structure, construction, choices, facts, {})
@@ -132,7 +147,6 @@ def _valued(driver: Driver, lower: Mechanism, plot: Plot, drawn: Mapping[str, fl
     if driver.kind == "slide":
         return driver if driver.value is not None else replace(driver, value=drawn[driver.link])
     if driver.kind == "spin":
-        points = tuple(lower.links[driver.link].points)
         return replace(driver, value=drawn[driver.link])
     if driver.value is not None or driver.vector is None:
         return driver

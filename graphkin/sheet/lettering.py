@@ -35,7 +35,7 @@ _ITALIC = (
     "611 556 556 389 278 389 422 500 333 500 500 444 500 444 278 500 500 278 278 444 278 722 500 500 500 500 389 389 "
     "278 500 444 667 444 444 389 400 275 400 541"
 )
-_OTHERS = "ω658,706 α524,525 μ536,502 θ479,491 φ577,553 °400,400 ·250,250 ×564,675 ²300,300 ³300,300 ′219,219 −564,675"
+_OTHERS = "ω658,706 α524,525 μ536,502 θ479,491 φ577,553 °400,400 ·250,250 →1000,1000 ×564,675 ²300,300 ³300,300 ′219,219 −564,675"
 
 
 def _table() -> dict[str, tuple[float, float]]:
@@ -51,6 +51,7 @@ def _table() -> dict[str, tuple[float, float]]:
 
 
 _WIDTHS = _table()
+_EQUIVALENT = re.compile(r"e [a-z]+(\d*)")
 _CJK = re.compile(r"[\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
 
 
@@ -139,17 +140,26 @@ def _mixed(text: str, place: Literal["base", "sub", "sup"]) -> Label:
 
 def point_label(name: str) -> Label:
     """A point of the mechanism or of a polygon: `B`, `O1`, `b3'`, `n'`, `b@guide`: digits as subscripts."""
-    match = re.fullmatch(r"([A-Za-z^]+)(\d*)(?:@([^']*))?('*)(.*)", name)
+    name = _EQUIVALENT.sub(_equivalent, name)
+    match = re.fullmatch(r"([A-Za-z^]+)(\d*(?:_\d+)?)(?:@([^']*))?('*)(.*)", name)
     if match is None:
         return _mixed(name, "base")
     letters, digits, link, primes, rest = match.groups()
-    low = digits + (link or "")
+    low = digits.replace("_", ",") + (link or "")
     label = (*plain(letters, italic=True), *(_mixed(low, "sub") if low else ()), *plain("′" * len(primes)))
     return label + (_mixed(rest, "sub") if rest else ())
 
 
+def _equivalent(found: re.Match[str]) -> str:
+    """A link of the lower-pair equivalent is written e, the second e2."""
+    number = int(found[1] or 0)
+    return f"@e{number + 1 if number else ''}"
+
+
 def vector_label(name: str) -> Label:
-    """`v_CB`, `a^n_B3D`, `v_B@guide`: the part stands above the subscript."""
+    """`v_CB`, `a^n_B3D`, `v_B@guide`: the part stands above the subscript; `v_DG+v_S4D` are two in one."""
+    if "+" in name:
+        return joined([vector_label(half) for half in name.split("+")], " + ")
     match = re.fullmatch(r"(\w)(?:\^(\w+))?_(.+)", name)
     if match is None:
         return _mixed(name, "base")

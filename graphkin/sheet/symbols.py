@@ -13,8 +13,8 @@ from graphkin.sheet.marks import Arc, Mark, Place, Stroke
 from graphkin.sheet.paper import PenName
 
 __all__ = [
-    "BLOCK", "HINGE", "PIVOT_DEPTH", "SWEEP", "bar", "block", "corner", "cylinder", "guide", "hatch", "pivot",
-    "plate", "push", "slot", "spin",
+    "BLOCK", "HINGE", "PIVOT_DEPTH", "SWEEP", "arrow_head", "bar", "block", "centre_mark", "corner", "cylinder", "guide",
+    "hatch", "pivot", "plate", "push", "rim_hatch", "slot", "spin",
 ]  # fmt: skip
 
 HINGE = 1.3
@@ -52,6 +52,26 @@ def hatch(start: Place, end: Place, side: complex, step: int | None = None) -> l
     slant = (side - along) / abs(side - along) * _SLANT
     feet = [start + along * (first + k * _PITCH) for k in range(count + 1)]
     return [Stroke((foot, foot + slant), "hatch", step=step) for foot in feet]
+
+
+def rim_hatch(at: Place, radius: float, outward: float, step: int | None = None) -> list[Mark]:
+    """A fixed circle: hatching on its outside (`outward` 1) or its inside (-1), in three stretches where it is large."""
+    if radius < 2 * _PITCH:
+        return []
+    length = math.tau * radius
+    stretches = [(0.0, length)] if length < 60 else [(length * turn / 360 - 8, 16.0) for turn in (30, 150, 270)]
+    marks: list[Mark] = []
+    for begin, along in stretches:
+        for k in range(int(along / _PITCH) + (length >= 60)):
+            way = cmath.rect(1, (begin + k * _PITCH) / radius)
+            slant = way * outward - 1j * way
+            marks.append(Stroke((at + radius * way, at + radius * way + slant / abs(slant) * _SLANT), "hatch", step=step))
+    return marks
+
+
+def centre_mark(at: Place, reach: float, step: int | None = None) -> list[Mark]:
+    """A cross of thin lines."""
+    return [Stroke((at - reach * way, at + reach * way), "thin", step=step) for way in (1, 1j)]
 
 
 def bar(places: Sequence[Place], link: str, step: int | None = None) -> list[Mark]:
@@ -127,16 +147,16 @@ def spin(at: Place, towards: complex, sense: float, radius: float, step: int | N
     tip = at + cmath.rect(radius, start + turn)
     shaft = turn + sense * 0.8 * _HEAD / radius
     back = at + cmath.rect(radius, start + turn + sense * _HEAD / radius)
-    return [Arc(at, radius, start, shaft, "vector", step=step), _head(tip, (tip - back) / abs(tip - back), step)]
+    return [Arc(at, radius, start, shaft, "vector", step=step), arrow_head(tip, (tip - back) / abs(tip - back), step)]
 
 
 def push(start: Place, along: complex, step: int | None = None) -> list[Mark]:
     """A straight arrow beside a driven slide."""
     tip = start + 11 * along
-    return [Stroke((start, tip - 0.8 * _HEAD * along), "vector", step=step), _head(tip, along, step)]
+    return [Stroke((start, tip - 0.8 * _HEAD * along), "vector", step=step), arrow_head(tip, along, step)]
 
 
-def _head(tip: Place, along: complex, step: int | None) -> Mark:
+def arrow_head(tip: Place, along: complex, step: int | None) -> Mark:
     """A filled arrow head."""
     back = tip - _HEAD * along
     side = 0.55j * along

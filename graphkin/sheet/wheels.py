@@ -1,85 +1,166 @@
-"""Pitch circles of gears, rolling wheels and their tracks, cam profiles."""
+"""Pitch circles of gears and rolling wheels: centre marks, rings with a rim, hatching where they stand still."""
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Cam, Gear, Line, Roll
-from graphkin.sheet.marks import Disc, Mark, Stroke
+from graphkin.pairs import Line, Roll
+from graphkin.sheet import symbols
+from graphkin.sheet.labels import Wanted
+from graphkin.sheet.lettering import link_label
+from graphkin.sheet.marks import Disc, Mark, Place, Stroke
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.symbols import hatch
 from graphkin.sheet.window import Figure
 
-__all__ = ["rims", "wheels"]
+__all__ = ["Wheel", "circles", "rims", "straight", "wheels", "wheels_of"]
+
+_RIM = 3.0
+"""Thickness of a ring's rim, and of the edge that is hatched in a fixed wheel [mm]."""
+_CROSS = 4.4
+_SMALL = 9.0
+"""In a wheel of less radius there is no room for its number [mm]."""
+
+
+@dataclass(frozen=True)
+class Wheel:
+    """A circle that rolls: its link, centre and radius [m].
+
+    gear  its pitch circle is drawn, not its outline; ring: the others run inside it; drawn: not seen as a link's number
+    """
+
+    link: str
+    centre: str
+    radius: float
+    gear: bool
+    ring: bool = False
+
+
+def wheels_of(machine: Mechanism) -> list[Wheel]:
+    """Every wheel once: gears, then what rolls and what it rolls on. A ring stays a ring."""
+    found: dict[tuple[str, str, float], Wheel] = {}
+    for gear in machine.gears:
+        for link, centre, radius in zip(gear.links, gear.centres, gear.radii, strict=True):
+            ring = gear.internal and radius == max(gear.radii)
+            _add(found, Wheel(link, centre, radius, gear=True, ring=ring))
+    for roll in machine.rolls:
+        turning_inside = roll.internal and roll.track_radius < roll.radius
+        _add(found, Wheel(roll.wheel, roll.centre, roll.radius, gear=False, ring=turning_inside))
+        if roll.track_centre is not None:
+            ring = roll.internal and not turning_inside
+            _add(found, Wheel(roll.track, roll.track_centre, roll.track_radius, gear=False, ring=ring))
+    return list(found.values())
+
+
+def _add(found: dict[tuple[str, str, float], Wheel], wheel: Wheel) -> None:
+    known = found.get((wheel.link, wheel.centre, round(wheel.radius, 12)))
+    if known is None or (wheel.ring and not known.ring):
+        found[wheel.link, wheel.centre, round(wheel.radius, 12)] = wheel
 
 
 def wheels(skeleton: Skeleton) -> Figure:
-    """Circles and lines of all higher pairs."""
+    """All wheels, and the straight tracks of those that roll on a line."""
     figure = Figure()
-    machine = skeleton.mechanism
-    for gear in machine.gears:
-        figure.marks += _gear(skeleton, gear)
-    for roll in machine.rolls:
-        figure.marks += _roll(skeleton, roll)
-    for cam in machine.cams:
-        figure.marks += _cam(skeleton, cam)
+    numbered: set[str] = set()
+    for wheel in wheels_of(skeleton.mechanism):
+        figure.marks += _wheel(skeleton, wheel)
+        if wheel.link not in numbered and len(skeleton.named(wheel.link)) < 2 and wheel.link != FRAME:
+            numbered.add(wheel.link)
+            figure.wanted.append(_number(skeleton, wheel))
+    for roll in skeleton.mechanism.rolls:
+        if roll.line is not None:
+            figure.marks += _track(skeleton, roll, roll.line)
     return figure
 
 
-def _circle(skeleton: Skeleton, centre: str, radius: float, link: str, pitch: bool = False) -> Mark:
-    return Disc(
-        skeleton.at(centre), radius / skeleton.window.scale, "centre" if pitch else "outline", link=link,
-        step=skeleton.step(centre),
-    )  # fmt: skip
+def _wheel(skeleton: Skeleton, wheel: Wheel) -> Iterator[Mark]:
+    at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale
+    step = skeleton.step(wheel.centre)
+    yield Disc(at, radius, "centre" if wheel.gear else "outline", link=wheel.link, step=step)
+    fixed = wheel.link == FRAME
+    if wheel.gear:
+        yield from symbols.centre_mark(at, _CROSS, step)
+    if wheel.ring:
+        rim = radius + _RIM if wheel.gear else radius
+        if wheel.gear:
+            yield Disc(at, rim, "outline", link=wheel.link, step=step)
+        if fixed:
+            yield from symbols.rim_hatch(at, rim, 1.0, step)
+    elif fixed:
+        rim = max(0.0, radius - _RIM) if wheel.gear else radius
+        if wheel.gear and rim > _RIM:
+            yield Disc(at, rim, "outline", link=wheel.link, step=step)
+        yield from symbols.rim_hatch(at, rim, -1.0, step)
 
 
-def _gear(skeleton: Skeleton, gear: Gear) -> list[Mark]:
-    return [
-        _circle(skeleton, centre, radius, link, pitch=True)
-        for link, centre, radius in zip(gear.links, gear.centres, gear.radii, strict=True)
-    ]
+def _number(skeleton: Skeleton, wheel: Wheel) -> Wanted:
+    """The number of a link that is a wheel alone, beside its rim."""
+    at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale
+    label, step = link_label(skeleton.mechanism.called(wheel.link)), skeleton.step(wheel.centre)
+    way = _free_way(skeleton, wheel.centre)
+    if wheel.ring:
+        return Wanted(label, at + way * (radius + _RIM), gap=0.6, away=way, step=step)
+    if radius < _SMALL:
+        return Wanted(label, at + way * radius, gap=0.4, away=way, step=step)
+    return Wanted(label, at + way * (radius - 4.2), gap=-2.6, away=way, step=step)
 
 
-def _roll(skeleton: Skeleton, roll: Roll) -> list[Mark]:
-    marks = [_circle(skeleton, roll.centre, roll.radius, roll.wheel)]
-    if roll.track_centre is not None:
-        marks.append(_circle(skeleton, roll.track_centre, roll.track_radius, roll.track))
-    elif roll.line is not None:
-        track = _straight(skeleton, roll.line, roll.centre, roll.radius / skeleton.window.scale + 12)
-        marks.append(track)
-        if roll.line.link == FRAME:
-            under = (1j if roll.left else -1j) * skeleton.direction(roll.line)
-            marks += hatch(track.places[0], track.places[1], under)
-    return marks
+def _free_way(skeleton: Skeleton, centre: str) -> complex:
+    """The direction from a wheel's centre that is farthest from links and from the wheels beside it."""
+    taken = list(skeleton.directions(centre))
+    here = skeleton.at(centre)
+    for other in wheels_of(skeleton.mechanism):
+        off = skeleton.at(other.centre) - here
+        if abs(off) > 0.5:
+            taken += [off / abs(off)] if not other.ring else [-off / abs(off)]
+    taken += [1j] if FRAME in skeleton.mechanism.owners.get(centre, ()) else []
+    ways = [cmath.rect(1, math.radians(a)) for a in (-45, -135, -90, 45, 135, 0, 180, 90)]
+    return max(ways, key=lambda way: -max(((t * way.conjugate()).real for t in taken), default=-1.0))
 
 
-def _cam(skeleton: Skeleton, cam: Cam) -> list[Mark]:
-    marks: list[Mark] = []
-    others = (cam.profiles[1], cam.profiles[0])
-    for link, profile, other in zip(cam.links, cam.profiles, others, strict=True):
-        if profile.centre is not None:
-            marks.append(_circle(skeleton, profile.centre, profile.radius, link))
-        elif profile.line is not None:
-            near = other.centre or profile.line.origin
-            marks.append(_straight(skeleton, profile.line, near, other.radius / skeleton.window.scale + 8))
-    return marks
+def _track(skeleton: Skeleton, roll: Roll, line: Line) -> list[Mark]:
+    """The line a wheel rolls on: hatched ground, or a bar of its link."""
+    step = skeleton.step(roll.centre)
+    track = straight(skeleton, line, roll.centre, roll.radius / skeleton.window.scale + 12, step)
+    if line.link != FRAME:
+        return [track]
+    under = (1j if roll.left else -1j) * skeleton.direction(line)
+    return symbols.guide(track.places[0], track.places[1], under, step)
 
 
-def _straight(skeleton: Skeleton, line: Line, near: str, reach: float) -> Stroke:
-    """A line of a link, around the foot of a point on it."""
+def straight(skeleton: Skeleton, line: Line, near: str, reach: float, step: int | None) -> Stroke:
+    """A line of a link, `reach` mm to both sides of the foot of a point on it; as far as the link's points on it."""
     along, foot = skeleton.direction(line), skeleton.at(line.origin)
     t = (along.conjugate() * (skeleton.at(near) - foot)).real
-    return Stroke((foot + along * (t - reach), foot + along * (t + reach)), "visible", link=line.link)
+    low, high = t - reach, t + reach
+    stops = []
+    for point in skeleton.named(line.link) if line.link != FRAME else ():
+        off = along.conjugate() * (skeleton.at(point) - foot)
+        stops += [off.real] if abs(off.imag) < 0.05 else []
+    if len(stops) > 1:
+        low, high = min(max(low, min(stops)), t - 6), max(min(high, max(stops)), t + 6)
+    elif stops:
+        low, high = (stops[0], high) if stops[0] < t else (low, stops[0])
+    return Stroke((foot + along * low, foot + along * high), "visible", link=line.link, step=step)
+
+
+def circles(skeleton: Skeleton) -> Iterator[tuple[Place, float]]:
+    """Centre and radius of every circle on paper: of wheels and of cams [mm]."""
+    found = {(wheel.centre, wheel.radius) for wheel in wheels_of(skeleton.mechanism)}
+    found |= {(p.centre, p.radius) for cam in skeleton.mechanism.cams for p in cam.profiles if p.centre is not None}
+    for centre, radius in sorted(found):
+        if radius > 0:
+            yield skeleton.at(centre), radius / skeleton.window.scale
 
 
 def rims(machine: Mechanism, position: Mapping[str, complex]) -> Iterator[complex]:
     """Corners of the squares around all circles, in the mechanism's plane [m]: how far they reach."""
-    circles = [(c, r) for gear in machine.gears for c, r in zip(gear.centres, gear.radii, strict=True)]
-    circles += [(roll.centre, roll.radius) for roll in machine.rolls]
-    circles += [(roll.track_centre, roll.track_radius) for roll in machine.rolls if roll.track_centre is not None]
+    around = [(wheel.centre, wheel.radius) for wheel in wheels_of(machine)]
     profiles = (profile for cam in machine.cams for profile in cam.profiles)
-    circles += [(profile.centre, profile.radius) for profile in profiles if profile.centre is not None]
-    for centre, radius in circles:
+    around += [(profile.centre, profile.radius) for profile in profiles if profile.centre is not None]
+    for centre, radius in around:
         at = complex(position[centre])
         yield from (at - complex(radius, radius), at + complex(radius, radius))

@@ -4,11 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import assert_never
 
 from graphkin.methods import Method
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.marks import Mark, Place
-from graphkin.steps import Construction, Given, Image, LayOff, Meet, Plane, Step
+from graphkin.steps import (
+    Arc,
+    Construction,
+    Fit,
+    Given,
+    Image,
+    LayOff,
+    Measure,
+    Meet,
+    Plane,
+    Ray,
+    Roll,
+    Simultaneous,
+    Step,
+    Swing,
+    Touch,
+)
 from graphkin.value import frozen
 
 __all__ = ["PLANES", "Figure", "Window", "births", "first_steps", "step_count"]
@@ -74,7 +91,9 @@ def _made(step: Step) -> tuple[str, ...]:
             return (point, *also)
         case LayOff(tip=tip):
             return (tip,)
-        case Meet(point=point) | Image(point=point):
+        case Meet(point=point) | Image(point=point) | Touch(point=point):
             return (point,)
-        case _:
+        case Ray() | Arc() | Swing() | Measure() | Roll() | Fit() | Simultaneous():
             return ()
+        case _:
+            assert_never(step)

@@ -23,16 +23,29 @@ _RAISED = {"n": "ⁿ", "t": "ᵗ", "k": "ᵏ", "r": "ʳ"}
 
 
 def point(name: str) -> str:
-    """A point of the mechanism or of a polygon; auxiliary points (`*1`) are numbered ①, ②, .."""
+    """A point of the mechanism or of a polygon, or a link; auxiliary points (`*1`) are numbered ①, ②, ..
+
+    The links of lower-pair equivalents are called e, e2, ..; those that hold a rolling wheel after its contact.
+    """
     if name.startswith("*"):
         count = int(name[1:])
         return chr(0x2460 + count - 1) if count <= 20 else f"({count})"
-    return name.replace("'", "′")
+    return _EQUIVALENT.sub(_equivalent, name).replace("'", "′")
+
+
+_EQUIVALENT = re.compile(r"(?<![A-Za-z])([nkrt]?)e (?:c(\d+)|(\w+))")
+
+
+def _equivalent(found: re.Match[str]) -> str:
+    letter, cam, roll = found.groups()
+    if cam is None:
+        return f"{letter}e_{roll}"
+    return f"{letter}e" + (str(int(cam) + 1) if int(cam) else "")
 
 
 def stretch(tail: str, head: str) -> str:
     """The line between two points: `pb3`, `n3′b3′`; longer names stand apart."""
-    between = " " if "@" in tail + head or len(tail + head) > 8 else ""
+    between = " " if "@" in tail + head or len(point(tail) + point(head)) > 8 else ""
     return point(tail) + between + point(head)
 
 
@@ -50,7 +63,9 @@ def _place_in_line(name: str) -> tuple[bool, str]:
 
 
 def vector(name: str) -> str:
-    """`a^k_B3B2` as `aᵏ_B3B2`."""
+    """`a^k_B3B2` as `aᵏ_B3B2`; two on one line as `(v_DG + v_S4D)`."""
+    if "+" in name:
+        return "(" + " + ".join(vector(half) for half in name.split("+")) + ")"
     letter, part, low = re.fullmatch(r"(\w)(?:\^(\w+))?_(.+)", name).groups()  # type: ignore[union-attr]
     return letter + "".join(_RAISED[c] for c in part or "") + "_" + point(low)
 

@@ -6,6 +6,8 @@ import re
 from collections.abc import Mapping
 
 from graphkin.errors import Lang
+from graphkin.words.contact_phrases import CONTACT_PHRASES
+from graphkin.words.contact_phrases import both as _both
 
 __all__ = ["PHRASES", "say"]
 
@@ -19,11 +21,8 @@ def say(key: str, lang: Lang, **words: object) -> str:
     return _ROOM.sub("", text) if lang == "zh" else text
 
 
-def _both(en: str, zh: str) -> dict[Lang, str]:
-    return {"en": en, "zh": zh}
-
-
 PHRASES: Mapping[str, dict[Lang, str]] = {
+    **CONTACT_PHRASES,
     # --- frame of the text ---------------------------------------------------------------------
     "note": _both(" ({note})", "（{note}）"),
     "direction row": _both("direction:", "方向："),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
+from itertools import combinations
 
 from graphkin.errors import Lang
 from graphkin.geometry import cross, dot
@@ -51,7 +52,7 @@ class Reading:
         structure = self.method.structure
         if not structure.is_pin(link):
             return link
-        return self.mechanism.slide(link.removeprefix("pin ")).guide
+        return structure.slides[link.removeprefix("pin ")].guide
 
     def link(self, link: str) -> str:
         """What people call a link."""
@@ -105,10 +106,36 @@ class Reading:
     def line(self, slide: str) -> str:
         """The line of a slide: two points on it (`BC`), or `guide ram`."""
         pair = self.method.structure.slides[slide]
-        if pair.named and pair.guide == FRAME:
+        if pair.named and pair.guide == FRAME and slide not in self.contact_slides:
             return self.say("guide of", name=slide)
-        on_it = self._points_on(slide)
+        on_it = self._points_on(slide) or (None if pair.guide == FRAME else self._points_along(slide))
+        if on_it is None and slide in self.contact_slides:
+            rolling = next((r.wheel for r in self.mechanism.rolls if r.name == slide), pair.guide)
+            return self.say("track of", wheel=self.link(rolling))
         return names.pair(*on_it) if on_it else self.say("guide of", name=slide if pair.named else pair.point)
+
+    @cached_property
+    def contact_slides(self) -> frozenset[str]:
+        """Slides that stand for a cam's slot or for the path of a rolling wheel's centre."""
+        named = {slide.name for slide in self.mechanism.slides}
+        return frozenset(name for name in self.method.structure.slides if name not in named)
+
+    def path(self, slide: str) -> str:
+        """What the line of a slide is called in the drawing."""
+        pair = self.method.structure.slides[slide]
+        if slide in self.contact_slides:
+            return self.say("path of", name=names.point(pair.point))
+        return self.say("guide of", name=slide if pair.named else names.point(pair.point))
+
+    def _points_along(self, slide: str) -> tuple[str, str] | None:
+        """Two points of the guide whose line is parallel to the slide's."""
+        pair, along = self.method.structure.slides[slide], self.plot.guide_direction(slide)
+        points = [p for p in self.method.structure.bodies[pair.guide] if p[0].isupper()]
+        for first, second in combinations(points, 2):
+            arm = self.plot.arm(first, second)
+            if abs(cross(along, arm)) <= self.noise < abs(arm):
+                return first, second
+        return None
 
     def _points_on(self, slide: str) -> tuple[str, str] | None:
         """Two points that lie apart on the line, of those that the guide or the pair itself names."""
@@ -129,5 +156,19 @@ class Reading:
         """A point of the drawing; the start of a line that has no name of its own is told by its guide."""
         if point[0].isupper() or point[0] == "*":
             return names.point(point)
-        slide = next(s for s in self.mechanism.slides if s.line.origin == point)
+        slides = self.method.structure.slides
+        slide = next(s for s in slides.values() if s.line.origin == point)
+        if slide.name in self.contact_slides:
+            origin, path = self.track_origin(slide.name), self.path(slide.name)
+            if origin[0].isupper():
+                return self.say("abreast", path=path, origin=names.point(origin))
+            return self.say("path start", path=path)
         return self.say("origin of", name=slide.name if slide.named else slide.point)
+
+    def track_origin(self, slide: str) -> str:
+        """The start of the line on which a contact lies."""
+        for roll in self.mechanism.rolls:
+            if roll.name == slide and roll.line is not None:
+                return roll.line.origin
+        cam = self.mechanism.cams[int(slide.removeprefix("c"))]
+        return next(profile.line.origin for profile in cam.profiles if profile.line is not None)

@@ -1,0 +1,120 @@
+"""Points the construction adds to the mechanism: special points with the lines that meet there, and contacts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from graphkin.methods import Method
+from graphkin.sheet.labels import Wanted
+from graphkin.sheet.lettering import plain, point_label
+from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
+from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.window import Figure, first_steps
+from graphkin.steps import AcrossGuide, Along, Arc, Direction, Meet, Plot, Ray, Touch
+
+__all__ = ["contacts", "named_specials", "specials"]
+
+_BEYOND = 6.0
+"""How far a leg's line goes on past the special point [mm]."""
+_CUT = 34.0
+"""How much is drawn of a line to a special point off the paper [mm]."""
+_FAR = 1.9
+"""So many times larger the mechanism may become for a special point's sake."""
+
+
+@dataclass(frozen=True)
+class _Special:
+    """A special point: its letter, its site as written (`S4`), and the two lines."""
+
+    name: str
+    of: str
+    rays: tuple[Ray, Ray]
+    step: int
+
+
+def _found(method: Method) -> Iterator[_Special]:
+    named = set(method.mechanism.points)
+    sites = {node.site: node.of for node in method.velocity.nodes.values() if node.site is not None}
+    for number, step in enumerate(method.position.steps, start=first_steps(method)["position"] + 1):
+        if not isinstance(step, Meet) or step.point in named or not step.point[0].isupper():
+            continue
+        node = method.position.nodes[step.point]
+        if isinstance(step.first, Arc) or isinstance(step.second, Arc):
+            continue
+        of = sites.get(node.site, node.of) if node.site is not None else node.of
+        yield _Special(step.point, of, (step.first, step.second), number)
+
+
+def named_specials(method: Method, plot: Plot, others: list[complex]) -> Mapping[str, complex]:
+    """Special points that lie near enough to the mechanism to be drawn [m]."""
+    xs, ys = [z.real for z in others], [z.imag for z in others]
+    size = max(max(xs) - min(xs), max(ys) - min(ys))
+    found: dict[str, complex] = {}
+    for special in _found(method):
+        at = complex(plot.position[special.name])
+        wide = max(*xs, at.real) - min(*xs, at.real)
+        high = max(*ys, at.imag) - min(*ys, at.imag)
+        if max(wide, high) <= _FAR * size:
+            found[special.name] = at
+    return found
+
+
+def specials(method: Method, skeleton: Skeleton, near: Mapping[str, complex]) -> Figure:
+    """The legs' lines, thin, to where they meet; towards it only where that is off the paper."""
+    figure = Figure()
+    for special in _found(method):
+        at = skeleton.at(special.name)
+        if special.name in near:
+            for ray in special.rays:
+                figure.marks += _line(skeleton, ray, at, special.step)
+            figure.marks.append(PointMark("position", special.name, special.of, at, 0.6, step=special.step))
+            figure.wanted.append(Wanted(point_label(special.name), at, gap=0.8, step=special.step))
+        else:
+            for ray in special.rays:
+                figure.marks += _towards(skeleton, ray, at, special.step)
+                tip = figure.marks[-2]
+                assert isinstance(tip, Stroke)
+                label = (*plain("→ "), *point_label(special.name))
+                figure.wanted.append(Wanted(label, tip.places[-1], gap=0.6, step=special.step))
+    return figure
+
+
+def _line(skeleton: Skeleton, ray: Ray, at: Place, step: int) -> list[Mark]:
+    """From the leg's far end through the special point."""
+    start = _start(skeleton, ray.through, ray.direction, at)
+    way = at - start
+    if abs(way) < 0.5:
+        return []
+    return [Stroke((start, at + way / abs(way) * _BEYOND), "thin", step=step)]
+
+
+def _start(skeleton: Skeleton, through: str, direction: Direction, at: Place) -> Place:
+    """Of a bar, the end farther from the special point."""
+    ends = [through]
+    if isinstance(direction, Along):
+        ends += [direction.tail, direction.head]
+    return max((skeleton.at(end) for end in ends), key=lambda place: abs(place - at))
+
+
+def _towards(skeleton: Skeleton, ray: Ray, at: Place, step: int) -> list[Mark]:
+    from graphkin.sheet.symbols import arrow_head
+
+    ends = [ray.through]
+    if isinstance(ray.direction, Along):
+        ends += [ray.direction.tail, ray.direction.head]
+    assert isinstance(ray.direction, Along | AcrossGuide) or ends
+    start = min((skeleton.at(end) for end in ends), key=lambda place: abs(place - at))
+    way = (at - start) / abs(at - start)
+    return [Stroke((start, start + way * _CUT), "thin", step=step), arrow_head(start + way * _CUT, way, step)]
+
+
+def contacts(method: Method, skeleton: Skeleton) -> Figure:
+    """Where wheels touch, as small points with their letters."""
+    figure = Figure()
+    for number, step in enumerate(method.position.steps, start=first_steps(method)["position"] + 1):
+        if isinstance(step, Touch):
+            at = skeleton.at(step.point)
+            figure.marks.append(PointMark("position", step.point, step.point, at, 0.6, step=number))
+            figure.wanted.append(Wanted(point_label(step.point), at, gap=0.8, away=1 - 1j, step=number))
+    return figure
