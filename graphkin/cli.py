@@ -305,6 +305,23 @@ def show(name: str, lang: Lang) -> None:
 
 
 @main.command()
+@mechanism_argument
+@lang_option
+@speaking
+def structure(mechanism: str, lang: Lang) -> None:
+    """List links, pairs, degrees of freedom and the Assur groups in the order they are solved.
+
+    \b
+    Example:
+      graphkin structure p3-15
+    """
+    from graphkin import api, assur
+
+    for line in assur.structure_lines(api.plan(read(mechanism)), lang):
+        click.echo(line)
+
+
+@main.command()
 def schema() -> None:
     """Print the JSON Schema of the mechanism file, for editors.
 

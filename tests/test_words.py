@@ -259,6 +259,9 @@ def words_of(entry: Sentence | Calculation) -> str:
     return entry.text if isinstance(entry, Sentence) else entry.text + entry.note
 
 
+RADII = re.compile(r"\b(r\d)(?=[ (/]|′)")
+
+
 @pytest.mark.parametrize("name", library.names())
 def test_no_word_of_what_people_did_not_name(name: str) -> None:
     """Blocks that stand for pins, starts of unnamed lines and auxiliary points have no names of their own."""
@@ -266,7 +269,11 @@ def test_no_word_of_what_people_did_not_name(name: str) -> None:
         if (found := solved(name)) is None:
             pytest.skip("not solved")
         text = "\n".join(explain(*found, SCALES, lang)[1:]).replace("is the frame", "")
-        assert not re.search(r"pin s|\bs\d\b(?!′)|[*^]|frame|−0\b(?![.\d])|nan", text)
+        assert not (hit := re.search(r"pin [a-z]|_s\d|[*^]|frame|−0\b(?![.\d])|nan|e c\d|\bc\d origin|_pole", text)), (
+            hit
+        )
+        corners = set(found[0].velocity.nodes)  # s4 may be the image of a special point S, and c0 of a point C
+        assert set(re.findall(r"\b[src]\d\b(?!′)", text)) <= corners | set(RADII.findall(text))
 
 
 @pytest.mark.parametrize("name", library.names())

@@ -16,7 +16,7 @@ from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.methods.assembly import assemble, refuse_bad_positions
 from graphkin.methods.equivalent import Contact, contacts, lower_pairs
-from graphkin.methods.hops import Slip, Twist, halves, way_round
+from graphkin.methods.hops import Slip, Twist, way_round
 from graphkin.methods.motion import Labels, motion
 from graphkin.methods.position import position
 from graphkin.methods.special import Ternary, ternary
@@ -34,6 +34,9 @@ class Method:
 
     stages  the order of solution: bodies carried along, and loops with two unknown scalars
     coincident  points at which links move past each other, with the link whose point the hinge there is
+    near, drawn angles by link and displacements by slide at the drawn position: where fitting starts, and from
+                where rolling counts
+    ternaries   the special point of each Class III group
     """
 
     mechanism: Mechanism
@@ -45,6 +48,7 @@ class Method:
     coincident: Mapping[str, str]
     near: Mapping[str, float]
     drawn: Mapping[str, float]
+    ternaries: Mapping[Group, Ternary]
 
     @property
     def drivers(self) -> tuple[Driver, ...]:
@@ -76,8 +80,10 @@ class Method:
         return _facts(self.structure, values, self.drawn)
 
 
-def plan(mechanism: Mechanism) -> Method:
+def plan(mechanism: Mechanism, coincident: str = "") -> Method:
     """Plan the constructions of a mechanism, and pick its assembly by the sketch.
+
+    coincident  the point at which sliding pairs are looked at, instead of the one the planner takes
 
     Raises a `GraphkinError` where the mechanism holds groups or pairs that are not solved, cannot be
     assembled, or has a sketch that does not tell its assemblies apart.
@@ -87,7 +93,7 @@ def plan(mechanism: Mechanism) -> Method:
     drawn: dict[str, float] = {}
     if ties or mechanism.poses:
         drawn, lower = _as_drawn(mechanism, lower)
-    structure = Structure(lower, ties)
+    structure = Structure(lower, ties, coincident)
     order, left = stages(structure)
     if left:
         names = list(dict.fromkeys(structure.home(body) for body in left))
@@ -105,7 +111,7 @@ def plan(mechanism: Mechanism) -> Method:
     velocity, at = motion(structure, order, labels, "velocity", pole, lambda site: "", ternaries)
     acceleration, _ = motion(structure, order, labels, "acceleration", pole, at, ternaries)
     return Method(
-        mechanism, structure, order, construction, velocity, acceleration, coincident, found.near, drawn
+        mechanism, structure, order, construction, velocity, acceleration, coincident, found.near, drawn, ternaries
     )
 
 
@@ -275,8 +281,7 @@ def _coincident(
 def _jumps(structure: Structure, stage: Stage, ternaries: Mapping[Group, Ternary]) -> list[Slip | Twist]:
     """The coincident points of one stage."""
     if isinstance(stage, Loop):
-        _, left, _, right = halves(structure, stage)
-        return [hop for hop in left + right if isinstance(hop, Slip | Twist)]
+        return [hop for hop in way_round(structure, stage)[1] if isinstance(hop, Slip | Twist)]
     if isinstance(stage, Group):
         ways = [way_round(structure, loop)[1] for loop in stage.loops]
         return [hop for way in ways for hop in way if isinstance(hop, Slip | Twist)]

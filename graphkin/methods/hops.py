@@ -85,6 +85,12 @@ def _places(structure: Structure, loop: Loop, lever: str = "") -> list[str]:
             for k in range(first + 1, last + 1):
                 places[k] = places[first] if k <= at else places[last + 1]
             continue
+        wanted = structure.coincident
+        if wanted in (places[first], places[last + 1]) or any(
+            wanted in structure.bodies[body] for body in loop.bodies[first : last + 1]
+        ):
+            places[first + 1 : last + 1] = [wanted] * (last - first)
+            continue
         inner = [loop.joints[k] for k in range(first + 1, last + 1)]
         slide = next((joint.slide for joint in inner if isinstance(joint, Sliding)), None)
         at_entry = slide is not None and _block_side(structure, loop, slide) == "entry"

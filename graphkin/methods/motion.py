@@ -225,6 +225,12 @@ class _Polygon:
     # --- stages -------------------------------------------------------------------------------
 
     def loop(self, stage: Loop) -> None:
+        hops = way_round(self.structure, stage)[1]
+        if sum(not hop.known for hop in hops) > 2:
+            chain = self._chain(stage)
+            self.parts.append(Simultaneous(stage.angles, stage.slides, (chain,), ()))
+            self.walk(stage)
+            return
         start, left_hops, end, right_hops = halves(self.structure, stage)
         self.reach(start)
         self.reach(end)
@@ -444,6 +450,16 @@ class _Polygon:
         elif isinstance(hop, Slip):
             quantity = "s_rate" if self.plane == "velocity" else "s_acceleration"
             self.parts.append(Measure(quantity, hop.slide, tail, head, sign=self._sense(hop)))
+
+    def walk(self, stage: Loop) -> None:
+        """Draw every site of a loop whose unknowns have been found, hop by hop."""
+        for hop in way_round(self.structure, stage)[1]:
+            if isinstance(hop, Lever):
+                self.reach(hop.of)
+            elif isinstance(hop, Slip) and not self.known(hop.of):
+                self.sum(hop.of, self.side(hop.seen_from, (Slip(hop.seen_from, hop.of, True, hop.slide),)))
+        for body in stage.bodies:
+            self.fill(body)
 
     def together(self, stage: Group) -> None:
         """All chains at once, by calculation."""

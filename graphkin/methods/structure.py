@@ -39,10 +39,14 @@ Joint = Hinge | Sliding
 
 @frozen
 class Structure:
-    """The mechanism as the planner sees it."""
+    """The mechanism as the planner sees it.
+
+    coincident  the point at which sliding pairs are looked at, where the user wants another than the planner's
+    """
 
     mechanism: Mechanism
     contacts: tuple[Contact, ...] = ()
+    coincident: str = ""
 
     @cached_property
     def bodies(self) -> dict[str, tuple[str, ...]]:

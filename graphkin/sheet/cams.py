@@ -47,15 +47,17 @@ def equivalents(skeleton: Skeleton) -> list[Mark]:
         centres = [p.centre for p in cam.profiles if p.centre is not None]
         step = skeleton.step(*centres)
         if len(centres) == 2:
-            marks += _joined(skeleton, centres, step)
+            edges = {p.centre for p in cam.profiles if p.radius == 0}
+            marks += _joined(skeleton, centres, edges, step)
         else:
             marks += _slotted(skeleton, cam, centres[0], step)
     return marks
 
 
-def _joined(skeleton: Skeleton, centres: list[str], step: int | None) -> list[Mark]:
+def _joined(skeleton: Skeleton, centres: list[str], edges: set[str | None], step: int | None) -> list[Mark]:
     start, end = (skeleton.at(p) for p in centres)
-    return [Stroke((start, end), "dashed", step=step), *(Disc(at, symbols.HINGE, "thin", step=step) for at in (start, end))]
+    hinges = [Disc(skeleton.at(p), symbols.HINGE, "thin", step=step) for p in centres if p not in edges]
+    return [Stroke((start, end), "dashed", step=step), *hinges]
 
 
 def _slotted(skeleton: Skeleton, cam: Cam, centre: str, step: int | None) -> list[Mark]:

@@ -7,9 +7,10 @@ from functools import cached_property
 
 from graphkin.errors import Lang
 from graphkin.methods import Method
+from graphkin.sheet.gear_images import GearImage, gear_images
 from graphkin.sheet.labels import Room, settle
 from graphkin.sheet.layout import HEAD, Extent, Layout, lay_out, papers_for
-from graphkin.sheet.lettering import plain, width
+from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.obstacles import bounds
@@ -19,24 +20,28 @@ from graphkin.sheet.polygons import Polygon, polygon_figure
 from graphkin.sheet.results import Table, tables
 from graphkin.sheet.scales import KEYS, TooLargeForPaper, finest, written
 from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.specials import named_specials
 from graphkin.sheet.titleblock import strip, strip_heights
 from graphkin.sheet.wheels import rims
 from graphkin.sheet.window import Figure, Window, births, constructions, first_steps
-from graphkin.steps import Construction, Plane, Plot
+from graphkin.steps import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.value import frozen
 
 __all__ = ["Composed", "compose"]
 
 _TRIAL = 100.0
 """Size of a figure when it is drawn to see how far its signs reach [mm]."""
-_CROWDED = 12
-"""With more leaders than this a larger paper is tried."""
+_CROWDED, _EASED = 8, 4
+"""With more leaders than this a larger paper is tried, and taken where it saves so many."""
 _LETTERS = 6.5
 """What labels need around a figure [mm]."""
 HEADINGS: dict[Lang, dict[Plane, str]] = {
     "en": {"position": "Mechanism", "velocity": "Velocity polygon", "acceleration": "Acceleration polygon"},
     "zh": {"position": "机构运动简图", "velocity": "速度多边形", "acceleration": "加速度多边形"},
 }
+
+FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
+TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
 
 
 @frozen
@@ -69,15 +74,22 @@ class _Planes:
         if plane == "position":
             machine = self.method.mechanism
             named = [complex(v) for name, v in points.items() if name in machine.points]
-            return [*named, *rims(machine, points)]
+            drawn = [*named, *rims(machine, points)]
+            return [*drawn, *named_specials(self.method, self.plot, drawn).values()]
         names = {self.construction(plane).pole, *self.construction(plane).nodes}
-        return [complex(v) for name, v in points.items() if name in names]
+        found = [complex(v) for name, v in points.items() if name in names]
+        return found + [corner for image in self.gears(plane) for corner in image.corners]
+
+    def gears(self, plane: Plane) -> list[GearImage]:
+        return gear_images(self.method, self.plot) if plane == "velocity" else []
 
     def figure(self, plane: Plane, window: Window) -> Figure:
         born = births(self.construction(plane), first_steps(self.method)[plane])
         if plane == "position":
-            return mechanism_figure(Skeleton(self.method.mechanism, self.plot, window, born))
-        return polygon_figure(Polygon(self.method.mechanism, self.construction(plane), self.plot, window, born))
+            skeleton = Skeleton(self.method.mechanism, self.plot, window, born)
+            return mechanism_figure(skeleton, self.method, self.values(plane))
+        construction = self.construction(plane)
+        return polygon_figure(Polygon(self.method.mechanism, construction, self.plot, window, born, self.gears(plane)))
 
     def extent(self, plane: Plane) -> Extent:
         """How large the plane's points are, and how far its signs reach beyond them."""
@@ -124,7 +136,7 @@ def compose(
     composed = work.on(layout)
     if paper is None and not layout.paper.name.startswith("A3") and composed.crowded > _CROWDED:
         larger = work.on(work.layout([PAPERS["A3-landscape"], PAPERS["A3"]]))
-        composed = larger if larger.crowded <= composed.crowded / 2 else composed
+        composed = larger if larger.crowded <= composed.crowded - _EASED else composed
     return work.on(composed.layout, stages=True) if stages else composed
 
 
@@ -141,13 +153,25 @@ class _Work:
     def extents(self) -> dict[Plane, Extent]:
         return {plane: self.drawing.extent(plane) for plane in self.planes}
 
+    @cached_property
+    def notes(self) -> dict[Plane, Label]:
+        """Planes that hold what ruler and compass do not give, and how it was found."""
+        found: dict[Plane, Label] = {}
+        for plane in self.planes:
+            kinds = {type(step) for step in self.drawing.construction(plane).steps}
+            if Fit in kinds:
+                found[plane] = plain(FITTED[self.lang])
+            elif Simultaneous in kinds:
+                found[plane] = plain(TOGETHER[self.lang])
+        return found
+
     def layout(self, papers: Sequence[Paper]) -> Layout:
         return lay_out(self.extents, strip_heights(self.found), papers)
 
     def on(self, layout: Layout, stages: bool = False) -> Composed:
         """Everything on a divided paper."""
         machine, found = self.drawing.method.mechanism, [] if stages else self.found
-        marks = strip(machine, found, layout.paper, layout.strip, layout.scales, self.lang)
+        marks = strip(machine, found, layout.paper, layout.strip, layout.scales, self.notes, self.lang)
         origins: dict[Plane, Place] = {}
         for plane in self.planes:
             origins[plane] = _origin(self.drawing.values(plane), self.extents[plane], layout, plane)

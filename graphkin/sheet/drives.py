@@ -13,6 +13,7 @@ from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, joined, quantity_label
 from graphkin.sheet.marks import Place
 from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.wheels import circles, wheels_of
 from graphkin.sheet.window import Figure
 
 __all__ = ["drives"]
@@ -28,6 +29,8 @@ def drives(skeleton: Skeleton) -> Figure:
             _slide_arrow(skeleton, driver, figure)
         elif driver.vector is not None:
             _turn_arrow(skeleton, driver, figure)
+        elif driver.kind == "spin":
+            _spin_arrow(skeleton, driver, figure)
     return figure
 
 
@@ -49,6 +52,22 @@ def _turn_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     figure.wanted.append(Wanted(label, at + middle * radius, gap=0.3, away=middle, step=marks[0].step))
 
 
+def _spin_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
+    """In a wheel whose direction does not matter, about its centre."""
+    own = [wheel for wheel in wheels_of(skeleton.mechanism) if wheel.link == driver.link]
+    if not own:
+        return
+    at, radius = skeleton.at(own[0].centre), own[0].radius / skeleton.window.scale
+    sense, reach = math.copysign(1, driver.rate or driver.acceleration), min(9.0, max(4.0, 0.6 * radius))
+    ways = [cmath.rect(1, math.radians(turn)) for turn in range(0, 360, 45)]
+    start = max(ways, key=lambda way: _room(skeleton, at + way * _half(sense) * reach))
+    marks = symbols.spin(at, start, sense, reach, skeleton.step(own[0].centre))
+    figure.marks += marks
+    middle = start * _half(sense)
+    label = _turn_label(skeleton, driver)
+    figure.wanted.append(Wanted(label, at + middle * reach, gap=0.3, away=middle, step=marks[0].step))
+
+
 def _half(sense: float) -> complex:
     """From the start of a turning arrow to its middle."""
     return cmath.rect(1, -sense * symbols.SWEEP / 2)
@@ -62,7 +81,9 @@ def _room(skeleton: Skeleton, place: Place) -> float:
         if FRAME in skeleton.mechanism.owners[p]
     ]
     stretches = [*skeleton.segments(), *grounds]
-    return min(5.0, min((_distance(place, a, b) for a, b in stretches), default=5.0))
+    gaps = [_distance(place, a, b) for a, b in stretches]
+    gaps += [abs(abs(place - at) - radius) for at, radius in circles(skeleton)]
+    return min([5.0, *gaps])
 
 
 def _distance(place: Place, start: Place, end: Place) -> float:
@@ -87,8 +108,14 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     along = skeleton.direction(line) * math.copysign(1, driver.rate or driver.acceleration)
     up = along * 1j if (along * 1j).imag <= 0 else along * -1j
     at = skeleton.at(point)
-    across = max((up, -up), key=lambda side: _room(skeleton, at + side * 5.2 + along * 3))
-    start = at + across * 5.2 - along * 4
+    for slide in skeleton.mechanism.slides:
+        if slide.name == driver.link and skeleton.is_cylinder(slide):
+            foot = skeleton.at(slide.line.origin)
+            at = foot + (1 + symbols.TUBE) / 2 * (at - foot) - 2 * along
+    out = 5.2 + max((radius for centre, radius in circles(skeleton) if abs(centre - at) < 0.1), default=0.0)
+    out -= 1.5 if out > 6 else 0.0
+    across = max((up, -up), key=lambda side: min(_room(skeleton, at + side * out + along * t) for t in (-3, 3, 6)))
+    start = at + across * out - along * 4
     marks = symbols.push(start, along, skeleton.step(point))
     figure.marks += marks
     names = [skeleton.mechanism.called(link) for link in reversed(pair)]

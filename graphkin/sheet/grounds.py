@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Slide
 from graphkin.sheet import symbols
+from graphkin.sheet.cams import follower
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Mark, Place
@@ -82,6 +83,8 @@ def _runs(skeleton: Skeleton) -> list[_Run]:
     """Fixed guides; stretches of one line that touch are one."""
     runs: list[_Run] = []
     for slide in skeleton.guides(FRAME):
+        if follower(skeleton, slide) is not None:
+            continue
         fresh = _run(skeleton, slide)
         for run in runs:
             if _touch(run, fresh):

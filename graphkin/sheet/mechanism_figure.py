@@ -7,36 +7,46 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from graphkin.mechanism import FRAME
+from graphkin.methods import Method
 from graphkin.pairs import Slide
 from graphkin.sheet import symbols
+from graphkin.sheet.cams import cams, equivalents, follower
 from graphkin.sheet.drives import drives
 from graphkin.sheet.grounds import grounds
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import link_label, point_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
 from graphkin.sheet.skeleton import Skeleton, hull, in_line
-from graphkin.sheet.wheels import wheels
+from graphkin.sheet.specials import contacts, specials
+from graphkin.sheet.wheels import wheels, wheels_of
 from graphkin.sheet.window import Figure
 
 __all__ = ["mechanism_figure"]
 
 
-def mechanism_figure(skeleton: Skeleton) -> Figure:
-    """Ground first, then links, blocks over their guides, hinges over links, arrows last."""
+def mechanism_figure(skeleton: Skeleton, method: Method, drawn: list[complex]) -> Figure:
+    """Wheels and ground first, then links, blocks over their guides, hinges over links, arrows last.
+
+    drawn  the places that the figure has room for [m]
+    """
     figure = Figure()
+    turning, special, touching = wheels(skeleton), specials(method, skeleton, drawn), contacts(method, skeleton)
+    figure.marks += special.marks + turning.marks
     ground = grounds(skeleton)
     figure.marks += ground.marks
     for link in skeleton.mechanism.moving:
         _link(skeleton, link, figure)
-    turning = wheels(skeleton)
-    figure.marks += turning.marks
+    figure.marks += cams(skeleton).marks
     for slide in skeleton.mechanism.slides:
         figure.marks += _sliding(skeleton, slide)
-    figure.marks += _points(skeleton)
+    figure.marks += _points(skeleton) + touching.marks
     figure.marks += _through_bars(skeleton)
+    figure.marks += equivalents(skeleton)
     driving = drives(skeleton)
     figure.marks += driving.marks
-    figure.wanted += _names(skeleton) + driving.wanted + ground.wanted
+    figure.wanted += _names(skeleton)
+    for part in (driving, ground, turning, special, touching):
+        figure.wanted += part.wanted
     return figure
 
 
@@ -87,6 +97,8 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     """The block or the slot, over its guide."""
     at, along = skeleton.at(slide.point), skeleton.along(slide)
     step = skeleton.step(slide.point, slide.line.origin)
+    if (rod := follower(skeleton, slide)) is not None:
+        return rod
     if slide.block is not None:
         if skeleton.is_cylinder(slide):
             return []
@@ -154,6 +166,12 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
     label = link_label(skeleton.mechanism.called(link))
     slide = skeleton.blocks.get(link)
     if slide is not None and len(places) < 2:
+        if skeleton.is_cylinder(slide):
+            yield Wanted(label, _tube(skeleton, slide)[1], skeleton.at(slide.point), gap=1.2, step=step)
+            return
+        if (rod := follower(skeleton, slide)) is not None and isinstance(rod[0], Stroke):
+            yield Wanted(label, rod[0].places[0], rod[0].places[1], gap=1.2, step=step)
+            return
         across = skeleton.along(slide) * 1j
         yield Wanted(label, skeleton.at(slide.point), gap=math.hypot(2.4, 2.8), away=across, step=step)
     elif len(places) > 2 and in_line(places) is None:
@@ -164,10 +182,16 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
         yield Wanted(label, ends[0], ends[1], gap=1.2, step=step)
     else:
         for guide in skeleton.guides(link):
-            yield Wanted(label, skeleton.at(guide.line.origin), skeleton.at(guide.point), step=step)
+            yield Wanted(label, *_tube(skeleton, guide), gap=3.4, step=step)
             return
-        if places:
+        if places and not any(wheel.link == link for wheel in wheels_of(skeleton.mechanism)):
             yield Wanted(label, places[0], gap=4.0, step=step)
+
+
+def _tube(skeleton: Skeleton, slide: Slide) -> tuple[Place, Place]:
+    """Where a cylinder's tube begins and ends."""
+    foot, rod_end = skeleton.at(slide.line.origin), skeleton.at(slide.point)
+    return foot, foot + symbols.TUBE * (rod_end - foot)
 
 
 def _widest_gap(places: list[Place]) -> tuple[Place, Place]:

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import field
 from functools import cached_property
 
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.sheet import gear_images
+from graphkin.sheet.gear_images import GearImage
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import joined, point_label, vector_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Stroke, VectorMark
@@ -22,13 +25,14 @@ _SAME = 0.15
 
 @frozen
 class Polygon:
-    """One plane's polygon through a window. `born`: the step in which each of its points is found."""
+    """One plane's polygon through a window. `born`: the step in which each of its points is found; `gears`: images."""
 
     mechanism: Mechanism
     construction: Construction
     plot: Plot
     window: Window
     born: Mapping[str, int]
+    gears: list[GearImage] = field(default_factory=list)
 
     @cached_property
     def points(self) -> dict[str, Place]:
@@ -99,11 +103,13 @@ def polygon_figure(polygon: Polygon) -> Figure:
     figure = Figure()
     vectors = list(polygon.vectors())
     figure.marks += _image_lines(polygon, vectors)
+    rims = gear_images.circles(polygon.gears, polygon.window, vectors, list(polygon.named.values()))
+    figure.marks += rims.marks
     figure.marks += vectors
     plane = polygon.construction.plane
     for name, at in polygon.named.items():
         figure.marks.append(PointMark(plane, name, polygon.of(name), at, step=polygon.step(name)))
-    figure.wanted += _point_names(polygon) + _vector_names(polygon, vectors)
+    figure.wanted += _point_names(polygon) + _vector_names(polygon, vectors) + rims.wanted
     return figure
 
 
@@ -141,13 +147,12 @@ def _point_names(polygon: Polygon) -> list[Wanted]:
         else:
             places.append((at, [name]))
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
-    return [
-        Wanted(
-            joined([point_label(name) for name in names]), at, gap=0.5, away=at - middle,
-            step=polygon.step(names[0]),
-        )
-        for at, names in places
-    ]  # fmt: skip
+    fixed = gear_images.points(polygon.gears, polygon.window)
+    wanted: list[Wanted] = []
+    for at, names in places:
+        labels = [point_label(name) for name in names] + [label for name in names for label in fixed.get(name, ())]
+        wanted.append(Wanted(joined(labels), at, gap=0.5, away=at - middle, step=polygon.step(names[0])))
+    return wanted
 
 
 def _vector_names(polygon: Polygon, vectors: list[VectorMark]) -> list[Wanted]:

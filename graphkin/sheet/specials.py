@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from graphkin.methods import Method
 from graphkin.sheet.labels import Wanted
@@ -12,6 +11,7 @@ from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure, first_steps
 from graphkin.steps import AcrossGuide, Along, Arc, Direction, Meet, Plot, Ray, Touch
+from graphkin.value import frozen
 
 __all__ = ["contacts", "named_specials", "specials"]
 
@@ -23,7 +23,7 @@ _FAR = 1.9
 """So many times larger the mechanism may become for a special point's sake."""
 
 
-@dataclass(frozen=True)
+@frozen
 class _Special:
     """A special point: its letter, its site as written (`S4`), and the two lines."""
 
@@ -60,12 +60,12 @@ def named_specials(method: Method, plot: Plot, others: list[complex]) -> Mapping
     return found
 
 
-def specials(method: Method, skeleton: Skeleton, near: Mapping[str, complex]) -> Figure:
-    """The legs' lines, thin, to where they meet; towards it only where that is off the paper."""
+def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure:
+    """The legs' lines, thin, to where they meet; towards it only where it is not among the places drawn [m]."""
     figure = Figure()
     for special in _found(method):
         at = skeleton.at(special.name)
-        if special.name in near:
+        if complex(skeleton.plot.position[special.name]) in drawn:
             for ray in special.rays:
                 figure.marks += _line(skeleton, ray, at, special.step)
             figure.marks.append(PointMark("position", special.name, special.of, at, 0.6, step=special.step))

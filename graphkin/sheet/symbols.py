@@ -13,8 +13,8 @@ from graphkin.sheet.marks import Arc, Mark, Place, Stroke
 from graphkin.sheet.paper import PenName
 
 __all__ = [
-    "BLOCK", "HINGE", "PIVOT_DEPTH", "SWEEP", "arrow_head", "bar", "block", "centre_mark", "corner", "cylinder", "guide",
-    "hatch", "pivot", "plate", "push", "rim_hatch", "slot", "spin",
+    "BLOCK", "HINGE", "PIVOT_DEPTH", "SWEEP", "TUBE", "arrow_head", "bar", "block", "centre_mark", "corner", "cylinder",
+    "guide", "hatch", "pivot", "plate", "push", "rim_hatch", "slot", "spin",
 ]  # fmt: skip
 
 HINGE = 1.3
@@ -23,6 +23,8 @@ PIVOT_DEPTH = 4.6
 """From a pivot's centre to the ground [mm]."""
 BLOCK = complex(10.0, 5.6)
 """Length and height of a block [mm]."""
+TUBE = 0.6
+"""Length of a cylinder's tube, of its length from hinge to hinge."""
 SWEEP = math.radians(62)
 """Angle of a turning arrow."""
 _SLOT = 1.75
@@ -55,7 +57,7 @@ def hatch(start: Place, end: Place, side: complex, step: int | None = None) -> l
 
 
 def rim_hatch(at: Place, radius: float, outward: float, step: int | None = None) -> list[Mark]:
-    """A fixed circle: hatching on its outside (`outward` 1) or its inside (-1), in three stretches where it is large."""
+    """A fixed circle: hatching on its outside (`outward` 1) or inside (-1), in three stretches where it is large."""
     if radius < 2 * _PITCH:
         return []
     length = math.tau * radius
@@ -65,7 +67,8 @@ def rim_hatch(at: Place, radius: float, outward: float, step: int | None = None)
         for k in range(int(along / _PITCH) + (length >= 60)):
             way = cmath.rect(1, (begin + k * _PITCH) / radius)
             slant = way * outward - 1j * way
-            marks.append(Stroke((at + radius * way, at + radius * way + slant / abs(slant) * _SLANT), "hatch", step=step))
+            foot = at + radius * way
+            marks.append(Stroke((foot, foot + slant / abs(slant) * _SLANT), "hatch", step=step))
     return marks
 
 
@@ -127,7 +130,7 @@ def cylinder(foot: Place, rod_end: Place, step: int | None = None) -> list[Mark]
     length = abs(rod_end - foot)
     along = (rod_end - foot) / length
     side = 1j * along * 2.6
-    near, far = foot + along * min(4.0, 0.15 * length), foot + along * 0.6 * length
+    near, far = foot + along * min(4.0, 0.15 * length), foot + along * TUBE * length
     piston = foot + along * 0.42 * length
     tube = (near + side, far + side, far - side, near - side)
     return [

@@ -38,9 +38,10 @@ def _height(found: list[Table], paper: Paper) -> float:
 
 
 def strip(
-    machine: Mechanism, found: list[Table], paper: Paper, room: Room, scales: Mapping[Plane, float], lang: Lang
-) -> list[Mark]:
-    """The whole strip and the drawing frame."""
+    machine: Mechanism, found: list[Table], paper: Paper, room: Room, scales: Mapping[Plane, float],
+    notes: Mapping[Plane, Label], lang: Lang,
+) -> list[Mark]:  # fmt: skip
+    """The whole strip and the drawing frame. `notes` stand beside the scales."""
     edge = room.right - _WIDE
     marks: list[Mark] = [
         _frame(paper),
@@ -49,7 +50,7 @@ def strip(
     ]
     marks += drawn_tables(arranged(found, _room(paper)), complex(room.left + 3, room.top + 1.5))
     marks += _check_bar(complex(room.left + 3, room.bottom - 3.2), lang)
-    marks += _words(machine, complex(edge + 3, room.top), scales, lang)
+    marks += _words(machine, complex(edge + 3, room.top), scales, notes, lang)
     return marks
 
 
@@ -69,7 +70,9 @@ def _check_bar(at: Place, lang: Lang) -> list[Mark]:
     return marks
 
 
-def _words(machine: Mechanism, corner: Place, scales: Mapping[Plane, float], lang: Lang) -> list[Mark]:
+def _words(
+    machine: Mechanism, corner: Place, scales: Mapping[Plane, float], notes: Mapping[Plane, Label], lang: Lang
+) -> list[Mark]:
     """Title, source, scales, and what drew it; each line shrunk or broken to the block."""
     marks: list[Mark] = []
     pen = corner + 1.2j
@@ -83,6 +86,8 @@ def _words(machine: Mechanism, corner: Place, scales: Mapping[Plane, float], lan
     for plane, scale in scales.items():
         pen += 1j * (BODY * 1.45)
         marks.append(Text(written(plane, scale), pen, BODY))
+        if plane in notes:
+            marks.append(Text(notes[plane], pen + width(written(plane, scale), BODY) + 2.5, LEAST))
     made: Label = plain("graphkin")
     marks.append(Text(made, complex(corner.real + _WIDE - 6 - width(made, LEAST), pen.imag), LEAST))
     return marks

@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Line, Roll
@@ -15,6 +14,7 @@ from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure
+from graphkin.value import frozen
 
 __all__ = ["Wheel", "circles", "rims", "straight", "wheels", "wheels_of"]
 
@@ -25,7 +25,7 @@ _SMALL = 9.0
 """In a wheel of less radius there is no room for its number [mm]."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Wheel:
     """A circle that rolls: its link, centre and radius [m].
 

@@ -7,11 +7,14 @@ from dataclasses import replace
 from typing import assert_never
 
 from graphkin.steps import (
+    AcrossGuide,
+    Along,
     AlongGuide,
     Arc,
     Drawn,
     Driven,
     Equation,
+    Fit,
     Given,
     Image,
     LayOff,
@@ -20,10 +23,13 @@ from graphkin.steps import (
     Normal,
     Ray,
     Relative,
+    Roll,
+    Simultaneous,
     Step,
     Swing,
     Tangential,
     Term,
+    Touch,
     Turning,
 )
 from graphkin.words import names
@@ -31,6 +37,7 @@ from graphkin.words.entries import Arrow, Calculation, Entry, Sentence, VectorEq
 from graphkin.words.figures import number
 from graphkin.words.plane import Polygon
 from graphkin.words.sizes import known_size, size_row
+from graphkin.words.together import instant_centre, special_introduction
 
 __all__ = ["equation", "known_arrow", "worded"]
 
@@ -47,7 +54,10 @@ def equation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
     for term in known:
         yield known_size(polygon, term, terms)
     yield from _drawing(polygon, part.steps, terms)
-    yield from _measured(polygon, part)
+    if centre := instant_centre(polygon, part):
+        yield Sentence(centre)
+    else:
+        yield from _measured(polygon, part)
 
 
 def known_arrow(polygon: Polygon, step: LayOff) -> Iterator[Entry]:
@@ -92,6 +102,8 @@ def _arrow(polygon: Polygon, term: Term, equation: tuple[Term, ...]) -> Arrow:
 def _introduction(polygon: Polygon, part: Equation) -> str:
     """Which points of which link, or which coincident points, the equation is about."""
     say = polygon.reading.say
+    if special := special_introduction(polygon, part):
+        return special
     found = dict.fromkeys(_relation(polygon, term) for term in part.left + part.right if term.seen_from)
     relations = [relation for relation in found if relation]
     motion = say(f"motion {polygon.plane}")
@@ -104,6 +116,8 @@ def _introduction(polygon: Polygon, part: Equation) -> str:
 
 def _relation(polygon: Polygon, term: Term) -> str:
     of, seen_from = names.point(term.of), names.point(term.seen_from)
+    if not term.part and isinstance(term.direction, Along | AcrossGuide):
+        return polygon.reading.say("contact points", of=of, seen_from=seen_from)
     if _coincident(term):
         return polygon.reading.say("coincident", of=of, seen_from=seen_from)
     link = _link(polygon, term)
@@ -157,7 +171,7 @@ def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...])
                 yield Sentence(_meet(polygon, step, terms))
             case Ray():
                 pass  # told where it crosses another
-            case Given() | Image() | Measure() | Arc() | Swing():
+            case Given() | Image() | Measure() | Arc() | Swing() | Roll() | Fit() | Touch() | Simultaneous():
                 raise AssertionError("an equation of a polygon is drawn with arrows and lines")
             case _:
                 assert_never(step)
@@ -188,7 +202,7 @@ def _lay_off(polygon: Polygon, step: LayOff, carried: bool = False, told: bool =
 
 def _meet(polygon: Polygon, step: Meet, terms: tuple[Term, ...]) -> str:
     rays = [locus for locus in (step.first, step.second) if isinstance(locus, Ray)]
-    directions = [polygon.direction(ray.direction, terms) for ray in rays]
+    directions = [polygon.line_direction(ray.direction, terms) for ray in rays]
     return polygon.reading.say(
         "meet rays one point" if rays[0].through == rays[1].through else "meet rays",
         first=names.point(rays[0].through),
@@ -205,13 +219,14 @@ def _meet(polygon: Polygon, step: Meet, terms: tuple[Term, ...]) -> str:
 def _measured(polygon: Polygon, part: Equation) -> Iterator[Entry]:
     """The unknown arrows, then the motion sought where it is none of them; first in mm, then in SI units."""
     pole, node = polygon.construction.pole, part.left[-1].head
-    ends = [(term.tail, term.head) for term in part.left + part.right if term.unknowns]
+    unknown = [term for term in part.left + part.right if term.unknowns]
+    ends = [(term.tail, term.head) for term in unknown]
     sought = not any(_alone(part, side) for side in (part.left, part.right))
     lengths = dict.fromkeys([*ends, (pole, node)] if sought and node != pole else ends)
     listed = [f"{names.stretch(*pair)} = {_millimetres(polygon, pair)}" for pair in lengths]
     yield Sentence(polygon.reading.say("measured", lengths=polygon.reading.say("and").join(listed)))
-    for tail, head in ends:
-        yield _result(polygon, tail, head)
+    for term in unknown:
+        yield _result(polygon, term)
     if sought and node != pole:
         yield _sought(polygon, node)
 
@@ -228,7 +243,10 @@ def _millimetres(polygon: Polygon, ends: tuple[str, str]) -> str:
     return f"{number(length)} mm" if length else "0"
 
 
-def _result(polygon: Polygon, tail: str, head: str) -> Calculation:
+def _result(polygon: Polygon, term: Term) -> Calculation:
+    if term.over:
+        return polygon.measured(term.tail, term.head, names.vector(term.name(polygon.plane)))
+    tail, head = term.tail, term.head
     if tail == polygon.construction.pole and polygon.of(head):
         named = polygon.name(tail, head)
         if named == polygon.seen(polygon.of(head), ""):

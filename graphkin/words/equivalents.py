@@ -3,9 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import assert_never
 
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, Line, Roll
+from graphkin.pairs import Cam, Line
+from graphkin.pairs import Roll as RollingPair
+from graphkin.steps import (
+    Arc,
+    Fit,
+    Given,
+    Image,
+    LayOff,
+    Measure,
+    Meet,
+    Ray,
+    Roll,
+    Simultaneous,
+    Step,
+    Swing,
+    Touch,
+)
 from graphkin.words import names
 from graphkin.words.entries import Entry, Sentence
 from graphkin.words.figures import degrees, number
@@ -18,11 +35,12 @@ def equivalents(reading: Reading) -> Iterator[Entry]:
     """Each cam by its lower pairs, each rolling wheel by what its centre does."""
     for k, cam in enumerate(reading.mechanism.cams):
         yield Sentence(_cam(reading, k, cam))
-        yield from _fixed_path(reading, f"c{k}")
+        if f"c{k}" in reading.contact_slides:
+            yield from _path(reading, f"c{k}")
     for roll in reading.mechanism.rolls:
         if roll.line is not None:
             yield Sentence(_on_line(reading, roll, roll.line))
-            yield from _fixed_path(reading, roll.name)
+            yield from _path(reading, roll.name)
         elif f"e {roll.name}" in reading.method.structure.bodies:
             yield Sentence(_on_circle(reading, roll))
 
@@ -32,9 +50,15 @@ def _cam(reading: Reading, k: int, cam: Cam) -> str:
     if first.line is None and second.line is None:
         assert first.centre is not None
         assert second.centre is not None
-        one, other = names.point(first.centre), names.point(second.centre)
-        length = _distance(reading, (first.centre, second.centre), (first.radius, second.radius), cam.internal)
-        return reading.say("circles touch", first=one, second=other, length=length, link=names.point(f"e c{k}"))
+        centres, link = (first.centre, second.centre), names.point(f"e c{k}")
+        one, other = (names.point(centre) for centre in centres)
+        if first.radius and second.radius:
+            length = _distance(centres, (first.radius, second.radius), cam.internal)
+            return reading.say("circles touch", first=one, second=other, length=length, link=link)
+        if not first.radius:
+            one, other = other, one
+        length = f"{names.pair(*centres)} = {number(1000 * (first.radius + second.radius))} mm"
+        return reading.say("edge on circle", first=one, second=other, length=length, link=link)
     flat, disc = (first, second) if first.line is not None else (second, first)
     assert flat.line is not None
     assert disc.centre is not None
@@ -48,7 +72,7 @@ def _cam(reading: Reading, k: int, cam: Cam) -> str:
     return reading.say("flat touches", length=_radius(disc.radius), **words)
 
 
-def _on_line(reading: Reading, roll: Roll, line: Line) -> str:
+def _on_line(reading: Reading, roll: RollingPair, line: Line) -> str:
     return reading.say(
         "wheel on line",
         wheel=reading.link(roll.wheel),
@@ -59,7 +83,7 @@ def _on_line(reading: Reading, roll: Roll, line: Line) -> str:
     )
 
 
-def _on_circle(reading: Reading, roll: Roll) -> str:
+def _on_circle(reading: Reading, roll: RollingPair) -> str:
     assert roll.track_centre is not None
     centres = (roll.track_centre, roll.centre)
     return reading.say(
@@ -67,7 +91,7 @@ def _on_circle(reading: Reading, roll: Roll) -> str:
         wheel=reading.link(roll.wheel),
         first=names.point(roll.track_centre),
         second=names.point(roll.centre),
-        length=_distance(reading, centres, (roll.track_radius, roll.radius), roll.internal),
+        length=_distance(centres, (roll.track_radius, roll.radius), roll.internal),
         link=names.point(f"e {roll.name}"),
     )
 
@@ -84,22 +108,39 @@ def _radius(radius: float) -> str:
 
 
 def _face(reading: Reading, line: Line, slide: str) -> str:
-    """Two points of the line where they are named, else nothing that needs a name."""
-    line_of = reading.parallel(slide)
-    if line.link != FRAME and line_of is not None:
-        return names.pair(*line_of)
-    origin = f"{names.point(line.origin)} · " if line.origin[0].isupper() else ""
-    angle = degrees(line.direction * (1 if line.link == FRAME else 1))
-    return f"({origin}{angle})" if line.link == FRAME else ""
+    """Two points of a moving line where such are named."""
+    along = reading.points_along(slide) if line.link != FRAME else None
+    return f" {names.pair(*along)}" if along else ""
 
 
-def _fixed_path(reading: Reading, name: str) -> Iterator[Entry]:
-    """Where the path of a centre lies, if it stands still."""
-    slide = reading.method.structure.slides.get(name)
-    if slide is None or slide.guide != FRAME:
-        return
-    place = reading.plot.facts.shapes[FRAME][slide.line.origin]
-    x, y = (reading.on_paper(value) for value in (place.real, place.imag))
-    path = reading.path(name)
-    angle = degrees(slide.line.direction)
-    yield Sentence(reading.say("fixed path", path=path[0].upper() + path[1:], place=f"({x}, {y})", angle=angle))
+def _path(reading: Reading, name: str) -> Iterator[Entry]:
+    """Where the path of a centre lies, if it stands still; else where it starts, if that is needed."""
+    slide = reading.method.structure.slides[name]
+    origin, path = slide.line.origin, reading.path(name)
+    if slide.guide == FRAME:
+        place = reading.plot.facts.shapes[FRAME][origin]
+        x, y = (reading.on_paper(value) for value in (place.real, place.imag))
+        start, angle = path[0].upper() + path[1:], degrees(slide.line.direction)
+        yield Sentence(reading.say("fixed path", path=start, place=f"({x}, {y})", angle=angle))
+    elif any(_uses(step, origin) for step in reading.method.position.steps):
+        beside, mark = reading.track_origin(name), names.point(origin)
+        if beside[0].isupper():
+            yield Sentence(reading.say("abreast", path=path, mark=mark, origin=names.point(beside)))
+        else:
+            yield Sentence(reading.say("marked start", path=path, mark=mark))
+
+
+def _uses(step: Step, origin: str) -> bool:
+    """Whether a step starts from a point or draws it, other than as a mere further point of its link."""
+    match step:
+        case LayOff():
+            return origin in (step.start, step.tip)
+        case Meet(first, second, point):
+            through = [locus.through for locus in (first, second) if isinstance(locus, Ray)]
+            return origin in (point, *through)
+        case Image():
+            return origin in step.base
+        case Measure() | Given() | Ray() | Arc() | Swing() | Roll() | Fit() | Touch() | Simultaneous():
+            return False
+        case _:
+            assert_never(step)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import degrees
 
-from graphkin.mechanism import FRAME, Driver
+from graphkin.mechanism import FRAME, Driver, Pose
 from graphkin.words import names
 from graphkin.words.entries import Entry, Heading, Sentence
 from graphkin.words.figures import number
@@ -21,6 +21,9 @@ def given(reading: Reading) -> Iterator[Entry]:
     between = reading.say("between drivers")
     frame = reading.mechanism.called(FRAME)
     yield Sentence(reading.say("given", drivers=between.join(drivers), frame=names.point(frame)))
+    if reading.mechanism.poses:
+        poses = [_pose(reading, pose) for pose in reading.mechanism.poses]
+        yield Sentence(reading.say("posed", poses=between.join(poses)))
     yield Sentence(reading.say("scales", scales=reading.say("and").join(_scales(reading))))
 
 
@@ -30,36 +33,64 @@ def _scales(reading: Reading) -> Iterator[str]:
     yield f"{names.SCALE['acceleration']} = {number(reading.scales['acceleration'])} (m/s²)/mm"
 
 
+def _pose(reading: Reading, pose: Pose) -> str:
+    """What held when the mechanism was drawn."""
+    if pose.vector is None:
+        place = f"{names.of_slide('s', pose.link)} = {number(pose.value * 1000)} mm"
+        return reading.say(_sliding(reading, pose.link), slide=pose.link, place=place)
+    angle, line = f"{number(degrees(pose.value))}°", "".join(names.point(p) for p in pose.vector)
+    link = reading.link(pose.link)
+    if pose.from_vector is None:
+        return reading.say("pose line", line=line, link=link, angle=angle)
+    other, seen_from = "".join(names.point(p) for p in pose.from_vector), reading.link(pose.from_link)
+    return reading.say("pose joint", line=line, link=link, angle=angle, other=other, seen_from=seen_from)
+
+
 def _driver(reading: Reading, k: int, driver: Driver) -> str:
     facts = reading.plot.facts
     value, rate, more = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
+    posed = driver.value is None and abs(value - float(reading.method.facts().values[k])) < 1e-12
     if driver.kind == "slide":
-        return _slide(reading, driver, value, rate, more)
+        return _slide(reading, driver, None if posed else value, rate, more)
     return reading.say("and").join(
         [
-            _angle(reading, driver, value),
+            _angle(reading, driver, None if posed else value),
             sensed(reading, reading.against(driver, "ω"), rate, "rad/s"),
             sensed(reading, reading.against(driver, "α"), more, "rad/s²"),
         ]
     )
 
 
-def _slide(reading: Reading, driver: Driver, value: float, rate: float, more: float) -> str:
+def _sliding(reading: Reading, slide: str) -> str:
+    """The phrase for a sliding pair or a rolling contact."""
+    return "driven roll" if slide in reading.contact_slides else "driven slide"
+
+
+def _slide(reading: Reading, driver: Driver, value: float | None, rate: float, more: float) -> str:
     position, speed, change = (names.of_slide(symbol, driver.link) for symbol in ("s", "ṡ", "s̈"))
-    place = f"{position} = {number(value * 1000)} mm"
+    key = _sliding(reading, driver.link)
+    if value is None:
+        start = reading.say(f"{key} free", slide=driver.link)
+    else:
+        start = reading.say(key, slide=driver.link, place=f"{position} = {number(value * 1000)} mm")
     return reading.say("and").join(
         [
-            reading.say("driven slide", slide=driver.link, place=place),
+            start,
             f"{speed} = {number(rate)} m/s" if rate else f"{speed} = 0",
             f"{change} = {number(more)} m/s²" if more else f"{change} = 0",
         ]
     )
 
 
-def _angle(reading: Reading, driver: Driver, value: float) -> str:
-    assert driver.vector is not None
+def _angle(reading: Reading, driver: Driver, value: float | None) -> str:
+    """Where the driven line stands; nothing of a wheel, or of one that a pose has fixed."""
+    link = reading.link(driver.link)
+    if driver.vector is None:
+        return reading.say("driven wheel", link=link)
+    line = "".join(names.point(p) for p in driver.vector)
+    if value is None:
+        return reading.say("driven line free", line=line, link=link)
     angle = f"{reading.against(driver, 'φ')} = {number(degrees(value))}°"
-    line, link = "".join(names.point(p) for p in driver.vector), reading.link(driver.link)
     if driver.from_vector is None:
         return reading.say("driven link", line=line, link=link, angle=angle)
     other = "".join(names.point(p) for p in driver.from_vector)

@@ -25,12 +25,24 @@ _RAISED = {"n": "ⁿ", "t": "ᵗ", "k": "ᵏ", "r": "ʳ"}
 def point(name: str) -> str:
     """A point of the mechanism or of a polygon, or a link; auxiliary points (`*1`) are numbered ①, ②, ..
 
-    The links of lower-pair equivalents are called e, e2, ..; those that hold a rolling wheel after its contact.
+    The links of lower-pair equivalents are called e, e2, ..; those that hold a rolling wheel after its contact. The
+    line on which a contact moves starts at ⓒ or ⓡ.
     """
     if name.startswith("*"):
         count = int(name[1:])
         return chr(0x2460 + count - 1) if count <= 20 else f"({count})"
+    name = _ORIGIN.sub(_origin, name)
     return _EQUIVALENT.sub(_equivalent, name).replace("'", "′")
+
+
+_ORIGIN = re.compile(r"(?:([cr])(\d+)|\w+) origin")
+
+
+def _origin(found: re.Match[str]) -> str:
+    """The start of a line that a contact moves on: ⓒ of a cam's slot, ⓡ of a wheel's path."""
+    kind, number = found.groups()
+    mark = "ⓒ" if kind == "c" else "ⓡ"
+    return mark + (str(int(number) + 1) if number and int(number) else "")
 
 
 _EQUIVALENT = re.compile(r"(?<![A-Za-z])([nkrt]?)e (?:c(\d+)|(\w+))")

@@ -8,6 +8,7 @@ from typing import assert_never
 
 from graphkin.steps import (
     Across,
+    AcrossGuide,
     Along,
     AlongGuide,
     Construction,
@@ -103,6 +104,10 @@ class Polygon:
         """`ω3` in the velocity plane, `α3` in the acceleration plane."""
         return self.reading.rate(names.RATE[self.plane], link)
 
+    @property
+    def rate_unit(self) -> str:
+        return "rad/s" if self.plane == "velocity" else "rad/s²"
+
     # --- rows -----------------------------------------------------------------------------------
 
     @cached_property
@@ -126,19 +131,28 @@ class Polygon:
                 return "⊥" + names.pair(tail, head)
             case AlongGuide(slide):
                 return "∥" + self.reading.line(slide)
+            case AcrossGuide(slide):
+                return "⊥" + self.reading.line(slide)
             case Quarter():
-                return self._across_relative(among)
+                return self._across_relative(direction, among)
             case _:
                 assert_never(direction)
 
-    def _across_relative(self, among: tuple[Term, ...]) -> str:
+    def line_direction(self, direction: Direction, among: tuple[Term, ...] = ()) -> str:
+        """The same of an arrow that may point either way."""
+        if isinstance(direction, Along):
+            return "∥" + names.pair(direction.tail, direction.head)
+        return self.direction(direction, among)
+
+    def _across_relative(self, quarter: Quarter, among: tuple[Term, ...]) -> str:
         """Across the line of the slide; for a driven rotation along its lever."""
         for term in among:
             if term.part == "r" and isinstance(term.direction, AlongGuide):
                 return "⊥" + self.reading.line(term.direction.slide)
             if term.part == "rt" and isinstance(term.direction, Across):
                 return "∥" + names.pair(term.direction.tail, term.direction.head)
-        raise AssertionError("a Coriolis term without its relative motion")
+        velocity = Polygon(self.reading, "velocity")
+        return "⊥" + velocity.name(quarter.tail, quarter.head)
 
     def direction_row(self, term: Term, equation: tuple[Term, ...]) -> str:
         """What the row of directions says of a term."""
@@ -148,6 +162,8 @@ class Polygon:
         if term.direction is None:
             return "?"
         relatives = tuple(t for t in equation if (t.of, t.seen_from) == (term.of, term.seen_from))
+        if term.size is None:
+            return self.line_direction(term.direction, relatives)
         return self.direction(term.direction, relatives)
 
     # --- measured -------------------------------------------------------------------------------

@@ -5,13 +5,31 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import assert_never
 
-from graphkin.steps import Arc, Equation, Given, Image, LayOff, Measure, Meet, Plane, Ray, Step, Swing
+from graphkin.steps import (
+    Arc,
+    Equation,
+    Fit,
+    Given,
+    Image,
+    LayOff,
+    Measure,
+    Meet,
+    Plane,
+    Ray,
+    Roll,
+    Simultaneous,
+    Step,
+    Swing,
+    Touch,
+)
 from graphkin.words import names
 from graphkin.words.entries import Entry, Heading, Sentence
 from graphkin.words.equations import equation, known_arrow
 from graphkin.words.plane import Polygon
 from graphkin.words.reading import Reading
+from graphkin.words.rolling import rolling
 from graphkin.words.rotation import image, rotation, sliding, ties
+from graphkin.words.together import solved_together
 
 __all__ = ["polygon"]
 
@@ -40,6 +58,12 @@ def _step(drawn: Polygon, step: Step) -> Iterator[Entry]:
             yield from rotation(drawn, step)
         case Measure():
             yield from sliding(drawn, step)
+        case Roll():
+            yield from rolling(drawn, step)
+        case Simultaneous():
+            yield from solved_together(drawn, step)
+        case Fit() | Touch():
+            raise AssertionError("the mechanism itself is drawn before")
         case Ray() | Arc() | Meet() | Swing():
             raise AssertionError("lines cross inside an equation")
         case _:

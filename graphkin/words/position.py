@@ -9,12 +9,14 @@ from graphkin.geometry import cross, dot
 from graphkin.mechanism import FRAME
 from graphkin.steps import (
     Across,
+    AcrossGuide,
     Along,
     AlongGuide,
     Arc,
     Arm,
     Direction,
     Equation,
+    Fit,
     Given,
     Image,
     LayOff,
@@ -22,15 +24,21 @@ from graphkin.steps import (
     Meet,
     Quarter,
     Ray,
+    Roll,
+    Simultaneous,
     Span,
     Step,
     Swing,
+    Touch,
 )
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.entries import Calculation, Entry, Heading, Sentence
+from graphkin.words.equivalents import equivalents
 from graphkin.words.figures import degrees, number
 from graphkin.words.reading import Reading
+from graphkin.words.rolling import rolled, touched
+from graphkin.words.together import fitted, special_point
 
 __all__ = ["PositionReader"]
 
@@ -45,6 +53,7 @@ class PositionReader:
         construction = self.reading.method.position
         yield Heading(self.reading.say("position"))
         yield from self._fixed()
+        yield from equivalents(self.reading)
         for part in construction.parts:
             for step in part.steps if isinstance(part, Equation) else (part,):
                 yield from self._step(step)
@@ -56,17 +65,27 @@ class PositionReader:
             case LayOff():
                 yield Sentence(self._lay_off(step))
             case Meet():
-                yield Sentence(self._meet(step))
+                special = step.point not in self.reading.method.structure.owners and step.point[0] != "*"
+                yield Sentence(special_point(self.reading, step) if special else self._meet(step))
             case Swing():
                 yield Sentence(self._swing(step))
                 yield from self._angles(step.link)
                 yield from self._slide(step.slide)
-            case Image(link, corners, _, _):
-                yield Sentence(self._corner(link, corners))
+            case Image(link, corners, _, point):
+                if point[0].isupper():  # the start of a line that has no name is told where it is needed
+                    yield Sentence(self._corner(link, corners))
             case Measure("theta", of):
                 yield from self._angles(of)
             case Measure(_, of):
                 yield from self._slide(of)
+            case Roll():
+                yield from rolled(self.reading, step)
+            case Touch():
+                yield Sentence(touched(self.reading, step))
+            case Fit():
+                yield from fitted(self.reading, step)
+            case Simultaneous():
+                raise AssertionError("positions are fitted")
             case _:
                 assert_never(step)
 
@@ -82,7 +101,7 @@ class PositionReader:
             if slide.guide == FRAME:
                 origin = slide.line.origin
                 place = names.point(origin) if origin[0].isupper() else self._paper(shape[origin])
-                guide = self._guide(slide.name)
+                guide = self.reading.path(slide.name)
                 angle = degrees(slide.line.direction)
                 yield Sentence(reading.say("fixed guide", guide=guide, place=place, angle=angle))
 
@@ -90,10 +109,6 @@ class PositionReader:
         """Coordinates on paper, in mm."""
         x, y = (self.reading.on_paper(value) for value in (place.real, place.imag))
         return f"({x}, {y})"
-
-    def _guide(self, slide: str) -> str:
-        pair = self.reading.method.structure.slides[slide]
-        return self.reading.say("guide of", name=slide if pair.named else names.point(pair.point))
 
     # --- lengths --------------------------------------------------------------------------------
 
@@ -109,7 +124,11 @@ class PositionReader:
         first, last = span.parts[0], span.parts[-1]
         metres = float(abs(self.reading.plot.span(span)))
         if len(span.parts) == 1 and not isinstance(first, Arm):
-            symbol = names.of_slide("s", first.slide)
+            pair = self.reading.method.structure.slides[first.slide]
+            symbol = names.of_slide("s", first.slide if pair.named else names.point(pair.point))
+            if not pair.named and pair.line.origin[0].isupper():
+                ends = names.pair(pair.line.origin, pair.point)
+                return self._length(name or ends, f"l_{ends}", metres)
             return self._length(name, f"|{symbol}|" if self.reading.plot.s[first.slide] < 0 else symbol, metres)
         tail = first.tail if isinstance(first, Arm) else self._ends(first.slide, first.sign)[0]
         head = last.head if isinstance(last, Arm) else self._ends(last.slide, last.sign)[1]
@@ -130,7 +149,7 @@ class PositionReader:
         length = self._reach(step.term.size, names.stretch(step.start, step.tip) if aside else "")
         start, tip = reading.place(step.start), reading.place(step.tip)
         if isinstance(step.term.direction, AlongGuide):
-            guide = self._guide(step.term.direction.slide)
+            guide = self.reading.path(step.term.direction.slide)
             return reading.say("lay off slide", start=start, length=length, guide=guide, angle=angle, tip=tip)
         return reading.say("lay off link", start=start, length=length, angle=angle, tip=tip)
 
@@ -151,9 +170,9 @@ class PositionReader:
             case AlongGuide(slide):
                 pair = reading.method.structure.slides[slide]
                 if pair.guide == FRAME and pair.line.origin == locus.through:
-                    return reading.say("take guide", guide=self._guide(slide))
+                    return reading.say("take guide", guide=self.reading.path(slide))
                 return self._parallel(locus.through, locus.direction)
-            case Along() | Across() | Quarter():
+            case Along() | Across() | AcrossGuide() | Quarter():
                 return self._parallel(locus.through, locus.direction)
             case _:
                 assert_never(locus.direction)
@@ -200,7 +219,7 @@ class PositionReader:
         """Directions of a link, and of those that keep their angle to it, by their first two points."""
         reading, found = self.reading, list[str]()
         for member in (reading.body(link), *reading.group(link)):
-            named = [p for p in reading.mechanism.links[member].points if p[0].isupper()]
+            named = [p for p in reading.method.structure.bodies[member] if p[0].isupper()]
             if len(named) > 1:
                 angle = degrees(reading.plot.arm(named[0], named[1]))
                 name, arrow = reading.rate("θ", member), names.arrow(named[0], named[1])
@@ -213,6 +232,8 @@ class PositionReader:
         reading = self.reading
         pair = reading.method.structure.slides[slide]
         origin, point = pair.line.origin, pair.point
+        if slide in reading.contact_slides and pair.guide != FRAME:
+            return
         if pair.named:
             along = dot(reading.plot.guide_direction(slide), reading.plot.arm(origin, point))
             text = f"{names.of_slide('s', slide)} = {number(float(along) * 1000, reading.noise * 1000)} mm"

@@ -108,10 +108,12 @@ class Reading:
         pair = self.method.structure.slides[slide]
         if pair.named and pair.guide == FRAME and slide not in self.contact_slides:
             return self.say("guide of", name=slide)
-        on_it = self._points_on(slide) or (None if pair.guide == FRAME else self._points_along(slide))
+        on_it = self._points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
         if on_it is None and slide in self.contact_slides:
-            rolling = next((r.wheel for r in self.mechanism.rolls if r.name == slide), pair.guide)
-            return self.say("track of", wheel=self.link(rolling))
+            rolling = next((r.wheel for r in self.mechanism.rolls if r.name == slide), "")
+            kind, link = ("track", rolling) if rolling else ("face", pair.guide)
+            alone = len(self.contact_slides) == 1
+            return self.say(kind) if alone else self.say(f"{kind} of", link=self.link(link))
         return names.pair(*on_it) if on_it else self.say("guide of", name=slide if pair.named else pair.point)
 
     @cached_property
@@ -127,7 +129,7 @@ class Reading:
             return self.say("path of", name=names.point(pair.point))
         return self.say("guide of", name=slide if pair.named else names.point(pair.point))
 
-    def _points_along(self, slide: str) -> tuple[str, str] | None:
+    def points_along(self, slide: str) -> tuple[str, str] | None:
         """Two points of the guide whose line is parallel to the slide's."""
         pair, along = self.method.structure.slides[slide], self.plot.guide_direction(slide)
         points = [p for p in self.method.structure.bodies[pair.guide] if p[0].isupper()]
@@ -159,10 +161,7 @@ class Reading:
         slides = self.method.structure.slides
         slide = next(s for s in slides.values() if s.line.origin == point)
         if slide.name in self.contact_slides:
-            origin, path = self.track_origin(slide.name), self.path(slide.name)
-            if origin[0].isupper():
-                return self.say("abreast", path=path, origin=names.point(origin))
-            return self.say("path start", path=path)
+            return names.point(point) if slide.guide != FRAME else self.say("path start", path=self.path(slide.name))
         return self.say("origin of", name=slide.name if slide.named else slide.point)
 
     def track_origin(self, slide: str) -> str:

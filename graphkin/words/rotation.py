@@ -12,6 +12,7 @@ from graphkin.words.entries import Calculation, Entry, Sentence
 from graphkin.words.figures import number
 from graphkin.words.plane import Polygon
 from graphkin.words.reading import ROUNDING
+from graphkin.words.rolling import contacted, same_velocity
 
 __all__ = ["image", "rotation", "sliding", "ties"]
 
@@ -24,11 +25,18 @@ def rotation(polygon: Polygon, step: Measure) -> Iterator[Entry]:
     if polygon.plane == "acceleration" and not polygon.written(step.tail, step.head):
         yield from _resolved(polygon, step)
     else:
-        yield _rate(polygon, step, polygon.name(step.tail, step.head), polygon.length_mm(step.tail, step.head))
+        touching = contacted(polygon, step)
+        if touching is None:
+            name = polygon.name(step.tail, step.head)
+        else:
+            name = touching.name
+            for letter, contact, node in touching.contacts:
+                yield Sentence(same_velocity(polygon, step.of, letter, contact, node))
+        yield _rate(polygon, step, name, polygon.length_mm(step.tail, step.head), direct=True)
         if polygon.plane == "velocity" and not polygon.arrow(step.tail, step.head):
             resting = step.tail == polygon.construction.pole
             key = "rest now" if resting else "translation now"
-            name, link = polygon.name(step.tail, step.head), polygon.reading.link(step.of)
+            link = polygon.reading.link(step.of)
             yield Sentence(polygon.reading.say(key, name=name, link=link))
     yield from _group(polygon, step.of)
 
@@ -44,7 +52,7 @@ def _group(polygon: Polygon, link: str) -> Iterator[Entry]:
         yield _tie(polygon, other, link)
 
 
-def _rate(polygon: Polygon, step: Measure, name: str, length_mm: float) -> Calculation:
+def _rate(polygon: Polygon, step: Measure, name: str, length_mm: float, direct: bool = False) -> Calculation:
     """`ω3 = v_B3/l_BD = μ_v·pb3/(μ_l·BD) = 0.01 × 27.12/(0.001 × 69.2) = 3.919 rad/s (clockwise)`."""
     reading, line = polygon.reading, names.pair(*step.lever)
     lever, mu = reading.distance(*step.lever), names.SCALE[polygon.plane]
@@ -52,10 +60,10 @@ def _rate(polygon: Polygon, step: Measure, name: str, length_mm: float) -> Calcu
     below = f"({number(reading.scales['length'])} × {reading.on_paper(lever)})"
     return Calculation(
         polygon.rate(step.of),
-        (f"{name}/l_{line}", measured) if name == polygon.name(step.tail, step.head) else (f"{name}/l_{line}",),
+        (f"{name}/l_{line}", measured) if direct else (f"{name}/l_{line}",),
         f"{number(polygon.scale)} × {number(length_mm)}/{below}",
         length_mm * polygon.scale / lever,
-        _unit(polygon),
+        polygon.rate_unit,
         _sense_note(polygon, step) if length_mm else "",
     )
 
@@ -92,10 +100,6 @@ def _resolved(polygon: Polygon, step: Measure) -> Iterator[Entry]:
     yield _rate(polygon, step, name, length_mm)
 
 
-def _unit(polygon: Polygon) -> str:
-    return "rad/s" if polygon.plane == "velocity" else "rad/s²"
-
-
 # --- links that keep their angles ---------------------------------------------------------------
 
 
@@ -128,10 +132,10 @@ def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
     formula = _signed([(sign, name) for sign, name, _ in parts])
     if not driven or (len(parts) == 1 and parts[0][0] > 0):
         note = _sense(polygon, value) if value else ""
-        return Calculation(polygon.rate(link), (formula,), "", abs(value), _unit(polygon), note)
+        return Calculation(polygon.rate(link), (formula,), "", abs(value), polygon.rate_unit, note)
     figures = [(sign, number(rate, noise)) for sign, _, rate in parts]
     numbers = _signed(figures) if len(figures) > 1 else ""
-    return Calculation(polygon.rate(link), (formula,), numbers, value, _unit(polygon), reading.say("tied"))
+    return Calculation(polygon.rate(link), (formula,), numbers, value, polygon.rate_unit, reading.say("tied"))
 
 
 def _sense(polygon: Polygon, value: float) -> str:

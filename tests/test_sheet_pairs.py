@@ -1,0 +1,110 @@
+"""The sheet of groups that no compass reaches, of wheels, and of cams."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import Literal
+
+import pytest
+
+from graphkin import library
+from graphkin.methods import Method, plan, replay_all
+from graphkin.sheet import Sheet, sheet
+from graphkin.sheet.lettering import Run
+from graphkin.sheet.marks import Disc, PointMark, Stroke, Text
+from graphkin.steps import Plot
+
+
+@cache
+def solved(name: str) -> tuple[Method, Plot]:
+    method = plan(library.load(name))
+    return method, replay_all(method)
+
+
+@cache
+def drawn(name: str) -> Sheet:
+    return sheet(*solved(name))
+
+
+def plain_text(label: tuple[Run, ...]) -> str:
+    return "".join(run.text for run in label)
+
+
+def dots(page: Sheet) -> dict[str, PointMark]:
+    return {mark.name: mark for mark in page.marks if isinstance(mark, PointMark) and mark.plane == "position"}
+
+
+def circles(page: Sheet, pen: str) -> list[Disc]:
+    return [mark for mark in page.marks if isinstance(mark, Disc) and mark.pen == pen]
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_no_name_of_the_equivalent_is_lettered(name: str) -> None:
+    for mark in drawn(name).marks:
+        if isinstance(mark, Text):
+            text = plain_text(mark.label)
+            assert not re.search(r"origin|\be? ?c0|\br0|pin \w\d|_|\^", text), text
+
+
+@pytest.mark.parametrize(("name", "of"), [("ex3-2", "S4"), ("s3-sieve", "S3"), ("p3-15", "S3"), ("p3-17", "S3")])
+def test_the_special_point_lies_on_the_lines_of_two_legs(name: str, of: str) -> None:
+    page = drawn(name)
+    point = dots(page)["S"]
+    assert point.of == of
+    through = [
+        mark for mark in page.marks
+        if isinstance(mark, Stroke) and mark.pen == "thin" and len(mark.places) == 2 and mark.step == point.step
+        and abs(((mark.places[1] - mark.places[0]).conjugate() * (point.at - mark.places[0])).imag) < 1e-6
+    ]  # fmt: skip
+    assert len(through) == 2
+
+
+@pytest.mark.parametrize(
+    ("name", "letters"),
+    [("ex3-3", "KL"), ("p3-12", "KL"), ("p3-16", "KL"), ("p3-19", "K"), ("s4-ex2", "K"), ("s4-ex4", "KL"),
+     ("s4-ex5", "K"), ("s4-ex6", "K")],
+)  # fmt: skip
+def test_contacts_lie_on_the_wheels(name: str, letters: str) -> None:
+    page = drawn(name)
+    rims = circles(page, "centre") + circles(page, "outline")
+    for letter in letters:
+        mark = dots(page)[letter]
+        assert mark.of == letter
+        assert any(abs(abs(mark.at - rim.centre) - rim.radius) < 1e-6 for rim in rims)
+
+
+def test_the_image_of_a_gear_is_a_circle_of_radius_omega_r() -> None:
+    page, (_, plot) = drawn("p3-12"), solved("p3-12")
+    scale, places = page.scales["velocity"], {m.name: m.at for m in page.marks if isinstance(m, PointMark)}
+    found = {(disc.centre, round(disc.radius, 6)) for disc in circles(page, "thin")}
+    radii = {"1": 0.030, "2": 0.020, "3": 0.025}
+    for link, centre in (("1", "b"), ("2", "c"), ("3", "p")):
+        assert (places[centre], round(abs(float(plot.omega[link])) * radii[link] / scale, 6)) in found
+    assert {"g1", "g2", "g3"} <= {plain_text(m.label) for m in page.marks if isinstance(m, Text)}
+
+
+def test_the_image_of_a_fixed_gear_is_a_point() -> None:
+    texts = {plain_text(m.label) for m in drawn("s4-ex4").marks if isinstance(m, Text)}
+    assert "p, o1, g3" in texts
+    assert len(circles(drawn("s4-ex4"), "thin")) == 2
+
+
+def test_wheels_are_drawn_once() -> None:
+    discs = [
+        (disc.centre, disc.radius) for disc in circles(drawn("p3-16"), "centre") + circles(drawn("p3-16"), "outline")
+    ]
+    assert len(discs) == len(set(discs)) == 2
+
+
+@pytest.mark.parametrize("name", ["fig2-32", "fig3-5", "p3-8", "s3-1-18a", "s3-1-18b", "s3-cam"])
+def test_a_cam_has_its_equivalent_over_it_in_dashes(name: str) -> None:
+    assert [mark for mark in drawn(name).marks if isinstance(mark, Stroke) and mark.pen == "dashed"]
+
+
+@pytest.mark.parametrize(
+    ("lang", "words"), [("en", {"fitted by trial", "solved together"}), ("zh", {"样板法试凑", "联立求解"})]
+)
+def test_the_sheet_says_what_paper_alone_does_not_give(lang: Literal["en", "zh"], words: set[str]) -> None:
+    texts = {plain_text(m.label) for m in sheet(*solved("ex3-3"), lang=lang).marks if isinstance(m, Text)}
+    assert words <= texts
