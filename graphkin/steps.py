@@ -886,7 +886,8 @@ FITTED = 1e-13
 def _fit(step: Fit, plot: Plot) -> None:
     """Newton's method on the closures and contacts of a group, for all positions at once."""
     names = step.angles + step.slides
-    shape = np.broadcast_shapes(*(np.shape(v) for v in (*plot.position.values(), *plot.near.values(), *plot.s.values())))
+    known = (*plot.position.values(), *plot.theta.values(), *plot.s.values(), *plot.near.values())
+    shape = np.broadcast_shapes(*(np.shape(value) for value in known))
     x = np.array([np.broadcast_to(plot.near[name], shape) for name in names], dtype=float)
     size = _reach(step, plot)
     scale = np.array([1.0] * len(step.angles) + [size] * len(step.slides))
@@ -985,7 +986,7 @@ def _least(slope: np.ndarray) -> Value:
 def _solve_together(step: Simultaneous, plot: Plot, plane: Plane) -> None:
     """The unknown rates of a group, from all its chains of arrows at once."""
     names = step.angles + step.slides
-    shape = np.broadcast_shapes(*(np.shape(v) for v in plot.position.values()))
+    shape = np.broadcast_shapes(*(np.shape(v) for v in (*plot.position.values(), *plot.theta.values())))
     rows = 2 * len(step.chains) + len(step.contacts)
     right, matrix = np.zeros((rows, *shape)), np.zeros((rows, len(names), *shape))
     for k, chain in enumerate(step.chains):

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import cache
 
 import pytest
+from random_mechanisms import cam, epicyclic, geared_five_bar, rolling, triad
 
 from graphkin import library
 from graphkin.errors import GraphkinError, Lang
@@ -200,6 +202,108 @@ def test_a_link_on_two_known_points() -> None:
     text = "\n".join(explain(*drawn(PARALLEL), SCALES, "en"))
     assert "ω4 = v_F/l_FG = μ_v·pf/(μ_l·FG)" in text
     assert "along and across FG. The part across it is aᵗ_FG" in text
+
+
+GEARED = """
+title = "Coupler geared to a crank"
+[frame]
+A = [0, 0]
+E = [100, 0]
+[links.1]
+AB = 30
+[links.2]
+BC = 50
+[links.3]
+CD = 40
+[links.4]
+DE = 45
+[[gear]]
+links = ["2", "4"]
+centres = ["C", "D"]
+radii = [20, 20]
+[[pose]]
+vector = "BC"
+angle = 30
+[[driver]]
+vector = "AB"
+angle = 100
+omega = 5
+[sketch]
+C = [40, 55]
+D = [75, 40]
+"""
+
+
+def test_a_loop_and_a_gear_together() -> None:
+    found = drawn(GEARED)
+    text = "\n".join(explain(*found, SCALES, "en"))
+    assert "No order of ruler and triangle gives ω2, ω3, ω4" in text.replace(" and ω4", ", ω4")
+    assert "r2(ω2 − ω3) + r4(ω4 − ω3) = 0" in text
+    assert "The drawn position: BC of link 2 at 30° to +x." in text
+    chinese = "\n".join(explain(*found, SCALES, "zh"))
+    assert "联立求解" in chinese
+    assert "样板法" in chinese
+
+
+@pytest.mark.parametrize(
+    ("name", "lang", "lines"),
+    [
+        ("ex3-2", "en", ["v_S4 = (v_EF + v_S4E) = (v_DG + v_S4D)", "v_S4 = 0. (Its acceleration is not 0.)"]),
+        ("ex3-2", "zh", ["样板法", "S 即为构件 4 的绝对瞬心，v_S4 = 0", "(aᵗ_EF + aᵗ_S4E)"]),
+        ("ex3-2", "en", ["link 4 on tracing paper is shifted until BC = 75 mm, EF = 82 mm and DG = 71 mm fit"]),
+        ("ex3-3", "en", ["v_K3 = v_K2. So k2 serves both", "r2(α2 − α4) + r3(α3 − α4) = 0", "ω3 = v_L3K3/l_KL"]),
+        ("p3-12", "zh", ["纯滚动接触点 K2、K1（两点加速度仅沿公法线方向不同）", "v_K2 = v_K1"]),
+        ("p3-15", "en", ["the line through C at right angles to guide ram", "(a_C + a_S3C)", "B on CD"]),
+        ("p3-16", "en", ["v_L3 = v_L7 = 0 at the contact L, the instant centre of link 3", "⊥track"]),
+        ("p3-17", "en", ["slide cylinder is driven, ṡ_cylinder = 0.05 m/s", "FD of link 5 at 150° to +x"]),
+        ("p3-8", "en", ["B moves in a slot of link 2, parallel to the face at the distance r = 25 mm", "∥DH"]),
+        ("fig2-32", "zh", ["高副低代", "O1O2 = 35 + 18 = 53 mm", "铰接于 O1、O2 的构件 e"]),
+        ("fig3-5", "en", ["the edge K lies on the circle about C, at the distance CK = 35 mm"]),
+        ("s4-ex6", "en", ["On the path of C, ⓡ is the point abreast of O.", "From ⓡ lay off s_along"]),
+    ],
+)
+def test_contacts_and_groups(name: str, lang: Lang, lines: list[str]) -> None:
+    found = solved(name)
+    assert found is not None
+    text = "\n".join(explain(*found, SCALES, lang))
+    assert [line for line in lines if line not in text] == []
+
+
+@pytest.mark.parametrize(
+    ("name", "turned"),
+    [
+        ("p3-12", "Δθ2 = Δθ4 − r1(Δθ1 − Δθ4)/r2"),
+        ("p3-16", "Δθ3 = −Δs_C/r3"),
+        ("p3-19", "Δθ3 = Δθ2 − Δs_D/r3"),
+        ("s4-ex4", "Δθ2 = Δθ_H + r3(Δθ3 − Δθ_H)/r2"),
+        ("s4-ex6", "Δθ2 = Δθ1 − Δs_along/r2"),
+    ],
+)
+def test_turned_since_the_drawn_position(name: str, turned: str) -> None:
+    method = plan(library.load(name))
+    drivers = method.mechanism.drivers
+    moved = [v + (0.01 if d.kind == "slide" else 0.2) for v, d in zip(method.facts().values, drivers, strict=True)]
+    entries = list(derivation(method, replay_all(method, moved), SCALES, "en"))
+    found = [e for e in entries if isinstance(e, Calculation) and e.text.startswith(turned)]
+    assert len(found) == 1
+    for entry in entries:
+        for figures, result in chains(entry):
+            largest = max(abs(evaluated(n)) for n in re.findall(NUMBER, figures))
+            assert evaluated(figures) == pytest.approx(evaluated(result), rel=4e-3, abs=3e-3 * largest), figures
+
+
+@pytest.mark.parametrize("kind", [triad, geared_five_bar, epicyclic, rolling, cam])
+@pytest.mark.parametrize("seed", range(12))
+def test_any_contact_and_group_is_worded(kind: Callable[[int], Mechanism], seed: int) -> None:
+    try:
+        method = plan(kind(seed))
+        plot = replay_all(method)
+    except GraphkinError:
+        pytest.skip("not solved")
+    english, chinese = (list(derivation(method, plot, SCALES, lang)) for lang in LANGS)
+    assert [type(entry) for entry in english] == [type(entry) for entry in chinese]
+    text = "\n".join([*explain(method, plot, SCALES, "en"), *explain(method, plot, SCALES, "zh")][1:])
+    assert not re.search(r"pin [a-z]|[*^]| origin|_pole|\be [cr]\d+\b|nan", text.replace(chr(0x25B3), ""))
 
 
 # --- every mechanism ----------------------------------------------------------------------------

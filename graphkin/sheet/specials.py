@@ -9,8 +9,9 @@ from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import plain, point_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
 from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.window import Figure, first_steps
-from graphkin.steps import AcrossGuide, Along, Arc, Direction, Meet, Plot, Ray, Touch
+from graphkin.steps import Along, Arc, Direction, Meet, Plot, Ray, Touch
 from graphkin.value import frozen
 
 __all__ = ["contacts", "named_specials", "specials"]
@@ -98,12 +99,10 @@ def _start(skeleton: Skeleton, through: str, direction: Direction, at: Place) ->
 
 
 def _towards(skeleton: Skeleton, ray: Ray, at: Place, step: int) -> list[Mark]:
-    from graphkin.sheet.symbols import arrow_head
-
+    """From the leg's near end a little way, with an arrow."""
     ends = [ray.through]
     if isinstance(ray.direction, Along):
         ends += [ray.direction.tail, ray.direction.head]
-    assert isinstance(ray.direction, Along | AcrossGuide) or ends
     start = min((skeleton.at(end) for end in ends), key=lambda place: abs(place - at))
     way = (at - start) / abs(at - start)
     return [Stroke((start, start + way * _CUT), "thin", step=step), arrow_head(start + way * _CUT, way, step)]

@@ -29,7 +29,8 @@ _SMALL = 9.0
 class Wheel:
     """A circle that rolls: its link, centre and radius [m].
 
-    gear  its pitch circle is drawn, not its outline; ring: the others run inside it; drawn: not seen as a link's number
+    gear  its pitch circle is drawn, not its outline
+    ring  the others run inside it
     """
 
     link: str

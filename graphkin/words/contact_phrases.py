@@ -45,8 +45,9 @@ CONTACT_PHRASES: Mapping[str, dict[Lang, str]] = {
         "{link} 保持此距离。",
     ),
     "edge on circle": both(
-        "Higher pair replaced by lower pairs, at this instant: the edge {second} lies on the circle about {first}, at the "
-        "distance {length}. A link {link} with hinges at {first} and {second} stands for the contact.",
+        "Higher pair replaced by lower pairs, at this instant: the edge {second} lies on the circle about "
+        "{first}, at "
+        "the distance {length}. A link {link} with hinges at {first} and {second} stands for the contact.",
         "高副低代（瞬时）：尖顶 {second} 在以 {first} 为圆心的圆上，距离为 {length}；"
         "故以两端铰接于 {first}、{second} 的构件 {link} 代替该高副。",
     ),
@@ -71,7 +72,10 @@ CONTACT_PHRASES: Mapping[str, dict[Lang, str]] = {
         "轮 {wheel} 在构件 {link} 的直线{face} 上滚动：轮心 {centre} 沿其平行线移动，距离为 {length}。",
     ),
     "path of": both("the path of {name}", "点 {name} 的轨迹线"),
-    "abreast": both("On {path}, {mark} is the point abreast of {origin}.", "{path}上正对 {origin} 的点记为 {mark}。"),
+    "abreast": both(
+        "On {path}, {mark} is the point abreast of {origin}.",
+        "{path}上正对 {origin} 的点记为 {mark}。",
+    ),
     "marked start": both("{mark} is the start of {path}.", "{path}的起点记为 {mark}。"),
     "path start": both("the start of {path}", "{path} 的起点"),
     "track": both("track", "轨道"),
@@ -120,6 +124,10 @@ CONTACT_PHRASES: Mapping[str, dict[Lang, str]] = {
         "Pure rolling of links {wheels}: {relation}.",
         "由构件 {wheels} 的纯滚动，有 {relation}。",
     ),
+    "check relation": both(
+        "Check: {relation}; in figures {figures} ≈ 0.",
+        "校核：{relation}；代入数值，{figures} ≈ 0。",
+    ),
     "contact points": both(
         "{of} and {seen_from} are the contact points of pure rolling, whose accelerations differ along "
         "the common normal only",
@@ -136,20 +144,33 @@ CONTACT_PHRASES: Mapping[str, dict[Lang, str]] = {
         "描在透明纸上试移，"
         "直至 {lengths} 均相符；此处用数值法求得：",
     ),
+    "fit geared": both(
+        "Links {links} hang on each other by their joints and by pure rolling. Ruler and compass do not give "
+        "their position. "
+        "On paper a template is tried: link {template} on tracing paper is shifted until {lengths} fit, and "
+        "{relations} "
+        "(Δθ: turned since the drawn position). Here the fit is found numerically:",
+        "构件 {links} 由运动副和纯滚动互相约束，其位置不能用直尺和圆规直接作出。作图时用样板法：将构件 "
+        "{template} 描在透明纸上试移，"
+        "直至 {lengths} 均相符，且 {relations}（Δθ 为自给定位置起的转角）；此处用数值法求得：",
+    ),
     "fit train": both(
         "The turns of links {links} since the drawn position (Δθ) hang on each other; the rolling "
         "relations {relations} "
         "are solved together:",
         "构件 {links} 自给定位置起的转角 Δθ 互相关联，须联立求解纯滚动关系 {relations}：",
     ),
-    "lies on": both("{point} on {guide}", "{point} 在{guide} 上"),
+    "lies on": both("{point} on {guide}", "{point} 在 {guide} 上"),
     "fitted": both("This gives {values}.", "得 {values}。"),
     "special point": both(
         "Special point: {first} and {second} meet at {point}, taken as a point of link {link}.",
         "特殊点：{first}与{second}交于 {point}，将 {point} 视为构件 {link} 上的点。",
     ),
     "leg line": both("the line of leg {line}", "支路 {line} 的延长线"),
-    "leg normal": both("the line through {through} at right angles to {guide}", "过 {through} 所作{guide} 的垂线"),
+    "leg normal": both(
+        "the line through {through} at right angles to {guide}",
+        "过 {through} 所作{guide} 的垂线",
+    ),
     # --- groups: polygons ----------------------------------------------------------------------
     "special": both(
         "Special point {of} of link {link}, by way of {first} and of {second}. The two unknown vectors "
@@ -167,7 +188,8 @@ CONTACT_PHRASES: Mapping[str, dict[Lang, str]] = {
         "No order of ruler and triangle gives {unknowns} one after another. {equations} are solved together:",
         "{unknowns} 不能用作图法依次求得，须联立求解{equations}：",
     ),
-    "the loops": both("The vector equations of the loops {loops}", "封闭矢量方程 {loops}"),
-    "the relations": both("the rolling relations {relations}", "纯滚动关系 {relations}"),
+    "the loop": both("The vector equation of the loop {loops}", "封闭矢量方程 {loops} "),
+    "the loops": both("The vector equations of the loops {loops}", "封闭矢量方程 {loops} "),
+    "the relations": both("the pure rolling {relations}", "纯滚动关系 {relations}"),
     "and both": both(" and ", "及"),
 }

@@ -96,7 +96,7 @@ def _on_circle(reading: Reading, roll: RollingPair) -> str:
     )
 
 
-def _distance(reading: Reading, centres: tuple[str, str], radii: tuple[float, float], internal: bool) -> str:
+def _distance(centres: tuple[str, str], radii: tuple[float, float], internal: bool) -> str:
     """`O1O2 = 35 + 18 = 53 mm`; of circles that touch inside, the difference of the radii."""
     greater, less = sorted((1000 * radius for radius in radii), reverse=True) if internal else [1000 * r for r in radii]
     sign, length = ("−", greater - less) if internal else ("+", greater + less)

@@ -19,6 +19,7 @@ from graphkin.words.reading import ROUNDING, Reading
 __all__ = [
     "Contacted",
     "Relation",
+    "checked",
     "contacted",
     "relation_of",
     "rolled",
@@ -56,19 +57,35 @@ class Relation:
             track = "" if one == FRAME else f" − {self.symbol(one)}"
             turning = f"({self.symbol(other)}{track})" if track else f" {self.symbol(other)}"
             return f"{second}{turning} {way} {self.slid} = 0"
-        arm = self.symbol(self.contact.arm)
-        signs = [radius > 0 for radius in self.contact.radii]
-        if not signs[0]:
-            one, first, other, second, signs = other, second, one, first, signs[::-1]
-        halves = [self._half(link, radius, arm) for link, radius in ((one, first), (other, second))]
-        still = [link for link in (one, other, self.contact.arm) if link == FRAME]
-        noted = "".join(f" ({self.symbol(link)} = 0)" for link in still if link != self.contact.arm)
-        return f"{halves[0]} {'+' if signs[1] else '−'} {halves[1]} = 0{noted}"
+        halves = [self._half(k, False) for k in self._order]
+        still = [link for link in self.contact.wheels if link == FRAME != self.contact.arm]
+        noted = "".join(f" ({self.symbol(link)} = 0)" for link in still)
+        return f"{halves[0]} {self._sign} {halves[1]} = 0{noted}"
 
-    def _half(self, link: str, radius: str, arm: str) -> str:
-        if self.contact.arm == FRAME:
-            return f"{radius} {self.symbol(link)}"
-        return f"{radius}({self.symbol(link)} − {arm})"
+    @property
+    def figures(self) -> str:
+        """The two sides of a pair of wheels in figures, which cancel."""
+        halves = [self._half(k, True) for k in self._order]
+        return f"{halves[0]} {self._sign} {halves[1]}"
+
+    @property
+    def _order(self) -> tuple[int, int]:
+        """The wheel whose radius counts positive first."""
+        return (0, 1) if self.contact.radii[0] > 0 else (1, 0)
+
+    @property
+    def _sign(self) -> str:
+        return "+" if self.contact.radii[0] * self.contact.radii[1] > 0 else "−"
+
+    def _half(self, k: int, figures: bool) -> str:
+        """`r1(ω1 − ω4)`, `r1 ω1` about fixed centres; or `0.03 × (10 − 2)`."""
+        radius, written = self.radius(k), self.symbol
+        if figures:
+            radius, written = f"{number(abs(self.contact.radii[k]))} × ", self._figure
+        turn, arm = written(self.contact.wheels[k]), self.contact.arm
+        if arm == FRAME:
+            return f"{radius}{_bracketed(turn)}" if figures else f"{radius} {turn}"
+        return f"{radius}({turn} − {_bracketed(written(arm))})"
 
     @property
     def _wheels(self) -> tuple[tuple[str, str], tuple[str, str]]:
@@ -100,7 +117,7 @@ class Relation:
         other = contact.wheels[1 - k]
         if contact.slide:
             return self._along(other) if k else ("", "")
-        sign = "−" if contact.radii[0] * contact.radii[1] > 0 else "+"
+        sign = "−" if self._sign == "+" else "+"
         radii = [number(abs(contact.radii[n])) for n in (1 - k, k)]
         arm = contact.arm
         if arm == FRAME:
@@ -230,6 +247,14 @@ def rolling(polygon: Polygon, step: Roll) -> Iterator[Entry]:
         yield relation.solved(link, relation.value(link), polygon.rate_unit, reading.say("tied"))
     else:
         yield Calculation(relation.slid, (), "", relation.slid_value, names.UNIT[polygon.plane])
+
+
+def checked(polygon: Polygon, contact: Contact) -> str:
+    """The rolling relation of two wheels with the figures found; "" of a wheel on a line, where it says nothing new."""
+    if contact.slide:
+        return ""
+    relation = relation_of(polygon, InStep(contact.name, contact.angles))
+    return polygon.reading.say("check relation", relation=relation.text, figures=relation.figures)
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from graphkin.words.entries import Calculation, Entry, Sentence
 from graphkin.words.figures import number
 from graphkin.words.plane import Polygon
 from graphkin.words.reading import ROUNDING
-from graphkin.words.rolling import contacted, same_velocity
+from graphkin.words.rolling import checked, contacted, same_velocity
 
 __all__ = ["image", "rotation", "sliding", "ties"]
 
@@ -33,6 +33,12 @@ def rotation(polygon: Polygon, step: Measure) -> Iterator[Entry]:
             for letter, contact, node in touching.contacts:
                 yield Sentence(same_velocity(polygon, step.of, letter, contact, node))
         yield _rate(polygon, step, name, polygon.length_mm(step.tail, step.head), direct=True)
+        if (
+            touching is not None
+            and len(touching.contacts) == 1
+            and (check := checked(polygon, touching.contacts[0][1]))
+        ):
+            yield Sentence(check)
         if polygon.plane == "velocity" and not polygon.arrow(step.tail, step.head):
             resting = step.tail == polygon.construction.pole
             key = "rest now" if resting else "translation now"

@@ -40,12 +40,15 @@ def fitted(reading: Reading, step: Fit) -> Iterator[Entry]:
     """A group's position by trial (样板法), or a train's by its relations; then what it comes to."""
     members = list(dict.fromkeys(link for base in step.angles for link in _members(reading, base)))
     links = reading.listed([reading.link(link) for link in members])
+    relations = reading.listed([turned(reading, contact).text for contact in step.contacts])
     if step.closures:
         lengths = reading.listed(_arms(reading, step))
-        template = reading.link(_template(reading, step))
-        yield Sentence(reading.say("fit", links=links, template=template, lengths=lengths))
+        words = {"links": links, "template": reading.link(_template(reading, step)), "lengths": lengths}
+        geared = bool(step.contacts)
+        yield Sentence(
+            reading.say("fit geared", relations=relations, **words) if geared else reading.say("fit", **words)
+        )
     else:
-        relations = reading.listed([turned(reading, contact).text for contact in step.contacts])
         yield Sentence(reading.say("fit train", links=links, relations=relations))
     found = [_angle(reading, link) for link in members]
     found += [_slide(reading, slide) for slide in step.slides]
@@ -190,7 +193,8 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
     unknowns = reading.listed([*(polygon.rate(link) for link in members), *slides])
     said = []
     if step.chains:
-        said.append(reading.say("the loops", loops=reading.listed([_loop(polygon, chain) for chain in step.chains])))
+        loops = reading.listed([_loop(polygon, chain) for chain in step.chains])
+        said.append(reading.say("the loop" if len(step.chains) == 1 else "the loops", loops=loops))
     if step.contacts:
         relations = reading.listed([relation_of(polygon, contact).text for contact in step.contacts])
         said.append(reading.say("the relations", relations=relations))

@@ -1,0 +1,172 @@
+"""Groups of Class III, gears, rolling and cams: two roads to one answer, and the book's own equations."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import random_mechanisms
+
+from graphkin import library
+from graphkin.analytic import motion
+from graphkin.check import compare
+from graphkin.errors import DeadPoint, GearsApart
+from graphkin.loading import loads
+from graphkin.methods import Method, plan, replay_all
+from graphkin.readings import Readings
+from graphkin.steps import Equation, Simultaneous, Term
+
+KINDS = ("triad", "six_bar", "geared_five_bar", "epicyclic", "rolling", "cam")
+COUNT, BATCH = 2000, 250
+
+
+@pytest.mark.parametrize("batch", range(COUNT // BATCH))
+@pytest.mark.parametrize("kind", KINDS)
+def test_polygons_equal_loop_equations(kind: str, batch: int):
+    dead = 0
+    for seed in range(batch * BATCH, (batch + 1) * BATCH):
+        mechanism = getattr(random_mechanisms, kind)(seed)
+        try:
+            method = plan(mechanism)
+            plot = replay_all(method)
+        except DeadPoint as error:
+            assert error.angle_deg < 0.5
+            dead += 1
+            continue
+        for point, place in mechanism.sketch.items():
+            assert abs(plot.position[point] - place) < 1e-7, (kind, seed, point)
+        assert compare(method, plot, motion(mechanism)) < 1e-9, (kind, seed)
+    assert dead < BATCH * 0.1
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_velocity_is_the_derivative_of_position(kind: str):
+    """Differences over five instants of the replayed construction itself; a guide that turns keeps its Coriolis term."""
+    step = 2e-5
+    tried = 0
+    for seed in range(10**6, 10**6 + 30):
+        mechanism = getattr(random_mechanisms, kind)(seed)
+        try:
+            method = plan(mechanism)
+            drawn = replay_all(method)
+        except DeadPoint:
+            continue
+        if not np.min([np.min(sine) for sine in drawn.sines.values()], initial=1.0) >= 0.2:
+            continue
+        times = step * np.arange(-2, 3)
+        values = [d.value + d.rate * times + d.acceleration * times**2 / 2 for d in method.drivers]
+        plot, readings = replay_all(method, values), Readings(method, drawn)
+        tried += 1
+        for point in mechanism.points:
+            link = mechanism.owners[point][-1]
+            places = np.broadcast_to(plot.position[point], 5)
+            velocity = places @ np.array([1, -8, 0, 8, -1]) / (12 * step)
+            acceleration = places @ np.array([-1, 16, -30, 16, -1]) / (12 * step**2)
+            scale = abs(velocity) + 1.0
+            assert abs(velocity - readings.velocity_at(point, link)) < 1e-6 * scale, (kind, seed, point)
+            scale = abs(acceleration) + 10 * scale**2
+            assert abs(acceleration - readings.acceleration_at(point, link)) < 1e-5 * scale, (kind, seed, point)
+    assert tried > 5
+
+
+def test_triads_are_solved_by_a_special_point():
+    methods = [plan(random_mechanisms.triad(seed)) for seed in range(60)]
+    together = sum(any(isinstance(s, Simultaneous) for s in m.velocity.steps) for m in methods)
+    assert together <= 2
+
+
+# --- the equations of the worked examples -------------------------------------------------------
+
+
+def chain(terms: tuple[Term, ...], plane: str) -> str:
+    return " + ".join(term.name(plane) + "?" * term.unknowns for term in terms)
+
+
+def equations(method: Method, plane: str) -> list[str]:
+    construction = method.velocity if plane == "velocity" else method.acceleration
+    return [sided(e, plane) for e in construction.equations if not _sum(e)]
+
+
+def sided(equation: Equation, plane: str) -> str:
+    return f"{chain(equation.left, plane)} = {chain(equation.right, plane)}"
+
+
+def _sum(equation: Equation) -> bool:
+    return len(equation.left) == 1 and equation.left[0].unknowns == 2
+
+
+BOOK = {
+    "ex3-1": (["v_B3? = v_B2 + v_B3B2?"], ["a^n_B3D + a^t_B3D? = a_B2 + a^k_B3B2 + a^r_B3B2?"]),
+    "fig3-1": (["v_C? = v_B + v_CB?"], ["a_C? = a_B + a^n_CB + a^t_CB?"]),
+    "fig2-32": (["v_O2? = v_O1 + v_O2O1?"], ["a^n_O2B + a^t_O2B? = a_O1 + a^n_O2O1 + a^t_O2O1?"]),
+    "ex3-2": (
+        ["v_EF+v_S4E? = v_DG+v_S4D?", "v_S4 + v_CS4? = v_B + v_CB?"],
+        [
+            "a^n_EF + a^n_S4E + a^t_EF+a^t_S4E? = a^n_DG + a^n_S4D + a^t_DG+a^t_S4D?",
+            "a_S4 + a^n_CS4 + a^t_CS4? = a_B + a^n_CB + a^t_CB?",
+        ],
+    ),
+    "ex3-4": (
+        ["v_C2? = v_C1? + v_C2C1"],
+        ["a^n_C2D + a^t_C2D? = a^n_C1A + a^t_C1A? + a^k_C2C1 + a^rn_C2C1 + a^rt_C2C1"],
+    ),
+    "ex3-5": (["v_C? = v_B + v_CB?"], ["a^n_CD + a^t_CD? = a_B + a^n_CB + a^t_CB?"]),
+    "ex3-7": (
+        ["v_B3? = v_B2 + v_B3B2?", "v_E? = v_D + v_ED?"],
+        ["a^n_B3C + a^t_B3C? = a_B2 + a^k_B3B2 + a^r_B3B2?", "a_E? = a_D + a^n_ED + a^t_ED?"],
+    ),
+    "p3-7": (
+        ["v_F5? = v_F1 + v_F5F1?", "v_B + v_CB? = v_D + v_CD?"],
+        ["a^n_F5E + a^t_F5E? = a_F1 + a^k_F5F1 + a^r_F5F1?", "a_B + a^n_CB + a^t_CB? = a_D + a^n_CD + a^t_CD?"],
+    ),
+    "p3-15": (
+        ["v_DE+v_S3D? = v_C+v_S3C?", "v_S3 + v_B3S3? = v_B2 + v_B3B2?"],
+        [
+            "a^n_DE + a^n_S3D + a^t_DE+a^t_S3D? = a^n_S3C + a_C+a_S3C?",
+            "a_S3 + a^n_B3S3 + a^t_B3S3? = a_B2 + a^k_B3B2 + a^r_B3B2?",
+        ],
+    ),
+    "p3-12": (
+        ["v_C? = v_B + v_CB?"],
+        [
+            "a^n_CD + a^t_CD? = a_B + a^n_CB + a^t_CB?",
+            "a_C + a^n_K2C + a^t_K2C? = a_K1 + a_K2K1?",
+            "a^n_L3D + a^t_L3D? = a_L2 + a_L3L2?",
+        ],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", BOOK)
+def test_equations_are_the_book_s(name: str):
+    method = plan(library.load(name))
+    velocity, acceleration = BOOK[name]
+    assert equations(method, "velocity") == velocity
+    assert equations(method, "acceleration") == acceleration
+
+
+# --- choices and refusals -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("name", "points"), [("ex3-1", "BCD"), ("p3-5", "BCDE"), ("p3-24a", "BCK"), ("s4-ex7", "ABQ")])
+def test_any_coincident_point_gives_the_same(name: str, points: str):
+    mechanism = library.load(name)
+    exact = motion(mechanism)
+    for point in points:
+        method = plan(mechanism, coincident=point)
+        assert compare(method, replay_all(method), exact) < 1e-12, point
+
+
+def test_gears_that_do_not_mesh_are_refused():
+    text = library.text("p3-12").replace("radii = [30, 20]", "radii = [30, 21]")
+    with pytest.raises(GearsApart):
+        plan(loads(text, name="gears", file="gears.toml"))
+
+
+def test_positions_by_fit_keep_the_branch():
+    mechanism = library.load("p3-15")
+    method = plan(mechanism)
+    turn = [method.drivers[0].value + np.linspace(0, 2 * np.pi, 181)]
+    plot, exact = replay_all(method, turn), motion(mechanism, turn)
+    for link in mechanism.moving:
+        assert np.max(np.abs(plot.omega[link] - exact.omega[link])) < 1e-7
+    assert abs(plot.position["C"][0] - plot.position["C"][-1]) < 1e-9
