@@ -40,7 +40,7 @@ def load(source: str | Path) -> Mechanism:
     >>> load("ex3-1").frame
     '4'
     """
-    if isinstance(source, str) and source in library.names():
+    if isinstance(source, str) and library.has(source):
         return library.load(source)
     path = Path(source)
     if isinstance(source, str) and not path.suffix and not path.exists() and path.name == source:

@@ -80,13 +80,11 @@ def speaking(command: Callable[..., None]) -> Callable[..., None]:
 class Program(click.Group):
     """The commands as a process of their own (a test, which calls `main.main`, has its own settings).
 
-    It ends soon: garbage is collected rarely, and not once more at the end. pydantic need not search all
-    installed packages for plugins, which no mechanism file needs.
+    It ends soon: garbage is collected rarely, and not once more at the end.
     """
 
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
         gc.set_threshold(200_000)
-        os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
         try:
             return super().__call__(*args, **kwargs)
         finally:

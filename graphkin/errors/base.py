@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Sequence
 from typing import Any, ClassVar, Literal, dataclass_transform
 
@@ -79,6 +78,8 @@ class Choice(GraphkinError):
 
 def _hint(given: str, possible: Sequence[str], lang: Lang) -> str:
     """`Did you mean B? There are A, B, C.`"""
+    import difflib
+
     folded = {name.casefold(): name for name in reversed(possible)}
     near = [folded[name] for name in difflib.get_close_matches(given.casefold(), list(folded), 1, 0.5)]
     shown = ", ".join(possible[:40]) + (", .." if len(possible) > 40 else "")

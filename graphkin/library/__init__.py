@@ -5,17 +5,17 @@ A new mechanism is a new file `NAME.toml` in one of the folders; nothing else ha
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Mapping
 from functools import cache
-from importlib.resources import files
-from importlib.resources.abc import Traversable
+from pathlib import Path
 
 from graphkin.errors import Lang, UnknownMechanism, Where
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 
-__all__ = ["groups", "load", "names", "text", "titles"]
+__all__ = ["groups", "has", "load", "names", "text", "titles"]
 
 _SUFFIX = ".toml"
 
@@ -27,15 +27,20 @@ def names() -> tuple[str, ...]:
 
 def groups() -> Mapping[str, tuple[str, ...]]:
     """The mechanisms of each source, by its folder."""
-    folders = sorted({group for group, _ in _files().values()})
-    return {folder: tuple(name for name, (group, _) in _files().items() if group == folder) for folder in folders}
+    folders = sorted(set(_files().values()))
+    return {folder: tuple(name for name, group in _files().items() if group == folder) for folder in folders}
 
 
 def text(name: str) -> str:
     """The file's text. `UnknownMechanism` for a name that is not there."""
-    if name not in _files():
+    if (file := _file(name)) is None:
         raise UnknownMechanism(Where(name), name, names())
-    return _files()[name][1].read_text("utf-8")
+    return file.read_text("utf-8")
+
+
+def has(name: str) -> bool:
+    """Whether there is a mechanism of this name."""
+    return _file(name) is not None
 
 
 def load(name: str) -> Mechanism:
@@ -48,17 +53,22 @@ def titles(lang: Lang) -> dict[str, str]:
     return {name: load(name).headline(lang) for name in names()}
 
 
+def _file(name: str) -> Path | None:
+    """Looked for by its name alone; reading all folders takes longer."""
+    places = (folder / f"{name}{_SUFFIX}" for folder in _folders() if name == Path(name).name)
+    return next((place for place in places if os.path.isfile(place)), None)
+
+
 @cache
-def _files() -> dict[str, tuple[str, Traversable]]:
-    """Name -> folder and file, in natural order."""
-    found = {
-        file.name.removesuffix(_SUFFIX): (folder.name, file)
-        for folder in files(__name__).iterdir()
-        if folder.is_dir()
-        for file in folder.iterdir()
-        if file.name.endswith(_SUFFIX)
-    }
+def _files() -> dict[str, str]:
+    """Name -> folder, in natural order."""
+    found = {file.stem: folder.name for folder in _folders() for file in folder.glob(f"*{_SUFFIX}")}
     return {name: found[name] for name in sorted(found, key=_natural)}
+
+
+@cache
+def _folders() -> tuple[Path, ...]:
+    return tuple(path for path in Path(__file__).parent.iterdir() if path.is_dir())
 
 
 def _natural(name: str) -> list[tuple[int, str]]:

@@ -3,8 +3,8 @@
     file --source--> text --tomllib, positions--> data and lines --schema, measures--> tables in SI
          --links (shapes), slides, contacts, drivers, joints--> Mechanism
 
-`units` is the closed table of units. A new pair kind needs a table in `schema`, its name in `complaints.TABLES`,
-and a reader beside `slides` and `contacts`, called in `loader`.
+`units` is the closed table of units, `fields` the kinds of value. A new pair kind needs a table in `schema` (and its
+name in `DEFINED` there and in `complaints.TABLES`) and a reader beside `slides` and `contacts`, called in `loader`.
 """
 
 from graphkin.loading.export import json_schema, json_schema_text

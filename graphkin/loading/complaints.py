@@ -1,13 +1,13 @@
-"""What pydantic found wrong, in graphkin's own errors: with line and key, and without pydantic's words."""
+"""What pydantic's core found wrong, in graphkin's own errors: with line and key, and without pydantic's words."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
-from pydantic import BaseModel, ValidationError
-from pydantic_core import ErrorDetails
+from pydantic_core import ErrorDetails, ValidationError
 
-from graphkin.errors import GraphkinError, MissingKey, NotOneOf, UnknownKey, Where, WrongCount, WrongType
+from graphkin.errors import GraphkinError, MissingKey, UnknownKey, Where, WrongCount, WrongType
+from graphkin.loading.fields import keys
 from graphkin.loading.positions import Path
 from graphkin.loading.schema import (
     CamTable,
@@ -25,7 +25,7 @@ from graphkin.loading.values import shown
 
 __all__ = ["complaints"]
 
-TABLES: Mapping[tuple[str, ...], type[BaseModel]] = {
+TABLES: Mapping[tuple[str, ...], type] = {
     (): File,
     ("title",): Titles,
     ("slide",): SlideTable,
@@ -38,8 +38,6 @@ TABLES: Mapping[tuple[str, ...], type[BaseModel]] = {
     ("scales",): ScalesTable,
 }
 """Which keys are possible where, item numbers left out."""
-
-_TYPES = {"list_type": "list", "dict_type": "table", "model_type": "table", "bool_type": "flag"}
 
 
 def complaints(
@@ -64,16 +62,14 @@ def _complaint(detail: ErrorDetails, where: Where) -> GraphkinError:
             return MissingKey(where, key)
         case "extra_forbidden":
             return UnknownKey(where, key[:40], _possible(detail["loc"][:-1]))
-        case "literal_error":
-            return NotOneOf(where, shown(detail["input"]), ("left", "right"))
         case "too_short" | "too_long":
             expected = context.get("min_length", context.get("max_length"))
             return WrongCount(where, int(expected or 0), len(detail["input"]))
         case kind:
-            return WrongType(where, _TYPES.get(kind, "table"), shown(detail["input"]))
+            return WrongType(where, "list" if kind == "list_type" else "table", shown(detail["input"]))
 
 
 def _possible(path: tuple[int | str, ...]) -> tuple[str, ...]:
     """The keys of the table at this path."""
     table = TABLES.get(tuple(part for part in path if isinstance(part, str)))
-    return tuple(field.alias or name for name, field in table.model_fields.items()) if table else ()
+    return tuple(keys(table)) if table else ()

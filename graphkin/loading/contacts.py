@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from graphkin.errors import CircleOrLine, LineOnLine, MissingKey, NoMeaning, PointOnPoint, SameCircles, SameTwice
 from graphkin.loading.draft import Draft
 from graphkin.loading.lines import has_line, read_line
@@ -12,7 +14,7 @@ from graphkin.pairs import Cam, Gear, Profile, Roll
 __all__ = ["read_cams", "read_gears", "read_rolls"]
 
 
-def read_gears(draft: Draft, tables: list[GearTable]) -> tuple[Gear, ...]:
+def read_gears(draft: Draft, tables: Sequence[GearTable]) -> tuple[Gear, ...]:
     gears = []
     for number, table in enumerate(tables):
         with draft.noting():
@@ -20,7 +22,7 @@ def read_gears(draft: Draft, tables: list[GearTable]) -> tuple[Gear, ...]:
     return tuple(gears)
 
 
-def read_rolls(draft: Draft, tables: list[RollTable]) -> tuple[Roll, ...]:
+def read_rolls(draft: Draft, tables: Sequence[RollTable]) -> tuple[Roll, ...]:
     rolls = []
     for number, table in enumerate(tables):
         with draft.noting():
@@ -28,7 +30,7 @@ def read_rolls(draft: Draft, tables: list[RollTable]) -> tuple[Roll, ...]:
     return tuple(rolls)
 
 
-def read_cams(draft: Draft, tables: list[CamTable]) -> tuple[Cam, ...]:
+def read_cams(draft: Draft, tables: Sequence[CamTable]) -> tuple[Cam, ...]:
     cams = []
     for number, table in enumerate(tables):
         with draft.noting():
@@ -36,7 +38,7 @@ def read_cams(draft: Draft, tables: list[CamTable]) -> tuple[Cam, ...]:
     return tuple(cams)
 
 
-def _two_links(draft: Draft, given: list[str], path: Path) -> tuple[str, str]:
+def _two_links(draft: Draft, given: Sequence[str], path: Path) -> tuple[str, str]:
     first, second = (draft.link(name, *path, "links", n) for n, name in enumerate(given))
     if first == second:
         raise SameTwice(draft.where(*path, "links"), given[0])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from graphkin.errors import (
     DrivenFrame,
@@ -26,7 +26,7 @@ __all__ = ["read_drivers", "read_poses"]
 Vector = tuple[str, str]
 
 
-def read_drivers(draft: Draft, tables: list[DriverTable], poses: int) -> tuple[Driver, ...]:
+def read_drivers(draft: Draft, tables: Sequence[DriverTable], poses: int) -> tuple[Driver, ...]:
     """The drivers; as many may leave their value out as there are poses."""
     drivers: list[Driver] = []
     seen: set[tuple[str, str]] = set()
@@ -44,7 +44,7 @@ def read_drivers(draft: Draft, tables: list[DriverTable], poses: int) -> tuple[D
     return tuple(drivers)
 
 
-def read_poses(draft: Draft, tables: list[PoseTable]) -> tuple[Pose, ...]:
+def read_poses(draft: Draft, tables: Sequence[PoseTable]) -> tuple[Pose, ...]:
     poses = []
     for number, table in enumerate(tables):
         with draft.noting():

@@ -1,92 +1,92 @@
-"""The kinds of value a mechanism file has: quantities with units, names, places, points' triples.
+"""The kinds of value a mechanism file has: quantities with units, names, places, points' triples, tables.
 
-Each is a type for pydantic whose complaint is one of graphkin's own errors.
+A kind says what a value must be twice: to pydantic's core, which checks whole files and collects what is
+wrong, and to JSON Schema, which editors read. Complaints are graphkin's own errors. (The core alone is
+imported: with pydantic's models around it, reading a file would take ten times as long as checking it.)
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
-from typing import Annotated, Any, Literal, TypeVar
+from dataclasses import MISSING, Field, field, fields
+from typing import Any, TypeVar, dataclass_transform
 
-from pydantic import (
-    AfterValidator,
-    BeforeValidator,
-    Discriminator,
-    Field,
-    PlainValidator,
-    Tag,
-    ValidationInfo,
-    WithJsonSchema,
-)
-from pydantic.config import JsonDict
-from pydantic_core import PydanticCustomError
+from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from graphkin.errors import NOWHERE, GraphkinError, WrongType
+from graphkin.errors import NOWHERE, GraphkinError, NotOneOf, WrongType
 from graphkin.loading.names import LINK, POINT, SLIDE, tidy
 from graphkin.loading.units import UNITS, Dimension
-from graphkin.loading.values import above_zero, formed, quantity, scale, shown, triples, vector, zero_or_more
+from graphkin.loading.values import above_zero, formed, quantity, scale, shown, titles, triples, vector, zero_or_more
+from graphkin.value import frozen
 
 __all__ = [
-    "LINK_PATTERN",
-    "MEASURE_PATTERN",
-    "NUMBER_SCHEMA",
-    "PLACE_SCHEMA",
-    "POINT_PATTERN",
-    "Acceleration",
-    "Alpha",
-    "Anchor",
-    "Angle",
-    "Both",
-    "EdgeRadius",
-    "Flag",
-    "Further",
-    "Length",
-    "LinkKey",
-    "Name",
-    "NewName",
-    "Omega",
-    "Place",
-    "Point",
-    "Radius",
-    "Scale",
-    "Side",
-    "Text",
-    "Triples",
-    "Vector",
-    "Velocity",
-    "a_value",
-    "guarded",
-]
+    "ALSO", "ANCHOR", "ANGLE", "EDGE_RADIUS", "FLAG", "LENGTH", "LINK_KEY", "MEASURE_PATTERN", "NAME", "NEW_NAME",
+    "NUMBER", "PLACE", "POINT_NAME", "POINT_PATTERN", "RADIUS", "SCALE", "SIDE", "TEXT", "TRIPLES", "VECTOR", "Kind",
+    "anything", "entry", "further", "key", "keys", "kind_of", "list_of", "mapping", "one_table", "quantity_of", "table",
+    "tables", "title", "two",
+]  # fmt: skip
 
 MEASURE_PATTERN = r"^([A-Z][0-9]*'*){2,3}$"
 POINT_PATTERN = r"^[A-Z][0-9]*'*$"
-NUMBER_SCHEMA: JsonDict = {"type": ["number", "string"]}
-PLACE_SCHEMA: JsonDict = {"type": "array", "items": NUMBER_SCHEMA, "minItems": 2, "maxItems": 2}
-LINK_PATTERN = r"^[\w']+$"
+NUMBER: dict[str, Any] = {"type": ["number", "string"]}
+"""What JSON Schema says of any quantity."""
+
+_T = TypeVar("_T")
 
 
-def _refuse(problem: GraphkinError) -> PydanticCustomError:
-    """The problem, in the wrapping pydantic collects; `complaints` unwraps it."""
-    return PydanticCustomError("graphkin", "graphkin", {"problem": problem})
+@frozen
+class Kind:
+    """What a value must be: for pydantic's core, and for JSON Schema."""
+
+    core: CoreSchema
+    json: dict[str, Any]
 
 
-def guarded(read: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """The same reader, its complaint wrapped for pydantic."""
+# --- checking ---------------------------------------------------------------------------------
 
-    def guarded(value: Any) -> Any:
+
+def _guarded(read: Callable[..., Any]) -> Callable[..., Any]:
+    """The same reader, its complaint in the wrapping the core collects; `complaints` unwraps it."""
+
+    def guarded(*value: Any) -> Any:
         try:
-            return read(value)
+            return read(*value)
         except GraphkinError as problem:
-            raise _refuse(problem) from None
+            raise PydanticCustomError("graphkin", "graphkin", {"problem": problem}) from None
 
     return guarded
 
 
-def _quantity_of(dimension: Dimension) -> tuple[PlainValidator, WithJsonSchema]:
-    units = ", ".join(UNITS[dimension])
-    schema = {"type": ["number", "string"], "description": f"{dimension}; units: {units}"}
-    return PlainValidator(guarded(lambda value: quantity(value, dimension))), WithJsonSchema(schema)
+def _read(read: Callable[[Any], Any], json: dict[str, Any]) -> Kind:
+    return Kind(core_schema.no_info_plain_validator_function(_guarded(read)), json)
 
 
-def text_of(kind: str, read: Callable[[str], str] = tidy) -> BeforeValidator:
+def _of_type(kind: str, wanted: type, inner: CoreSchema) -> CoreSchema:
+    """The schema for values of one type; says `kind` otherwise."""
+
+    def checked(value: object) -> object:
+        if not isinstance(value, wanted):
+            raise WrongType(NOWHERE, kind, shown(value))
+        return value
+
+    return core_schema.no_info_before_validator_function(_guarded(checked), inner)
+
+
+def anything(json: dict[str, Any]) -> Kind:
+    """A value that is looked at later."""
+    return Kind(core_schema.any_schema(), json)
+
+
+# --- single values ----------------------------------------------------------------------------
+
+
+def quantity_of(dimension: Dimension, check: Callable[[float], float] = float) -> Kind:
+    """A number or a text with a unit."""
+    json = NUMBER | {"description": f"{dimension}; units: {', '.join(UNITS[dimension])}"}
+    return _read(lambda value: check(quantity(value, dimension)), json)
+
+
+def _text(kind: str, read: Callable[[str], str] = tidy, **json: str) -> Kind:
     """A text; `kind` says in a message what is wanted."""
 
     def checked(value: object) -> str:
@@ -94,72 +94,179 @@ def text_of(kind: str, read: Callable[[str], str] = tidy) -> BeforeValidator:
             raise WrongType(NOWHERE, kind, shown(value))
         return read(value)
 
-    return BeforeValidator(guarded(checked))
+    return _read(checked, json or {"type": "string"})
 
 
-def a_value(kind: str, *types: type) -> BeforeValidator:
-    """A value of one of the types; says `kind` otherwise."""
-
-    def checked(value: object) -> object:
-        if not isinstance(value, types):
-            raise WrongType(NOWHERE, kind, shown(value))
-        return value
-
-    return BeforeValidator(guarded(checked))
-
-
-def _also(value: object, info: ValidationInfo) -> float:
+def _also(value: object, info: core_schema.ValidationInfo) -> float:
     """A further value of what the driver drives: a length for a slide, else an angle."""
-    dimension: Dimension = "length" if info.data.get("slide") else "angle"
-    try:
-        return quantity(value, dimension)
-    except GraphkinError as problem:
-        raise _refuse(problem) from None
+    return quantity(value, "length" if info.data.get("slide") else "angle")
 
 
-_POINT = {"type": "string", "pattern": POINT_PATTERN}
-_Length, _Angle = _quantity_of("length"), _quantity_of("angle")
-
-_TRIPLE = {"type": "array", "items": _POINT, "minItems": 3, "maxItems": 3}
-Length = Annotated[float, *_Length]
-Radius = Annotated[float, *_Length, AfterValidator(guarded(above_zero))]
-EdgeRadius = Annotated[float, *_Length, AfterValidator(guarded(zero_or_more))]
-Angle = Annotated[float, *_Angle]
-Omega = Annotated[float, *_quantity_of("angular velocity")]
-Alpha = Annotated[float, *_quantity_of("angular acceleration")]
-Velocity = Annotated[float, *_quantity_of("velocity")]
-Acceleration = Annotated[float, *_quantity_of("acceleration")]
-Scale = Annotated[float, PlainValidator(guarded(scale)), WithJsonSchema({"type": "number", "exclusiveMinimum": 0})]
-Further = Annotated[float, PlainValidator(_also), WithJsonSchema(NUMBER_SCHEMA)]
-Flag = Annotated[bool, a_value("flag", bool)]
-Text = Annotated[str, text_of("text", str)]
-Name = Annotated[str, text_of("name")]
-NewName = Annotated[str, text_of("name", formed(SLIDE, "slide"))]
-LinkKey = Annotated[str, text_of("name", formed(LINK, "link")), WithJsonSchema({"pattern": LINK_PATTERN})]
-Point = Annotated[
-    str,
-    text_of("name", formed(POINT, "point")),
-    WithJsonSchema(_POINT),
-]
-Vector = Annotated[
-    tuple[str, str],
-    PlainValidator(guarded(vector)),
-    WithJsonSchema({"type": "string", "pattern": r"^([A-Z][0-9]*'*){2}$"}),
-]
-Place = Annotated[list[Length], Field(min_length=2, max_length=2), a_value("place", list)]
-Anchor = Annotated[
-    Annotated[str, text_of("anchor", formed(POINT, "point")), WithJsonSchema(_POINT), Tag("a point")]
-    | Annotated[Place, Tag("a place")],
-    Discriminator(lambda value: "a place" if isinstance(value, list) else "a point"),
-]
-Side = Annotated[Literal["left", "right"], text_of("name", str)]
-Triple = Annotated[list[Point], Field(min_length=3, max_length=3), a_value("triple", list)]
-Triples = Annotated[
-    list[Triple],
-    BeforeValidator(guarded(triples)),
-    WithJsonSchema({"type": "array", "items": {"anyOf": [_POINT, _TRIPLE]}}),
-]
+def _flag(value: object) -> bool:
+    if not isinstance(value, bool):
+        raise WrongType(NOWHERE, "flag", shown(value))
+    return value
 
 
-_Item = TypeVar("_Item")
-Both = Annotated[list[_Item], Field(min_length=2, max_length=2), a_value("list", list)]
+def _side(value: str) -> str:
+    if value not in ("left", "right"):
+        raise NotOneOf(NOWHERE, shown(value), ("left", "right"))
+    return value
+
+
+LENGTH, ANGLE = quantity_of("length"), quantity_of("angle")
+RADIUS, EDGE_RADIUS = quantity_of("length", above_zero), quantity_of("length", zero_or_more)
+ALSO = Kind(core_schema.with_info_plain_validator_function(_guarded(_also)), NUMBER)
+SCALE = _read(scale, {"type": "number", "exclusiveMinimum": 0})
+FLAG = _read(_flag, {"type": "boolean"})
+TEXT = _text("text", str)
+NAME, NEW_NAME = _text("name"), _text("name", formed(SLIDE, "slide"))
+LINK_KEY = _text("name", formed(LINK, "link"), pattern=r"^[\w']+$")
+POINT_NAME = _text("name", formed(POINT, "point"), type="string", pattern=POINT_PATTERN)
+VECTOR = _read(vector, {"type": "string", "pattern": r"^([A-Z][0-9]*'*){2}$"})
+SIDE = _text("name", _side)
+SIDE.json["enum"] = ["left", "right"]
+
+
+# --- several values ---------------------------------------------------------------------------
+
+
+def list_of(item: Kind, kind: str = "list", count: int | None = None) -> Kind:
+    """A list of values, of any or of one certain length."""
+    core = _of_type(kind, list, core_schema.list_schema(item.core, min_length=count, max_length=count))
+    return Kind(core, {"type": "array", "items": item.json, **_counted(count)})
+
+
+def _counted(count: int | None) -> dict[str, Any]:
+    return {} if count is None else {"minItems": count, "maxItems": count}
+
+
+def two(item: Kind) -> Kind:
+    """One value for each of two links."""
+    return list_of(item, count=2)
+
+
+def mapping(names: Kind, values: Kind) -> Kind:
+    """A table whose keys are names themselves."""
+    core = _of_type("table", dict, core_schema.dict_schema(names.core, values.core))
+    return Kind(core, {"type": "object", "patternProperties": {names.json["pattern"]: values.json}})
+
+
+def _either(names: Kind, places: Kind) -> Kind:
+    """A point's name, or a place."""
+    core = core_schema.tagged_union_schema(
+        {"a point": names.core, "a place": places.core},
+        discriminator=lambda value: "a place" if isinstance(value, list) else "a point",
+    )
+    return Kind(core, {"oneOf": [names.json, places.json]})
+
+
+def _triples() -> Kind:
+    """One triple of points or several."""
+    triple = list_of(POINT_NAME, "triple", 3)
+    core = core_schema.no_info_before_validator_function(_guarded(triples), core_schema.list_schema(triple.core))
+    return Kind(core, {"type": "array", "items": {"anyOf": [POINT_NAME.json, triple.json]}})
+
+
+PLACE = list_of(LENGTH, "place", 2)
+ANCHOR = _either(_text("anchor", formed(POINT, "point"), **POINT_NAME.json), PLACE)
+TRIPLES = _triples()
+
+
+# --- tables -----------------------------------------------------------------------------------
+
+
+def key(kind: Kind, *, default: Any = MISSING, default_factory: Any = MISSING) -> Any:
+    """A key of a table; it may be left out where there is a default."""
+    return field(default=default, default_factory=default_factory, metadata={"kind": kind})
+
+
+def further(pattern: str, kind: Kind) -> Any:
+    """All keys of a table that are not named, by a dictionary; an editor expects this pattern of them."""
+    return field(default_factory=dict, metadata={"further": kind, "pattern": pattern})
+
+
+@dataclass_transform(kw_only_default=True, frozen_default=True, field_specifiers=(key, further))
+def table(cls: type[_T]) -> type[_T]:
+    """A table made of `key`s; others are refused where there is no `further`. `from_` is the key `from`."""
+    described = {"description": cls.__doc__} if cls.__doc__ else {}
+    cls.__doc__ = cls.__doc__ or f"`{cls.__name__}`"
+    made: Any = frozen(cls)
+    rest = next((field for field in fields(made) if "further" in field.metadata), None)
+    made.kind = Kind(_checking(made, rest), _object(made, rest) | described)
+    return cls
+
+
+def kind_of(cls: Any) -> Kind:
+    """The kind of value that becomes an instance of a table's class."""
+    kind: Kind = cls.kind
+    return kind
+
+
+def keys(cls: Any) -> dict[str, Field[Any]]:
+    """The fields of a table by the keys they have in the file."""
+    return {field.name.rstrip("_"): field for field in fields(cls) if "kind" in field.metadata}
+
+
+def one_table(cls: Any) -> Kind:
+    """A value that is such a table."""
+    return Kind(_of_type("table", dict, kind_of(cls).core), _reference(cls))
+
+
+def tables(cls: Any) -> Kind:
+    """`[[..]]`: any number of such tables."""
+    return list_of(entry(cls), "tables")
+
+
+def entry(cls: Any) -> Kind:
+    """A table among others of its kind."""
+    return Kind(kind_of(cls).core, _reference(cls))
+
+
+def _reference(cls: Any) -> dict[str, Any]:
+    return {"$ref": f"#/$defs/{cls.__name__}"}
+
+
+def title(cls: Any) -> Kind:
+    """A text, or such a table of one for each language."""
+    core = core_schema.no_info_before_validator_function(_guarded(titles), kind_of(cls).core)
+    return Kind(core, {"anyOf": [{"type": "string"}, kind_of(cls).json]})
+
+
+def _required(field: Field[Any]) -> bool:
+    return field.default is MISSING and field.default_factory is MISSING
+
+
+def _checking(cls: Any, rest: Field[Any] | None) -> CoreSchema:
+    """What makes an instance of the class of a table that is right."""
+    named = {
+        field.name: core_schema.typed_dict_field(
+            field.metadata["kind"].core, required=_required(field), validation_alias=name
+        )
+        for name, field in keys(cls).items()
+    }
+
+    def make(data: dict[str, Any]) -> Any:
+        if rest is not None:
+            data = {name: data.pop(name) for name in named if name in data} | {rest.name: data}
+        return cls(**data)
+
+    checked = core_schema.typed_dict_schema(
+        named,
+        extras_schema=rest.metadata["further"].core if rest is not None else None,
+        extra_behavior="forbid" if rest is None else "allow",
+    )
+    return core_schema.no_info_after_validator_function(make, checked)
+
+
+def _object(cls: Any, rest: Field[Any] | None) -> dict[str, Any]:
+    json: dict[str, Any] = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {name: field.metadata["kind"].json for name, field in keys(cls).items()},
+    }
+    if required := [name for name, field in keys(cls).items() if _required(field)]:
+        json["required"] = required
+    if rest is not None:
+        json["patternProperties"] = {rest.metadata["pattern"]: rest.metadata["further"].json}
+    return json

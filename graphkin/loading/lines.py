@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+from collections.abc import Sequence
 
 from graphkin.errors import KeyClash, MissingKey, NeedsDirection, NoLine, NoMeaning, UnknownPoint
 from graphkin.loading.draft import Draft
@@ -48,7 +49,7 @@ def _origin(draft: Draft, table: LineTable, link: str, own_point: str, path: Pat
     return own_point
 
 
-def _point_of(draft: Draft, link: str, through: str | list[float], path: Path) -> str:
+def _point_of(draft: Draft, link: str, through: str | Sequence[float], path: Path) -> str:
     if isinstance(through, str):
         return draft.point(link, through, *path, "through")
     raise UnknownPoint(draft.where(*path, "through"), "[x, y]", draft.named(link))

@@ -22,7 +22,7 @@ def read_links(draft: Draft, file: File, raw: Mapping[str, Any], measures: Mappi
     if not file.links:
         draft.problems.append(MissingKey(draft.where("links"), "[links.NAME]"))
     draft.frame = file.frame.name
-    draft.frame_points = {tidy(point): complex(*place) for point, place in (file.frame.model_extra or {}).items()}
+    draft.frame_points = {tidy(point): complex(*place) for point, place in file.frame.points.items()}
     draft.links[FRAME] = Link(FRAME, draft.frame_points)
     tables = {tidy(name): table for name, table in raw["links"].items()}
     for name in file.links:

@@ -41,18 +41,19 @@ def load_stream(stream: IO[bytes], *, name: str, file: str) -> Mechanism:
 
 
 def _checked(draft: Draft, document: dict[str, Any]) -> tuple[File, dict[str, list[Measure]]]:
-    """All tables by themselves. pydantic is imported here, when the first file is read."""
-    from pydantic import ValidationError
+    """All tables by themselves."""
+    from pydantic_core import ValidationError
 
-    from graphkin.loading.complaints import complaints
-    from graphkin.loading.schema import File
+    from graphkin.loading.schema import read_tables
 
     draft.problems.extend(frame_problems(document.get("frame"), draft.where))
     measures, problems = read_measures(document.get("links"), draft.where)
     draft.problems.extend(problems)
     try:
-        tables = File.model_validate(document)
+        tables = read_tables(document)
     except ValidationError as error:
+        from graphkin.loading.complaints import complaints
+
         draft.problems.extend(complaints(error, draft.where, draft.lines))
     draft.stop_if_wrong()
     return tables, measures
@@ -76,7 +77,7 @@ def _drawn_up(
     check_joints(draft, [*slides, *gears, *rolls, *cams], len(file.driver))
     check_sketch(draft, list(file.sketch))
     draft.stop_if_wrong()
-    scales = file.scales.model_dump(exclude_none=True)
+    scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}
     sketch = {point: complex(*place) for point, place in file.sketch.items()}
     return Mechanism(
         name, draft.frame, draft.links, slides, gears, rolls, cams, drivers, poses, sketch, scales,

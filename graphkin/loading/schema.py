@@ -1,46 +1,54 @@
 """The mechanism file's tables, key by key. Values leave here in SI; names leave here tidied.
 
-Only this module and `fields` import pydantic, and only `loader` imports this one, when a file is read.
 What needs knowledge of other tables (does the point exist?) is not asked here.
 """
 
-from typing import Annotated
+from __future__ import annotations
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
+
+from pydantic_core import SchemaValidator
 
 from graphkin.loading.fields import (
+    ALSO,
+    ANCHOR,
+    ANGLE,
+    EDGE_RADIUS,
+    FLAG,
+    LENGTH,
+    LINK_KEY,
     MEASURE_PATTERN,
-    NUMBER_SCHEMA,
-    PLACE_SCHEMA,
+    NAME,
+    NEW_NAME,
+    NUMBER,
+    PLACE,
+    POINT_NAME,
     POINT_PATTERN,
-    Acceleration,
-    Alpha,
-    Anchor,
-    Angle,
-    Both,
-    EdgeRadius,
-    Flag,
-    Further,
-    Length,
-    LinkKey,
-    Name,
-    NewName,
-    Omega,
-    Place,
-    Point,
-    Radius,
-    Scale,
-    Side,
-    Text,
-    Triples,
-    Vector,
-    Velocity,
-    a_value,
-    guarded,
+    RADIUS,
+    SCALE,
+    SIDE,
+    TEXT,
+    TRIPLES,
+    VECTOR,
+    Kind,
+    anything,
+    entry,
+    further,
+    key,
+    kind_of,
+    list_of,
+    mapping,
+    one_table,
+    quantity_of,
+    table,
+    tables,
+    title,
+    two,
 )
-from graphkin.loading.values import titles
 
 __all__ = [
+    "DEFINED",
     "CamTable",
     "DriverTable",
     "File",
@@ -53,140 +61,151 @@ __all__ = [
     "RollTable",
     "ScalesTable",
     "SlideTable",
+    "Titles",
+    "read_tables",
 ]
 
-
-class Table(BaseModel):
-    """A table whose keys are all known; those that are left out are None."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
+Place = Sequence[float]
+Vector = tuple[str, str]
+Side = Literal["left", "right"]
 
 
-class Titles(Table):
-    en: Text | None = None
-    zh: Text | None = None
+@table
+class Titles:
+    en: str | None = key(TEXT, default=None)
+    zh: str | None = key(TEXT, default=None)
 
 
-_TITLES = {"anyOf": [{"type": "string"}, Titles.model_json_schema()]}
-
-
-class FrameTable(Table):
+@table
+class FrameTable:
     """`[frame]`: its own name, and the fixed points by theirs."""
 
-    model_config = ConfigDict(
-        extra="allow",
-        frozen=True,
-        json_schema_extra={"patternProperties": {POINT_PATTERN: PLACE_SCHEMA}, "additionalProperties": False},
-    )
-    __pydantic_extra__: dict[str, Place]
-
-    name: LinkKey = "0"
+    name: str = key(LINK_KEY, default="0")
+    points: Mapping[str, Place] = further(POINT_PATTERN, Kind(PLACE.core, PLACE.json | {"items": NUMBER}))
 
 
-class LinkTable(Table):
+@table
+class LinkTable:
     """`[links.X]`: lengths and angles stand as further keys, read in `links`."""
 
-    model_config = ConfigDict(
-        extra="allow",
-        frozen=True,
-        json_schema_extra={
-            "patternProperties": {MEASURE_PATTERN: NUMBER_SCHEMA},
-            "additionalProperties": False,
-        },
-    )
-
-    points: Annotated[list[Point], a_value("list", list)] | None = None
-    ccw: Triples | None = None
-    shape: Annotated[dict[Point, Place], a_value("table", dict)] | None = None
+    points: Sequence[str] | None = key(list_of(POINT_NAME), default=None)
+    ccw: Sequence[Sequence[str]] | None = key(TRIPLES, default=None)
+    shape: Mapping[str, Place] | None = key(mapping(POINT_NAME, PLACE), default=None)
+    measures: Mapping[str, Any] = further(MEASURE_PATTERN, anything(NUMBER))
 
 
-class LineTable(Table):
+@table
+class LineTable:
     """What says where a line lies in its link; a slide, a track on a line and a flat profile share it."""
 
-    through: Anchor | None = None
-    toward: Point | None = None
-    from_: Vector | None = Field(None, alias="from")
-    angle: Angle | None = None
+    through: str | Place | None = key(ANCHOR, default=None)
+    toward: str | None = key(POINT_NAME, default=None)
+    from_: Vector | None = key(VECTOR, default=None)
+    angle: float | None = key(ANGLE, default=None)
 
 
+@table
 class SlideTable(LineTable):
-    name: NewName | None = None
-    block: Name | None = None
-    point: Point | None = None
-    pin: Point | None = None
-    guide: Name
-    tilt: Angle | None = None
+    name: str | None = key(NEW_NAME, default=None)
+    block: str | None = key(NAME, default=None)
+    point: str | None = key(POINT_NAME, default=None)
+    pin: str | None = key(POINT_NAME, default=None)
+    guide: str = key(NAME)
+    tilt: float | None = key(ANGLE, default=None)
 
 
-class GearTable(Table):
-    links: Both[Name]
-    centres: Both[Point]
-    radii: Both[Radius]
-    internal: Flag = False
+@table
+class GearTable:
+    links: Sequence[str] = key(two(NAME))
+    centres: Sequence[str] = key(two(POINT_NAME))
+    radii: Sequence[float] = key(two(RADIUS))
+    internal: bool = key(FLAG, default=False)
 
 
+@table
 class RollTable(LineTable):
-    name: NewName | None = None
-    wheel: Name
-    centre: Point
-    radius: Radius
-    on: Name
-    side: Side | None = None
-    on_centre: Point | None = None
-    on_radius: Radius | None = None
-    internal: Flag | None = None
+    name: str | None = key(NEW_NAME, default=None)
+    wheel: str = key(NAME)
+    centre: str = key(POINT_NAME)
+    radius: float = key(RADIUS)
+    on: str = key(NAME)
+    side: Side | None = key(SIDE, default=None)
+    on_centre: str | None = key(POINT_NAME, default=None)
+    on_radius: float | None = key(RADIUS, default=None)
+    internal: bool | None = key(FLAG, default=None)
 
 
+@table
 class ProfileTable(LineTable):
-    centre: Point | None = None
-    radius: EdgeRadius | None = None
-    side: Side | None = None
+    centre: str | None = key(POINT_NAME, default=None)
+    radius: float | None = key(EDGE_RADIUS, default=None)
+    side: Side | None = key(SIDE, default=None)
 
 
-class CamTable(Table):
-    links: Both[Name]
-    profiles: Both[ProfileTable]
-    internal: Flag = False
+@table
+class CamTable:
+    links: Sequence[str] = key(two(NAME))
+    profiles: Sequence[ProfileTable] = key(two(entry(ProfileTable)))
+    internal: bool = key(FLAG, default=False)
 
 
-class PoseTable(Table):
-    vector: Vector | None = None
-    angle: Angle | None = None
-    from_: Vector | None = Field(None, alias="from")
-    slide: Name | None = None
-    at: Length | None = None
+@table
+class PoseTable:
+    vector: Vector | None = key(VECTOR, default=None)
+    angle: float | None = key(ANGLE, default=None)
+    from_: Vector | None = key(VECTOR, default=None)
+    slide: str | None = key(NAME, default=None)
+    at: float | None = key(LENGTH, default=None)
 
 
+@table
 class DriverTable(PoseTable):
-    link: Name | None = None
-    omega: Omega | None = None
-    alpha: Alpha | None = None
-    velocity: Velocity | None = None
-    acceleration: Acceleration | None = None
-    also: Annotated[list[Further], a_value("list", list)] = []
+    link: str | None = key(NAME, default=None)
+    omega: float | None = key(quantity_of("angular velocity"), default=None)
+    alpha: float | None = key(quantity_of("angular acceleration"), default=None)
+    velocity: float | None = key(quantity_of("velocity"), default=None)
+    acceleration: float | None = key(quantity_of("acceleration"), default=None)
+    also: Sequence[float] = key(list_of(ALSO), default=())
 
 
-class ScalesTable(Table):
+@table
+class ScalesTable:
     """Metres (m/s, m/s²) on one millimetre of paper."""
 
-    length: Scale | None = None
-    velocity: Scale | None = None
-    acceleration: Scale | None = None
+    length: float | None = key(SCALE, default=None)
+    velocity: float | None = key(SCALE, default=None)
+    acceleration: float | None = key(SCALE, default=None)
 
 
-class File(Table):
+@table
+class File:
     """The whole mechanism file."""
 
-    title: Annotated[Titles, BeforeValidator(guarded(titles)), WithJsonSchema(_TITLES)] = Titles()
-    source: Text = ""
-    ask: Annotated[list[Text], a_value("list", list)] = []
-    frame: Annotated[FrameTable, a_value("table", dict)] = FrameTable.model_construct()
-    links: Annotated[dict[LinkKey, LinkTable], a_value("table", dict)]
-    slide: Annotated[list[SlideTable], a_value("tables", list)] = []
-    gear: Annotated[list[GearTable], a_value("tables", list)] = []
-    roll: Annotated[list[RollTable], a_value("tables", list)] = []
-    cam: Annotated[list[CamTable], a_value("tables", list)] = []
-    driver: Annotated[list[DriverTable], a_value("tables", list)] = []
-    pose: Annotated[list[PoseTable], a_value("tables", list)] = []
-    sketch: Annotated[dict[Point, Place], a_value("table", dict)] = {}
-    scales: Annotated[ScalesTable, a_value("table", dict)] = ScalesTable()
+    title: Titles = key(title(Titles), default=Titles())
+    source: str = key(TEXT, default="")
+    ask: Sequence[str] = key(list_of(TEXT), default=())
+    frame: FrameTable = key(one_table(FrameTable), default=FrameTable(points={}))
+    links: Mapping[str, LinkTable] = key(mapping(LINK_KEY, entry(LinkTable)))
+    slide: Sequence[SlideTable] = key(tables(SlideTable), default=())
+    gear: Sequence[GearTable] = key(tables(GearTable), default=())
+    roll: Sequence[RollTable] = key(tables(RollTable), default=())
+    cam: Sequence[CamTable] = key(tables(CamTable), default=())
+    driver: Sequence[DriverTable] = key(tables(DriverTable), default=())
+    pose: Sequence[PoseTable] = key(tables(PoseTable), default=())
+    sketch: Mapping[str, Place] = key(mapping(POINT_NAME, PLACE), default_factory=dict)
+    scales: ScalesTable = key(one_table(ScalesTable), default=ScalesTable())
+
+
+DEFINED = (
+    CamTable, DriverTable, FrameTable, GearTable, LinkTable, PoseTable, ProfileTable, RollTable, ScalesTable,
+    SlideTable,
+)  # fmt: skip
+"""The tables that JSON Schema refers to by name."""
+
+_VALIDATOR = SchemaValidator(kind_of(File).core)
+
+
+def read_tables(document: Mapping[str, Any]) -> File:
+    """The tables of a file. Raises pydantic's ValidationError with all that is wrong in them."""
+    tables: File = _VALIDATOR.validate_python(document)
+    return tables

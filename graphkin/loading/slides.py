@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from graphkin.errors import BlockOrPin, KeyClash, MissingKey, NeedsTilt, NoMeaning, RigidlyJoined, SlidesOnItself
 from graphkin.loading.draft import Draft
 from graphkin.loading.lines import read_line
@@ -13,7 +15,7 @@ from graphkin.pairs import Slide
 __all__ = ["read_slides"]
 
 
-def read_slides(draft: Draft, tables: list[SlideTable]) -> tuple[Slide, ...]:
+def read_slides(draft: Draft, tables: Sequence[SlideTable]) -> tuple[Slide, ...]:
     slides: list[Slide] = []
     for number, table in enumerate(tables):
         with draft.noting():

@@ -11,7 +11,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -61,8 +61,7 @@ class Wanted:
     step: int | None = None
 
 
-@frozen
-class _Spot:
+class _Spot(NamedTuple):
     """A candidate: the middle of the label's box, what it costs, and where a leader would go."""
 
     middle: Place
@@ -109,14 +108,14 @@ def _spots(want: Wanted, half: complex) -> Iterator[_Spot]:
 
 def _around(point: Place, half: complex, want: Wanted, first: int = 0) -> Iterator[_Spot]:
     """Rings about a point; a box touches the ring with its near side or corner."""
-    away = want.away / abs(want.away) if want.away else 0j
+    away = want.away.conjugate() / abs(want.away) if want.away else 0j
+    likings = [0.8 * (1 - (turn * away).real) if away else 0.05 * ((k - 14) % 16) for k, turn in enumerate(_TURNS)]
+    sides = [complex(_held(turn.real) * half.real, _held(turn.imag) * half.imag) for turn in _TURNS]
     for ring in _RINGS[first:]:
         reach = want.gap + 0.6 + ring
-        for k, turn in enumerate(_TURNS):
-            side = complex(_held(turn.real) * half.real, _held(turn.imag) * half.imag)
-            liking = 0.8 * (1 - (turn * away.conjugate()).real) if away else 0.05 * ((k - 14) % 16)
-            led = ring >= _LED
-            yield _Spot(point + reach * turn + side, 1.6 * ring + liking + (6 if led else 0), point if led else None)
+        price, anchor = (1.6 * ring + 6, point) if ring >= _LED else (1.6 * ring, None)
+        for turn, side, liking in zip(_TURNS, sides, likings):
+            yield _Spot(point + reach * turn + side, price + liking, anchor)
 
 
 def _held(x: float) -> float:

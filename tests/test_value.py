@@ -1,0 +1,87 @@
+"""Value classes behave as frozen dataclasses do."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+from collections.abc import Mapping
+from dataclasses import FrozenInstanceError, field, fields, replace
+
+import pytest
+
+from graphkin.value import frozen
+
+
+@frozen
+class Spot:
+    """A place with a name."""
+
+    name: str
+    x: float = 0.0
+    notes: Mapping[str, str] = field(default_factory=dict)
+
+
+@frozen
+class Dot:
+    """Another class with the same fields as the beginning of `Spot`."""
+
+    name: str
+    x: float = 0.0
+
+
+@frozen
+class Checked:
+    size: float
+
+    def __post_init__(self) -> None:
+        if self.size < 0:
+            raise ValueError("less than nothing")
+
+
+def test_values_are_equal_when_their_data_are():
+    assert Dot("a", 1.0) == Dot(x=1.0, name="a") != Dot("a", 2.0)
+    assert len({Dot("a"), Dot("a", 0.0), Dot("b")}) == 2
+    assert Spot("a") != Dot("a")
+
+
+def test_written_out():
+    assert repr(Dot("a")) == "Dot(name='a', x=0.0)"
+
+
+def test_defaults_are_made_anew():
+    assert Spot("a").notes == {}
+    assert Spot("a").notes is not Spot("b").notes
+
+
+def test_what_dataclasses_offer():
+    assert [f.name for f in fields(Spot)] == ["name", "x", "notes"]
+    assert replace(Dot("a"), x=3.0) == Dot("a", 3.0)
+    match Dot("a", 2.0):
+        case Dot(name, x):
+            assert (name, x) == ("a", 2.0)
+
+
+@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda value: pickle.loads(pickle.dumps(value))])
+def test_copies_are_equal(again):
+    assert again(Dot("a", 2.0)) == Dot("a", 2.0)
+
+
+def test_nothing_changes_afterwards():
+    with pytest.raises(FrozenInstanceError):
+        Dot("a").x = 1.0
+    with pytest.raises(FrozenInstanceError):
+        del Dot("a").x
+
+
+@pytest.mark.parametrize(
+    ("args", "given"),
+    [((), {}), (("a", 1.0, 2.0), {}), (("a",), {"name": "b"}), (("a",), {"z": 1}), ((), {"x": 1.0})],
+)
+def test_wrong_arguments(args, given):
+    with pytest.raises(TypeError, match="Dot"):
+        Dot(*args, **given)
+
+
+def test_checked_when_made():
+    with pytest.raises(ValueError, match="less than nothing"):
+        Checked(-1.0)
