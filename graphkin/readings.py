@@ -13,7 +13,7 @@ from typing import Protocol
 
 import numpy as np
 
-from graphkin.geometry import Value
+from graphkin.geometry import Value, dot
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.methods import Method
 from graphkin.naming import Seen, common_link, pair, seen
@@ -189,12 +189,19 @@ def relative(
     arm = motions.position[of.point] - motions.position[seen_from.point]
     if part in ("n", "t"):
         link = common_link(mechanism, of, seen_from)
-        if link is None:
-            return None
-        return -(motions.omega[link] ** 2) * arm if part == "n" else 1j * motions.alpha[link] * arm
+        if link is not None:
+            return -(motions.omega[link] ** 2) * arm if part == "n" else 1j * motions.alpha[link] * arm
+        return _between_centres(motions, part, of, seen_from, whole) if mechanism.cams or mechanism.rolls else None
     if of.point != seen_from.point:
         return None
     return _coincident(mechanism, motions, part, of, seen_from, whole)
+
+
+def _between_centres(motions: Motions, part: str, of: Seen, seen_from: Seen, whole: Value) -> Value:
+    """Of two centres that profiles keep apart, as by a link: the acceleration along their line and across it."""
+    arm = motions.position[of.point] - motions.position[seen_from.point]
+    along = arm * dot(arm, whole) / np.abs(arm) ** 2
+    return along if part == "n" else whole - along
 
 
 def _coincident(

@@ -66,13 +66,13 @@ def _motions(mechanism: Mechanism, motions: Motions) -> Json:
         },
         "points": {point: _point(mechanism, motions, point) for point in mechanism.points},
         "slides": {
-            slide.name: {
-                "s": _number(motions.s[slide.name]),
-                "v": _number(motions.s_rate[slide.name]),
-                "a": _number(motions.s_acceleration[slide.name]),
+            name: {
+                "s": _number(motions.s[name]),
+                "v": _number(motions.s_rate[name]),
+                "a": _number(motions.s_acceleration[name]),
             }
-            for slide in (*mechanism.slides, *mechanism.rolls)
-            if slide.name in motions.s_acceleration
+            for name in [slide.name for slide in mechanism.slides] + [roll.name for roll in mechanism.rolls]
+            if name in motions.s_acceleration
         },
     }
 

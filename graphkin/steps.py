@@ -234,8 +234,10 @@ class Term:
     def name(self, plane: Plane) -> str:
         """`v_CB`, `a^n_CB`, `a^k_B3B2`; `v_DG+v_S4D` where two lie on one line."""
         if self.over:
-            halves = Term(self.over, self.seen_from, self.part, None, None, "", ""), Term(
-                self.of, self.over, self.part.replace("r", "t") if self.part else "", None, None, "", ""
+            turned = "t" if plane == "acceleration" else ""
+            halves = (
+                Term(self.over, self.seen_from, self.part, None, None, "", ""),
+                Term(self.of, self.over, turned, None, None, "", ""),
             )
             return "+".join(half.name(plane) for half in halves)
         part = f"^{self.part}" if self.part else ""

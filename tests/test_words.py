@@ -306,6 +306,15 @@ def test_any_contact_and_group_is_worded(kind: Callable[[int], Mechanism], seed:
     assert not re.search(r"pin [a-z]|[*^]| origin|_pole|\be [cr]\d+\b|nan", text.replace(chr(0x25B3), ""))
 
 
+@pytest.mark.parametrize("name", ["p3-12", "p3-16", "s4-ex4", "s4-ex5"])
+def test_rolling_relations_hold_in_figures(name: str) -> None:
+    checks = [e.text for e in entries_of(name, "en") if isinstance(e, Sentence) and e.text.startswith("Check: ")]
+    assert checks
+    for text in checks:
+        figures = text.partition("in figures ")[2].removesuffix(" ≈ 0.")
+        assert evaluated(figures) == pytest.approx(0, abs=2e-3)
+
+
 # --- every mechanism ----------------------------------------------------------------------------
 
 NUMBER = r"−?\d+(?:\.\d+)?(?:e−?\d+)?"

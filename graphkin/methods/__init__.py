@@ -106,12 +106,12 @@ def plan(mechanism: Mechanism, coincident: str = "") -> Method:
     _refuse_gears_apart(mechanism, ties, plot)
     ternaries = _ternaries(structure, order, plot)
     construction = _with_special_points(construction, ternaries)
-    coincident = _coincident(structure, order, ternaries)
-    labels, pole = Labels(structure, coincident), _pole(mechanism)
+    meeting = _coincident(structure, order, ternaries)
+    labels, pole = Labels(structure, meeting), _pole(mechanism)
     velocity, at = motion(structure, order, labels, "velocity", pole, lambda site: "", ternaries)
     acceleration, _ = motion(structure, order, labels, "acceleration", pole, at, ternaries)
     return Method(
-        mechanism, structure, order, construction, velocity, acceleration, coincident, found.near, drawn, ternaries
+        mechanism, structure, order, construction, velocity, acceleration, meeting, found.near, drawn, ternaries
     )
 
 

@@ -51,8 +51,8 @@ class Relation:
 
     @property
     def text(self) -> str:
-        (one, first), (other, second) = self._wheels
         if self.contact.slide:
+            (one, other), second = self.contact.wheels, self.radius(1)
             way = "+" if self.contact.on_slide > 0 else "−"
             track = "" if one == FRAME else f" − {self.symbol(one)}"
             turning = f"({self.symbol(other)}{track})" if track else f" {self.symbol(other)}"
@@ -86,11 +86,6 @@ class Relation:
         if arm == FRAME:
             return f"{radius}{_bracketed(turn)}" if figures else f"{radius} {turn}"
         return f"{radius}({turn} − {_bracketed(written(arm))})"
-
-    @property
-    def _wheels(self) -> tuple[tuple[str, str], tuple[str, str]]:
-        one, other = self.contact.wheels
-        return (one, self.radius(0)), (other, self.radius(1))
 
     def radius(self, k: int) -> str:
         """`r2`, and `r2′` for the second gear of a compound one."""
