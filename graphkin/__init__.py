@@ -23,7 +23,8 @@ __version__ = "0.1.0"
 
 ORDER = (
     "value", "errors", "geometry", "steps", "pairs", "mechanism", "loading", "library", "methods", "naming", "seal",
-    "analytic", "freedoms", "assur", "readings", "check", "results", "reports", "words", "sheet", "outputs", "api", "cli",
+    "analytic", "freedoms", "assur", "readings", "check", "results", "reports", "words", "sheet", "outputs", "api",
+    "cli",
 )  # fmt: skip
 
 _WHERE = {

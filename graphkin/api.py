@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from graphkin import library, loading, methods
-from graphkin.errors import CannotAssemble, DeadPoint, HigherClass, Lang
+from graphkin.errors import CannotAssemble, HigherClass, Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
@@ -48,7 +48,7 @@ def load(source: str | Path) -> Mechanism:
     return loading.load(path)
 
 
-def plan(mechanism: Mechanism) -> Method:
+def plan(mechanism: Mechanism, coincident: str = "") -> Method:
     """The three constructions of a mechanism: position, velocity, acceleration.
 
     Raises a `GraphkinError` where drivers are too few or too many, where the links do not reach each other,
@@ -58,11 +58,11 @@ def plan(mechanism: Mechanism) -> Method:
     'B3'
     """
     try:
-        method = methods.plan(mechanism)
+        method = methods.plan(mechanism, coincident)
         if method.doubtful:
             _refuse_wrong_drivers(mechanism)
         return method
-    except (HigherClass, CannotAssemble, DeadPoint):
+    except (HigherClass, CannotAssemble):
         _refuse_wrong_drivers(mechanism)
         raise
 

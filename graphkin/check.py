@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import math
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from xml.etree.ElementTree import Element, ParseError
@@ -18,7 +19,7 @@ import numpy as np
 
 from graphkin import loading
 from graphkin.analytic import Motion, motion
-from graphkin.errors import BadDrawing, Where
+from graphkin.errors import BadDrawing, NoDrawing, Where
 from graphkin.geometry import Value, meet_lines
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.methods import Method, plan
@@ -29,7 +30,7 @@ from graphkin.seal import seal
 from graphkin.steps import Across, AcrossGuide, Along, AlongGuide, Direction, Meet, Plane, Plot, Ray, Touch
 from graphkin.value import frozen
 
-__all__ = ["Measured", "Report", "compare", "measure"]
+__all__ = ["Fault", "Measured", "Report", "compare", "measure"]
 
 LIMIT = 16 << 20
 """Larger drawings are not ours [bytes]."""
@@ -106,6 +107,18 @@ class Measured:
 
 
 @frozen
+class Fault:
+    """Something wrong with a drawing file that is no length.
+
+    kind  "paper", "transform", "changed", "scale", "missing", "extra", "end", "loose"
+    what  which element, and what about it
+    """
+
+    kind: str
+    what: str
+
+
+@frozen
 class Report:
     """What a ruler finds in one drawing file.
 
@@ -114,10 +127,14 @@ class Report:
 
     file: str
     measured: tuple[Measured, ...]
-    faults: tuple[str, ...]
+    faults: tuple[Fault, ...]
 
     def passed(self, tolerance_mm: float) -> bool:
         return not self.faults and all(entry.off_mm <= tolerance_mm for entry in self.measured)
+
+    def wrong(self, tolerance_mm: float) -> int:
+        """How many things are wrong; a length that is no number is."""
+        return sum(not entry.off_mm <= tolerance_mm for entry in self.measured) + len(self.faults)
 
 
 @frozen
@@ -230,7 +247,7 @@ class _Drawing:
     points: tuple[tuple[Mapping[str, str], complex], ...]
     written: tuple[tuple[str, str], ...]
     claims: Mapping[str, object]
-    faults: tuple[str, ...]
+    faults: tuple[Fault, ...]
 
 
 def measure(path: str | Path, tolerance_mm: float = 0.01) -> Report:
@@ -256,14 +273,16 @@ def _read(path: Path) -> _Drawing:
     file = str(path)
     try:
         if path.stat().st_size > LIMIT:
-            raise BadDrawing(Where(file), "too large")
+            raise BadDrawing(Where(file), "large")
         root = fromstring(path.read_bytes())
+    except FileNotFoundError:
+        raise NoDrawing(Where(file)) from None
     except OSError as error:
-        raise BadDrawing(Where(file), error.strerror or "unreadable") from error
+        raise BadDrawing(Where(file), "unreadable", error.strerror or "") from error
     except (ParseError, DefusedXmlException, ValueError, LookupError, RecursionError) as error:
-        raise BadDrawing(Where(file), f"not XML ({error})") from error
+        raise BadDrawing(Where(file), "xml") from error
     if not root.tag.endswith("}svg"):
-        raise BadDrawing(Where(file), "not an SVG")
+        raise BadDrawing(Where(file), "svg")
     return _parse(file, root)
 
 
@@ -283,11 +302,11 @@ def _parse(file: str, root: Element) -> _Drawing:
             else:
                 continue
             if moved:
-                faults.append(f"{element.get('data-name')}: transform")
+                faults.append(Fault("transform", str(element.get("data-name"))))
     except (KeyError, ValueError) as error:
-        raise BadDrawing(Where(file), f"a vector or point without {error}") from error
+        raise BadDrawing(Where(file), "element", str(error)) from error
     if not points:
-        raise BadDrawing(Where(file), "no points")
+        raise BadDrawing(Where(file), "points")
     return _Drawing(file, tuple(vectors), tuple(points), tuple(written), _claims(file, root), tuple(faults))
 
 
@@ -296,7 +315,7 @@ def _walk(root: Element) -> Iterator[tuple[Element, bool]]:
     stack = [(root, False)]
     while stack:
         element, moved = stack.pop()
-        moved = moved or "transform" in element.attrib
+        moved = moved or "transform" in element.attrib or "transform" in element.get("style", "")
         yield element, moved
         stack.extend((child, moved) for child in reversed(element))
 
@@ -308,7 +327,7 @@ def _place(element: Element, x: str, y: str) -> complex:
     return place
 
 
-def _paper(root: Element) -> list[str]:
+def _paper(root: Element) -> list[Fault]:
     """Whether one unit of the drawing is one millimetre on paper."""
     size = f"{root.get('width', '')} {root.get('height', '')}".split()
     box = root.get("viewBox", "").split()
@@ -316,7 +335,7 @@ def _paper(root: Element) -> list[str]:
         true = len(box) == 4 and [float(v) for v in box] == [0, 0, *(float(v.removesuffix("mm")) for v in size)]
     except ValueError:
         true = False
-    return [] if true and all(v.endswith("mm") for v in size) else ["width, height, viewBox"]
+    return [] if true and all(v.endswith("mm") for v in size) else [Fault("paper", "")]
 
 
 def _claims(file: str, root: Element) -> Mapping[str, object]:
@@ -325,23 +344,23 @@ def _claims(file: str, root: Element) -> Mapping[str, object]:
             try:
                 claims = json.loads(element.text)
             except ValueError as error:
-                raise BadDrawing(Where(file), "metadata is not JSON") from error
+                raise BadDrawing(Where(file), "json") from error
             if isinstance(claims, dict) and claims.get("program") == "graphkin":
                 return claims
-    raise BadDrawing(Where(file), "no graphkin metadata")
+    raise BadDrawing(Where(file), "metadata")
 
 
 def _mechanism(drawing: _Drawing) -> Mechanism:
     text = drawing.claims.get("mechanism")
     if not isinstance(text, str):
-        raise BadDrawing(Where(drawing.file), "no mechanism")
+        raise BadDrawing(Where(drawing.file), "mechanism")
     return loading.loads(text, name=Path(drawing.file).stem, file=f"{drawing.file} (mechanism)")
 
 
 def _numbers(drawing: _Drawing, key: str, count: int) -> list[float]:
     given = drawing.claims.get(key)
     if not isinstance(given, list) or len(given) != count or not all(_is_number(v) for v in given):
-        raise BadDrawing(Where(drawing.file), key)
+        raise BadDrawing(Where(drawing.file), "value", key)
     return [float(v) for v in given]
 
 
@@ -357,7 +376,7 @@ def _scales(drawing: _Drawing) -> Mapping[Plane, float]:
         if value is None and not any(attributes.get("data-plane") == plane for attributes, *_ in drawing.points):
             continue
         if not (_is_number(value) and isinstance(value, int | float) and value > 0):
-            raise BadDrawing(Where(drawing.file), f"scales.{key}")
+            raise BadDrawing(Where(drawing.file), "value", f"scales.{key}")
         scales[plane] = float(value)
     return scales
 
@@ -367,7 +386,7 @@ def _plane(drawing: _Drawing, attributes: Mapping[str, str]) -> Plane:
     for known in UNITS:
         if plane == known:
             return known
-    raise BadDrawing(Where(drawing.file), f"data-plane={plane!r}")
+    raise BadDrawing(Where(drawing.file), "value", f"data-plane={plane}")
 
 
 def _vectors(
@@ -377,7 +396,7 @@ def _vectors(
         plane, name = _plane(drawing, attributes), attributes.get("data-name", "")
         value = _exact(mechanism, exact, plane, name)
         if value is None:
-            raise BadDrawing(Where(drawing.file), f"data-name={name!r}")
+            raise BadDrawing(Where(drawing.file), "value", f"data-name={name}")
         yield Measured(plane, name, "vector", head - tail, value / scales[plane], scales[plane], UNITS[plane])
 
 
@@ -433,20 +452,29 @@ def _origin(pairs: list[tuple[complex, complex]]) -> complex:
     return min(origins, key=lambda origin: sorted(abs(other - origin) for other in origins)[len(origins) // 2])
 
 
-def _changed(drawing: _Drawing, scales: Mapping[Plane, float]) -> Iterator[str]:
+def _changed(drawing: _Drawing, scales: Mapping[Plane, float]) -> Iterator[Fault]:
     """What the file says of itself must be as it was when it was drawn, and the printed scales the same."""
-    claims = drawing.claims
-    given = claims.get("scales")
-    drivers = claims.get("drivers")
-    assert isinstance(given, dict)
-    assert isinstance(drivers, list)
-    if claims.get("seal") != seal(str(claims.get("mechanism")), drivers, given):
-        yield "metadata: mechanism, drivers or scales changed"
+    if drawing.claims.get("seal") != seal(drawing.claims):
+        yield Fault("changed", "")
     letters: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "acceleration"}
-    for letter, text in drawing.written:
+    for letter, text in dict.fromkeys(drawing.written):
         plane = letters[letter]
         if plane in scales and not _as_written(text, scales[plane]):
-            yield f"μ_{letter} = {text}"
+            yield Fault("scale", f"μ_{letter} = {text}")
+    yield from _missing(drawing)
+
+
+def _missing(drawing: _Drawing) -> Iterator[Fault]:
+    """Every vector and point that was drawn must be there, once."""
+    given = drawing.claims.get("drawn")
+    told = given if isinstance(given, list) else []
+    wanted = Counter(tuple(entry) for entry in told if isinstance(entry, list))
+    kinds = (("vector", drawing.vectors), ("point", drawing.points))
+    found = Counter((a.get("data-plane"), kind, a.get("data-name")) for kind, every in kinds for a, *_ in every)
+    for plane, _, name in (wanted - found).elements():
+        yield Fault("missing", f"{name} ({plane})")
+    for plane, _, name in (found - wanted).elements():
+        yield Fault("extra", f"{name} ({plane})")
 
 
 def _as_written(text: str, scale: float) -> bool:
@@ -457,15 +485,13 @@ def _as_written(text: str, scale: float) -> bool:
         return False
 
 
-def _loose_ends(drawing: _Drawing, tolerance_mm: float) -> Iterator[str]:
+def _loose_ends(drawing: _Drawing, tolerance_mm: float) -> Iterator[Fault]:
     """Vectors must start and end at the points they name."""
     places = {(a.get("data-plane"), a.get("data-name")): place for a, place in drawing.points}
-    ends: set[tuple[str | None, str | None]] = set()
     for attributes, tail, head in drawing.vectors:
         for key, end in (("data-tail", tail), ("data-head", head)):
-            point = (attributes.get("data-plane"), attributes.get(key))
-            ends.add(point)
+            point, name = (attributes.get("data-plane"), attributes.get(key)), attributes.get("data-name")
             if point not in places:
-                yield f"{attributes.get('data-name')}: {key}={point[1]!r}"
-            elif abs(places[point] - end) > tolerance_mm:
-                yield f"{attributes.get('data-name')} - {point[1]}: {abs(places[point] - end):.4f} mm"
+                yield Fault("loose", f"{name}: {point[1]}")
+            elif not abs(places[point] - end) <= tolerance_mm:
+                yield Fault("end", f"{name} - {point[1]}: {abs(places[point] - end):.4f} mm")

@@ -61,6 +61,8 @@ def said(lang: Lang) -> Iterator[None]:
     except GraphkinError as error:
         click.echo(error.message(lang), err=True)
         sys.exit(error.exit_code)
+    except BrokenPipeError:
+        raise
     except OSError as error:
         click.echo(f"{error.filename or ''}: {error.strerror or error}", err=True)
         sys.exit(3)
@@ -126,16 +128,17 @@ def at_values(method: Method, angles: Sequence[float], displacements: Sequence[f
     values = [given[d.kind].pop(0) if given[d.kind] else (d.value or 0.0) for d in method.drivers]
     for option, rest in (("--angle", given["angle"]), ("--at", given["slide"])):
         if rest:
-            raise click.UsageError(f"{method.mechanism.name} has no driver left for {option} (of {len(values)} drivers)")
+            name = method.mechanism.name
+            raise click.UsageError(f"{name} has no driver left for {option} (of {len(values)} drivers)")
     return values
 
 
 @main.command()
 @mechanism_argument
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="SVG file to write; - for stdout.")
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="SVG to write; - for stdout.")
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
 @click.option("--paper", help="A4, A4-landscape, A3 or A3-landscape; else the smallest that fits.")
-@click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="Also one drawing a step, into this folder.")
+@click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
 @click.option("--force", is_flag=True, help="Replace a file that graphkin did not write.")
 @angle_option
 @at_option
@@ -172,6 +175,8 @@ def draw(
         click.echo(pages.pop(0)[1], nl=False)
     if steps is not None:
         steps.mkdir(parents=True, exist_ok=True)
+    for path, _ in pages:
+        svg.refuse(path, force)
     for path, text in pages:
         svg.write(path, text, force)
         click.echo(str(path), err=str(output) == "-")
@@ -215,6 +220,8 @@ def solve(mechanisms: tuple[str, ...], as_json: bool, lang: Lang) -> None:
         try:
             lines = list(_solved(source, as_json, lang))
             click.echo("\n".join(([""] if k and not as_json else []) + lines))
+        except BrokenPipeError:
+            raise
         except (GraphkinError, OSError) as error:
             failed = True
             message = error.message(lang) if isinstance(error, GraphkinError) else str(error)
@@ -257,6 +264,8 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
     from graphkin import reports
     from graphkin.check import measure
 
+    if not math.isfinite(tolerance):
+        raise click.UsageError("--tolerance takes a finite number")
     status = 0
     for drawing in drawings:
         try:

@@ -31,8 +31,19 @@ WORDS: dict[str, dict[Lang, str]] = {
     "value": {"en": "off, in unit", "zh": "差（实际单位）"},
     "name": {"en": "name", "zh": "名称"},
     "good": {"en": "good: every vector and point within {tolerance:g} mm", "zh": "合格：全部矢量和点的误差不超过 {tolerance:g} mm"},
-    "bad": {"en": "NOT GOOD: {count} off by more than {tolerance:g} mm", "zh": "不合格：{count} 处误差超过 {tolerance:g} mm"},
+    "bad": {"en": "NOT GOOD: {count} wrong (tolerance {tolerance:g} mm)", "zh": "不合格：{count} 处有误（允许误差 {tolerance:g} mm）"},
     "fault": {"en": "fault", "zh": "缺陷"},
+}
+
+FAULTS: dict[str, dict[Lang, str]] = {
+    "paper": {"en": "width, height and viewBox do not make one unit one millimetre", "zh": "width、height、viewBox 不是 1 单位 = 1 mm"},
+    "transform": {"en": "a transform moves {what}", "zh": "{what} 被 transform 移动过"},
+    "changed": {"en": "the mechanism, the drivers or the scales in the file were changed after drawing", "zh": "图中的机构、原动件或比例尺数据在作图后被改动"},
+    "scale": {"en": "the printed scale {what} is not the one drawn with", "zh": "图上标注的比例尺 {what} 与作图所用的不符"},
+    "missing": {"en": "{what} is missing", "zh": "缺少 {what}"},
+    "extra": {"en": "{what} was not drawn by graphkin", "zh": "{what} 不是 graphkin 所画"},
+    "loose": {"en": "the end of {what} has no point", "zh": "{what} 的端点不存在"},
+    "end": {"en": "a vector does not end at its point: {what}", "zh": "矢量端点与点不重合：{what}"},
 }
 
 
@@ -142,8 +153,8 @@ def check_lines(report: Report, tolerance_mm: float, lang: Lang) -> Iterator[str
         rows.append([*_measured(entry), entry.unit + mark])
     yield from table(rows)
     for fault in report.faults:
-        yield f"{say('fault', lang)}: {fault}"
-    wrong = sum(entry.off_mm > tolerance_mm for entry in report.measured) + len(report.faults)
+        yield f"{say('fault', lang)}: {FAULTS[fault.kind][lang].format(what=fault.what)}"
+    wrong = report.wrong(tolerance_mm)
     yield say("bad" if wrong else "good", lang).format(count=wrong, tolerance=tolerance_mm)
 
 

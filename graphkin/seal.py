@@ -1,15 +1,16 @@
-"""A seal on what a drawing file says of itself: text, drivers and scales, as they were when it was drawn."""
+"""A seal on what a drawing file says of itself, as it was when the file was written."""
 
 from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 __all__ = ["seal"]
 
 
-def seal(text: str, drivers: Sequence[float], scales: Mapping[str, float]) -> str:
-    """A checksum (SHA-256, hexadecimal) over the mechanism's text, its driver values and the scales."""
-    sealed = json.dumps([text, list(drivers), dict(sorted(scales.items()))], ensure_ascii=False)
-    return hashlib.sha256(sealed.encode("utf-8", "surrogatepass")).hexdigest()
+def seal(claims: Mapping[str, object]) -> str:
+    """A checksum (SHA-256, hexadecimal) over everything a drawing says of itself but the seal."""
+    told = {key: value for key, value in claims.items() if key != "seal"}
+    text = json.dumps(told, ensure_ascii=False, sort_keys=True)
+    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()

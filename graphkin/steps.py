@@ -458,7 +458,7 @@ class Touch:
 
 @frozen
 class Unknown:
-    """One unknown scalar in a closed chain of arrows: turning of `link` over an arm, or sliding; `sign` of its arrow."""
+    """One unknown scalar in a closed chain of arrows: turning of `link` over an arm, or sliding with a `sign`."""
 
     link: str
     slide: str

@@ -11,11 +11,15 @@ __all__ = [
     "AmbiguousSketch",
     "BadDrawing",
     "CannotAssemble",
+    "CannotWrite",
     "DeadPoint",
     "GearsApart",
     "HigherClass",
-    "NotYetSolved",
+    "NoDrawing",
+    "NoFolder",
+    "NotReached",
     "RepeatedDriver",
+    "RoadsDiffer",
     "TooFewDrivers",
     "TooManyDrivers",
     "listed",
@@ -40,25 +44,13 @@ class _AboutLinks(GraphkinError):
         return super()._words(lang) | {"links": listed(self.links, lang)}
 
 
-class NotYetSolved(GraphkinError):
-    """A pair kind or a driver that is read but not solved."""
-
-    where: Where
-    what: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: graphkin reads {what}, but does not solve mechanisms with it yet. "
-        "Use links, hinges and slides, with a driver that states its position.",
-        "zh": "{where}：graphkin 能读取 {what}，但尚不能求解含它的机构。请只用构件、转动副和移动副，并给出原动件的位置。",
-    }
-
-
 class HigherClass(_AboutLinks):
     """Links that no vector equation with two unknowns reaches."""
 
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: links {links} form a group of Class III or higher, which graphkin does not solve yet. "
-        "Drive another link, so that only dyads remain.",
-        "zh": "{where}：构件 {links} 组成Ⅲ级或更高级的杆组，graphkin 尚不能求解。请改选原动件，使机构只含Ⅱ级杆组。",
+        "en": "{where}: no loop of vectors reaches links {links}: their drivers or their pairs are too few or too many. "
+        "See what `graphkin structure` says of a mechanism like it, and drive another link.",
+        "zh": "{where}：没有矢量方程能求出构件 {links}：原动件或运动副过多或过少。请改选原动件。",
     }
 
 
@@ -100,6 +92,54 @@ class GearsApart(GraphkinError):
     def _words(self, lang: Lang) -> dict[str, object]:
         return super()._words(lang) | {"pair": "".join(self.centres)}
 
+
+class NotReached(GraphkinError):
+    """A position that lies beyond a dead point, or beyond what can be assembled, on the way from the drawn one."""
+
+    where: Where
+    driver: str
+    start: str
+    end: str
+    stop: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {driver} = {end} is not reached from the drawn position {start}: on the way there is a dead "
+        "point, or the end of the movement, at {stop}. Ask for a position before it, or draw the mechanism beyond it.",
+        "zh": "{where}：从所画位置 {driver} = {start} 出发不能到达 {end}：途中在 {stop} 处有死点，或已到运动极限。请取此前的位置，或把机构画在其后的位置。",
+    }
+
+
+class RoadsDiffer(GraphkinError):
+    """The drawing and the analytic solution give different numbers: neither is to be trusted."""
+
+    where: Where
+    worst: float
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the drawing and the analytic solution differ by {worst:.1e} of the largest value, so neither "
+        "is given. The mechanism may stand too near a dead point: move the driver a little.",
+        "zh": "{where}：图解结果与解析结果相差 {worst:.1e}（相对值），故均不予给出。机构可能过于接近死点，请稍微改变原动件的位置。",
+    }
+
+
+class NoFolder(GraphkinError):
+    """A file to be written into a folder that is not there."""
+
+    path: str
+    folder: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{path}: there is no folder {folder}. Make it first, or write elsewhere with -o.",
+        "zh": "{path}：没有文件夹 {folder}。请先建立该文件夹，或用 -o 写到别处。",
+    }
+
+
+class CannotWrite(GraphkinError):
+    """A file that cannot be written."""
+
+    path: str
+    reason: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{path}: cannot be written ({reason}). Choose another place, or make the folder first.",
+        "zh": "{path}：无法写入（{reason}）。请另选位置，或先建立文件夹。",
+    }
 
 
 class AmbiguousSketch(GraphkinError):
@@ -159,12 +199,40 @@ class RepeatedDriver(_AboutLinks):
     }
 
 
-class BadDrawing(GraphkinError):
-    """A file that is no drawing of graphkin's, or no longer one."""
+class NoDrawing(GraphkinError):
+    """A drawing that is not there."""
 
     where: Where
-    what: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this is not a drawing that graphkin can measure: {what}. Draw it anew with `graphkin draw`.",
-        "zh": "{where}：这不是 graphkin 能测量的图：{what}。请用 `graphkin draw` 重新作图。",
+        "en": "{where}: there is no such file. Check the path.",
+        "zh": "{where}：没有这个文件，请检查路径。",
     }
+
+
+class BadDrawing(GraphkinError):
+    """A file that is no drawing of graphkin's, or no longer one; `reason` is a key of `REASONS`."""
+
+    where: Where
+    reason: str
+    what: str = ""
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this is not a drawing that graphkin can measure: {told}. Draw it anew with `graphkin draw`.",
+        "zh": "{where}：这不是 graphkin 能测量的图：{told}。请用 `graphkin draw` 重新作图。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return super()._words(lang) | {"told": REASONS[self.reason][lang].format(what=self.what)}
+
+
+REASONS: dict[str, dict[Lang, str]] = {
+    "large": {"en": "it is larger than any sheet", "zh": "文件过大"},
+    "unreadable": {"en": "it cannot be read ({what})", "zh": "无法读取（{what}）"},
+    "xml": {"en": "it is not sound XML", "zh": "不是完好的 XML"},
+    "svg": {"en": "it is not an SVG", "zh": "不是 SVG 图形"},
+    "points": {"en": "it has no points", "zh": "图中没有点"},
+    "json": {"en": "what it says of itself cannot be read", "zh": "图中的说明数据无法读取"},
+    "metadata": {"en": "it does not come from graphkin", "zh": "不是 graphkin 画的图"},
+    "mechanism": {"en": "it carries no mechanism", "zh": "图中没有机构数据"},
+    "element": {"en": "a vector or a point lacks {what}", "zh": "某个矢量或点缺少 {what}"},
+    "value": {"en": "{what} means nothing here", "zh": "{what} 没有意义"},
+}

@@ -11,10 +11,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphkin.errors import GearsApart, HigherClass
+from graphkin.errors import GearsApart, HigherClass, NotReached
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.methods.assembly import assemble, refuse_bad_positions
+from graphkin.methods.assembly import DEAD_SINE, assemble, refuse_bad_positions
 from graphkin.methods.equivalent import Contact, contacts, lower_pairs
 from graphkin.methods.hops import Slip, Twist, way_round
 from graphkin.methods.motion import Labels, motion
@@ -185,13 +185,89 @@ def _with_special_points(construction: Construction, ternaries: Mapping[Group, T
 def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
     """All three constructions at the drawn position, or at `values`: one entry a driver, scalar or (n,) [rad, m].
 
-    A single position that cannot be reached, or that is a dead point, raises; in arrays it is NaN, and
-    `Plot.sines` tells how near each position is to a dead point.
+    A single position that is a dead point, or that is not reached from the drawn one without passing a dead
+    point, raises; in arrays such positions are what the crossings give, or NaN, and `Plot.sines` tells how near
+    each position is to a dead point.
     """
+    if values is not None and not any(np.ndim(value) for value in values):
+        values = _reached(method, values)
     plot = _positioned(method, values)
     refuse_bad_positions(method.structure, method.position, plot)
     replay(method.velocity, plot)
     return replay(method.acceleration, plot)
+
+
+def _reached(method: Method, values: Sequence[Value]) -> Sequence[Value]:
+    """The values, or the same angles the other way round where only that way is free of dead points."""
+    start = method.facts(None).values
+    try:
+        _refuse_dead_points_between(method, values)
+    except NotReached:
+        if method.structure.contacts:
+            raise
+        other = [
+            end - np.copysign(2 * np.pi, end - begin) if driver.kind == "angle" and end != begin else end
+            for begin, end, driver in zip(start, values, method.drivers, strict=True)
+        ]
+        try:
+            _refuse_dead_points_between(method, other)
+        except NotReached:
+            pass
+        else:
+            return other
+        raise
+    return values
+
+
+WAY_DEG = 0.5
+"""How closely the way to another position is looked at for dead points [deg]."""
+
+
+def _refuse_dead_points_between(method: Method, values: Sequence[Value]) -> None:
+    """Whether the mechanism gets from the drawn position to this one by moving on."""
+    start = np.array([float(value) for value in method.facts(None).values])
+    way = np.array([float(value) for value in values]) - start
+    size = max(abs(z) for shape in method.structure.shapes.values() for z in shape.values()) or 1.0
+    units = [size * 0.002 if driver.kind == "slide" else np.radians(WAY_DEG) for driver in method.drivers]
+    count = int(np.ceil(np.max(np.abs(way) / units))) if way.size else 0
+    if count == 0:
+        return
+    shares = np.linspace(0.0, 1.0, count + 1)
+    for _ in range(3):
+        sines = _least_sines(method, start, way, shares)
+        bad = np.flatnonzero(~(sines >= DEAD_SINE))
+        if bad.size:
+            raise _not_reached(method, start, way, float(shares[bad[0]]))
+        low = int(np.argmin(sines))
+        if sines[low] > 0.3:
+            return
+        shares = np.linspace(shares[max(low - 1, 0)], shares[min(low + 1, shares.size - 1)], 201)
+
+
+def _least_sines(method: Method, start: np.ndarray, way: np.ndarray, shares: np.ndarray) -> np.ndarray:
+    """The least angle at which lines meet, at each share of the way; NaN where they do not."""
+    values = [begin + go * shares for begin, go in zip(start, way, strict=True)]
+    plot = _positioned(method, values)
+    names = {step.name for step in method.ternaries.values()}
+    sines = [
+        np.broadcast_to(sine, shares.shape)
+        for (plane, point), sine in plot.sines.items()
+        if plane == "position" and point not in names
+    ]
+    least: np.ndarray = np.min([np.ones_like(shares), *sines], axis=0)
+    return least
+
+
+def _not_reached(method: Method, start: np.ndarray, way: np.ndarray, share: float) -> NotReached:
+    moving = int(np.argmax(np.abs(way)))
+    driver = method.drivers[moving]
+
+    def told(value: float) -> str:
+        return f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{np.degrees(value):.6g}°"
+
+    where = method.mechanism.where("driver", moving)
+    end, stop = start[moving] + way[moving], start[moving] + share * way[moving]
+    return NotReached(where, driver.name, told(start[moving]), told(end), told(stop))
 
 
 STEP_DEG, STEP_PART = 3.0, 0.02

@@ -67,8 +67,8 @@ def way_round(structure: Structure, loop: Loop, lever: str = "") -> tuple[Site, 
     lever  the body of its group that shall carry the lever, where this is to be chosen
     """
     places = _places(structure, loop, lever)
-    last = len(loop.joints) - 1
-    return _edge(structure, loop, places, 0), tuple(_hops(structure, loop, places)), _edge(structure, loop, places, last)
+    start, end = (_edge(structure, loop, places, k) for k in (0, len(loop.joints) - 1))
+    return start, tuple(_hops(structure, loop, places)), end
 
 
 def outward(hops: tuple[Hop, ...]) -> tuple[Hop, ...]:

@@ -55,7 +55,7 @@ __all__ = ["Labels", "motion"]
 
 @dataclass
 class Labels:
-    """How sites are written: `C`; `B3` where more than one link has a point there; `B@guide` where that would mislead."""
+    """How sites are written: `C`; `B3` where links slide past each other; `B@guide` where that would mislead."""
 
     structure: Structure
     coincident: Mapping[str, str]
@@ -75,7 +75,8 @@ class Labels:
 
     def numbered(self, point: str, link: str) -> str:
         plain = point + self.structure.mechanism.called(link)
-        clear = self.structure.mechanism.called(link).isdigit() and not point[-1].isdigit() and plain not in self.structure.owners
+        numbered = self.structure.mechanism.called(link).isdigit() and not point[-1].isdigit()
+        clear = numbered and plain not in self.structure.owners
         return plain if clear else f"{point}@{self.structure.mechanism.called(link)}"
 
 
@@ -410,7 +411,8 @@ class _Polygon:
             pieces.append((label, over, part, size))
         tail = terms[-1].head if terms else self.name(leg.start)
         for of, seen_from, part, size in pieces:
-            head = self.between("k" if part == "k" else "n", self.structure.home(leg.end.link), f"a^{part}_{of}{seen_from}")
+            letter, link = "k" if part == "k" else "n", self.structure.home(leg.end.link)
+            head = self.between(letter, link, f"a^{part}_{of}{seen_from}")
             direction = self._direction_of(size, leg, point)
             terms.append(Term(of, seen_from, part, size, direction, tail, head))
             tail = head

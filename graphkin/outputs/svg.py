@@ -7,6 +7,7 @@ with four decimals, so the same sheet gives the same bytes.
 from __future__ import annotations
 
 import cmath
+import contextlib
 import json
 import math
 import os
@@ -16,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
-from graphkin.errors import GraphkinError, Lang
+from graphkin.errors import CannotWrite, GraphkinError, Lang, NoFolder
 from graphkin.seal import seal
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import SMALL, Label, scripts
@@ -43,8 +44,8 @@ class FileInTheWay(GraphkinError):
     path: str
 
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{path} exists and was not written by graphkin. Choose another name, or ask for it to be replaced.",
-        "zh": "{path} 已存在，且不是 graphkin 写的。请换文件名，或明确要求覆盖。",
+        "en": "{path} exists and was not written by graphkin. Choose another name, or replace it with --force.",
+        "zh": "{path} 已存在，且不是 graphkin 写的。请换文件名，或用 --force 覆盖。",
     }
 
 
@@ -76,14 +77,27 @@ def write(path: str | os.PathLike[str], text: str, force: bool = False) -> None:
     Raises FileInTheWay.
     """
     target = Path(path)
-    if target.exists() and not force and not _ours(target):
-        raise FileInTheWay(str(target))
+    refuse(target, force)
     beside = target.with_name(f".{target.name}.{os.getpid()}")
     try:
         beside.write_text(text, encoding="utf-8", newline="\n")
         os.replace(beside, target)
+    except OSError as error:
+        raise CannotWrite(str(path), error.strerror or str(error)) from None
     finally:
-        beside.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            beside.unlink(missing_ok=True)
+
+
+def refuse(path: Path, force: bool) -> None:
+    """Whether a file may be written there; several are all asked before the first is written."""
+    try:
+        if path.exists() and not force and not _ours(path):
+            raise FileInTheWay(str(path))
+        if not path.parent.is_dir():
+            raise NoFolder(str(path), str(path.parent))
+    except OSError as error:
+        raise CannotWrite(str(path), error.strerror or str(error)) from None
 
 
 def _ours(path: Path) -> bool:
@@ -265,17 +279,22 @@ class _Line:
 def _metadata(sheet: Sheet) -> ET.Element:
     """What a reader needs to solve the same problem anew; a checker trusts only the lines."""
     machine = sheet.mechanism
-    data = {
+    data: dict[str, object] = {
         "format": 1,
         "program": "graphkin",
         "mechanism": machine.text,
         "name": machine.name,
-        "file": machine.file,
+        "file": Path(machine.file).name,
         "drivers": list(sheet.drivers),
         "scales": {KEYS[plane]: scale for plane, scale in sheet.scales.items()},
         "origin": {plane: [round(o.real, 4), round(o.imag, 4)] for plane, o in sheet.origins.items()},
     }
-    data["seal"] = seal(machine.text, sheet.drivers, {KEYS[plane]: scale for plane, scale in sheet.scales.items()})
+    data["drawn"] = sorted(
+        [mark.plane, "vector" if isinstance(mark, VectorMark) else "point", mark.name]
+        for mark in sheet.marks
+        if isinstance(mark, VectorMark | PointMark)
+    )
+    data["seal"] = seal(data)
     element = ET.Element("gk:sheet")
     element.text = json.dumps(data, ensure_ascii=False)
     return element
