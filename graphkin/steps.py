@@ -906,7 +906,8 @@ def _fit(step: Fit, plot: Plot) -> None:
     residual, slope = _closures(step, plot, shape, size)
     fits = np.max(np.abs(residual), axis=0) < 1e-10
     _settle_all(step, plot, np.where(fits, x, np.nan))
-    plot.sines["position", step.name] = np.where(fits, _least(slope * scale.reshape((-1, *(1 for _ in shape)))), np.nan)[()]
+    sine = _least(slope * scale.reshape((-1, *(1 for _ in shape))))
+    plot.sines["position", step.name] = np.where(fits, sine, np.nan)[()]
     plot.misses[step.name] = np.where(fits, 0.0, np.max(np.abs(residual), axis=0) * size)[()]
 
 
