@@ -1,4 +1,4 @@
-"""The gallery: every solved library mechanism as a sheet in each language.
+"""The gallery: every library mechanism as a sheet in each language.
 
     .venv/bin/python tests/gallery.py            rebuilds figures/
     .venv/bin/python tests/gallery.py ex3-1      one of them
@@ -12,8 +12,6 @@ import sys
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
-
-from solvable import SOLVABLE
 
 from graphkin import Drawing, library
 from graphkin.outputs.svg import svg
@@ -61,7 +59,7 @@ def main(names: list[str]) -> None:
     """Rebuild all, or some, of the gallery."""
     if not names:
         shutil.rmtree(FIGURES, ignore_errors=True)
-    for name in names or SOLVABLE:
+    for name in names or library.names():
         for path, text in drawings(name):
             (FIGURES / path).parent.mkdir(parents=True, exist_ok=True)
             (FIGURES / path).write_text(text, encoding="utf-8", newline="\n")

@@ -8,11 +8,10 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import pytest
-from solvable import SOLVABLE
 
 from graphkin import Drawing, library
 from graphkin.check import measure
-from graphkin.errors import BadDrawing, GraphkinError
+from graphkin.errors import BadDrawing, GraphkinError, NoDrawing
 from graphkin.outputs.svg import svg
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -69,7 +68,7 @@ def test_lines_join_points(example: str):
             assert points[plane, line.get("data-head")] == (line.get("x2"), line.get("y2"))
 
 
-@pytest.mark.parametrize("name", SOLVABLE)
+@pytest.mark.parametrize("name", library.names())
 def test_every_library_drawing_is_good(name: str, tmp_path: Path):
     text = svg(Drawing.of(library.load(name)).sheet())
     report = measure(put(tmp_path, text))
@@ -156,7 +155,7 @@ def test_what_is_no_drawing(text: str, tmp_path: Path):
 
 
 def test_no_file(tmp_path: Path):
-    with pytest.raises(BadDrawing):
+    with pytest.raises(NoDrawing):
         measure(tmp_path / "nothing.svg")
     with pytest.raises(BadDrawing):
         measure(tmp_path)

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
-from solvable import SOLVABLE
 
 from graphkin import library
 from graphkin.cli import main
@@ -106,7 +105,7 @@ def test_draw_steps():
         assert run("check", str(page)).exit_code == 0, page
 
 
-@pytest.mark.parametrize("name", SOLVABLE)
+@pytest.mark.parametrize("name", library.names())
 def test_solve_json(name: str):
     result = run("solve", "--json", name)
     assert result.exit_code == 0, result.stderr
@@ -142,7 +141,7 @@ def test_solve_for_people():
 
 
 @pytest.mark.parametrize("lang", ["en", "zh"])
-@pytest.mark.parametrize("name", SOLVABLE)
+@pytest.mark.parametrize("name", library.names())
 def test_explain(name: str, lang: str):
     result = run("explain", name, "--lang", lang)
     assert result.exit_code == 0, result.stderr

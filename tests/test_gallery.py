@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 from gallery import FIGURES, differences, drawings
-from solvable import SOLVABLE
 
+from graphkin import library
 from graphkin.check import measure
 
 
-@pytest.mark.parametrize("name", SOLVABLE)
+@pytest.mark.parametrize("name", library.names())
 def test_gallery(name: str):
     for path, text in drawings(name):
         old = FIGURES / path
@@ -26,4 +26,4 @@ def test_gallery_is_good(path):
 
 
 def test_gallery_is_whole():
-    assert {path.name for path in FIGURES.iterdir()} == set(SOLVABLE)
+    assert {path.name for path in FIGURES.iterdir()} == set(library.names())

@@ -121,7 +121,7 @@ BOOK = {
     "p3-15": (
         ["v_DE+v_S3D? = v_C+v_S3C?", "v_S3 + v_B3S3? = v_B2 + v_B3B2?"],
         [
-            "a^n_DE + a^n_S3D + a^t_DE+a^t_S3D? = a^n_S3C + a_C+a_S3C?",
+            "a^n_DE + a^n_S3D + a^t_DE+a^t_S3D? = a^n_S3C + a_C+a^t_S3C?",
             "a_S3 + a^n_B3S3 + a^t_B3S3? = a_B2 + a^k_B3B2 + a^r_B3B2?",
         ],
     ),

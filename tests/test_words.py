@@ -253,7 +253,7 @@ def test_a_loop_and_a_gear_together() -> None:
         ("ex3-2", "en", ["link 4 on tracing paper is shifted until BC = 75 mm, EF = 82 mm and DG = 71 mm fit"]),
         ("ex3-3", "en", ["v_K3 = v_K2. So k2 serves both", "r2(α2 − α4) + r3(α3 − α4) = 0", "ω3 = v_L3K3/l_KL"]),
         ("p3-12", "zh", ["纯滚动接触点 K2、K1（两点加速度仅沿公法线方向不同）", "v_K2 = v_K1"]),
-        ("p3-15", "en", ["the line through C at right angles to guide ram", "(a_C + a_S3C)", "B on CD"]),
+        ("p3-15", "en", ["the line through C at right angles to guide ram", "(a_C + aᵗ_S3C)", "B on CD"]),
         ("p3-16", "en", ["v_L3 = v_L7 = 0 at the contact L, the instant centre of link 3", "⊥track"]),
         ("p3-17", "en", ["slide cylinder is driven, ṡ_cylinder = 0.05 m/s", "FD of link 5 at 150° to +x"]),
         ("p3-8", "en", ["B moves in a slot of link 2, parallel to the face at the distance r = 25 mm", "∥DH"]),
