@@ -48,7 +48,7 @@ def load(source: str | Path) -> Mechanism:
     return loading.load(path)
 
 
-def plan(mechanism: Mechanism, coincident: str = "") -> Method:
+def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> Method:
     """The three constructions of a mechanism: position, velocity, acceleration.
 
     Raises a `GraphkinError` where drivers are too few or too many, where the links do not reach each other,
@@ -58,7 +58,7 @@ def plan(mechanism: Mechanism, coincident: str = "") -> Method:
     'B3'
     """
     try:
-        method = methods.plan(mechanism, coincident)
+        method = methods.plan(mechanism, coincident, centres)
         if method.doubtful:
             _refuse_wrong_drivers(mechanism)
         return method

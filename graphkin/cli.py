@@ -21,6 +21,7 @@ import click
 from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
+    from graphkin.api import Drawing
     from graphkin.mechanism import Mechanism
     from graphkin.methods import Method
     from graphkin.steps import Plane
@@ -49,6 +50,14 @@ angle_option = click.option(
 at_option = click.option(
     "--at", "displacements", type=float, multiple=True, metavar="MM",
     help="Draw at this driven displacement instead; once for each driven slide, in order.",
+)  # fmt: skip
+coincident_option = click.option(
+    "--coincident", default="", metavar="POINT",
+    help="Look at sliding pairs in this point of theirs instead of the usual one.",
+)  # fmt: skip
+method_option = click.option(
+    "--method", type=click.Choice(["special", "centre"]), default="special", show_default=True,
+    help="Velocities of Class III groups: special point, or instant centre where two legs stand on the frame.",
 )  # fmt: skip
 mechanism_argument = click.argument("mechanism", metavar="MECHANISM")
 
@@ -117,6 +126,18 @@ def read(source: str) -> Mechanism:
     return api.load(source)
 
 
+def drawn(
+    machine: Mechanism, coincident: str, method: str, angles: Sequence[float], displacements: Sequence[float]
+) -> Drawing:
+    """The drawing that the options ask for."""
+    from graphkin import api
+
+    if coincident and coincident not in machine.points:
+        raise click.UsageError(f"--coincident: {machine.name} has no point {coincident}")
+    planned = api.plan(machine, coincident, centres=method == "centre")
+    return api.Drawing(machine, planned, api.replay(planned, at_values(planned, angles, displacements)))
+
+
 def at_values(method: Method, angles: Sequence[float], displacements: Sequence[float]) -> list[float] | None:
     """Driver values with those of the command line put in; None for the drawn position."""
     if not angles and not displacements:
@@ -140,13 +161,15 @@ def at_values(method: Method, angles: Sequence[float], displacements: Sequence[f
 @click.option("--paper", help="A4, A4-landscape, A3 or A3-landscape; else the smallest that fits.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
 @click.option("--force", is_flag=True, help="Replace a file that graphkin did not write.")
+@coincident_option
+@method_option
 @angle_option
 @at_option
 @lang_option
 @speaking
 def draw(
     mechanism: str, output: Path | None, only: Plane | None, paper: str | None, steps: Path | None, force: bool,
-    angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
+    coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Draw the mechanism and its polygons to scale, as SVG.
 
@@ -155,15 +178,13 @@ def draw(
       graphkin draw ex3-1 -o sheet.svg --lang zh
       graphkin draw ex3-7 --angle 120 --steps steps
     """
-    from graphkin import api
     from graphkin.outputs import svg
 
     machine = read(mechanism)
     output = output or Path(f"{machine.name}.svg")
     if output.suffix.lower() != ".svg" and str(output) != "-":
         raise click.UsageError(f"{output}: the file to write must end in .svg")
-    method = api.plan(machine)
-    drawing = api.Drawing(machine, method, api.replay(method, at_values(method, angles, displacements)))
+    drawing = drawn(machine, coincident, method, angles, displacements)
     sheet = drawing.sheet(paper=paper, lang=lang, only=only)
     pages = [(output, svg.svg(sheet))]
     if steps is not None:
@@ -184,22 +205,25 @@ def draw(
 
 @main.command()
 @mechanism_argument
+@coincident_option
+@method_option
 @angle_option
 @at_option
 @lang_option
 @speaking
-def explain(mechanism: str, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang) -> None:
+def explain(
+    mechanism: str, coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...],
+    lang: Lang,
+) -> None:  # fmt: skip
     """Write out the vector equations, what is laid off, and what is measured.
 
     \b
     Example:
       graphkin explain ex3-1 --lang zh
     """
-    from graphkin import api
 
     machine = read(mechanism)
-    method = api.plan(machine)
-    drawing = api.Drawing(machine, method, api.replay(method, at_values(method, angles, displacements)))
+    drawing = drawn(machine, coincident, method, angles, displacements)
     click.echo("\n".join(drawing.explain(lang)))
 
 

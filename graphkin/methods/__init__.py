@@ -80,10 +80,11 @@ class Method:
         return _facts(self.structure, values, self.drawn)
 
 
-def plan(mechanism: Mechanism, coincident: str = "") -> Method:
+def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> Method:
     """Plan the constructions of a mechanism, and pick its assembly by the sketch.
 
     coincident  the point at which sliding pairs are looked at, instead of the one the planner takes
+    centres     in Class III groups with two legs on the frame, velocities by the instant centre (综合法)
 
     Raises a `GraphkinError` where the mechanism holds groups or pairs that are not solved, cannot be
     assembled, or has a sketch that does not tell its assemblies apart.
@@ -93,7 +94,7 @@ def plan(mechanism: Mechanism, coincident: str = "") -> Method:
     drawn: dict[str, float] = {}
     if ties or mechanism.poses:
         drawn, lower = _as_drawn(mechanism, lower)
-    structure = Structure(lower, ties, coincident)
+    structure = Structure(lower, ties, coincident, centres)
     order, left = stages(structure)
     if left:
         names = list(dict.fromkeys(structure.home(body) for body in left))

@@ -382,8 +382,12 @@ class _Polygon:
         point = Site(found.name, found.link)
         for leg in found.legs:
             self.reach(leg.start)
-        sides = [self.leg(leg, point) for leg in (first, second)]
-        self.parts.append(close(self.labels.label(point), sides[0], sides[1], {}, self.aside, _no_choice))
+        grounded = first.start.link == second.start.link == FRAME
+        if self.structure.centres and grounded and self.plane == "velocity":
+            self.at[self.key(point)] = self.pole
+        else:
+            sides = [self.leg(leg, point) for leg in (first, second)]
+            self.parts.append(close(self.labels.label(point), sides[0], sides[1], {}, self.aside, _no_choice))
         lever = Lever(point, third.end, False)
         left, right = self.side(point, (lever,)), self.side(third.start, third.hops)
         if self._swap(left, right):

@@ -42,11 +42,13 @@ class Structure:
     """The mechanism as the planner sees it.
 
     coincident  the point at which sliding pairs are looked at, where the user wants another than the planner's
+    centres     whether a special point on two legs of the frame is taken for what it is, the instant centre (综合法)
     """
 
     mechanism: Mechanism
     contacts: tuple[Contact, ...] = ()
     coincident: str = ""
+    centres: bool = False
 
     @cached_property
     def bodies(self) -> dict[str, tuple[str, ...]]:
