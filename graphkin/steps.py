@@ -707,6 +707,10 @@ class Plot:
             table[link] = value + more
 
 
+FIXED = complex(0.0)
+"""What a fixed point of the mechanism is in a polygon: on the pole, wherever that is found."""
+
+
 # --- the pencil -------------------------------------------------------------------------------
 
 
@@ -728,7 +732,7 @@ def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value]) ->
         match step:
             case Given(point, also):
                 points[point] = plot.facts.shapes[plot.facts.frame][point] if plane == "position" else 0j
-                points.update(dict.fromkeys(also, 0j))
+                points.update(dict.fromkeys(also, FIXED))
             case LayOff(term, start, tip, backwards):
                 assert term.size is not None
                 arrow = plot.arrow(term.size, plane)
@@ -737,6 +741,8 @@ def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value]) ->
                 pass  # alone it fixes no point
             case Meet():
                 points[step.point] = _meet(step, plot, plane, sides)
+                if step.point == construction.pole:
+                    _shift(points, construction.pole)
             case Swing():
                 _swing(step, plot, sides)
             case Image(link, corners, base, point):
@@ -753,6 +759,13 @@ def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value]) ->
                 _solve_together(step, plot, plane)
             case _:
                 assert_never(step)
+
+
+def _shift(points: dict[str, Value], pole: str) -> None:
+    """A pole found last: everything drawn so far is measured from it, and the fixed points come to lie on it."""
+    place = points[pole]
+    for name, value in points.items():
+        points[name] = 0j * place if value is FIXED or name == pole else value - place
 
 
 def _begin(plot: Plot, plane: Plane) -> None:

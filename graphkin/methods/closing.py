@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from graphkin.steps import Arc, Drawn, Equation, LayOff, Meet, Ray, Span, Step, Term
+from graphkin.steps import Arc, Drawn, Equation, Given, LayOff, Meet, Ray, Span, Step, Term
 from graphkin.value import frozen
 
 __all__ = ["Aside", "close", "known_sum"]
@@ -41,14 +41,19 @@ def close(
     reaches: dict[Term, Span],
     aside: Aside,
     choice: Callable[[], int],
+    pole: str = "",
 ) -> Equation:
     """The equation left = right with the steps that draw it.
 
     reaches  for terms of known length and unknown direction (position plane): their length
     choice   numbers a crossing that leaves two possibilities
+    pole     the pole, where nothing is drawn yet: known arrows between the unknown ones are then laid off first,
+             from anywhere, and both direction lines meet in the pole (极点后定)
     """
     way = [_Signed(term, True) for term in left] + [_Signed(term, False) for term in reversed(right)]
     first, second = (k for k, step in enumerate(way) if step.term.unknowns)
+    if pole and (first, second) == (0, len(way) - 1) and len(way) > 2:
+        return Equation(of, left, right, tuple(_pole_last(way, pole)))
     steps = [*_lay_off(way[:first]), *_lay_off(_back(way[second + 1 :]))]
     middle = way[first + 1 : second]
     start = way[first].near
@@ -64,6 +69,14 @@ def close(
     steps += [*lines, Meet(lines[0], lines[1], way[second].near, choice=chosen)]
     steps += _lay_off(_back(middle))
     return Equation(of, left, right, tuple(steps))
+
+
+def _pole_last(way: list[_Signed], pole: str) -> list[Step]:
+    first, *middle, second = way if way[1].forward else _back(way)
+    assert first.term.direction is not None
+    assert second.term.direction is not None
+    lines = Ray(first.far, first.term.direction), Ray(second.near, second.term.direction)
+    return [Given(first.far), *_lay_off(middle), *lines, Meet(*lines, pole)]
 
 
 def known_sum(of: str, left: Term, right: tuple[Term, ...]) -> Equation:

@@ -239,7 +239,9 @@ class _Polygon:
         if self._swap(left, right):
             left, right = right, left
         of = left_hops[-1].of if left_hops else start
-        equation = close(self.labels.label(of), left, right, {}, self.aside, _no_choice)
+        free = not any(isinstance(part, Equation | LayOff) for part in self.parts)
+        pole = self.pole if free and self.plane == "velocity" else ""
+        equation = close(self.labels.label(of), left, right, {}, self.aside, _no_choice, pole)
         self.parts.append(equation)
         for hop in left_hops + right_hops:
             if not hop.known:

@@ -171,7 +171,9 @@ def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...])
                 yield Sentence(_meet(polygon, step, terms))
             case Ray():
                 pass  # told where it crosses another
-            case Given() | Image() | Measure() | Arc() | Swing() | Roll() | Fit() | Touch() | Simultaneous():
+            case Given(point):
+                yield Sentence(polygon.reading.say("from anywhere", point=names.point(point)))
+            case Image() | Measure() | Arc() | Swing() | Roll() | Fit() | Touch() | Simultaneous():
                 raise AssertionError("an equation of a polygon is drawn with arrows and lines")
             case _:
                 assert_never(step)

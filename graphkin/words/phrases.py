@@ -96,6 +96,13 @@ PHRASES: Mapping[str, dict[Lang, str]] = {
     "measured slide": _both("Measured: {length}.", "量得：{length}。"),
     "angle of": _both("{name} = {angle} ({arrow})", "{name} = {angle}（{arrow}）"),
     # --- polygons: the start -------------------------------------------------------------------
+    "pole last": _both(
+        "Both sides start with an unknown vector, so the pole {pole} is found last; the fixed points lie on it.",
+        "方程两边都以未知矢量开始，故极点 {pole} 最后确定；固定点与 {pole} 重合。",
+    ),
+    "from anywhere": _both(
+        "Take any point as {point} and lay the known vector off first.", "任取一点作为 {point}，先画出已知矢量。"
+    ),
     "pole": _both("Take the pole {pole}.", "任取极点 {pole}。"),
     "pole fixed": _both(
         "Take the pole {pole}; the fixed point {points} is at rest, so {nodes} lies on {pole}.",

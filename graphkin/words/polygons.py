@@ -72,6 +72,9 @@ def _step(drawn: Polygon, step: Step) -> Iterator[Entry]:
 
 def _pole(drawn: Polygon, step: Given) -> str:
     reading, pole = drawn.reading, names.point(step.point)
+    first = next(iter(drawn.construction.equations), None)
+    if first is not None and any(isinstance(other, Given) for other in first.steps):
+        return reading.say("pole last", pole=pole)
     if not step.also:
         return reading.say("pole", pole=pole)
     nodes = reading.listed([names.point(node) for node in step.also])
