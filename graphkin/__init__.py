@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "value", "errors", "geometry", "steps", "pairs", "mechanism", "loading", "library", "methods", "naming", "seal",
+    "value", "errors", "geometry", "steps", "pairs", "mechanism", "naming", "loading", "library", "methods", "seal",
     "analytic", "freedoms", "assur", "readings", "check", "results", "reports", "words", "sheet", "outputs", "api",
     "cli",
 )  # fmt: skip

@@ -228,7 +228,7 @@ def test_a_folder_and_no_file():
 def test_drivers_are_counted():
     two = FOUR_BAR + '[[driver]]\nvector = "DC"\nangle = 96.1\n'
     mechanism(two)
-    assert "1 degree" in run("draw", "mine.toml").stderr
+    assert "2 drivers" in run("draw", "mine.toml").stderr
     five = FOUR_BAR.replace("BC = 70", "BE = 40\n[links.4]\nEC = 50").replace("C = [80, 60]", "C = [80, 60]\nE = [40, 60]")
     mechanism(five)
     result = run("draw", "mine.toml")

@@ -423,7 +423,7 @@ KEYS = [
     bad("BadName", edit(FOURBAR, "BC = 70", "BB = 70"), "BB", "links.2.BB", "two points for a length", "两点表示长度"),
     bad("BadName", edit(FOURBAR, "[links.2]", '[links."2+"]'), "2+", "links.2+", "letters, digits", "字母、数字"),
     bad("BadName", edit(FOURBAR, '"AB"', '"AA"'), "vector", "driver.0.vector", "two different points", "两个不同的点"),
-    bad("BadName", edit(SLIDER, '"piston"', '"s1"'), "name = \"s1\"", "slide.0.name", "s0, s1, r0", "保留名"),
+    bad("BadName", edit(SLIDER, '"piston"', '"c1"'), "name = \"c1\"", "slide.0.name", "c0, c1", "保留名"),
     bad("BadName", edit(SLIDER, 'point = "C"', 'point = "c"'), "point = ", "slide.0.point", "a capital letter", "大写字母"),
     bad("BadName", FOURBAR + "[sketch]\nc = [1, 2]\n", "c = [", "sketch.c", "a capital letter", "大写字母"),
     bad("UnknownUnit", edit(FOURBAR, "AB = 30", 'AB = "30 yd"'), "AB", "links.1.AB", "mm, cm, m, in, ft", "不认识单位 yd"),
@@ -473,7 +473,7 @@ NAMES = [
     bad("UnknownLink", edit(GEARS, 'vector = "OP"\nangle = 40', 'link = "9"'), 'link = "9"', "driver.0.link", "no link 9", "没有构件 9"),
     bad("UnknownSlide", edit(SLIDER, 'vector = "AB"\nangle = 60\nomega = 10', 'slide = "pisto"'), 'slide = "', "driver.0.slide",
         "Did you mean piston?", "是否为 piston"),
-    bad("UnknownSlide", edit(YOKE, 'vector = "AB"\nangle = 50', 'slide = "s0"'), 'slide = "', "driver.0.slide", "There is none yet", "一个也没有"),
+    bad("UnknownSlide", edit(YOKE, 'vector = "AB"\nangle = 50', 'slide = "s0"'), 'slide = "', "driver.0.slide", "give it one with name", "为其命名"),
     bad("FrameNameTaken", edit(FOURBAR, "[links.3]", "[links.4]"), "[links.4]", "links.4", "4 is the name of the frame", "机架的名称"),
     bad("FrameNameTaken", edit(FOURBAR, "[links.3]", "[links.frame]"), "[links.frame]", "links.frame", "the name of the frame", "机架"),
     bad("FrameNameTaken", edit(YOKE, "[links.3]", "[links.0]").replace('"3"', '"0"'), "[links.0]", "links.0", "give [frame] another", "改 name"),
@@ -633,7 +633,7 @@ def test_a_missing_file_names_its_neighbours(tmp_path: Path) -> None:
         load(tmp_path / "shapr.toml")
     assert "Did you mean shaper.toml?" in caught.value.message("en")
     assert "是否为 shaper.toml" in caught.value.message("zh")
-    with pytest.raises(errors.NoFile, match="There is none yet"):
+    with pytest.raises(errors.NoFile, match="no such file"):
         load(str(tmp_path / "nowhere" / "x.toml"))
 
 
@@ -743,3 +743,30 @@ def test_only_our_own_errors_come_out(text: str) -> None:
     else:
         assert isinstance(mechanism, Mechanism)
         assert all(cmath.isfinite(p) for link in mechanism.links.values() for p in link.points.values())
+
+
+@pytest.mark.parametrize(
+    ("question", "error", "hint"),
+    [
+        ("omega 9", errors.UnknownLink, "1, 2, 3"),
+        ("v Z", errors.UnknownPoint, "A"),
+        ("a_k Z4Z1", errors.UnknownPoint, "A"),
+        ("s pistn", errors.UnknownSlide, "piston"),
+        ("omgea 3", errors.NotOneOf, "omega"),
+        ("omega 1 / omega 9", errors.UnknownLink, "1, 2, 3"),
+    ],
+)
+def test_a_question_about_nothing(question: str, error: type[GraphkinError], hint: str) -> None:
+    with pytest.raises(error) as caught:
+        loads(f'ask = ["{question}"]\n' + SLIDER)
+    assert "ask.0" in str(caught.value)
+    assert hint in str(caught.value)
+
+
+def test_a_free_question() -> None:
+    assert loads('ask = ["P13", "why is v C so large?"]\n' + SLIDER).ask == ("P13", "why is v C so large?")
+
+
+def test_names_like_those_graphkin_gives() -> None:
+    text = edit(SLIDER, '"piston"', '"s1"') + '[[slide]]\npin = "B"\nguide = "frame"\nthrough = [0, 0]\n'
+    assert [slide.name for slide in loads(text).slides] == ["s1", "s1_"]

@@ -46,7 +46,7 @@ class GraphkinError(Exception):
 
     def message(self, lang: Lang = "en") -> str:
         """The sentence, with this error's own data in it."""
-        return self.text[lang].format(**self._words(lang))
+        return self.text[lang].format(**self._words(lang)).rstrip()
 
     def at(self, where: Where) -> GraphkinError:
         """The same error at a place, for those that were raised with `NOWHERE`."""
@@ -85,9 +85,9 @@ def _hint(given: str, possible: Sequence[str], lang: Lang) -> str:
     shown = ", ".join(possible[:40]) + (", .." if len(possible) > 40 else "")
     if lang == "zh":
         ask = "".join(f"是否为 {name}？" for name in near)
-        return ask + (f"可用：{shown}。" if shown else "目前一个也没有。")
+        return ask + (f"可用：{shown}。" if shown else "")
     ask = "".join(f"Did you mean {name}? " for name in near)
-    return ask + (f"Possible: {shown}." if shown else "There is none yet.")
+    return ask + (f"Possible: {shown}." if shown else "")
 
 
 class Several(GraphkinError):

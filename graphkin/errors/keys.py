@@ -50,8 +50,8 @@ KINDS: dict[str, tuple[str, str]] = {
     "measure": ("two points for a length (AB), three for an angle (BDE), or points, ccw, shape",
                 "两点表示长度（AB），三点表示角度（BDE），或 points、ccw、shape"),
     "link": ("letters, digits, _ and '", "字母、数字、_ 和 '"),
-    "slide": ("letters, digits, _, - and '; s0, s1, r0, .. are taken",
-              "字母、数字、_、- 和 '；s0、s1、r0 等为保留名"),
+    "slide": ("letters, digits, _, - and '; c0, c1, .. are taken",
+              "字母、数字、_、- 和 '；c0、c1 等为保留名"),
 }  # fmt: skip
 """What can be expected somewhere, in words."""
 

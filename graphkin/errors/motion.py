@@ -59,9 +59,9 @@ class CannotAssemble(_AboutLinks):
 
     gap_mm: float
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: links {links} miss each other by {gap_mm:.4g} mm at this position. "
+        "en": "{where}: at this position a gap of {gap_mm:.4g} mm stays open between links {links}. "
         "Change the length of one of them, or move the driver.",
-        "zh": "{where}：构件 {links} 在此位置相差 {gap_mm:.4g} mm，无法装配。请改变其中一个的尺寸，或改变原动件的位置。",
+        "zh": "{where}：在此位置构件 {links} 之间相差 {gap_mm:.4g} mm，无法装配。请改变其中一个的尺寸，或改变原动件的位置。",
     }
 
 
@@ -167,7 +167,7 @@ class TooFewDrivers(_AboutLinks):
     freedoms: int
     drivers: int
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the mechanism has {freedoms} degrees of freedom but {drivers} driver(s); "
+        "en": "{where}: the mechanism has {freedoms} degrees of freedom but only {drivers} of them driven; "
         "links {links} are still free. Add a [[driver]] for one of them.",
         "zh": "{where}：机构有 {freedoms} 个自由度，却只有 {drivers} 个原动件；构件 {links} 仍可自由运动。请为其中之一增加 [[driver]]。",
     }
@@ -181,8 +181,8 @@ class TooManyDrivers(GraphkinError):
     drivers: int
     driver: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the mechanism has {freedoms} degree(s) of freedom but {drivers} drivers; "
-        "driver {driver} is one too many. Remove it.",
+        "en": "{where}: {drivers} drivers are too many for the {freedoms} degrees of freedom of this mechanism; "
+        "remove driver {driver}.",
         "zh": "{where}：机构只有 {freedoms} 个自由度，却有 {drivers} 个原动件；原动件 {driver} 是多余的。请删去。",
     }
 

@@ -34,6 +34,7 @@ class Draft:
     frame_points: dict[str, complex] = field(default_factory=dict)
     problems: list[GraphkinError] = field(default_factory=list)
     _taken: set[str] = field(default_factory=set)
+    given: set[str] = field(default_factory=set)
 
     def where(self, *path: str | int) -> Where:
         """The place of a key, or of the nearest key above it that the file has."""
@@ -98,6 +99,8 @@ class Draft:
     def name(self, given: str | None, default: str, *path: str | int) -> str:
         """The name of a pair: as given and not used before, or the default."""
         if given is None:
+            while default in self.given:
+                default += "_"
             return default
         if given in self._taken:
             raise DuplicateName(self.where(*path, "name"), given)

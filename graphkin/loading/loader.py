@@ -67,9 +67,12 @@ def _drawn_up(
     from graphkin.loading.drivers import read_drivers, read_poses
     from graphkin.loading.joints import check_joints, check_sketch
     from graphkin.loading.links import read_links
+    from graphkin.loading.questions import check_questions
     from graphkin.loading.slides import read_slides
 
     read_links(draft, file, raw, measures)
+    names = [table.name for table in file.slide] + [table.name for table in file.roll]
+    draft.given = {name for name in names if name is not None}
     slides, gears = read_slides(draft, file.slide), read_gears(draft, file.gear)
     rolls, cams = read_rolls(draft, file.roll), read_cams(draft, file.cam)
     drivers = read_drivers(draft, file.driver, len(file.pose))
@@ -79,10 +82,13 @@ def _drawn_up(
     draft.stop_if_wrong()
     scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}
     sketch = {point: complex(*place) for point, place in file.sketch.items()}
-    return Mechanism(
+    mechanism = Mechanism(
         name, draft.frame, draft.links, slides, gears, rolls, cams, drivers, poses, sketch, scales,
         _titles(file), file.source, tuple(file.ask), text, draft.file, draft.lines,
     )  # fmt: skip
+    check_questions(draft, mechanism)
+    draft.stop_if_wrong()
+    return mechanism
 
 
 def _titles(file: File) -> dict[Lang, str]:

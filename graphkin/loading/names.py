@@ -9,8 +9,8 @@ __all__ = ["LINK", "POINT", "SLIDE", "split_points", "tidy"]
 _POINT = r"[A-Z][0-9]*'*"
 POINT = re.compile(_POINT)
 LINK = re.compile(r"[\w']+")
-SLIDE = re.compile(r"(?![sr][0-9]+\Z)[\w'-]+")
-"""`s0`, `r1` .. are what graphkin calls pairs that have no name."""
+SLIDE = re.compile(r"(?!c[0-9]+\Z)[\w'-]+")
+"""`c0`, `c1` .. are what graphkin calls the slots that stand for cams."""
 
 _POINTS = re.compile(rf"(?:{_POINT})+")
 _PRIMES = str.maketrans({"\u2019": "'", "\u2032": "'", "\u2033": "''", "\u2034": "'''"})
