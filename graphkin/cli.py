@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 __all__ = ["main"]
 
+PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape")
 CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 
@@ -158,7 +159,7 @@ def at_values(method: Method, angles: Sequence[float], displacements: Sequence[f
 @mechanism_argument
 @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="SVG to write; - for stdout.")
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
-@click.option("--paper", help="A4, A4-landscape, A3 or A3-landscape; else the smallest that fits.")
+@click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
 @click.option("--force", is_flag=True, help="Replace a file that graphkin did not write.")
 @coincident_option
