@@ -161,10 +161,8 @@ def _letter(method: Method, joint: Joint) -> str:
 
 
 def _named(method: Method, bodies: tuple[str, ...]) -> str:
-    structure, known = method.structure, method.mechanism.links
-    names = [structure.home(body) if structure.is_pin(body) else body for body in bodies]
-    order = list(dict.fromkeys(name for name in names if name in known and name != FRAME))
-    return ", ".join(order)
+    """Links of the file; blocks that stand for pins and links of an equivalent are none."""
+    return ", ".join(body for body in bodies if body in method.mechanism.links and body != FRAME)
 
 
 def _methods(method: Method) -> Iterator[str]:
