@@ -19,7 +19,6 @@ from graphkin.analytic.singular import NoAssembly
 from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Real
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Slide
 
 __all__ = ["Assembled", "Drawn", "assemble", "drawn", "held", "idle"]
 
@@ -155,7 +154,7 @@ def _distinct(found: Real) -> Real:
 def choose(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
     """The assembly people drew: cylinders the right way round, then nearest to the sketch.
 
-    Where the sketch does not tell two apart, displacements along a link are taken positive.
+    Where the sketch does not tell two apart, displacements are taken positive.
     """
     backwards = _negative(loops, found, _lengths(mechanism, loops))
     found = found[backwards == backwards.min()]
@@ -195,15 +194,5 @@ def _lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
 
 
 def _forwards(mechanism: Mechanism) -> set[str]:
-    """Displacements taken positive where the sketch leaves them open."""
-    return {pair.name for pair in mechanism.slides if _ahead(mechanism, pair)}
-
-
-def _ahead(mechanism: Mechanism, pair: Slide) -> bool:
-    """Whether a moving guide has other points on its line, all on the positive side."""
-    if pair.guide == FRAME:
-        return False
-    link = mechanism.links[pair.guide]
-    along = [link.arm(pair.line.origin, point) / pair.line.direction for point in link.points]
-    on = [arm.real for arm in along if abs(arm) > 0 and abs(arm.imag) < 1e-9 * abs(arm)]
-    return bool(on) and min(on) > 0
+    """Displacements taken positive where the sketch leaves them open: all."""
+    return {pair.name for pair in mechanism.slides}
