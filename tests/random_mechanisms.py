@@ -248,17 +248,32 @@ def six_bar(seed: int) -> Mechanism:
 
 
 def geared_five_bar(seed: int) -> Mechanism:
-    """Two cranks geared together on the frame, or a gear fixed to one coupler meshing with the other crank's."""
-    build = _begun(seed, "geared")
-    rng = build.rng
+    """Two cranks geared to each other; or a coupler geared to a fixed sun about the crank, driven at either end."""
+    rng = random.Random(f"kind{seed}")
+    kind = rng.choice(("cranks", "planet", "planet driven from the far end"))
+    build = _begun(seed, "geared", crank=False)
+    build.hinge(FRAME, "1")
+    build.body("1").points[build.letter()] = build.place()
     build.hinge(FRAME, "4")
     build.hinge("1", "2")
     build.hinge("2", "3")
     build.hinge("3", "4")
+    driven = "4" if kind.endswith("end") else "1"
+    build.drivers.append(
+        Driver("angle", driven, rate=rng.uniform(-10, 10), acceleration=rng.uniform(-20, 20))
+    )
     machine = build.finish(f"geared-{seed}")
-    one, four = (next(p for p in machine.links[FRAME].points if p in machine.links[n].points) for n in "14")
-    distance = abs(machine.links[FRAME].arm(one, four))
-    return replace(machine, gears=(_gear(rng, ("1", "4"), (one, four), distance),), poses=(_pose(machine, build, "4"),))
+    links = ("1", "4") if kind == "cranks" else (FRAME, "2")
+    pivots = [_shared(machine, FRAME, "1"), _shared(machine, FRAME, "4") if kind == "cranks" else _shared(machine, "1", "2")]
+    carrier = FRAME if kind == "cranks" else "1"
+    gear = _gear(rng, links, (pivots[0], pivots[1]), abs(machine.links[carrier].arm(*pivots)))
+    posed = "4" if driven == "1" else "1"
+    return replace(machine, gears=(gear,), poses=(_pose(machine, build, posed),))
+
+
+def _shared(machine: Mechanism, first: str, second: str) -> str:
+    """The hinge of two links."""
+    return next(point for point in machine.links[first].points if point in machine.links[second].points)
 
 
 def _gear(rng: random.Random, links: tuple[str, str], centres: tuple[str, str], distance: float) -> Gear:
