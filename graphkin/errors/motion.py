@@ -17,6 +17,7 @@ __all__ = [
     "HigherClass",
     "NoDrawing",
     "NoFolder",
+    "NotPlaced",
     "NotReached",
     "RepeatedDriver",
     "RoadsDiffer",
@@ -91,6 +92,16 @@ class GearsApart(GraphkinError):
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return super()._words(lang) | {"pair": "".join(self.centres)}
+
+
+class NotPlaced(_AboutLinks):
+    """A drawn position that neither driver values nor poses fix."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: nothing says where links {links} stand at the drawn position. Give the driver an `angle` "
+        "(or `at`), or add a [[pose]] for one of them.",
+        "zh": "{where}：所画位置中构件 {links} 的位置没有给定。请给出原动件的 `angle`（或 `at`），或为其中之一增加 [[pose]]。",
+    }
 
 
 class NotReached(GraphkinError):

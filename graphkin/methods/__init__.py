@@ -7,22 +7,23 @@ position or for any driver values, scalars or arrays.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
-from graphkin.errors import GearsApart, HigherClass, NotReached
+from graphkin.errors import HigherClass
 from graphkin.geometry import Value
-from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.methods.assembly import DEAD_SINE, assemble, refuse_bad_positions
-from graphkin.methods.equivalent import Contact, contacts, lower_pairs
-from graphkin.methods.hops import Slip, Twist, way_round
-from graphkin.methods.motion import Labels, motion
+from graphkin.mechanism import Driver, Mechanism
+from graphkin.methods.assembly import assemble, refuse_bad_positions
+from graphkin.methods.drawn import as_drawn, facts_of, refuse_gears_apart, with_sides
+from graphkin.methods.equivalent import contacts, lower_pairs
+from graphkin.methods.labels import Labels, coincident_points
+from graphkin.methods.motion import motion
+from graphkin.methods.moving import positioned, reached
 from graphkin.methods.position import position
-from graphkin.methods.special import Ternary, ternary
-from graphkin.methods.stages import Bridge, Carry, Group, Loop, Stage, stages
-from graphkin.methods.structure import Sliding, Structure
-from graphkin.steps import Construction, Equation, Facts, Fit, Meet, Node, Plot, Ray, Roll, Site, Step, Swing, replay
+from graphkin.methods.special import Ternary, special_points, with_special_points
+from graphkin.methods.stages import Bridge, Group, Stage, stages
+from graphkin.methods.structure import Structure
+from graphkin.steps import Construction, Facts, Fit, Plot, Roll, Site, replay
 from graphkin.value import frozen
 
 __all__ = ["Method", "plan", "replay_all"]
@@ -77,7 +78,7 @@ class Method:
 
     def facts(self, values: Sequence[Value] | None = None) -> Facts:
         """Dimensions, and drivers at the drawn position or at other values [rad, m]."""
-        return _facts(self.structure, values, self.drawn)
+        return facts_of(self.structure, values, self.drawn)
 
 
 def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> Method:
@@ -93,21 +94,18 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     ties = tuple(contacts(mechanism, lower))
     drawn: dict[str, float] = {}
     if ties or mechanism.poses:
-        drawn, lower = _as_drawn(mechanism, lower)
+        drawn, lower = as_drawn(mechanism, lower)
     structure = Structure(lower, ties, coincident, centres)
-    order, left = stages(structure)
-    if left:
-        names = list(dict.fromkeys(structure.home(body) for body in left))
-        raise HigherClass(mechanism.where("links", names[0]), tuple(names))
+    order = _order(structure)
     construction, choices = position(structure, order)
-    facts = _facts(structure, None, drawn)
+    facts = facts_of(structure, None, drawn)
     found = assemble(structure, construction, choices, facts, drawn)
-    construction = _with_sides(construction, found.sides)
+    construction = with_sides(construction, found.sides)
     plot = replay(construction, Plot(facts, found.near))
-    _refuse_gears_apart(mechanism, ties, plot)
-    ternaries = _ternaries(structure, order, plot)
-    construction = _with_special_points(construction, ternaries)
-    meeting = _coincident(structure, order, ternaries)
+    refuse_gears_apart(mechanism, ties, plot)
+    ternaries = special_points(structure, order, plot)
+    construction = with_special_points(construction, ternaries)
+    meeting = coincident_points(structure, order)
     labels, pole = Labels(structure, meeting), _pole(mechanism)
     velocity, at = motion(structure, order, labels, "velocity", pole, lambda site: "", ternaries)
     acceleration, _ = motion(structure, order, labels, "acceleration", pole, at, ternaries)
@@ -116,71 +114,13 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     )
 
 
-def _refuse_gears_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot: Plot) -> None:
-    """The centres of a gear pair stand where the other links put them; their radii must fit that."""
-    for k, tie in enumerate(ties[: len(mechanism.gears)]):
-        distance, wanted = float(abs(plot.arm(*tie.centres))), abs(sum(tie.radii))
-        if abs(distance - wanted) > 1e-6 * max(distance, wanted):
-            where = mechanism.where("gear", k, "radii")
-            raise GearsApart(where, tie.centres, distance * 1000, wanted * 1000)
-
-
-def _as_drawn(mechanism: Mechanism, lower: Mechanism) -> tuple[dict[str, float], Mechanism]:
-    """Angles and displacements at the drawn position, from which rolling counts, and the drivers with all their values.
-
-    There the poses hold, and nothing rolls; a wheel that no pose and no other link turns stands at 0.
-    """
-    posed = tuple(
-        Driver(pose.kind, pose.link, pose.vector, pose.from_link, pose.from_vector, pose.value)
-        for pose in mechanism.poses
-    )
-    standing = tuple(driver for driver in mechanism.drivers if driver.value is not None and driver.kind != "spin")
-    still = replace(lower, drivers=(*standing, *posed))
-    structure = Structure(still)
-    order, _ = stages(structure)
-    construction, choices = position(structure, order)
-    facts = _facts(structure, None, {})
-    found = assemble(structure, construction, choices, facts, {})
-    plot = replay(_with_sides(construction, found.sides), Plot(facts, found.near))
-    drawn = {link: float(plot.theta[link]) if link in plot.theta else 0.0 for link in structure.bodies}
-    drawn |= {slide: float(value) for slide, value in plot.s.items()}
-    sketch = {**lower.sketch, **{p: complex(z) for p, z in plot.position.items() if p[0].isupper()}}
-    drivers = tuple(_valued(driver, lower, plot, drawn) for driver in mechanism.drivers)
-    return drawn, replace(lower, drivers=drivers, sketch=sketch)
-
-
-def _valued(driver: Driver, lower: Mechanism, plot: Plot, drawn: Mapping[str, float]) -> Driver:
-    """A driver whose value a pose has fixed, with that value."""
-    if driver.kind == "slide":
-        return driver if driver.value is not None else replace(driver, value=drawn[driver.link])
-    if driver.kind == "spin":
-        return replace(driver, value=drawn[driver.link])
-    if driver.value is not None or driver.vector is None:
-        return driver
-    value = np.angle(plot.arm(*driver.vector))
-    if driver.from_vector is not None:
-        value -= np.angle(plot.arm(*driver.from_vector))
-    return replace(driver, value=float(value))
-
-
-def _ternaries(structure: Structure, order: tuple[Stage, ...], plot: Plot) -> dict[Group, Ternary]:
-    """The special point of each Class III group, with a letter of its own."""
-    letters = (letter for letter in "STUVWXYZ" if letter not in structure.owners)
-    found: dict[Group, Ternary] = {}
-    for stage in order:
-        if isinstance(stage, Group) and (one := ternary(structure, stage, plot, next(letters))) is not None:
-            found[stage] = one
-    return found
-
-
-def _with_special_points(construction: Construction, ternaries: Mapping[Group, Ternary]) -> Construction:
-    """The mechanism with the lines of two legs, which meet in the special point."""
-    parts, nodes = list(construction.parts), dict(construction.nodes)
-    for one in ternaries.values():
-        first, second = (Ray(leg.end.point, leg.line) for leg in one.legs[:2])
-        parts += [first, second, Meet(first, second, one.name)]
-        nodes[one.name] = Node(one.name, one.name, Site(one.name, one.link))
-    return replace(construction, parts=tuple(parts), nodes=nodes)
+def _order(structure: Structure) -> tuple[Stage, ...]:
+    """The order of solution; refuses a mechanism some of whose links it does not reach."""
+    order, left = stages(structure)
+    if left:
+        names = list(dict.fromkeys(structure.home(body) for body in left))
+        raise HigherClass(structure.mechanism.where("links", names[0]), tuple(names))
+    return order
 
 
 def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
@@ -191,196 +131,13 @@ def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
     each position is to a dead point.
     """
     if values is not None and not any(np.ndim(value) for value in values):
-        values = _reached(method, values)
-    plot = _positioned(method, values)
+        values = reached(method, values)
+    plot = positioned(method, values)
     refuse_bad_positions(method.structure, method.position, plot)
     replay(method.velocity, plot)
     return replay(method.acceleration, plot)
 
 
-def _reached(method: Method, values: Sequence[Value]) -> Sequence[Value]:
-    """The values, or the same angles the other way round where only that way is free of dead points."""
-    start = method.facts(None).values
-    try:
-        _refuse_dead_points_between(method, values)
-    except NotReached:
-        if method.structure.contacts:
-            raise
-        other = [
-            end - np.copysign(2 * np.pi, end - begin) if driver.kind == "angle" and end != begin else end
-            for begin, end, driver in zip(start, values, method.drivers, strict=True)
-        ]
-        try:
-            _refuse_dead_points_between(method, other)
-        except NotReached:
-            pass
-        else:
-            return other
-        raise
-    return values
-
-
-WAY_DEG = 0.5
-"""How closely the way to another position is looked at for dead points [deg]."""
-
-
-def _refuse_dead_points_between(method: Method, values: Sequence[Value]) -> None:
-    """Whether the mechanism gets from the drawn position to this one by moving on."""
-    start = np.array([float(value) for value in method.facts(None).values])
-    way = np.array([float(value) for value in values]) - start
-    size = max(abs(z) for shape in method.structure.shapes.values() for z in shape.values()) or 1.0
-    units = [size * 0.002 if driver.kind == "slide" else np.radians(WAY_DEG) for driver in method.drivers]
-    count = int(np.ceil(np.max(np.abs(way) / units))) if way.size else 0
-    if count == 0:
-        return
-    shares = np.linspace(0.0, 1.0, count + 1)
-    for _ in range(3):
-        sines = _least_sines(method, start, way, shares)
-        bad = np.flatnonzero(~(sines >= DEAD_SINE))
-        if bad.size:
-            raise _not_reached(method, start, way, float(shares[bad[0]]))
-        low = int(np.argmin(sines))
-        if sines[low] > 0.3:
-            return
-        shares = np.linspace(shares[max(low - 1, 0)], shares[min(low + 1, shares.size - 1)], 201)
-
-
-def _least_sines(method: Method, start: np.ndarray, way: np.ndarray, shares: np.ndarray) -> np.ndarray:
-    """The least angle at which lines meet, at each share of the way; NaN where they do not."""
-    values = [begin + go * shares for begin, go in zip(start, way, strict=True)]
-    plot = _positioned(method, values)
-    names = {step.name for step in method.ternaries.values()}
-    sines = [
-        np.broadcast_to(sine, shares.shape)
-        for (plane, point), sine in plot.sines.items()
-        if plane == "position" and point not in names
-    ]
-    least: np.ndarray = np.min([np.ones_like(shares), *sines], axis=0)
-    return least
-
-
-def _not_reached(method: Method, start: np.ndarray, way: np.ndarray, share: float) -> NotReached:
-    moving = int(np.argmax(np.abs(way)))
-    driver = method.drivers[moving]
-
-    def told(value: float) -> str:
-        return f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{np.degrees(value):.6g}°"
-
-    where = method.mechanism.where("driver", moving)
-    end, stop = start[moving] + way[moving], start[moving] + share * way[moving]
-    return NotReached(where, driver.name, told(start[moving]), told(end), told(stop))
-
-
-STEP_DEG, STEP_PART = 3.0, 0.02
-"""How far a mechanism is moved at once where its position is found from the one before [deg, of its size]."""
-
-
-def _positioned(method: Method, values: Sequence[Value] | None) -> Plot:
-    """Positions, all at once; where they hang on those before (a fit, rolling) by moving on from the drawn one."""
-    facts = method.facts(values)
-    if values is None or not method.moves_on:
-        plot = Plot(facts, method.near if method.moves_on else {})
-        return replay(method.position, plot)
-    start = method.facts(None).values
-    ways = [np.asarray(end) - begin for begin, end in zip(start, facts.values, strict=True)]
-    longest = 1.0 / _stretches(method, facts, ways)
-    done, step, before = 0.0, longest, dict(method.near)
-    near: dict[str, Value] = before
-    slope: dict[str, Value] = dict.fromkeys(near, 0.0)
-    while True:
-        there = min(1.0, done + step)
-        values = tuple(begin + way * there for begin, way in zip(start, ways, strict=True))
-        guess = {name: near[name] + slope[name] * (there - done) for name in near}
-        plot = replay(method.position, Plot(replace(facts, values=values), guess))
-        now = {base: plot.theta[base] for base in method.structure.bases} | dict(plot.s)
-        if _surprise(now, guess, method.structure.bases) > SURPRISE and step > longest / 256:
-            step /= 2
-            continue
-        if there == 1.0:
-            return plot
-        slope = {name: np.nan_to_num((now[name] - near[name]) / (there - done)) for name in now}
-        near, done, step = now, there, min(longest, 1.5 * step)
-
-
-SURPRISE = 0.02
-"""How far a link may turn beside what its turning so far foretold [rad]; more, and the step is halved."""
-
-
-def _stretches(method: Method, facts: Facts, ways: Sequence[Value]) -> int:
-    """In how many steps the drivers go their way."""
-    size = max(abs(z) for shape in facts.shapes.values() for z in shape.values()) or 1.0
-    drivers = method.structure.mechanism.drivers
-    units = [size * STEP_PART if driver.kind == "slide" else np.radians(STEP_DEG) for driver in drivers]
-    return max(1, *(int(np.ceil(np.max(np.abs(way)) / unit)) for way, unit in zip(ways, units, strict=True)))
-
-
-def _surprise(now: Mapping[str, Value], guess: Mapping[str, Value], bases: Sequence[str]) -> float:
-    """The largest angle between where links are and where they were expected."""
-    return max((float(np.nanmax(np.abs(now[b] - guess[b]), initial=0.0)) for b in bases), default=0.0)
-
-
-def _facts(structure: Structure, values: Sequence[Value] | None, drawn: Mapping[str, float]) -> Facts:
-    mechanism = structure.mechanism
-    drivers = mechanism.drivers
-    return Facts(
-        frame=FRAME,
-        shapes=structure.shapes,
-        lines={s.name: (s.guide, s.line.origin, s.line.direction) for s in mechanism.slides},
-        turns=structure.turns,
-        slides_driven=structure.slides_driven,
-        values=tuple(values) if values is not None else tuple(driver.value or 0.0 for driver in drivers),
-        rates=tuple(driver.rate for driver in drivers),
-        accelerations=tuple(driver.acceleration for driver in drivers),
-        drawn=drawn,
-    )
-
-
 def _pole(mechanism: Mechanism) -> str:
     """p, or the next letter that no point of the mechanism takes."""
     return next(letter for letter in ("p", "o", "q", "z", "pole") if letter.upper() not in mechanism.owners)
-
-
-def _coincident(
-    structure: Structure, order: tuple[Stage, ...], ternaries: Mapping[Group, Ternary]
-) -> dict[str, str]:
-    """Points at which links move past a moving link, with the link of which the hinge there is a point."""
-    found: dict[str, str] = {}
-    for stage in order:
-        for hop in _jumps(structure, stage, ternaries):
-            if FRAME not in (hop.seen_from.link, hop.of.link) or isinstance(hop, Twist):
-                owners = structure.owners[hop.of.point]
-                homes = [site.link for site in (hop.of, hop.seen_from) if site.link in owners]
-                if homes:
-                    found.setdefault(hop.of.point, structure.home(homes[0]))
-    return found
-
-
-def _jumps(structure: Structure, stage: Stage, ternaries: Mapping[Group, Ternary]) -> list[Slip | Twist]:
-    """The coincident points of one stage."""
-    if isinstance(stage, Loop):
-        return [hop for hop in way_round(structure, stage)[1] if isinstance(hop, Slip | Twist)]
-    if isinstance(stage, Group):
-        ways = [way_round(structure, loop)[1] for loop in stage.loops]
-        return [hop for way in ways for hop in way if isinstance(hop, Slip | Twist)]
-    if isinstance(stage, Carry) and isinstance(stage.by, Sliding):
-        pair = structure.slides[stage.by.slide]
-        ends = (Site(pair.point, pair.guide), Site(pair.point, structure.block(pair)))
-        return [Slip(ends[0], ends[1], True, pair.name)]
-    return []
-
-
-def _with_sides(construction: Construction, sides: tuple[int, ...]) -> Construction:
-    """The construction with the crossings that the sketch asks for."""
-    parts: list[Step | Equation] = []
-    for part in construction.parts:
-        if isinstance(part, Equation):
-            parts.append(replace(part, steps=tuple(_chosen(step, sides) for step in part.steps)))
-        else:
-            parts.append(_chosen(part, sides))
-    return replace(construction, parts=tuple(parts))
-
-
-def _chosen(step: Step, sides: tuple[int, ...]) -> Step:
-    if isinstance(step, Meet | Swing) and step.choice is not None:
-        return replace(step, side=sides[step.choice])
-    return step

@@ -152,8 +152,9 @@ def _at(value: Value, k: int) -> complex:
 
 
 def _by_custom(structure: Structure, plot: Plot, first: int, second: int) -> int:
-    """Assemblies that the sketch cannot tell apart: more positive displacements win."""
-    score = [sum(float(np.sign(_at(value, k).real)) for value in plot.s.values()) for k in (first, second)]
+    """Assemblies that the sketch cannot tell apart: more positive displacements win, of the file's own slides."""
+    told = [plot.s[name] for name, pair in structure.slides.items() if not pair.line.origin.endswith(" origin")]
+    score = [sum(float(np.sign(_at(value, k).real)) for value in told) for k in (first, second)]
     if score[0] == score[1]:
         raise _ambiguous(structure, plot, first, second)
     return first if score[0] > score[1] else second

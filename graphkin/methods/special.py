@@ -8,18 +8,20 @@ so both unknown arrows of a leg lie on one line. Where two such lines meet, two 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
 
 from graphkin.mechanism import FRAME
 from graphkin.methods.hops import Hop, Lever, Slip, outward, way_round
-from graphkin.methods.stages import Group
+from graphkin.methods.stages import Group, Stage
 from graphkin.methods.structure import Structure
-from graphkin.steps import Across, AcrossGuide, Along, AlongGuide, Direction, Plot, Site
+from graphkin.steps import Across, AcrossGuide, Along, AlongGuide, Construction, Direction, Meet, Node, Plot, Ray, Site
 from graphkin.value import frozen
 
-__all__ = ["Leg", "Ternary", "ternary"]
+__all__ = ["Leg", "Ternary", "special_points", "ternary", "with_special_points"]
 
 APART = 0.1
 """Least sine of the angle under which two legs' lines may meet, where another pair is better."""
@@ -121,3 +123,22 @@ def _worth(pair: tuple[Leg, Leg], legs: list[Leg], plot: Plot) -> float:
     grounded = sum(leg.start.link == FRAME for leg in pair)
     return grounded * (1.0 if sine > APART and abs(meeting - at) < 20 * span else 0.1) + 0.05 * sine
 
+
+def special_points(structure: Structure, order: tuple[Stage, ...], plot: Plot) -> dict[Group, Ternary]:
+    """The special point of each Class III group, with a letter of its own."""
+    letters = (letter for letter in "STUVWXYZ" if letter not in structure.owners)
+    found: dict[Group, Ternary] = {}
+    for stage in order:
+        if isinstance(stage, Group) and (one := ternary(structure, stage, plot, next(letters))) is not None:
+            found[stage] = one
+    return found
+
+
+def with_special_points(construction: Construction, ternaries: Mapping[Group, Ternary]) -> Construction:
+    """The mechanism with the lines of two legs, which meet in the special point."""
+    parts, nodes = list(construction.parts), dict(construction.nodes)
+    for one in ternaries.values():
+        first, second = (Ray(leg.end.point, leg.line) for leg in one.legs[:2])
+        parts += [first, second, Meet(first, second, one.name)]
+        nodes[one.name] = Node(one.name, one.name, Site(one.name, one.link))
+    return replace(construction, parts=tuple(parts), nodes=nodes)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 
 from graphkin.errors import Lang
@@ -33,6 +34,9 @@ _TRIAL = 100.0
 """Size of a figure when it is drawn to see how far its signs reach [mm]."""
 _CROWDED, _EASED = 8, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
+_LARGE = [PAPERS["A3-landscape"], PAPERS["A3"]]
+_MORE = (2, 4)
+"""So many times its labels count for a plane where some found no place."""
 _LETTERS = 6.5
 """What labels need around a figure [mm]."""
 HEADINGS: dict[Lang, dict[Plane, str]] = {
@@ -51,6 +55,12 @@ class Composed:
     layout: Layout
     marks: list[Mark]
     origins: Mapping[Plane, Place]
+    clashes: Mapping[Plane, int]
+    """How many labels of a plane found no place of their own near what they name."""
+
+    @property
+    def lost(self) -> int:
+        return sum(self.clashes.values())
 
     @property
     def crowded(self) -> int:
@@ -134,10 +144,19 @@ def compose(
     except TooLargeForPaper as error:
         raise error.at(method.mechanism.where("scales", error.key)) from None
     composed = work.on(layout)
-    if paper is None and not layout.paper.name.startswith("A3") and composed.crowded > _CROWDED:
-        larger = work.on(work.layout([PAPERS["A3-landscape"], PAPERS["A3"]]))
-        composed = larger if larger.crowded <= composed.crowded - _EASED else composed
-    return work.on(composed.layout, stages=True) if stages else composed
+    if composed.lost:
+        composed = work.roomier(composed, papers_for(paper))
+    if paper is None and _small(composed) and (composed.crowded > _CROWDED or composed.lost):
+        larger = work.on(work.layout(_LARGE))
+        if larger.lost:
+            larger = work.roomier(larger, _LARGE)
+        eased = larger.crowded <= composed.crowded - _EASED
+        composed = larger if (larger.lost, not eased) < (composed.lost, True) else composed
+    return work.on(composed.layout, stages, far=True) if stages or composed.lost else composed
+
+
+def _small(composed: Composed) -> bool:
+    return not composed.layout.paper.name.startswith("A3")
 
 
 @frozen
@@ -165,18 +184,35 @@ class _Work:
                 found[plane] = plain(TOGETHER[self.lang])
         return found
 
-    def layout(self, papers: Sequence[Paper]) -> Layout:
-        return lay_out(self.extents, strip_heights(self.found), papers)
+    def layout(self, papers: Sequence[Paper], crowded: Collection[Plane] = (), more: int = 1) -> Layout:
+        """The best division; crowded planes count as if they had more labels."""
+        extents = {p: replace(e, labels=e.labels * more) if p in crowded else e for p, e in self.extents.items()}
+        return lay_out(extents, strip_heights(self.found), papers)
 
-    def on(self, layout: Layout, stages: bool = False) -> Composed:
-        """Everything on a divided paper."""
+    def roomier(self, composed: Composed, papers: Sequence[Paper]) -> Composed:
+        """The same size of paper divided for the planes where labels found no place, if that helps."""
+        area = composed.layout.paper.width * composed.layout.paper.height
+        same = [paper for paper in papers if paper.width * paper.height == area]
+        crowded = [plane for plane, lost in composed.clashes.items() if lost]
+        for more in _MORE:
+            if (layout := self.layout(same, crowded, more)) != composed.layout:
+                other = self.on(layout)
+                composed = other if other.lost < composed.lost else composed
+        return composed
+
+    def on(self, layout: Layout, stages: bool = False, far: bool = False) -> Composed:
+        """Everything on a divided paper; with `far`, labels of a crowd go far off to find a place."""
         machine, found = self.drawing.method.mechanism, [] if stages else self.found
         marks = strip(machine, found, layout.paper, layout.strip, layout.scales, self.notes, self.lang)
         origins: dict[Plane, Place] = {}
+        clashes: dict[Plane, int] = {}
         for plane in self.planes:
             origins[plane] = _origin(self.drawing.values(plane), self.extents[plane], layout, plane)
-            marks += _placed(self.drawing, plane, layout, origins[plane], self.lang, stages)
-        return Composed(layout, marks, origins)
+            figure, drawn = _placed(self.drawing, plane, layout, origins[plane], self.lang, stages)
+            settled = settle(figure.wanted, drawn, _inner(layout.rooms[plane]), far)
+            marks += drawn + settled.marks
+            clashes[plane] = settled.clashes
+        return Composed(layout, marks, origins, clashes)
 
 
 def _origin(values: Sequence[complex], extent: Extent, layout: Layout, plane: Plane) -> Place:
@@ -189,17 +225,22 @@ def _origin(values: Sequence[complex], extent: Extent, layout: Layout, plane: Pl
     return complex(x, y) - low.conjugate() / scale
 
 
-def _placed(drawing: _Planes, plane: Plane, layout: Layout, origin: Place, lang: Lang, stages: bool) -> list[Mark]:
-    """One plane with its heading, lines of the pencil and labels."""
+def _placed(
+    drawing: _Planes, plane: Plane, layout: Layout, origin: Place, lang: Lang, stages: bool
+) -> tuple[Figure, list[Mark]]:
+    """One plane's figure, and its marks with heading and lines of the pencil, without labels."""
     room, window = layout.rooms[plane], Window(origin, layout.scales[plane])
     figure = drawing.figure(plane, window)
     marks = [*_heading(plane, room, layout.scales[plane], lang)]
     if stages:
         before = first_steps(drawing.method)[plane]
         marks += pencil_lines(drawing.construction(plane), drawing.plot, window, room, before)
-    marks += figure.marks
-    inner = Room(room.left + 1, room.top + 1, room.right - 1, room.bottom - 1)
-    return marks + settle(figure.wanted, marks, inner)
+    return figure, marks + figure.marks
+
+
+def _inner(room: Room) -> Room:
+    """Where labels may stand."""
+    return Room(room.left + 1, room.top + 1, room.right - 1, room.bottom - 1)
 
 
 def _heading(plane: Plane, room: Room, scale: float, lang: Lang) -> list[Mark]:

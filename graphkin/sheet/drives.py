@@ -10,7 +10,7 @@ from graphkin.pairs import Line
 from graphkin.sheet import symbols
 from graphkin.sheet.grounds import ground_way
 from graphkin.sheet.labels import Wanted
-from graphkin.sheet.lettering import Label, joined, quantity_label
+from graphkin.sheet.lettering import Label, between, joined, quantity_label
 from graphkin.sheet.marks import Place
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wheels import circles, wheels_of
@@ -94,9 +94,8 @@ def _distance(place: Place, start: Place, end: Place) -> float:
 
 
 def _turn_label(skeleton: Skeleton, driver: Driver) -> Label:
-    called = skeleton.mechanism.called(driver.link)
-    if driver.from_link != FRAME:
-        called += skeleton.mechanism.called(driver.from_link)
+    links = [driver.link] if driver.from_link == FRAME else [driver.link, driver.from_link]
+    called = between([skeleton.mechanism.called(link) for link in links])
     letters = ["ω"] if driver.rate else []
     letters += ["α"] if driver.acceleration else []
     return joined([quantity_label(letter, called) for letter in letters])
@@ -119,7 +118,7 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     marks = symbols.push(start, along, skeleton.step(point))
     figure.marks += marks
     names = [skeleton.mechanism.called(link) for link in reversed(pair)]
-    label = quantity_label("v", point if line.link == FRAME else "".join(names))
+    label = quantity_label("v", point if line.link == FRAME else between(names))
     figure.wanted.append(Wanted(label, start, start + 11 * along, away=across, step=marks[0].step))
 
 

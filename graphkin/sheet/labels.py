@@ -3,7 +3,8 @@
 Each label has candidate places around its point or along its vector. All are held against everything drawn
 at once (shapely's tree); then the label with the fewest free places left chooses first, and takes the one
 nearest to what it names. The same marks give the same places. Where nothing near is free, a thin leader
-goes to a place farther off.
+goes to a place farther off. In a crowd that leaves no place at all, leaders go much farther (`far`), labels
+make way for one another, and at last those that say nothing new are left out.
 """
 
 from __future__ import annotations
@@ -17,20 +18,29 @@ import numpy as np
 
 from graphkin.sheet.lettering import Label, box
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
-from graphkin.sheet.obstacles import tree
+from graphkin.sheet.obstacles import Tree, tree
 from graphkin.sheet.paper import LABEL
 from graphkin.value import frozen
 
-__all__ = ["Room", "Wanted", "settle"]
+__all__ = ["Room", "Settled", "Wanted", "settle"]
 
 _CLEAR, _EASY = 0.45, 1.3
 """What a label keeps from lines at least, and likes to keep [mm]."""
-_APART = 0.7
-"""What two labels keep from each other [mm]."""
+_TOUCH = 0.05
+"""Closer than this to a box's edge is not yet on it [mm]."""
 _RINGS = (0.0, 1.0, 2.2, 4.0, 6.5, 9.5, 13.0)
 _LED = 4.0
 """From this ring on a leader is drawn."""
 _TURNS = tuple(cmath.rect(1, math.tau * k / 16) for k in range(16))
+_FAR_RINGS = (17.0, 21.5, 26.5, 32.0, 38.0, 44.5, 51.5, 59.0)
+"""Where labels of a crowd go when nothing nearer is free [mm]."""
+_FAR_TURNS = tuple(cmath.rect(1, math.tau * k / 32) for k in range(32))
+_ANCHORS = (0.5, 0.3, 0.7)
+"""Where along a line a far leader may end."""
+_ROUNDS = 8
+"""How often labels of a crowd may make way for one another."""
+_NEIGHBOUR = 15.0
+"""So near to a label without a place, others that say nothing new are left out [mm]."""
 _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 
 
@@ -50,6 +60,7 @@ class Wanted:
 
     gap   how far the symbol at the point, or the line's width, reaches [mm]
     away  the side it likes (any length; 0 for none)
+    spare  what it says can be read from other labels too
     """
 
     label: Label
@@ -59,6 +70,33 @@ class Wanted:
     away: complex = 0j
     size: float = LABEL
     step: int | None = None
+    spare: bool = False
+
+
+class Settled(NamedTuple):
+    """Labels and leaders at their places; how many labels lie on something, or their leaders on labels."""
+
+    marks: list[Mark]
+    clashes: int
+
+
+class _Prices(NamedTuple):
+    """What it costs to lie on a line, on a label, out of the room; a leader on a label, on a leader.
+
+    apart  what two labels keep from each other [mm]
+    """
+
+    line: float = 60.0
+    label: float = 80.0
+    outside: float = 1000.0
+    crossed: float = 25.0
+    leaders: float = 0.0
+    apart: float = 0.7
+
+
+_NEAR, _CROWD = _Prices(), _Prices(400.0, 4000.0, 20000.0, 900.0, 5.0, 1.3)
+_THROUGH = 1.5
+"""What a far leader pays for each line it crosses."""
 
 
 class _Spot(NamedTuple):
@@ -69,20 +107,48 @@ class _Spot(NamedTuple):
     anchor: Place | None
 
 
-def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room) -> list[Mark]:
-    """The labels (and their leaders) at their places among what is drawn."""
+def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: bool = False) -> Settled:
+    """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
     if not wanted:
-        return []
-    table = _Table(wanted, drawn, room)
+        return Settled([], 0)
+    known = tree(drawn)
+    table = _Table(wanted, known, room)
     chosen = table.choose()
+    clashing = table.clashing(chosen)
+    left = list(wanted)
+    while far and clashing:
+        table = _Table(left, known, room, far)
+        chosen = table.mended(table.choose())
+        clashing = table.clashing(chosen)
+        out = _left_out(left, clashing)
+        if not out:
+            break
+        left = [want for k, want in enumerate(left) if k not in out]
     marks: list[Mark] = []
-    for want, spot in zip(wanted, chosen, strict=True):
+    for want, spot in zip(left, (table.spots[row] for row in chosen), strict=True):
         wide, up, down = box(want.label, want.size)
         corner = spot.middle + complex(-wide / 2, (up - down) / 2)
         marks.append(Text(want.label, corner, want.size, want.step))
         if spot.anchor is not None:
             marks.append(_leader(spot, complex(wide, up + down) / 2, want))
-    return marks
+    return Settled(marks, len(clashing))
+
+
+def _left_out(wanted: Sequence[Wanted], clashing: Sequence[int]) -> set[int]:
+    """The spare ones of labels without a place, else the spare ones next to them."""
+    own = {k for k in clashing if wanted[k].spare}
+    places = [_place(want) for want in wanted]
+    close = {
+        k
+        for k, want in enumerate(wanted)
+        if want.spare and any(abs(places[k] - places[other]) < _NEIGHBOUR for other in clashing)
+    }
+    return own or close
+
+
+def _place(want: Wanted) -> Place:
+    """What a label names, as one point."""
+    return want.start if want.end is None else (want.start + want.end) / 2
 
 
 def _leader(spot: _Spot, half: complex, want: Wanted) -> Mark:
@@ -118,6 +184,18 @@ def _around(point: Place, half: complex, want: Wanted, first: int = 0) -> Iterat
             yield _Spot(point + reach * turn + side, price + liking, anchor)
 
 
+def _far(want: Wanted, half: complex, crowd: Place) -> Iterator[_Spot]:
+    """Wide rings, away from the middle of the crowd first."""
+    ends = (want.start, want.start if want.end is None else want.end)
+    for anchor in dict.fromkeys(ends[0] + (ends[1] - ends[0]) * t for t in _ANCHORS):
+        away = (anchor - crowd).conjugate() / max(abs(anchor - crowd), 1e-9)
+        for turn in _FAR_TURNS:
+            side = complex(_held(turn.real) * half.real, _held(turn.imag) * half.imag)
+            liking = 5.0 * (1 - (turn * away).real)
+            for ring in _FAR_RINGS:
+                yield _Spot(anchor + (want.gap + 0.6 + ring) * turn + side, 1.6 * ring + 6 + liking, anchor)
+
+
 def _held(x: float) -> float:
     """Cosine or sine of a direction, so that four of eight directions put the box's corners to the ring."""
     return max(-1.0, min(1.0, x * 1.6))
@@ -142,13 +220,18 @@ def _beside(start: Place, end: Place, half: complex, want: Wanted) -> Iterator[_
 class _Table:
     """All candidates of all labels, row by row."""
 
-    def __init__(self, wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room) -> None:
+    def __init__(self, wanted: Sequence[Wanted], known: Tree, room: Room, far: bool = False) -> None:
+        self.known, self.prices = known, _CROWD if far else _NEAR
         self.spots: list[_Spot] = []
         owners: list[int] = []
         sizes: list[tuple[float, float]] = []
+        places = [_place(want) for want in wanted]
+        crowd = complex(np.median([place.real for place in places]), np.median([place.imag for place in places]))
         for k, want in enumerate(wanted):
             wide, up, down = box(want.label, want.size)
             found = list(_spots(want, complex(wide, up + down) / 2))
+            if far:
+                found += _far(want, complex(wide, up + down) / 2, crowd)
             self.spots += found
             owners += [k] * len(found)
             sizes += [(wide / 2, (up + down) / 2)] * len(found)
@@ -157,33 +240,39 @@ class _Table:
         half = np.array(sizes)
         self.low, self.high = middle - half, middle + half
         anchors = [spot.middle if spot.anchor is None else spot.anchor for spot in self.spots]
-        self.middle, self.anchor = middle, np.array([(anchor.real, anchor.imag) for anchor in anchors])
+        self.anchor = np.array([(anchor.real, anchor.imag) for anchor in anchors])
+        self.begin = np.clip(self.anchor, self.low, self.high)
         self.led = np.array([spot.anchor is not None for spot in self.spots])
         self.cost = np.array([spot.cost for spot in self.spots])
-        self.free = self._judge(drawn, room)
+        self.free = self._judge(room)
+        if far:
+            led = np.flatnonzero(self.led)
+            lines = known.crossed(self.begin[led], self.anchor[led])
+            self.cost[led] += _THROUGH * np.bincount(lines, minlength=len(led))
 
-    def _judge(self, drawn: Sequence[Mark], room: Room) -> Any:
+    def _judge(self, room: Room) -> Any:
         """Which candidates touch nothing drawn; near misses and bad places are written into the cost."""
-        known = tree(drawn)
+        known = self.known
         hits = np.bincount(known.touched(self.low - _CLEAR, self.high + _CLEAR), minlength=len(self.spots))
         near = np.bincount(known.touched(self.low - _EASY, self.high + _EASY), minlength=len(self.spots))
-        self.cost += 0.45 * np.minimum(near, 6) + 60.0 * np.minimum(hits, 5)
+        self.cost += 0.45 * np.minimum(near, 6) + self.prices.line * np.minimum(hits, 5)
         inside = np.all(self.low >= (room.left, room.top), axis=1)
         inside &= np.all(self.high <= (room.right, room.bottom), axis=1)
-        self.cost[~inside] += 1000.0
+        self.cost[~inside] += self.prices.outside
+        self.inside = inside
         return (hits == 0) & inside
 
-    def choose(self) -> list[_Spot]:
-        """Greedy: who has the least freedom first."""
+    def choose(self) -> list[int]:
+        """Greedy: who has the least freedom first. The row each label takes."""
         count = int(self.owner.max()) + 1
-        chosen: dict[int, _Spot] = {}
+        chosen: dict[int, int] = {}
         while len(chosen) < count:
             left = np.bincount(self.owner[self.free], minlength=count)
             best = self._best(count)
             label = min((k for k in range(count) if k not in chosen), key=lambda k: (left[k], -best[k], k))
             rows = np.flatnonzero(self.owner == label)
             row = int(rows[np.argmin(self.cost[rows])])
-            chosen[label] = self.spots[row]
+            chosen[label] = row
             self._take(row)
         return [chosen[k] for k in range(count)]
 
@@ -195,14 +284,57 @@ class _Table:
 
     def _take(self, row: int) -> None:
         """A label lies here now: places over it are bad ones."""
-        clash = np.all(self.low < self.high[row] + _APART, axis=1)
-        clash &= np.all(self.high > self.low[row] - _APART, axis=1)
-        self.cost[clash] += 80.0
-        crossed = self.led & _cross(self.middle, self.anchor, self.low[row], self.high[row])
-        if self.led[row]:
-            crossed |= _cross(self.middle[row], self.anchor[row], self.low, self.high)
-        self.cost[crossed] += 25.0
+        clash, crossed = self._against(row)
+        self.cost += self._burden(row, slice(None), clash, crossed)
         self.free &= ~(clash | crossed)
+
+    def _against(self, row: int, rows: Any = slice(None)) -> tuple[Any, Any]:
+        """Candidates (of some rows) that lie on the one in this row; those whose leader does, or on its leader."""
+        low, high, apart = self.low[rows], self.high[rows], self.prices.apart
+        clash = np.all(low < self.high[row] + apart, axis=1) & np.all(high > self.low[row] - apart, axis=1)
+        crossed = self.led[rows] & _cross(self.begin[rows], self.anchor[rows], self.low[row], self.high[row])
+        if self.led[row]:
+            crossed |= _cross(self.begin[row], self.anchor[row], low, high)
+        return clash, crossed
+
+    def _burden(self, row: int, rows: Any, clash: Any, crossed: Any) -> Any:
+        """What the candidates cost more because a label lies in this row."""
+        more = self.prices.label * clash + self.prices.crossed * crossed
+        if self.prices.leaders and self.led[row]:
+            meeting = _meet(self.begin[rows], self.anchor[rows], self.begin[row], self.anchor[row])
+            more += self.prices.leaders * (self.led[rows] & meeting)
+        return more
+
+    def mended(self, chosen: list[int]) -> list[int]:
+        """Each label once more takes its best place among all others, until none moves."""
+        chosen, every = list(chosen), slice(None)
+        own = [np.flatnonzero(self.owner == label) for label in range(len(chosen))]
+        for _ in range(_ROUNDS):
+            before = list(chosen)
+            for label, row in enumerate(before):
+                rows = own[label]
+                cost = self.cost[rows] - self._burden(row, rows, *self._against(row, rows))
+                best = int(np.argmin(cost))
+                if cost[best] < cost[row - rows[0]] - 1e-6:
+                    chosen[label] = int(rows[best])
+                    self.cost -= self._burden(row, every, *self._against(row))
+                    self.cost += self._burden(chosen[label], every, *self._against(chosen[label]))
+            if chosen == before:
+                break
+        return chosen
+
+    def clashing(self, chosen: Sequence[int]) -> list[int]:
+        """Labels that lie on another or on something drawn, out of their room, or under a leader."""
+        rows = np.array(chosen)
+        low, high = self.low[rows], self.high[rows]
+        bad = ~self.inside[rows]
+        bad[self.known.touched(low + _TOUCH, high - _TOUCH)] = True
+        over = np.all(low[:, None] < high[None] - _TOUCH, axis=-1) & np.all(high[:, None] > low[None] + _TOUCH, axis=-1)
+        begin, anchor = self.begin[rows][:, None], self.anchor[rows][:, None]
+        over |= self.led[rows][:, None] & _cross(begin, anchor, low[None], high[None])
+        np.fill_diagonal(over, False)
+        bad |= over.any(axis=0) | over.any(axis=1)
+        return [int(k) for k in np.flatnonzero(bad)]
 
 
 def _cross(start: Any, end: Any, low: Any, high: Any) -> Any:
@@ -213,3 +345,13 @@ def _cross(start: Any, end: Any, low: Any, high: Any) -> Any:
     enter = np.minimum(first, second).max(axis=-1)
     leave = np.maximum(first, second).min(axis=-1)
     return np.maximum(enter, 0.0) <= np.minimum(leave, 1.0)
+
+
+def _meet(start: Any, end: Any, other_start: Any, other_end: Any) -> Any:
+    """Whether lines start..end cross another line, away from their ends."""
+
+    def side(a: Any, b: Any, c: Any) -> Any:
+        return (b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1]) - (b[..., 1] - a[..., 1]) * (c[..., 0] - a[..., 0])
+
+    apart = side(start, end, other_start) * side(start, end, other_end) < 0
+    return apart & (side(other_start, other_end, start) * side(other_start, other_end, end) < 0)

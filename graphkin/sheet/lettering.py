@@ -7,6 +7,7 @@ around a label is right on every machine that has one of them; Chinese character
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 from typing import Literal
@@ -14,8 +15,8 @@ from typing import Literal
 from graphkin.value import frozen
 
 __all__ = [
-    "SMALL", "Label", "Run", "box", "joined", "link_label", "number", "plain", "point_label", "quantity_label",
-    "scripts", "site_label", "vector_label", "width",
+    "SMALL", "Label", "Run", "between", "box", "joined", "link_label", "number", "plain", "point_label",
+    "quantity_label", "scripts", "site_label", "vector_label", "width",
 ]  # fmt: skip
 
 SMALL = 0.68
@@ -54,6 +55,7 @@ def _table() -> dict[str, tuple[float, float]]:
 
 
 _WIDTHS = _table()
+_CORNER = re.compile(r"([nkt])([^\W\d_]\w*?)(?:_(\d+))?('+)")
 _EQUIVALENT = re.compile(r"e [a-z]+(\d*)")
 _CJK = re.compile(r"[\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
 
@@ -142,8 +144,15 @@ def _mixed(text: str, place: Literal["base", "sub", "sup"]) -> Label:
 
 
 def point_label(name: str) -> Label:
-    """A point of the mechanism or of a polygon: `B`, `O1`, `b3'`, `n'`, `b@guide`: digits as subscripts."""
+    """A point of the mechanism or of a polygon: `B`, `O1`, `b3'`, `n'`, `b@guide`: digits as subscripts.
+
+    Points have one letter; what follows n, k or t at a corner is the word that names the link: `nboom'`, `nc1_2'`.
+    """
     name = _EQUIVALENT.sub(_equivalent, name)
+    if corner := _CORNER.fullmatch(name):
+        letter, link, more, primes = corner.groups()
+        low = f"{link},{more}" if more else link
+        return (*plain(letter, italic=True), *_mixed(low, "sub"), *plain("′" * len(primes)))
     match = re.fullmatch(r"([A-Za-z^]+)(\d*(?:_\d+)?)(?:@([^']*))?('*)(.*)", name)
     if match is None:
         return _mixed(name, "base")
@@ -184,6 +193,11 @@ def site_label(of: str) -> Label:
 def link_label(name: str) -> Label:
     """A link's number, or its word, in italics."""
     return tuple(replace(run, italic=run.text != "′") for run in _mixed(name, "base"))
+
+
+def between(names: Sequence[str]) -> str:
+    """Links of a relative motion: `32`, but `r1/c1` where names are longer than a sign."""
+    return ("/" if any(len(name.rstrip("'")) > 1 for name in names) else "").join(names)
 
 
 def quantity_label(letter: str, low: str, part: str = "") -> Label:

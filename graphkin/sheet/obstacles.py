@@ -34,6 +34,12 @@ class Tree:
         rows: NDArray[np.intp] = self._tree.query(boxes, predicate="intersects")[0]
         return rows
 
+    def crossed(self, start: NDArray[np.float64], end: NDArray[np.float64]) -> NDArray[np.intp]:
+        """Rows of the lines start..end that touch something, once for each thing touched."""
+        lines = self._shapely.linestrings(np.stack([start, end], axis=1))
+        rows: NDArray[np.intp] = self._tree.query(lines, predicate="intersects")[0]
+        return rows
+
 
 def tree(drawn: Iterable[Mark]) -> Tree:
     """The marks as obstacles."""

@@ -173,8 +173,15 @@ def _vector_names(polygon: Polygon, vectors: list[VectorMark]) -> list[Wanted]:
         first = group[0]
         label = joined([vector_label(v.name) for v in group[:2]], " = ")
         away = (first.start + first.end) / 2 - middle
-        wanted.append(Wanted(label, first.start, first.end, away=away, step=first.step))
+        spare = all(_told(polygon, vector) for vector in group)
+        wanted.append(Wanted(label, first.start, first.end, away=away, step=first.step, spare=spare))
     return wanted
+
+
+def _told(polygon: Polygon, vector: VectorMark) -> bool:
+    """Whether an arrow is an absolute motion: its head bears the letter of the point, and says as much."""
+    at_pole = vector.tail == polygon.construction.pole and vector.head in polygon.named
+    return at_pole and vector.name == f"{LETTER[polygon.construction.plane]}_{polygon.of(vector.head)}"
 
 
 def _same(one: VectorMark, other: VectorMark) -> bool:

@@ -1,0 +1,180 @@
+"""Groups of more than two unknowns: by way of a special point, as a planetary train, or all at once."""
+
+from __future__ import annotations
+
+from graphkin.mechanism import FRAME
+from graphkin.methods.hops import Hop, Lever, Slip, way_round
+from graphkin.methods.images import add_up, base_of, drive, fill, reach
+from graphkin.methods.polygon import Polygon
+from graphkin.methods.position import in_step
+from graphkin.methods.rolling import train
+from graphkin.methods.special import Leg, Ternary
+from graphkin.methods.stages import Group, Loop
+from graphkin.steps import (
+    Across,
+    Along,
+    AlongGuide,
+    Chain,
+    Coriolis,
+    Direction,
+    Drawn,
+    Driven,
+    LayOff,
+    Normal,
+    Quarter,
+    Simultaneous,
+    Site,
+    Size,
+    Tangential,
+    Term,
+    Turning,
+    Unknown,
+)
+
+__all__ = ["chain", "group", "walk"]
+
+
+def group(polygon: Polygon, stage: Group, found: Ternary | None) -> None:
+    """All unknowns of a group, then the points of its links, each from what is drawn by then."""
+    if found is None:
+        if not train(polygon, stage):
+            _together(polygon, stage)
+    else:
+        _special(polygon, found)
+    waiting = list(stage.bodies)
+    while waiting:
+        body = next(b for b in waiting if base_of(polygon, b) or _slid_from(polygon, b))
+        waiting.remove(body)
+        if not base_of(polygon, body):
+            drive(polygon, _slid_from(polygon, body), body)
+        fill(polygon, body)
+
+
+def _slid_from(polygon: Polygon, body: str) -> str:
+    """A slide whose other link is drawn."""
+    for name, pair in polygon.structure.slides.items():
+        ends = pair.guide, polygon.structure.block(pair)
+        if body in ends:
+            other = ends[0] if body == ends[1] else ends[1]
+            if other == FRAME or base_of(polygon, other):
+                return name
+    return ""
+
+
+def _special(polygon: Polygon, found: Ternary) -> None:
+    """Two equations by way of the special point, then what each leg turns or slides."""
+    first, second, third = found.legs
+    point = Site(found.name, found.link)
+    for leg in found.legs:
+        reach(polygon, leg.start)
+    grounded = first.start.link == second.start.link == FRAME
+    if polygon.structure.centres and grounded and polygon.plane == "velocity":
+        polygon.at[polygon.key(point)] = polygon.pole
+    else:
+        polygon.equate(point, _leg(polygon, first, point), _leg(polygon, second, point))
+    lever = Lever(point, third.end, False)
+    sides = polygon.in_order(polygon.side(point, (lever,)), polygon.side(third.start, third.hops))
+    polygon.equate(third.end, *sides)
+    polygon.measure_unknown(lever)
+    polygon.measure_unknown(third.unknown)
+    for leg in (first, second):
+        reach(polygon, leg.end)
+        _measure_leg(polygon, leg)
+
+
+def _leg(polygon: Polygon, leg: Leg, point: Site) -> tuple[Term, ...]:
+    """Known arrows first, then the two unknown ones that lie on one line."""
+    terms = list(polygon.absolute(leg.start))
+    tail = terms[-1].head if terms else polygon.name(leg.start)
+    link = polygon.structure.home(leg.end.link)
+    for of, seen_from, part, size in _known_of(polygon, leg, point):
+        head = polygon.between("k" if part == "k" else "n", link, f"a^{part}_{of}{seen_from}")
+        terms.append(Term(of, seen_from, part, size, _direction_of(size, leg), tail, head))
+        tail = head
+    seen_from, part = _unknown_of(polygon, leg.unknown)
+    label, over = polygon.labels.label(point), polygon.labels.label(leg.end)
+    terms.append(Term(label, seen_from, part, None, leg.way, tail, polygon.name(point), over))
+    return tuple(terms)
+
+
+def _known_of(polygon: Polygon, leg: Leg, point: Site) -> list[tuple[str, str, str, Size]]:
+    """Of, seen from, part and size of each known arrow of a leg, and of the normal one from its end to the point."""
+    label = polygon.labels.label
+    known = [
+        (label(hop.of), label(hop.seen_from), part, size)
+        for hop in leg.hops
+        for part, size, _ in polygon.pieces(hop)
+        if size is not None
+    ]
+    if polygon.plane == "acceleration":
+        part, size, _ = polygon.pieces(Lever(leg.end, point, True))[0]
+        assert size is not None
+        known.append((label(point), label(leg.end), part, size))
+    return known
+
+
+def _unknown_of(polygon: Polygon, hop: Hop) -> tuple[str, str]:
+    """What the unknown arrow of a leg is seen from, and its part."""
+    in_velocity, sliding = polygon.plane == "velocity", isinstance(hop, Slip)
+    absolute = hop.seen_from.link == FRAME and (in_velocity or sliding)
+    part = "" if in_velocity or absolute else ("r" if sliding else "t")
+    return "" if absolute else polygon.labels.label(hop.seen_from), part
+
+
+def _direction_of(size: Size, leg: Leg) -> Direction:
+    match size:
+        case Normal(_, tail, head):
+            return Along(head, tail)
+        case Coriolis(link, tail, head):
+            return Quarter(link, tail, head)
+        case Driven(slide, _):
+            return AlongGuide(slide)
+        case Turning(_, tail, head) | Tangential(_, tail, head):
+            return Across(tail, head)
+        case _:
+            return leg.way
+
+
+def _measure_leg(polygon: Polygon, leg: Leg) -> None:
+    """With the ternary link known, its end's arrow gives what the leg itself does."""
+    hop = leg.unknown
+    for later in reversed(leg.hops[leg.hops.index(hop) + 1 :]):
+        for term in reversed(polygon.terms(later, last=False)):
+            polygon.parts.append(LayOff(term, term.head, term.tail, backwards=True))
+    polygon.measure(hop, polygon.name(hop.seen_from), polygon.name(hop.of))
+
+
+def _together(polygon: Polygon, stage: Group) -> None:
+    """All chains at once, by calculation."""
+    chains = tuple(chain(polygon, loop) for loop in stage.loops)
+    contacts = tuple(in_step(contact) for contact in stage.contacts)
+    polygon.parts.append(Simultaneous(stage.angles, stage.slides, chains, contacts))
+
+
+def chain(polygon: Polygon, loop: Loop) -> Chain:
+    """A loop as arrows of known size and unknown scalars."""
+    start, hops, end = way_round(polygon.structure, loop)
+    reach(polygon, start)
+    reach(polygon, end)
+    known: list[tuple[Size, int]] = [(Drawn(polygon.name(end), polygon.name(start)), 1)]
+    unknown: list[Unknown] = []
+    for hop in hops:
+        for _, size, _ in polygon.pieces(hop):
+            if size is not None:
+                known.append((size, 1))
+            elif isinstance(hop, Slip):
+                unknown.append(Unknown("", hop.slide, "", "", polygon.sense(hop)))
+            else:
+                unknown.append(Unknown(hop.of.link, "", hop.seen_from.point, hop.of.point, 1))
+    return Chain(tuple(known), tuple(unknown))
+
+
+def walk(polygon: Polygon, stage: Loop) -> None:
+    """Draw every site of a loop whose unknowns have been found, hop by hop."""
+    for hop in way_round(polygon.structure, stage)[1]:
+        if isinstance(hop, Lever):
+            reach(polygon, hop.of)
+        elif isinstance(hop, Slip) and not polygon.known(hop.of):
+            add_up(polygon, hop.of, polygon.side(hop.seen_from, (Slip(hop.seen_from, hop.of, True, hop.slide),)))
+    for body in stage.bodies:
+        fill(polygon, body)

@@ -1,0 +1,102 @@
+"""Further points of a link whose motion is known: by image on two points, from one by its rotation."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+from graphkin.methods.closing import known_sum
+from graphkin.methods.hops import Lever, Slip
+from graphkin.methods.polygon import Polygon
+from graphkin.steps import Image, LayOff, Site, Term
+
+__all__ = ["add_up", "base_of", "drive", "fill", "reach"]
+
+
+def fill(polygon: Polygon, body: str) -> None:
+    """Every named point of a link."""
+    for point in polygon.structure.bodies[body]:
+        if point[0].isupper():
+            reach(polygon, Site(point, body))
+
+
+def reach(polygon: Polygon, site: Site) -> None:
+    """Draw a site of a link whose motion is known: by image on two known points, else from one."""
+    if polygon.known(site):
+        return
+    base = base_of(polygon, site.link)
+    if len(base) > 1:
+        first, second = base[:2]
+        corners = (first.point, second.point, site.point)
+        nodes = (polygon.name(first), polygon.name(second))
+        polygon.parts.append(Image(site.link, corners, nodes, polygon.name(site)))
+    else:
+        _levered(polygon, base[0], site)
+
+
+def base_of(polygon: Polygon, body: str) -> list[Site]:
+    """Known sites of a body that lie apart, its own points first."""
+    own = [Site(point, body) for point in polygon.structure.bodies[body] if point[0].isupper()]
+    more = [key for key in polygon.at if key.link == body and key not in own]
+    known = [site for site in own + more if polygon.known(site)]
+    pairs = combinations(known, 2)
+    return next(([*pair] for pair in pairs if _apart(polygon, body, *pair)), known[:1])
+
+
+def _apart(polygon: Polygon, body: str, first: Site, second: Site) -> bool:
+    """Points of one link are apart by their shape; a coincident point may come to lie on another,
+    but not on the one whose lever has just been measured.
+    """
+    if frozenset((polygon.key(first), polygon.key(second))) in polygon.apart:
+        return True
+    points = polygon.structure.bodies[body]
+    if first.point in points and second.point in points and not polygon.structure.is_pin(body):
+        shape = polygon.structure.shapes[body]
+        return abs(shape[second.point] - shape[first.point]) > 0
+    return False
+
+
+def _levered(polygon: Polygon, start: Site, site: Site) -> None:
+    """From one known point by the link's known rotation."""
+    hop = Lever(Site(start.point, site.link), site, True)
+    right = polygon.absolute(start) + tuple(polygon.terms(hop, last=False))
+    if polygon.plane == "acceleration" and polygon.structure.steady(site.link):
+        right = _without_tangential(polygon, right)
+    add_up(polygon, site, right)
+
+
+def _without_tangential(polygon: Polygon, right: tuple[Term, ...]) -> tuple[Term, ...]:
+    """Where a link turns steadily, only the normal arrow is left of its two."""
+    normal, tangential = right[-2:]
+    polygon.nodes.pop(normal.head)
+    absolute = normal.tail == polygon.pole
+    only = Term(
+        normal.of,
+        "" if absolute else normal.seen_from,
+        "" if absolute else "n",
+        normal.size,
+        normal.direction,
+        normal.tail,
+        tangential.head,
+    )
+    return (*right[:-2], only)
+
+
+def drive(polygon: Polygon, slide: str, body: str) -> None:
+    """A body that a driver moves along a known one."""
+    pair = polygon.structure.slides[slide]
+    other = pair.guide if body != pair.guide else polygon.structure.block(pair)
+    seen_from, of = Site(pair.point, other), Site(pair.point, body)
+    if polygon.known(of):
+        return
+    reach(polygon, seen_from)
+    right = polygon.side(seen_from, (Slip(seen_from, of, True, slide),))
+    add_up(polygon, of, right)
+
+
+def add_up(polygon: Polygon, of: Site, right: tuple[Term, ...]) -> None:
+    """The motion of a site as the sum of known arrows."""
+    label, node = polygon.labels.label(of), polygon.name(of)
+    if len(right) == 1:
+        polygon.parts.append(LayOff(right[0], right[0].tail, right[0].head))
+    else:
+        polygon.parts.append(known_sum(label, Term(label, "", "", None, None, polygon.pole, node), right))

@@ -1,0 +1,249 @@
+"""A polygon under construction: the names of its points, and the arrows of each hop of a way round."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from graphkin.mechanism import FRAME
+from graphkin.methods.closing import close
+from graphkin.methods.hops import Hop, Lever, Slip, Twist
+from graphkin.methods.labels import Labels
+from graphkin.methods.structure import Structure
+from graphkin.steps import (
+    Across,
+    Along,
+    AlongGuide,
+    Coriolis,
+    Direction,
+    Drawn,
+    Driven,
+    Equation,
+    Measure,
+    Node,
+    Normal,
+    Plane,
+    Quarter,
+    Relative,
+    Site,
+    Size,
+    Step,
+    Tangential,
+    Term,
+    Turning,
+)
+
+__all__ = ["Polygon"]
+
+Piece = tuple[str, Size | None, Direction | None]
+"""The part (`n`, `t`, `k`, `r`), size and direction of one arrow of a hop."""
+
+
+@dataclass
+class Polygon:
+    """The steps so far, and where the sites drawn by them are.
+
+    velocity  the velocity polygon's name of a site, for Coriolis terms
+    reserved  names that points will need, free for no corner between
+    unknown   the arrow of each hop whose size is sought
+    apart     pairs of sites of one link that are known to lie apart
+    """
+
+    structure: Structure
+    labels: Labels
+    plane: Plane
+    pole: str
+    velocity: Callable[[Site], str]
+    parts: list[Step | Equation] = field(default_factory=list)
+    nodes: dict[str, Node] = field(default_factory=dict)
+    at: dict[Site, str] = field(default_factory=dict)
+    reserved: set[str] = field(default_factory=set)
+    unknown: dict[Hop, Term] = field(default_factory=dict)
+    apart: set[frozenset[Site]] = field(default_factory=set)
+    asides: int = 0
+
+    # --- names --------------------------------------------------------------------------------
+
+    @property
+    def prime(self) -> str:
+        return "'" if self.plane == "acceleration" else ""
+
+    def key(self, site: Site) -> Site:
+        """A hinge moves as one point, whichever of its links it is seen as part of."""
+        owners = self.structure.owners.get(site.point, ())
+        return Site(site.point, owners[0]) if site.link in owners else site
+
+    def name(self, site: Site) -> str:
+        """The polygon's point of a site, known or to be found; points of the frame sit on the pole."""
+        key = self.key(site)
+        if key.link == FRAME:
+            return self.pole
+        if key not in self.at:
+            label = self.labels.label(key)
+            self.at[key] = self.new(label[0].lower() + label[1:] + self.prime, label, key)
+        return self.at[key]
+
+    def new(self, name: str, of: str, site: Site | None = None) -> str:
+        assert name not in self.nodes, name
+        self.nodes[name] = Node(name, of, site)
+        return name
+
+    def fixed(self, point: str) -> str:
+        """A fixed point has a name of its own on the pole."""
+        site = Site(point, FRAME)
+        label = self.labels.label(site)
+        return self.new(label[0].lower() + label[1:] + self.prime, label, site)
+
+    def aside(self) -> str:
+        self.asides += 1
+        return self.new(f"*{self.asides}", "")
+
+    def between(self, letter: str, link: str, of: str) -> str:
+        """A corner of the polygon that is no point of the mechanism: n3', k'."""
+        stem = letter if letter == "k" else letter + self.structure.mechanism.called(link)
+        for more in ("", *(str(k) for k in range(1, 1000))):
+            dot = "_" if more and stem[-1].isdigit() else ""
+            name = f"{stem}{dot}{more}'"
+            if name not in self.nodes and name not in self.reserved:
+                return self.new(name, of)
+        raise AssertionError("a thousand corners of one name")
+
+    def known(self, site: Site) -> bool:
+        key = self.key(site)
+        return key.link == FRAME or key in self.at
+
+    # --- terms --------------------------------------------------------------------------------
+
+    def absolute(self, site: Site) -> tuple[Term, ...]:
+        """The known end of a side; nothing where it is at rest."""
+        node = self.name(site)
+        if node == self.pole:
+            return ()
+        return (Term(self.labels.label(site), "", "", Drawn(self.pole, node), None, self.pole, node),)
+
+    def rest(self, site: Site) -> Term:
+        """A point at rest where a side has nothing else."""
+        return Term(self.labels.label(site), "", "", Drawn(self.pole, self.pole), None, self.pole, self.pole)
+
+    def terms(self, hop: Hop, last: bool) -> list[Term]:
+        """The arrows of one hop from `seen_from` outward to `of`.
+
+        last  whether known arrows come after the unknown one, so that they lie at the far end
+        """
+        pieces = self.pieces(hop)
+        if last:
+            pieces.reverse()
+        tail, terms = self.name(hop.seen_from), list[Term]()
+        of, seen_from = self.labels.label(hop.of), self.seen_from(hop)
+        for k, (part, size, direction) in enumerate(pieces):
+            if k == len(pieces) - 1:
+                head = self.name(hop.of)
+            else:
+                letter = "k" if "k" in (part, pieces[k + 1][0]) else part[-1]
+                head = self.between(letter, self.structure.home(hop.of.link), f"a^{part}_{of}{seen_from}")
+            terms.append(Term(of, seen_from, part, size, direction, tail, head))
+            if size is None:
+                self.unknown[hop] = terms[-1]
+            tail = head
+        return terms
+
+    def seen_from(self, hop: Hop) -> str:
+        """The second site in the name of a hop's arrows; none where the motion is an absolute one."""
+        sliding_on_frame = isinstance(hop, Slip) and hop.seen_from.link == FRAME
+        about_fixed = isinstance(hop, Lever) and self.plane == "velocity" and self.name(hop.seen_from) == self.pole
+        return "" if sliding_on_frame or about_fixed else self.labels.label(hop.seen_from)
+
+    def pieces(self, hop: Hop) -> list[Piece]:
+        match hop:
+            case Lever():
+                return self.lever(hop)
+            case Slip():
+                return self.slip(hop)
+            case Twist():
+                return self.twist(hop)
+
+    def lever(self, hop: Lever) -> list[Piece]:
+        link, tail, head = hop.of.link, hop.seen_from.point, hop.of.point
+        across = Across(tail, head)
+        if self.plane == "velocity":
+            return [("", Turning(link, tail, head) if hop.known else None, across)]
+        swing = Tangential(link, tail, head) if hop.known else None
+        return [("n", Normal(link, tail, head), Along(head, tail)), ("t", swing, across)]
+
+    def slip(self, hop: Slip) -> list[Piece]:
+        line = AlongGuide(hop.slide)
+        size = Driven(hop.slide, self.sense(hop)) if hop.known else None
+        if self.plane == "velocity" or hop.seen_from.link == FRAME:
+            return [("", size, line)]
+        tail, head = self.velocity(hop.seen_from), self.velocity(hop.of)
+        link = self.structure.home(hop.seen_from.link)
+        return [("k", Coriolis(link, tail, head), Quarter(link, tail, head)), ("r", size, line)]
+
+    def twist(self, hop: Twist) -> list[Piece]:
+        link, other, pivot, point = hop.of.link, hop.seen_from.link, hop.pivot, hop.of.point
+        across = Across(pivot, point)
+        if self.plane == "velocity":
+            return [("", Relative(link, other, pivot, point), across)]
+        tail, head = self.velocity(hop.seen_from), self.velocity(hop.of)
+        return [
+            ("k", Coriolis(other, tail, head), Quarter(other, tail, head)),
+            ("rn", Relative(link, other, pivot, point, "n"), Along(point, pivot)),
+            ("rt", Relative(link, other, pivot, point, "t"), across),
+        ]
+
+    def side(self, start: Site, hops: tuple[Hop, ...]) -> tuple[Term, ...]:
+        terms = list(self.absolute(start))
+        if not terms and hops and isinstance(hops[0], Slip) and hops[0].seen_from.link != FRAME:
+            terms = [self.rest(start)]
+        unknown = [hop for hop in hops if not hop.known]
+        for hop in hops:
+            terms += self.terms(hop, last=len(unknown) == 2 and hop is unknown[1])
+        return tuple(terms) or (self.rest(start),)
+
+    def equate(self, of: Site, left: tuple[Term, ...], right: tuple[Term, ...], pole: str = "") -> None:
+        """Both sides of one vector equation, drawn until they meet."""
+        self.parts.append(close(self.labels.label(of), left, right, {}, self.aside, _no_choice, pole))
+
+    def in_order(self, first: tuple[Term, ...], second: tuple[Term, ...]) -> tuple[tuple[Term, ...], tuple[Term, ...]]:
+        """A textbook puts the side that starts at rest first, and of two such the shorter one."""
+        resting = [side[0].head == self.pole or not isinstance(side[0].size, Drawn) for side in (first, second)]
+        swapped = resting[1] if resting[0] != resting[1] else resting[0] and len(second) < len(first)
+        return (second, first) if swapped else (first, second)
+
+    # --- readings -----------------------------------------------------------------------------
+
+    @property
+    def turning(self) -> str:
+        """The quantity of a link that this plane gives."""
+        return "omega" if self.plane == "velocity" else "alpha"
+
+    @property
+    def sliding(self) -> str:
+        """The quantity of a slide that this plane gives."""
+        return "s_rate" if self.plane == "velocity" else "s_acceleration"
+
+    def measure_unknown(self, hop: Hop) -> None:
+        """Read off the arrow that an equation has given."""
+        term = self.unknown[hop]
+        self.measure(hop, term.tail, term.head)
+        if isinstance(hop, Lever):
+            self.lies_apart(hop.seen_from, hop.of)
+
+    def measure(self, hop: Hop, tail: str, head: str) -> None:
+        """What an arrow tells of the link that turns, or of the slide."""
+        if isinstance(hop, Lever):
+            lever = (hop.seen_from.point, hop.of.point)
+            self.parts.append(Measure(self.turning, hop.of.link, tail, head, lever))
+        elif isinstance(hop, Slip):
+            self.parts.append(Measure(self.sliding, hop.slide, tail, head, sign=self.sense(hop)))
+
+    def sense(self, hop: Slip) -> int:
+        """1 where the block is seen from its guide, -1 the other way round."""
+        return 1 if hop.of.link == self.structure.block(self.structure.slides[hop.slide]) else -1
+
+    def lies_apart(self, first: Site, second: Site) -> None:
+        self.apart.add(frozenset((self.key(first), self.key(second))))
+
+
+def _no_choice() -> int:
+    raise AssertionError("direction lines cross once")

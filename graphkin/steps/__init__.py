@@ -1,0 +1,120 @@
+"""What the pencil does, as data, and `replay`, which does it.
+
+A construction is a list of steps. A step names points, links and slides; it holds no coordinates. Three
+planes share the step kinds: `position` (the mechanism), `velocity` (pole p), `acceleration` (pole p').
+A point of a plane is named by a text: in the position plane as the mechanism's own point (`B`), in the
+polygons by the small letter (`b3`, `b3'`, `n3'`, `k'`).
+
+A *site* is a point seen as part of one link: `B3` is the point of link 3 that lies under B now.
+
+`terms` holds the arrows and equations, `kinds` the steps, `plot` what a replay starts from and gives; `pencil`
+does the steps, `fitting` those that ruler and compass do not give.
+"""
+
+from __future__ import annotations
+
+from graphkin.steps.kinds import (
+    Arc,
+    Chain,
+    Closure,
+    Construction,
+    Fit,
+    Given,
+    Image,
+    InStep,
+    LayOff,
+    Measure,
+    Meet,
+    Node,
+    Ray,
+    Roll,
+    Simultaneous,
+    Site,
+    Step,
+    Swing,
+    Touch,
+    Unknown,
+)
+from graphkin.steps.pencil import (
+    replay,
+)
+from graphkin.steps.plot import (
+    Facts,
+    Plot,
+    TurnOf,
+)
+from graphkin.steps.terms import (
+    LETTER,
+    Across,
+    AcrossGuide,
+    Along,
+    AlongGuide,
+    Arm,
+    BrokenChain,
+    Coriolis,
+    Direction,
+    Drawn,
+    Driven,
+    Equation,
+    Normal,
+    NotClosable,
+    Plane,
+    Quarter,
+    Relative,
+    Size,
+    Slid,
+    Span,
+    Tangential,
+    Term,
+    Turning,
+)
+
+__all__ = [
+    "LETTER",
+    "Across",
+    "AcrossGuide",
+    "Along",
+    "AlongGuide",
+    "Arc",
+    "Arm",
+    "BrokenChain",
+    "Chain",
+    "Closure",
+    "Construction",
+    "Coriolis",
+    "Direction",
+    "Drawn",
+    "Driven",
+    "Equation",
+    "Facts",
+    "Fit",
+    "Given",
+    "Image",
+    "InStep",
+    "LayOff",
+    "Measure",
+    "Meet",
+    "Node",
+    "Normal",
+    "NotClosable",
+    "Plane",
+    "Plot",
+    "Quarter",
+    "Ray",
+    "Relative",
+    "Roll",
+    "Simultaneous",
+    "Site",
+    "Size",
+    "Slid",
+    "Span",
+    "Step",
+    "Swing",
+    "Tangential",
+    "Term",
+    "Touch",
+    "TurnOf",
+    "Turning",
+    "Unknown",
+    "replay",
+]

@@ -1,0 +1,196 @@
+"""What a replay starts from, `Facts`, and what it gives, `Plot`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import assert_never
+
+import numpy as np
+
+from graphkin.geometry import Value, unit
+from graphkin.steps.terms import (
+    Across,
+    AcrossGuide,
+    Along,
+    AlongGuide,
+    Arm,
+    Coriolis,
+    Direction,
+    Drawn,
+    Driven,
+    Normal,
+    Plane,
+    Quarter,
+    Relative,
+    Size,
+    Span,
+    Tangential,
+    Turning,
+)
+from graphkin.value import frozen
+
+__all__ = ["Facts", "Plot", "TurnOf"]
+
+
+@frozen
+class TurnOf:
+    """How a link's angle hangs on another's: theta = theta(base) + constant + sum of sign * driver value."""
+
+    base: str
+    constant: float = 0.0
+    drivers: tuple[tuple[int, int], ...] = ()
+
+
+@frozen
+class Facts:
+    """What is known before the pencil moves: dimensions and drivers. SI units; drivers scalar or (n,) each.
+
+    shapes  points of each link in its axes [m]; lines: guide, origin and direction (guide's axes) of each slide
+    turns   each link's angle by that of its group's base link
+    slides_driven  driver number by slide
+    """
+
+    frame: str
+    shapes: Mapping[str, Mapping[str, complex]]
+    lines: Mapping[str, tuple[str, str, complex]]
+    turns: Mapping[str, TurnOf]
+    slides_driven: Mapping[str, int]
+    values: tuple[Value, ...]
+    rates: tuple[Value, ...]
+    accelerations: tuple[Value, ...]
+    drawn: Mapping[str, float] = field(default_factory=dict)
+    """Angles of links [rad] and displacements of slides [m] at the drawn position, where contacts count from them."""
+
+    def relative_angle(self, link: str) -> Value:
+        """Angle of a link against its base link [rad]."""
+        turn = self.turns[link]
+        return turn.constant + sum(sign * self.values[k] for k, sign in turn.drivers)
+
+    def relative_rate(self, link: str, order: int) -> Value:
+        """Angular velocity (order 1) or acceleration (order 2) of a link against its base link."""
+        given = self.rates if order == 1 else self.accelerations
+        return sum(sign * given[k] for k, sign in self.turns[link].drivers)
+
+
+@dataclass
+class Plot:
+    """Named points and quantities of the finished drawing; every value a scalar or an array over positions.
+
+    position     points of the mechanism [m]; velocity [m/s], acceleration [m/s^2]: points of the polygons,
+                 measured from the pole
+    theta, omega, alpha          by link [rad, rad/s, rad/s^2]
+    s, s_rate, s_acceleration    by slide [m, m/s, m/s^2]
+    sines        sine of the angle at which two lines or circles met, by plane and point
+    misses       by how much two circles, or a line and a circle, miss each other [m]; 0 or less where they meet
+    near         angles by base link and displacements by slide of a position close by: what is fitted starts
+                 there, and angles are counted on from there
+    """
+
+    facts: Facts
+    near: Mapping[str, Value] = field(default_factory=dict)
+    position: dict[str, Value] = field(default_factory=dict)
+    velocity: dict[str, Value] = field(default_factory=dict)
+    acceleration: dict[str, Value] = field(default_factory=dict)
+    theta: dict[str, Value] = field(default_factory=dict)
+    omega: dict[str, Value] = field(default_factory=dict)
+    alpha: dict[str, Value] = field(default_factory=dict)
+    s: dict[str, Value] = field(default_factory=dict)
+    s_rate: dict[str, Value] = field(default_factory=dict)
+    s_acceleration: dict[str, Value] = field(default_factory=dict)
+    sines: dict[tuple[Plane, str], Value] = field(default_factory=dict)
+    misses: dict[str, Value] = field(default_factory=dict)
+
+    def points(self, plane: Plane) -> dict[str, Value]:
+        return {"position": self.position, "velocity": self.velocity, "acceleration": self.acceleration}[plane]
+
+    def arm(self, tail: str, head: str) -> Value:
+        """Vector between two points of the mechanism [m]."""
+        return self.position[head] - self.position[tail]
+
+    def guide_direction(self, slide: str) -> Value:
+        """Unit vector of a slide's line."""
+        guide, _, direction = self.facts.lines[slide]
+        return direction * np.exp(1j * self.theta[guide])
+
+    def span(self, span: Span) -> Value:
+        """Sum of the parts, in the axes of their group's base link [m]."""
+        total: Value = 0j
+        for part in span.parts:
+            if isinstance(part, Arm):
+                shape = self.facts.shapes[part.link]
+                turned = np.exp(1j * self.facts.relative_angle(part.link))
+                total = total + (shape[part.head] - shape[part.tail]) * turned
+            else:
+                total = total + part.sign * self.s[part.slide] * self.slide_line(part.slide)
+        return total
+
+    def slide_line(self, slide: str) -> Value:
+        """Unit vector of a slide's line, in the axes of its guide's base link."""
+        guide, _, direction = self.facts.lines[slide]
+        return direction * np.exp(1j * self.facts.relative_angle(guide))
+
+    def direction(self, direction: Direction) -> Value:
+        """Unit vector of a direction."""
+        match direction:
+            case Along(tail, head):
+                return unit(self.arm(tail, head))
+            case Across(tail, head):
+                return 1j * unit(self.arm(tail, head))
+            case AlongGuide(slide):
+                return self.guide_direction(slide)
+            case AcrossGuide(slide):
+                return 1j * self.guide_direction(slide)
+            case Quarter(link, tail, head):
+                return 1j * np.sign(self.omega[link]) * unit(self.velocity[head] - self.velocity[tail])
+            case _:
+                assert_never(direction)
+
+    def arrow(self, size: Size, plane: Plane) -> Value:
+        """The vector of a known term, in the units of its plane."""
+        match size:
+            case Drawn(tail, head):
+                points = self.points(plane)
+                return points[head] - points[tail]
+            case Span():
+                return self.span(size) * np.exp(1j * self._base_angle(size))
+            case Turning(link, tail, head):
+                return 1j * self.omega[link] * self.arm(tail, head)
+            case Normal(link, tail, head):
+                return -(self.omega[link] ** 2) * self.arm(tail, head)
+            case Tangential(link, tail, head):
+                return 1j * self.alpha[link] * self.arm(tail, head)
+            case Coriolis(link, tail, head):
+                return 2j * self.omega[link] * (self.velocity[head] - self.velocity[tail])
+            case Driven(slide, sign):
+                known = self.s_rate if plane == "velocity" else self.s_acceleration
+                return sign * known[slide] * self.guide_direction(slide)
+            case Relative():
+                return self._relative(size)
+            case _:
+                assert_never(size)
+
+    def _relative(self, size: Relative) -> Value:
+        arm = self.arm(size.tail, size.head)
+        facts = self.facts
+        if size.part == "t":
+            return 1j * (facts.relative_rate(size.link, 2) - facts.relative_rate(size.seen_from, 2)) * arm
+        rate = facts.relative_rate(size.link, 1) - facts.relative_rate(size.seen_from, 1)
+        return -(rate**2) * arm if size.part == "n" else 1j * rate * arm
+
+    def _base_angle(self, span: Span) -> Value:
+        part = span.parts[0]
+        link = part.link if isinstance(part, Arm) else self.facts.lines[part.slide][0]
+        return self.theta[self.facts.turns[link].base]
+
+    def settle(self, quantity: str, base: str, value: Value) -> None:
+        """Give a whole group of links that hold their angles to one another its angle or its rate."""
+        table: dict[str, Value] = getattr(self, quantity)
+        if quantity == "theta" and base in self.near:
+            value = value + 2 * np.pi * np.round((self.near[base] - value) / (2 * np.pi))
+        for link, turn in self.facts.turns.items():
+            if turn.base != base:
+                continue
+            order = ("theta", "omega", "alpha").index(quantity)
+            more = self.facts.relative_angle(link) if order == 0 else self.facts.relative_rate(link, order)
+            table[link] = value + more
