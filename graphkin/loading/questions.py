@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 
 from graphkin.errors import GraphkinError, NotOneOf, UnknownLink, UnknownPoint, UnknownSlide
@@ -28,6 +27,8 @@ def check_questions(draft: Draft, mechanism: Mechanism) -> None:
 def _problem(draft: Draft, mechanism: Mechanism, number: int, quantity: str, of: str) -> GraphkinError | None:
     where = draft.where("ask", number)
     if quantity not in QUANTITIES:
+        import difflib
+
         near = len(quantity) > 3 and difflib.get_close_matches(quantity, QUANTITIES, 1, 0.7)
         named = of in mechanism.links or seen(mechanism, of) is not None
         return NotOneOf(where, quantity, QUANTITIES) if near and named else None

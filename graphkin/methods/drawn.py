@@ -42,7 +42,8 @@ def _standing(mechanism: Mechanism, lower: Mechanism) -> tuple[Structure, Plot]:
     given = tuple(driver for driver in mechanism.drivers if driver.value is not None and driver.kind != "spin")
     structure = Structure(replace(lower, drivers=(*given, *posed)))
     left = stages(structure)[1]
-    wheels = {wheel for pair in (*mechanism.gears, *mechanism.rolls) for wheel in pair.joins}
+    wheels = {wheel for gear in mechanism.gears for wheel in gear.joins}
+    wheels |= {wheel for roll in mechanism.rolls for wheel in roll.joins}
     marked = tuple(Driver("spin", body, value=0.0) for body in left if body in wheels and body != FRAME)
     structure = Structure(replace(lower, drivers=(*given, *posed, *marked)))
     order, left = stages(structure)

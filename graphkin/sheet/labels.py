@@ -217,6 +217,14 @@ def _beside(start: Place, end: Place, half: complex, want: Wanted) -> Iterator[_
 # --- the choice -------------------------------------------------------------------------------
 
 
+def _middle(values: list[float]) -> float:
+    """The median; numpy's would load masked arrays, which takes longer than placing the labels."""
+    ordered = sorted(values)
+    half = len(ordered) // 2
+    return (ordered[half] + ordered[-half - 1]) / 2 if ordered else 0.0
+
+
+
 class _Table:
     """All candidates of all labels, row by row."""
 
@@ -226,7 +234,7 @@ class _Table:
         owners: list[int] = []
         sizes: list[tuple[float, float]] = []
         places = [_place(want) for want in wanted]
-        crowd = complex(np.median([place.real for place in places]), np.median([place.imag for place in places]))
+        crowd = complex(_middle([place.real for place in places]), _middle([place.imag for place in places]))
         for k, want in enumerate(wanted):
             wide, up, down = box(want.label, want.size)
             found = list(_spots(want, complex(wide, up + down) / 2))

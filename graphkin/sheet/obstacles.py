@@ -5,13 +5,15 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = ["Tree", "arc_places", "bounds", "tree"]
 
