@@ -170,3 +170,45 @@ def test_positions_by_fit_keep_the_branch():
     for link in mechanism.moving:
         assert np.max(np.abs(plot.omega[link] - exact.omega[link])) < 1e-7
     assert abs(plot.position["C"][0] - plot.position["C"][-1]) < 1e-9
+
+
+CLASS_IV = """
+title = "Class IV"
+[frame]
+A = [0, 0]
+D = [120, 0]
+[links.1]
+AB = 20
+[links.2]
+shape = { B = [0, 0], C = [40, 10], E = [35, 45] }
+[links.3]
+CF = 50
+[links.4]
+EG = 45
+[links.5]
+shape = { D = [0, 0], F = [-20, 25], G = [-30, 60] }
+[[driver]]
+vector = "AB"
+angle = 80
+omega = 10
+[sketch]
+C = [43, 30]
+E = [38, 65]
+F = [93, 32]
+G = [83, 66]
+"""
+
+
+def test_a_group_of_class_four_is_solved_together():
+    mechanism = loads(CLASS_IV, name="four")
+    method = plan(mechanism)
+    assert any(isinstance(step, Simultaneous) for step in method.velocity.steps)
+    assert compare(method, replay_all(method), motion(mechanism)) < 1e-9
+
+
+def test_the_pole_is_found_last():
+    """Sun Huan, example 3-4: both sides start with an unknown arrow, so the known one is laid off first."""
+    equation = plan(library.load("ex3-4")).velocity.equations[0]
+    kinds = [type(step).__name__ for step in equation.steps]
+    assert kinds == ["Given", "LayOff", "Ray", "Ray", "Meet"]
+    assert equation.steps[-1].point == "p"
