@@ -80,7 +80,7 @@ def replay(method: Method, values: Sequence[Value] | None = None) -> Plot:
     >>> import numpy as np
     >>> plot = replay(plan(load("ex3-1")), [np.radians([60, 90, 120])])
     >>> np.round(plot.omega["3"], 3)
-    array([-3.919, -3.188, -0.839])
+    array([-3.919, -1.132,  0.64 ])
     """
     return methods.replay_all(method, values)
 
