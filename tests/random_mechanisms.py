@@ -129,10 +129,8 @@ def dyad(kind: str, seed: int) -> Mechanism:
 
 def cylinder(seed: int) -> Mechanism:
     """A driven slide between two unknown links: link 3 and 4 slide, 4 hinged to 5, both ends on known bodies."""
-    rng = random.Random(f"cylinder{seed}")
-    build = Build(rng, letters=[f"{c}{k}" for k in (2, 1) for c in "ABCDEFGHJKLMNQRSTUVWXYZ"])
-    rng.shuffle(build.letters)
-    build.body(FRAME)
+    build = _begun(seed, "cylinder", crank=False)
+    rng = build.rng
     build.hinge(FRAME, "1")
     build.body("1").points[build.letter()] = build.place()
     build.drivers.append(Driver("angle", "1", rate=rng.uniform(-5, 5), acceleration=rng.uniform(-5, 5)))
@@ -147,10 +145,8 @@ def cylinder(seed: int) -> Mechanism:
 
 def relative_angle(seed: int) -> Mechanism:
     """A driven angle between two unknown links hinged to each other (a motor carried on a moving link)."""
-    rng = random.Random(f"relative{seed}")
-    build = Build(rng, letters=[f"{c}{k}" for k in (2, 1) for c in "ABCDEFGHJKLMNQRSTUVWXYZ"])
-    rng.shuffle(build.letters)
-    build.body(FRAME)
+    build = _begun(seed, "relative", crank=False)
+    rng = build.rng
     build.hinge(FRAME, "1")
     build.hinge("1", "2")
     build.hinge("2", "3")
@@ -163,10 +159,8 @@ def relative_angle(seed: int) -> Mechanism:
 
 def coupler_angle(seed: int) -> Mechanism:
     """A four-bar driven at its coupler: the angle is known before any point is."""
-    rng = random.Random(f"coupler{seed}")
-    build = Build(rng, letters=[f"{c}{k}" for k in (2, 1) for c in "ABCDEFGHJKLMNQRSTUVWXYZ"])
-    rng.shuffle(build.letters)
-    build.body(FRAME)
+    build = _begun(seed, "coupler", crank=False)
+    rng = build.rng
     build.hinge(FRAME, "1")
     build.hinge("1", "2")
     build.hinge("2", "3")
@@ -177,10 +171,8 @@ def coupler_angle(seed: int) -> Mechanism:
 
 def chain(seed: int) -> Mechanism:
     """A crank and two to four dyads of any kind, one hung on another."""
-    rng = random.Random(f"chain{seed}")
-    build = Build(rng, letters=[f"{c}{k}" for k in (4, 3, 2, 1) for c in "ABCDEFGHJKLMNQRSTUVWXYZ"])
-    rng.shuffle(build.letters)
-    build.body(FRAME)
+    build = _begun(seed, "chain", crank=False)
+    rng = build.rng
     build.hinge(FRAME, "1")
     build.body("1").points[build.letter()] = build.place()
     build.drivers.append(Driver("angle", "1", rate=rng.uniform(-10, 10), acceleration=rng.uniform(-20, 20)))

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import random_mechanisms
+from roads import hold_derivatives, hold_roads_together
 
 from graphkin import library
 from graphkin.analytic import motion
 from graphkin.check import compare
-from graphkin.errors import DeadPoint, GearsApart
+from graphkin.errors import GearsApart
 from graphkin.loading import loads
 from graphkin.methods import Method, plan, replay_all
-from graphkin.readings import Readings
 from graphkin.steps import Equation, Simultaneous, Term
 
 KINDS = ("triad", "six_bar", "geared_five_bar", "epicyclic", "rolling", "cam")
@@ -22,50 +22,13 @@ COUNT, BATCH = 2000, 250
 @pytest.mark.parametrize("batch", range(COUNT // BATCH))
 @pytest.mark.parametrize("kind", KINDS)
 def test_polygons_equal_loop_equations(kind: str, batch: int):
-    dead = 0
-    for seed in range(batch * BATCH, (batch + 1) * BATCH):
-        mechanism = getattr(random_mechanisms, kind)(seed)
-        try:
-            method = plan(mechanism)
-            plot = replay_all(method)
-        except DeadPoint as error:
-            assert error.angle_deg < 0.5
-            dead += 1
-            continue
-        for point, place in mechanism.sketch.items():
-            assert abs(plot.position[point] - place) < 1e-7, (kind, seed, point)
-        assert compare(method, plot, motion(mechanism)) < 1e-9, (kind, seed)
-    assert dead < BATCH * 0.1
+    hold_roads_together(getattr(random_mechanisms, kind), range(batch * BATCH, (batch + 1) * BATCH))
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_velocity_is_the_derivative_of_position(kind: str):
-    """Differences over five instants of the replayed construction itself; a guide that turns keeps its Coriolis term."""
-    step = 2e-5
-    tried = 0
-    for seed in range(10**6, 10**6 + 30):
-        mechanism = getattr(random_mechanisms, kind)(seed)
-        try:
-            method = plan(mechanism)
-            drawn = replay_all(method)
-        except DeadPoint:
-            continue
-        if not np.min([np.min(sine) for sine in drawn.sines.values()], initial=1.0) >= 0.2:
-            continue
-        times = step * np.arange(-2, 3)
-        values = [d.value + d.rate * times + d.acceleration * times**2 / 2 for d in method.drivers]
-        plot, readings = replay_all(method, values), Readings(method, drawn)
-        tried += 1
-        for point in mechanism.points:
-            link = mechanism.owners[point][-1]
-            places = np.broadcast_to(plot.position[point], 5)
-            velocity = places @ np.array([1, -8, 0, 8, -1]) / (12 * step)
-            acceleration = places @ np.array([-1, 16, -30, 16, -1]) / (12 * step**2)
-            scale = abs(velocity) + 1.0
-            assert abs(velocity - readings.velocity_at(point, link)) < 1e-6 * scale, (kind, seed, point)
-            scale = abs(acceleration) + 10 * scale**2
-            assert abs(acceleration - readings.acceleration_at(point, link)) < 1e-5 * scale, (kind, seed, point)
-    assert tried > 5
+    """A guide that turns keeps its whole Coriolis term."""
+    hold_derivatives(getattr(random_mechanisms, kind), range(10**6, 10**6 + 30))
 
 
 def test_triads_are_solved_by_a_special_point():

@@ -7,16 +7,15 @@ import math
 import random
 from dataclasses import replace
 
-import numpy as np
 import pytest
 from random_mechanisms import DYADS, chain, coupler_angle, cylinder, dyad, relative_angle
+from roads import hold_derivatives, hold_roads_together
 
 from graphkin.analytic import motion
 from graphkin.check import compare
 from graphkin.errors import DeadPoint
 from graphkin.mechanism import Mechanism
 from graphkin.methods import plan, replay_all
-from graphkin.readings import Readings
 
 KINDS = (*DYADS, "cylinder", "relative", "coupler", "chain")
 COUNT, BATCH = 2000, 250
@@ -37,48 +36,12 @@ def rough(mechanism: Mechanism, seed: int) -> Mechanism:
 @pytest.mark.parametrize("batch", range(COUNT // BATCH))
 @pytest.mark.parametrize("kind", KINDS)
 def test_polygons_equal_loop_equations(kind: str, batch: int):
-    dead = 0
-    for seed in range(batch * BATCH, (batch + 1) * BATCH):
-        mechanism = make(kind, seed)
-        try:
-            method = plan(mechanism)
-            plot = replay_all(method)
-        except DeadPoint as error:
-            assert error.angle_deg < 0.5
-            dead += 1
-            continue
-        for point, place in mechanism.sketch.items():
-            assert abs(plot.position[point] - place) < 1e-7, (kind, seed, point)
-        assert compare(method, plot, motion(mechanism)) < 1e-9, (kind, seed)
-    assert dead < BATCH * 0.1
+    hold_roads_together(lambda seed: make(kind, seed), range(batch * BATCH, (batch + 1) * BATCH))
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_velocity_is_the_derivative_of_position(kind: str):
-    """Differences of the replayed construction itself over five instants, all drivers moving on together."""
-    step = 2e-5
-    for seed in range(40):
-        mechanism = make(kind, 10**6 + seed)
-        try:
-            method = plan(mechanism)
-            replay_all(method)
-        except DeadPoint:
-            continue
-        times = step * np.arange(-2, 3)
-        values = [d.value + d.rate * times + d.acceleration * times**2 / 2 for d in mechanism.drivers]
-        plot = replay_all(method, values)
-        if not np.min([np.min(sine) for sine in plot.sines.values()]) >= 0.2:
-            continue
-        readings = Readings(method, replay_all(method))
-        for point in mechanism.points:
-            link = mechanism.owners[point][-1]
-            places = np.broadcast_to(plot.position[point], 5)
-            velocity = places @ np.array([1, -8, 0, 8, -1]) / (12 * step)
-            acceleration = places @ np.array([-1, 16, -30, 16, -1]) / (12 * step**2)
-            scale = abs(velocity) + 1.0
-            assert abs(velocity - readings.velocity_at(point, link)) < 1e-6 * scale, (kind, seed, point)
-            scale = abs(acceleration) + 10 * scale**2
-            assert abs(acceleration - readings.acceleration_at(point, link)) < 1e-5 * scale, (kind, seed, point)
+    hold_derivatives(lambda seed: make(kind, seed), range(10**6, 10**6 + 40))
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -1,0 +1,67 @@
+"""The replayed construction held against the analytic road, and against its own numerical derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+import numpy as np
+
+from graphkin.analytic import motion
+from graphkin.check import compare
+from graphkin.errors import DeadPoint
+from graphkin.mechanism import Mechanism
+from graphkin.methods import Method, plan, replay_all
+from graphkin.readings import Readings
+from graphkin.steps import Plot
+
+Make = Callable[[int], Mechanism]
+
+
+def planned(mechanism: Mechanism) -> tuple[Method, Plot] | None:
+    """A method and its plot; None at a dead point, which must be one."""
+    try:
+        method = plan(mechanism)
+        return method, replay_all(method)
+    except DeadPoint as error:
+        assert error.angle_deg < 0.5
+        return None
+
+
+def hold_roads_together(make: Make, seeds: range) -> None:
+    """Both roads give the sketched assembly and the same numbers; few of the mechanisms are dead points."""
+    dead = 0
+    for seed in seeds:
+        mechanism = make(seed)
+        if (found := planned(mechanism)) is None:
+            dead += 1
+            continue
+        method, plot = found
+        for point, place in mechanism.sketch.items():
+            assert abs(plot.position[point] - place) < 1e-7, (seed, point)
+        assert compare(method, plot, motion(mechanism)) < 1e-9, seed
+    assert dead < len(seeds) * 0.1
+
+
+def hold_derivatives(make: Make, seeds: Iterable[int]) -> None:
+    """Differences over five instants of the construction itself, all drivers moving on together."""
+    step, tried = 2e-5, 0
+    for seed in seeds:
+        mechanism = make(seed)
+        found = planned(mechanism)
+        if found is None or not np.min([np.min(sine) for sine in found[1].sines.values()], initial=1.0) >= 0.2:
+            continue
+        method, drawn = found
+        tried += 1
+        times = step * np.arange(-2, 3)
+        values = [d.value + d.rate * times + d.acceleration * times**2 / 2 for d in method.drivers]
+        plot, readings = replay_all(method, values), Readings(method, drawn)
+        for point in mechanism.points:
+            link = mechanism.owners[point][-1]
+            places = np.broadcast_to(plot.position[point], 5)
+            velocity = places @ np.array([1, -8, 0, 8, -1]) / (12 * step)
+            acceleration = places @ np.array([-1, 16, -30, 16, -1]) / (12 * step**2)
+            scale = abs(velocity) + 1.0
+            assert abs(velocity - readings.velocity_at(point, link)) < 1e-6 * scale, (seed, point)
+            scale = abs(acceleration) + 10 * scale**2
+            assert abs(acceleration - readings.acceleration_at(point, link)) < 1e-5 * scale, (seed, point)
+    assert tried > 5
