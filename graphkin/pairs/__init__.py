@@ -28,8 +28,6 @@ class Pair(Protocol):
 
     table: ClassVar[str]
     """Name of its table in the mechanism file; empty where the file has none (a hinge is a shared point)."""
-    solved: ClassVar[bool]
-    """Whether the planner and the analytic road can solve it."""
 
     @property
     def joins(self) -> tuple[str, ...]:

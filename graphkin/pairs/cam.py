@@ -25,7 +25,6 @@ class Cam:
     """One `[[cam]]`: two links and their profiles; circles touch outside unless `internal`."""
 
     table: ClassVar[str] = "cam"
-    solved: ClassVar[bool] = False
 
     links: tuple[str, str]
     profiles: tuple[Profile, Profile]

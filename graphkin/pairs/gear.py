@@ -14,7 +14,6 @@ class Gear:
     """One `[[gear]]`: two links, their centres and pitch radii [m]; `internal` if one rim encloses the other."""
 
     table: ClassVar[str] = "gear"
-    solved: ClassVar[bool] = False
 
     links: tuple[str, str]
     centres: tuple[str, str]

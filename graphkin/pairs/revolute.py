@@ -14,7 +14,6 @@ class Revolute:
     """`links` (the frame may be one) all turn about `point`; three or more make a multiple hinge."""
 
     table: ClassVar[str] = ""
-    solved: ClassVar[bool] = True
 
     point: str
     links: tuple[str, ...]

@@ -19,7 +19,6 @@ class Roll:
     """
 
     table: ClassVar[str] = "roll"
-    solved: ClassVar[bool] = False
 
     name: str
     named: bool

@@ -28,7 +28,6 @@ class Slide:
     """
 
     table: ClassVar[str] = "slide"
-    solved: ClassVar[bool] = True
 
     name: str
     named: bool

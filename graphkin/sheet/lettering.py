@@ -16,7 +16,7 @@ from graphkin.value import frozen
 
 __all__ = [
     "SMALL", "Label", "Run", "between", "box", "joined", "link_label", "number", "plain", "point_label",
-    "quantity_label", "scripts", "site_label", "vector_label", "width",
+    "quantity_label", "scripts", "vector_label", "width",
 ]  # fmt: skip
 
 SMALL = 0.68
@@ -183,11 +183,6 @@ def vector_label(name: str) -> Label:
 def _spoken(sites: str) -> str:
     """Sites of links with words for names: `B@guide,B@ram` as `B guide, B ram`, in a subscript."""
     return sites.replace(",", ", ").replace("@", " ")
-
-
-def site_label(of: str) -> Label:
-    """A site as results name it: `B3`, `C`."""
-    return point_label(of)
 
 
 def link_label(name: str) -> Label:
