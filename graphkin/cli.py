@@ -14,7 +14,7 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import click
 
@@ -25,9 +25,12 @@ if TYPE_CHECKING:
     from graphkin.mechanism import Mechanism
     from graphkin.methods import Method
     from graphkin.steps import Plane
+    from graphkin.sweeps import Course, Road
 
 __all__ = ["main"]
 
+LONG = 200_000
+"""Positions from which a sweep shows how far it is."""
 PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape")
 CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
@@ -308,6 +311,73 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
         click.echo("\n".join(reports.check_lines(report, tolerance, lang)))
         status = max(status, 0 if report.passed(tolerance) else 1)
     sys.exit(status)
+
+
+@main.command()
+@mechanism_argument
+@click.option("--driver", "ranges", multiple=True, metavar="[NAME=]FROM:TO:STEP",
+              help="Driver values, deg or mm; again for each further driver; NAME=VALUE holds one still.")  # fmt: skip
+@click.option("--of", default="", metavar="QUANTITIES",
+              help='Such as "theta 3, v E, a_k B3B2"; else what the file asks.')  # fmt: skip
+@click.option("--by", type=click.Choice(["construction", "analysis"]), default="construction", show_default=True,
+              help="Replay the construction at every position, or solve the loop equations there.")  # fmt: skip
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
+              help=".csv, .json, .parquet, or a diagram: .svg, .png, .pdf; - for CSV on stdout.")  # fmt: skip
+@click.option("--table", is_flag=True, help="Print as table 3-1 of the textbook: deg and m, five decimals.")
+@click.option("--limit", "limits", multiple=True, metavar="QUANTITY VALUE",
+              help='Say where a size is passed, such as "a E 3 g".')  # fmt: skip
+@click.option("--force", is_flag=True, help="Replace a file that graphkin did not write.")
+@lang_option
+@speaking
+def sweep(
+    mechanism: str, ranges: tuple[str, ...], of: str, by: Literal["construction", "analysis"], output: Path | None,
+    table: bool, limits: tuple[str, ...], force: bool, lang: Lang,
+) -> None:  # fmt: skip
+    """Move the mechanism through a turn, or as far as it gets: tables and motion diagrams.
+
+    \b
+    Example:
+      graphkin sweep ex3-7 --table
+      graphkin sweep p3-20 --driver 0:360:1 -o needle.csv
+      graphkin sweep ex3-7 --of "theta 3, omega 3, alpha 3, s ram, v E, a E" -o diagram.svg
+    """
+    from graphkin import api, reports, sweeps
+
+    method = api.plan(read(mechanism))
+    course = sweeps.course(method, ranges)
+    names = sweeps.asked(method.mechanism, sweeps.split(of))
+    if output is None:
+        found = sweeps.sweep_over(course, names, by)
+        click.echo("\n".join(reports.book_lines(found) if table else reports.sweep_lines(found)))
+        for line in (*sweeps.remarks(course, lang), *sweeps.extremes(found, lang)):
+            click.echo(line, err=table)
+    else:
+        _write_sweep(output, course, names, by, force, lang)
+        for line in sweeps.remarks(course, lang):
+            click.echo(line, err=True)
+
+
+def _write_sweep(
+    output: Path, course: Course, names: tuple[str, ...], by: Road, force: bool, lang: Lang
+) -> None:
+    from graphkin.outputs import tables
+    from graphkin.sweeps import parts
+
+    suffix = output.suffix.lower()
+    if str(output) == "-":
+        for lines in tables.csv_lines(course, parts(course, names, by)):
+            click.echo(lines, nl=False)
+        return
+    if suffix in tables.FORMATS:
+        with click.progressbar(length=course.t.size, file=sys.stderr, hidden=course.t.size < LONG) as bar:
+            tables.write(output, course, names, by, force, bar.update)
+    elif suffix in (".svg", ".png", ".pdf"):
+        from graphkin.outputs import diagram
+
+        diagram.write(output, course, names, lang, by, force)
+    else:
+        raise click.UsageError(f"{output}: the file to write must end in .csv, .json, .parquet, .svg, .png or .pdf")
+    click.echo(str(output))
 
 
 @main.command("list")

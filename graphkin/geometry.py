@@ -11,10 +11,13 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["Value", "cross", "dot", "meet_circles", "meet_line_circle", "meet_lines", "root", "unit"]
+__all__ = ["Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines", "unit"]
 
 Value = Any
 """A float, a complex number, or an array of either."""
+
+ROUNDING = 4e-15
+"""What squares may be off, as part of their size, by rounding."""
 
 
 def dot(a: Value, b: Value) -> Value:
@@ -33,10 +36,11 @@ def unit(a: Value) -> Value:
         return a / np.abs(a)
 
 
-def root(x: Value) -> Value:
-    """Square root, NaN below zero."""
+def leg(hypotenuse: Value, other: Value) -> Value:
+    """The other leg of a right-angled triangle; 0 where it is 0 but for rounding, NaN where there is none."""
+    square = np.asarray((hypotenuse - other) * (hypotenuse + other), dtype=float)
     with np.errstate(invalid="ignore"):
-        return np.sqrt(np.asarray(x, dtype=float))[()]
+        return np.sqrt(np.where((square < 0) & (square > -ROUNDING * hypotenuse * hypotenuse), 0.0, square))[()]
 
 
 def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Value]:
@@ -57,7 +61,7 @@ def meet_line_circle(p: Value, u: Value, c: Value, r: Value, side: Value) -> tup
     """
     foot = p + u * dot(u, c - p)
     distance = np.abs(c - foot)
-    half = root(r * r - distance * distance)
+    half = leg(r, distance)
     with np.errstate(divide="ignore", invalid="ignore"):
         return foot + side * half * u, half / r, distance - r
 
@@ -71,7 +75,7 @@ def meet_circles(c1: Value, r1: Value, c2: Value, r2: Value, side: Value) -> tup
     e = unit(c2 - c1)
     with np.errstate(divide="ignore", invalid="ignore"):
         along = (d * d + r1 * r1 - r2 * r2) / (2 * d)
-        height = root(r1 * r1 - along * along)
+        height = leg(r1, along)
         sine = d * height / (r1 * r2)
     miss = np.maximum(d - (r1 + r2), np.abs(r1 - r2) - d)
     return c1 + (along + 1j * side * height) * e, sine, miss

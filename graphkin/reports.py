@@ -10,8 +10,9 @@ from typing import Any
 from graphkin.check import Measured, Report
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
+from graphkin.sweeps import Series, Sweep
 
-__all__ = ["check_lines", "given_values", "solve_lines", "table"]
+__all__ = ["book_lines", "check_lines", "given_values", "solve_lines", "sweep_lines", "table"]
 
 Json = Mapping[str, Any]
 
@@ -138,6 +139,66 @@ def _components(entry: Json) -> str:
         return ""
     x, y = entry["vector"]
     return f"  ({number(x)}, {number(y)})"
+
+
+# --- sweep ------------------------------------------------------------------------------------
+
+
+def sweep_lines(sweep: Sweep) -> Iterator[str]:
+    """A row for each position, in mm and deg."""
+    driver = [sweep.course.driver.name, "deg" if sweep.course.angular else "mm"]
+    heads = [driver, *([entry.name, _edge(entry.unit)[0]] for entry in sweep.series)]
+    factor = _edge("rad" if sweep.course.angular else "m")[1]
+    values = [sweep.values * factor, *(entry.signed * _edge(entry.unit)[1] for entry in sweep.series)]
+    rows = [[number(float(column[k])) for column in values] for k in range(sweep.t.size)]
+    yield from table([[head[0] for head in heads], [f"[{head[1]}]" for head in heads], *rows])
+
+
+def _edge(unit: str) -> tuple[str, float]:
+    return {"rad": ("deg", 180 / math.pi), "m": ("mm", 1000.0)}.get(unit, (unit, 1.0))
+
+
+BOOK_UNITS = {
+    "rad": "/(°)", "m": "/m", "rad/s": "/(rad/s)", "m/s": "/(m/s)", "rad/s^2": "/(rad/s²)", "m/s^2": "/(m/s²)", "1": "",
+}  # fmt: skip
+BOOK_LETTERS = {"theta": "θ", "omega": "ω", "alpha": "α"}
+PLANES = ("rad m", "rad/s m/s", "rad/s^2 m/s^2", "1")
+
+
+def book_lines(sweep: Sweep) -> Iterator[str]:
+    """As Sun Huan's table 3-1: positions, velocities, accelerations; deg and m, five decimals."""
+    entries = [e for plane in PLANES for unit in plane.split() for e in sweep.series if e.unit == unit]
+    angular = sweep.course.angular
+    heads = [_driver_symbol(sweep), *(_symbol(entry) for entry in entries)]
+    units = [BOOK_UNITS["rad" if angular else "m"], *(BOOK_UNITS[entry.unit] for entry in entries)]
+    values = [_book(entry.signed, entry.unit) for entry in entries]
+    first = _book(sweep.values, "rad" if angular else "m")
+    rows = [[number(round(float(first[k]), 9)), *(_fixed(float(v[k])) for v in values)] for k in range(sweep.t.size)]
+    yield from table([heads, units, *rows])
+
+
+def _book(values: Any, unit: str) -> Any:
+    return values * (180 / math.pi) if unit == "rad" else values
+
+
+def _fixed(value: float) -> str:
+    return f"{value + 0.0:.5f}" if abs(value) >= 5e-6 else "0.00000"
+
+
+def _symbol(entry: Series) -> str:
+    quantity, _, of = entry.name.partition(" ")
+    if "/" in entry.name or not of:
+        return entry.name
+    letter = BOOK_LETTERS.get(quantity)
+    return f"{letter}{of}" if letter and of.isdigit() else f"{letter or quantity}_{of}"
+
+
+def _driver_symbol(sweep: Sweep) -> str:
+    driver = sweep.course.driver
+    link = sweep.mechanism.called(driver.link)
+    if driver.kind == "slide":
+        return f"s_{driver.link}"
+    return f"θ{link}" if link.isdigit() else f"θ_{link}"
 
 
 # --- check ------------------------------------------------------------------------------------

@@ -12,7 +12,8 @@ from defusedxml.ElementTree import fromstring
 
 from graphkin import library
 from graphkin.methods import plan, replay_all
-from graphkin.outputs.svg import FileInTheWay, Unwritable, mm, svg, write
+from graphkin.outputs.files import FileInTheWay
+from graphkin.outputs.svg import Unwritable, mm, svg, write
 from graphkin.sheet import Sheet, sheet
 
 SVG = "{http://www.w3.org/2000/svg}"

@@ -5,10 +5,11 @@ the data; only the edge (the command line, a notebook) asks for the words.
 
 `base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys and
 values, `shapes` about a link's measures, `pairs` about sliding pairs, gears, rolling and cams, `drivers`
-about drivers and poses, `motion` about assembly and movement. A new error is a class in one of them, and
+about drivers and poses, `motion` about assembly and movement, `asking` about what is asked for, `finding` about conditions. A new error is a class in one of them, and
 a line here.
 """
 
+from graphkin.errors.asking import BadRange, NoPosition, NoSuchDriver, UnknownQuantity
 from graphkin.errors.base import (
     NOWHERE,
     Choice,
@@ -36,6 +37,15 @@ from graphkin.errors.files import (
     TooDeep,
     UnknownMechanism,
     Unreadable,
+)
+from graphkin.errors.finding import (
+    BadCondition,
+    CannotScale,
+    NegativeSize,
+    NoDimension,
+    NoLineOf,
+    NotScaled,
+    OtherUnits,
 )
 from graphkin.errors.keys import (
     AngleRange,
@@ -110,12 +120,15 @@ __all__ = [
     "NOWHERE",
     "AmbiguousSketch",
     "AngleRange",
+    "BadCondition",
     "BadDrawing",
     "BadName",
+    "BadRange",
     "BlockOrPin",
     "BrokenToml",
     "CannotAssemble",
     "CannotMove",
+    "CannotScale",
     "CannotWrite",
     "CcwContradicts",
     "CcwOnLine",
@@ -142,13 +155,18 @@ __all__ = [
     "NeedsDirection",
     "NeedsTilt",
     "Negative",
+    "NegativeSize",
+    "NoDimension",
     "NoDrawing",
     "NoDriver",
     "NoFile",
     "NoFolder",
     "NoLine",
+    "NoLineOf",
     "NoMeaning",
     "NoPoints",
+    "NoPosition",
+    "NoSuchDriver",
     "NoTriangle",
     "NoUnit",
     "NoVector",
@@ -156,9 +174,11 @@ __all__ = [
     "NotOneOf",
     "NotPlaced",
     "NotReached",
+    "NotScaled",
     "NotUtf8",
     "OneSpot",
     "OtherDimension",
+    "OtherUnits",
     "OutOfRange",
     "PointOnPoint",
     "RepeatedDriver",
@@ -181,6 +201,7 @@ __all__ = [
     "UnknownLink",
     "UnknownMechanism",
     "UnknownPoint",
+    "UnknownQuantity",
     "UnknownSlide",
     "UnknownUnit",
     "Unreadable",

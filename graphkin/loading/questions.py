@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 
-from graphkin.errors import GraphkinError, NotOneOf, UnknownLink, UnknownPoint, UnknownSlide
+from graphkin.errors import GraphkinError, NotOneOf, UnknownLink, UnknownPoint, UnknownSlide, Where
 from graphkin.loading.draft import Draft
 from graphkin.mechanism import Mechanism
 from graphkin.naming import pair, seen
 
-__all__ = ["check_questions"]
+__all__ = ["QUANTITIES", "check_questions", "misnamed"]
 
 QUANTITIES = ("theta", "omega", "alpha", "s", "v", "a", "a_n", "a_t", "a_k", "a_r")
 
@@ -18,14 +18,18 @@ def check_questions(draft: Draft, mechanism: Mechanism) -> None:
     """Note every question about something that is not there."""
     for number, question in enumerate(mechanism.ask):
         for part in question.split("/"):
-            words = re.fullmatch(r"(\w+) +(\S+)", part.strip())
-            problem = _problem(draft, mechanism, number, words[1], words[2]) if words else None
+            problem = misnamed(mechanism, part, draft.where("ask", number))
             if problem is not None:
                 draft.problems.append(problem)
 
 
-def _problem(draft: Draft, mechanism: Mechanism, number: int, quantity: str, of: str) -> GraphkinError | None:
-    where = draft.where("ask", number)
+def misnamed(mechanism: Mechanism, text: str, where: Where) -> GraphkinError | None:
+    """What is wrong with a text that reads like a quantity, but names nothing that is there."""
+    words = re.fullmatch(r"(\w+) +(\S+)", text.strip())
+    return _problem(mechanism, where, words[1], words[2]) if words else None
+
+
+def _problem(mechanism: Mechanism, where: Where, quantity: str, of: str) -> GraphkinError | None:
     if quantity not in QUANTITIES:
         import difflib
 

@@ -7,8 +7,7 @@ position or for any driver values, scalars or arrays.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-
-import numpy as np
+from functools import cached_property
 
 from graphkin.errors import HigherClass
 from graphkin.geometry import Value
@@ -18,7 +17,6 @@ from graphkin.methods.drawn import as_drawn, facts_of, refuse_gears_apart, with_
 from graphkin.methods.equivalent import contacts, lower_pairs
 from graphkin.methods.labels import Labels, coincident_points
 from graphkin.methods.motion import motion
-from graphkin.methods.moving import positioned, reached
 from graphkin.methods.position import position
 from graphkin.methods.special import Ternary, special_points, with_special_points
 from graphkin.methods.stages import Bridge, Group, Stage, stages
@@ -60,6 +58,11 @@ class Method:
     def moves_on(self) -> bool:
         """Whether positions are found by moving on from the drawn one: where links are fitted, or wheels roll."""
         return any(isinstance(step, Fit | Roll) for step in self.position.steps)
+
+    @cached_property
+    def size(self) -> float:
+        """The longest reach of a link [m]: what small parts are measured by."""
+        return max(abs(z) for shape in self.structure.shapes.values() for z in shape.values()) or 1.0
 
     @property
     def doubtful(self) -> bool:
@@ -130,9 +133,12 @@ def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
     point, raises; in arrays such positions are what the crossings give, or NaN, and `Plot.sines` tells how near
     each position is to a dead point.
     """
-    if values is not None and not any(np.ndim(value) for value in values):
-        values = reached(method, values)
-    plot = positioned(method, values)
+    if values is None:
+        plot = replay(method.position, Plot(method.facts(), method.near))
+    else:
+        from graphkin.methods.moving import moved_to
+
+        plot = moved_to(method, values)
     refuse_bad_positions(method.structure, method.position, plot)
     replay(method.velocity, plot)
     return replay(method.acceleration, plot)

@@ -18,7 +18,7 @@ from graphkin.methods.structure import Structure
 from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, replay
 from graphkin.value import frozen
 
-__all__ = ["DEAD_SINE", "Assembly", "assemble", "refuse_bad_positions"]
+__all__ = ["DEAD_SINE", "Assembly", "assemble", "links_of", "refuse_bad_positions"]
 
 DEAD_DEG = 0.5
 """Lines that meet under less than this give no usable drawing [deg]."""
@@ -215,7 +215,7 @@ def _refusal(structure: Structure, construction: Construction, plot: Plot) -> Ca
 
 
 def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: Plot) -> CannotAssemble | DeadPoint:
-    mechanism, links = structure.mechanism, _links(structure, step)
+    mechanism, links = structure.mechanism, links_of(structure, step)
     where = mechanism.where("links", links[-1]) if links else mechanism.where("links")
     called = tuple(mechanism.called(link) for link in links)
     gap = float(np.nanmin(plot.misses.get(key, np.array(0.0))))
@@ -253,7 +253,7 @@ def _open_link(structure: Structure, plot: Plot) -> tuple[str, float]:
     return worst
 
 
-def _links(structure: Structure, step: Meet | Swing | Fit) -> list[str]:
+def links_of(structure: Structure, step: Meet | Swing | Fit) -> list[str]:
     """The links whose reach, or whose guide, a crossing is about."""
     if isinstance(step, Swing):
         pair = structure.slides[step.slide]

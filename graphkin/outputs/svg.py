@@ -7,7 +7,6 @@ with four decimals, so the same sheet gives the same bytes.
 from __future__ import annotations
 
 import cmath
-import contextlib
 import json
 import math
 import os
@@ -17,7 +16,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
-from graphkin.errors import CannotWrite, GraphkinError, Lang, NoFolder
+from graphkin.errors import GraphkinError, Lang
+from graphkin.outputs import files
+from graphkin.outputs.files import beside
 from graphkin.seal import seal
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import SMALL, Label, scripts
@@ -25,9 +26,10 @@ from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke
 from graphkin.sheet.paper import PENS, PenName
 from graphkin.sheet.scales import KEYS
 
-__all__ = ["NAMESPACE", "FileInTheWay", "Unwritable", "svg", "write"]
+__all__ = ["NAMESPACE", "Unwritable", "refuse", "svg", "write"]
 
 NAMESPACE = "https://graphkin.invalid/sheet/1"
+MARKS = (NAMESPACE.encode(),)
 _LATIN = "Times New Roman, Liberation Serif, Tinos, serif"
 _CHINESE = "Noto Serif CJK SC, Source Han Serif SC, Songti SC, SimSun, WenQuanYi Micro Hei, serif"
 _WIDE = re.compile(r"([\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]+)")
@@ -36,17 +38,6 @@ _FILLS: dict[Fill, str] = {"none": "none", "paper": "#ffffff", "ink": _INK, "gre
 _CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 _TIP = 2.8
 """Length of an arrow head; on arrows too short for it, half of that [mm]."""
-
-
-class FileInTheWay(GraphkinError):
-    """A file that graphkin did not write stands where one is to be written."""
-
-    path: str
-
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path} exists and was not written by graphkin. Choose another name, or replace it with --force.",
-        "zh": "{path} 已存在，且不是 graphkin 写的。请换文件名，或用 --force 覆盖。",
-    }
 
 
 class Unwritable(GraphkinError):
@@ -76,34 +67,13 @@ def write(path: str | os.PathLike[str], text: str, force: bool = False) -> None:
 
     Raises FileInTheWay.
     """
-    target = Path(path)
-    refuse(target, force)
-    beside = target.with_name(f".{target.name}.{os.getpid()}")
-    try:
-        beside.write_text(text, encoding="utf-8", newline="\n")
-        os.replace(beside, target)
-    except OSError as error:
-        raise CannotWrite(str(path), error.strerror or str(error)) from None
-    finally:
-        with contextlib.suppress(OSError):
-            beside.unlink(missing_ok=True)
+    with beside(Path(path), force, MARKS) as draft:
+        draft.write_text(text, encoding="utf-8", newline="\n")
 
 
 def refuse(path: Path, force: bool) -> None:
-    """Whether a file may be written there; several are all asked before the first is written."""
-    try:
-        if path.exists() and not force and not _ours(path):
-            raise FileInTheWay(str(path))
-        if not path.parent.is_dir():
-            raise NoFolder(str(path), str(path.parent))
-    except OSError as error:
-        raise CannotWrite(str(path), error.strerror or str(error)) from None
-
-
-def _ours(path: Path) -> bool:
-    """Whether a file says in its beginning that graphkin wrote it."""
-    with path.open("rb") as file:
-        return NAMESPACE.encode() in file.read(4096)
+    """Whether a drawing may be written there; several are all asked before the first is written."""
+    files.refuse(path, force, MARKS)
 
 
 def _refuse_control(text: str, where: str) -> None:

@@ -7,7 +7,7 @@ from typing import assert_never
 
 import numpy as np
 
-from graphkin.geometry import Value, cross, dot, meet_circles, meet_line_circle, meet_lines, root
+from graphkin.geometry import Value, cross, dot, leg, meet_circles, meet_line_circle, meet_lines
 from graphkin.steps.fitting import fit, roll, solve_together
 from graphkin.steps.kinds import (
     Arc,
@@ -139,7 +139,7 @@ def _swing(step: Swing, plot: Plot, sides: Mapping[int, Value]) -> None:
     fixed = plot.span(step.span)
     way = plot.arm(step.pivot, step.through)
     offset, distance = cross(line, fixed), np.abs(way)
-    half = root(distance**2 - offset**2)
+    half = leg(distance, offset)
     plot.s[step.slide] = side * half - dot(line, fixed)
     base = plot.facts.turns[step.link].base
     plot.settle("theta", base, np.angle(way) - np.angle(plot.span(step.span)))

@@ -1,0 +1,191 @@
+"""The angle of every link as the book writes it: one θ for links that keep their angle, θ2 = θ3 + γ for a block.
+
+Links that a slide or a driver holds at an angle to one another have one unknown between them, named after the link
+whose own points give it a direction: the guide. A driven link has the driver's θ; a link driven from a moving one
+stands at an angle φ to it.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from graphkin.equations.ledger import Ledger
+from graphkin.equations.readers import angle_readers, difference
+from graphkin.equations.symbols import NO_ANGLE, Angle, Symbol
+from graphkin.errors import Lang
+from graphkin.mechanism import FRAME, Driver
+from graphkin.methods.structure import Structure
+from graphkin.pairs import Slide
+
+__all__ = ["Bodies", "quarters"]
+
+_STRAIGHT = 1e-9
+"""An angle this near to a multiple of 90 deg is one [rad]."""
+
+
+def quarters(angle: float) -> int | None:
+    """How many quarter turns an angle is; None where it is none."""
+    count = round(angle / (math.pi / 2))
+    return count % 4 if abs(angle - count * math.pi / 2) < _STRAIGHT else None
+
+
+def link_text(name: str) -> dict[Lang, str]:
+    return {"en": f"link {name}", "zh": f"构件 {name}"}
+
+
+@dataclass
+class Bodies:
+    """Angles of bodies, found group by group.
+
+    angles  of each body
+    base    the unknown θ of each body's group; None in the frame's
+    drivers the symbol each driver of an angle turns
+    """
+
+    structure: Structure
+    ledger: Ledger
+    angles: dict[str, Angle] = field(default_factory=dict)
+    base: dict[str, Symbol | None] = field(default_factory=dict)
+    drivers: dict[int, Symbol] = field(default_factory=dict)
+    _lines: dict[str, Angle] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._spread(FRAME, NO_ANGLE, None)
+        for body in sorted(self.structure.bodies, key=self._rank):
+            if body not in self.angles:
+                theta = self._theta(body, steady=False)
+                self._spread(body, Angle.of(theta), theta)
+
+    def called(self, body: str) -> str:
+        """What people call a body; links of the lower-pair equivalent are e, e2, .. as in the drawings."""
+        if self.structure.is_pin(body):
+            return self.called(self.structure.slides[body.removeprefix("pin ")].guide)
+        extra = [name for name in self.structure.mechanism.links if name.startswith("e ")]
+        if body in extra:
+            return f"e{extra.index(body) + 1}" if extra.index(body) else "e"
+        return self.structure.mechanism.called(body)
+
+    def _rank(self, body: str) -> tuple[bool, bool, int]:
+        """Guides with a direction of their own first, then links with one, in the order of the file."""
+        straight = len(self.structure.bodies[body]) > 1
+        guides = {slide.guide for slide in self.structure.slides.values()}
+        return not straight, body not in guides, self.structure.order[body]
+
+    def _spread(self, start: str, angle: Angle, base: Symbol | None) -> None:
+        """From one body to all that keep their angle to it, or are driven against it."""
+        self.angles[start], self.base[start], queue = angle, base, [start]
+        for body in queue:
+            for other, found in self._held(body).items():
+                if other not in self.angles:
+                    self.angles[other] = found()
+                    self.base[other] = base
+                    queue.append(other)
+                    self._name(other)
+
+    def _held(self, body: str) -> Mapping[str, _Maker]:
+        makers: dict[str, _Maker] = {}
+        for slide in self.structure.slides.values():
+            block = self.structure.block(slide)
+            if body == slide.guide:
+                makers.setdefault(block, _Maker(self, body, block, slide, 1))
+            elif body == block:
+                makers.setdefault(slide.guide, _Maker(self, body, slide.guide, slide, -1))
+        for number, driver in enumerate(self.structure.mechanism.drivers):
+            if driver.kind != "slide" and body in (driver.link, driver.from_link):
+                sign = 1 if body == driver.from_link else -1
+                other = driver.link if sign == 1 else driver.from_link
+                makers.setdefault(other, _Maker(self, body, other, (number, driver), sign))
+        return makers
+
+    # --- symbols -------------------------------------------------------------------------------
+
+    def _theta(self, body: str, steady: bool) -> Symbol:
+        symbol = self.ledger.fresh("θ", self.called(body), "angle", steady)
+        name = link_text(self.called(body))
+        texts = tuple({"en": f"{en} of {name['en']}", "zh": f"{name['zh']}的{zh}"} for en, zh in _TURNING)
+        return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), angle_readers(self.structure, body))
+
+    def _phi(self, driver: Driver) -> Symbol:
+        names = self.called(driver.link), self.called(driver.from_link)
+        low = "".join(names) if all(len(name) == 1 for name in names) else "/".join(names)
+        symbol = self.ledger.fresh("φ", low, "angle", driver.acceleration == 0)
+        texts = tuple({"en": f"{en} of link {names[0]} against link {names[1]}",
+                       "zh": f"构件 {names[0]} 相对构件 {names[1]} 的{zh}"} for en, zh in _TURNING)  # fmt: skip
+        both = (angle_readers(self.structure, body) for body in (driver.link, driver.from_link))
+        return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), difference(*both))
+
+    def driven(self, body: str, other: str, number: int, driver: Driver, sign: int) -> Angle:
+        """The angle of `other` that a driver gives: its own θ where `body` stands still, else by φ."""
+        if not self.angles[body].moving:
+            self.drivers[number] = self._theta(other, driver.acceleration == 0)
+            return Angle.of(self.drivers[number])
+        self.drivers[number] = self._phi(driver)
+        phi = Angle.of(self.drivers[number])
+        return self.angles[body] + (phi if sign == 1 else -phi)
+
+    def line(self, slide: Slide) -> Angle:
+        """The angle from the guide's axis to the slide's line."""
+        if slide.name not in self._lines:
+            low = "" if self._oblique() == 1 else self.called(slide.guide)
+            what: dict[Lang, str] = {
+                "en": f"angle from the direction of link {self.called(slide.guide)} to its guide line",
+                "zh": f"构件 {self.called(slide.guide)} 的方向到其导路的夹角",
+            }
+            if slide.guide == FRAME:
+                what = {"en": f"direction of the guide of {slide.point}", "zh": f"{slide.point} 点导路的方位角"}
+            self._lines[slide.name] = self._constant(cmath.phase(slide.line.direction), "γ", low, what)
+        return self._lines[slide.name]
+
+    def _oblique(self) -> int:
+        """How many lines want an angle of their own."""
+        return sum(quarters(cmath.phase(s.line.direction)) is None for s in self.structure.slides.values())
+
+    def turn(self, slide: Slide) -> Angle:
+        """The angle from the guide's axis to the block's."""
+        if (count := quarters(slide.tilt)) is not None or slide.block is None:
+            return self.line(slide).turned(count or 0)
+        names = self.called(slide.block), self.called(slide.guide)
+        what: dict[Lang, str] = {
+            "en": f"angle from the direction of link {names[1]} to that of link {names[0]}",
+            "zh": f"构件 {names[1]} 的方向到构件 {names[0]} 的方向的夹角",
+        }
+        key = f"{slide.name} block"
+        if key not in self._lines:
+            self._lines[key] = self._constant(slide.turn, "δ", names[0], what)
+        return self._lines[key]
+
+    def _constant(self, value: float, letter: str, low: str, what: dict[Lang, str]) -> Angle:
+        if (count := quarters(value)) is not None:
+            return Angle((), count)
+        return Angle.of(self.ledger.constant(letter, low, what, "deg", math.remainder(value, math.tau)))
+
+    def _name(self, body: str) -> None:
+        """A link at a constant angle to its base has a θ of its own: a name for that sum."""
+        angle = self.angles[body]
+        if self.structure.is_pin(body) or not angle.moving or all(s.moves for s, _ in angle.parts):
+            return
+        if angle not in self.ledger.alias.values():
+            self.ledger.alias[self._theta(body, steady=False)] = angle
+
+
+_TURNING = (("direction", "方位角"), ("angular velocity", "角速度"), ("angular acceleration", "角加速度"))
+
+
+@dataclass(frozen=True)
+class _Maker:
+    """Gives the angle of `other` by that of `body`, when it is first needed."""
+
+    bodies: Bodies
+    body: str
+    other: str
+    by: Slide | tuple[int, Driver]
+    sign: int
+
+    def __call__(self) -> Angle:
+        if isinstance(self.by, Slide):
+            turn = self.bodies.turn(self.by)
+            return self.bodies.angles[self.body] + (turn if self.sign == 1 else -turn)
+        return self.bodies.driven(self.body, self.other, *self.by, self.sign)

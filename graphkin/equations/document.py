@@ -1,0 +1,66 @@
+"""What the writers write: headings, sentences with formulas in them, displayed equations, tables, a figure."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from graphkin.equations.layout import Node
+from graphkin.errors import Lang
+from graphkin.sheet.marks import Mark
+from graphkin.value import frozen
+
+__all__ = ["By", "Block", "Display", "Document", "Figure", "Heading", "Sentence", "Table"]
+
+By = Literal["complex", "matrix"]
+Words = tuple[str | Node, ...]
+
+
+@frozen
+class Heading:
+    text: str
+    level: int = 2
+
+
+@frozen
+class Sentence:
+    """Words, and formulas in the line."""
+
+    parts: Words
+
+
+@frozen
+class Display:
+    """Equations one under another, each a chain of sides that are equal; numbered together."""
+
+    rows: tuple[tuple[Node, ...], ...]
+    number: int
+
+
+@frozen
+class Table:
+    heads: tuple[str, ...]
+    rows: tuple[tuple[str | Node, ...], ...]
+
+
+@frozen
+class Figure:
+    """Marks in millimetres on a paper so wide and high, and what is said under it."""
+
+    marks: tuple[Mark, ...]
+    width: float
+    height: float
+    caption: str
+
+
+Block = Heading | Sentence | Display | Table | Figure
+
+
+@frozen
+class Document:
+    """The equations of one mechanism by one method."""
+
+    title: str
+    blocks: tuple[Block, ...]
+    by: By
+    lang: Lang
+    name: str

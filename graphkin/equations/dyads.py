@@ -1,0 +1,71 @@
+"""Closed forms of a polygon with two unknown scalars: which of them an equation can be had for, and what it is.
+
+With the unknowns' vectors apart the polygon reads K + U e^(iθ) + .. = 0, K known. What is multiplied crosswise by an
+unknown's direction loses that unknown; squares of lengths lose an angle. All dyads are solved by these two rules.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cached_property
+
+from graphkin.equations.expressions import Sum, Term, number, one, phasor
+from graphkin.equations.symbols import Angle, Symbol
+from graphkin.value import frozen
+
+__all__ = ["Split", "length", "rate", "single", "unit"]
+
+
+@frozen
+class Split:
+    """A polygon's sum, the terms of its unknowns apart."""
+
+    sum: Sum
+    unknowns: tuple[Symbol, ...]
+
+    @cached_property
+    def angles(self) -> tuple[Symbol, ...]:
+        return tuple(symbol for symbol in self.unknowns if symbol.kind == "angle")
+
+    @cached_property
+    def slides(self) -> tuple[Symbol, ...]:
+        return tuple(symbol for symbol in self.unknowns if symbol.kind == "displacement")
+
+    @property
+    def known(self) -> Sum:
+        return Sum(tuple(term for term in self.sum.terms if not any(term.has(symbol) for symbol in self.unknowns)))
+
+    def slid(self, slide: Symbol) -> Term:
+        """The term of an unknown displacement."""
+        return next(term for term in self.sum.terms if any(symbol == slide for symbol, _ in term.symbols))
+
+    def lever(self, angle: Symbol) -> Sum:
+        """U of U e^(iθ): what turns with an angle, unknown displacements left out."""
+        turning = (term for term in self.sum.terms
+                   if term.has(angle) and not any(s == slide for s, _ in term.symbols for slide in self.slides))  # fmt: skip
+        return Sum(tuple(turning)) * phasor(number(1.0), -Angle.of(angle))
+
+    @property
+    def turns_with(self) -> bool:
+        """Whether the unknown displacement's own direction turns with the unknown angle."""
+        return bool(self.angles and self.slides and self.slid(self.slides[0]).angle.has(self.angles[0]))
+
+
+def unit(term: Term) -> Sum:
+    """The direction of a term, of length 1."""
+    return phasor(number(1.0), term.angle)
+
+
+def single(vector: Sum) -> Term | None:
+    """The only term of a vector; None where there are several."""
+    return vector.terms[0] if len(vector.terms) == 1 else None
+
+
+def length(term: Term) -> Sum:
+    """A term without its direction, sign kept."""
+    return Sum((replace(term, waves=tuple(wave for wave in term.waves if wave.kind != "exp"), turns=0),))
+
+
+def rate(symbol: Symbol) -> Sum:
+    """The rate of a symbol as a sum."""
+    return Sum() if symbol.rate is None else one(symbol.rate)

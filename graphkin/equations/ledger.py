@@ -1,0 +1,80 @@
+"""The legend in the making: every letter once, what it stands for, and how its value is read off a motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+from graphkin.analytic import Motion
+from graphkin.equations.symbols import Angle, Kind, Symbol
+from graphkin.errors import Lang
+from graphkin.geometry import Value
+from graphkin.value import frozen
+
+__all__ = ["Entry", "Ledger", "Reader", "Unit", "values"]
+
+Unit = Literal["mm", "deg", "rad/s", "rad/s^2", "m/s", "m/s^2", "mm rad", "1"]
+Reader = Callable[[Motion], Value]
+
+
+@frozen
+class Entry:
+    """A line of the legend: what a symbol is, the unit it is written in, and its value in SI at a motion."""
+
+    text: Mapping[Lang, str]
+    unit: Unit
+    read: Reader
+
+
+@dataclass
+class Ledger:
+    """All symbols with their entries, in the order they came up.
+
+    alias   how angles fixed to one another are called: θ2 = θ3 + γ
+    """
+
+    entries: dict[Symbol, Entry] = field(default_factory=dict)
+    alias: dict[Symbol, Angle] = field(default_factory=dict)
+    _taken: set[tuple[str, str, int]] = field(default_factory=set)
+
+    def fresh(self, letter: str, low: str, kind: Kind = "constant", steady: bool = False) -> Symbol:
+        """A symbol nothing else bears: primes of a name are primes of the letter, and more are added where taken."""
+        bare = low.rstrip("'")
+        symbol = Symbol(letter, bare, len(low) - len(bare), 0, kind, steady)
+        while any(self._key(each) in self._taken for each in _family(symbol)):
+            symbol = replace(symbol, primes=symbol.primes + 1)
+        self._taken.update(self._key(each) for each in _family(symbol))
+        return symbol
+
+    @staticmethod
+    def _key(symbol: Symbol) -> tuple[str, str, int]:
+        return symbol.letter + "." * symbol.dots, symbol.low, symbol.primes
+
+    def constant(self, letter: str, low: str, text: Mapping[Lang, str], unit: Unit, value: float) -> Symbol:
+        """A dimension, whatever the position [m, rad]."""
+        symbol = self.fresh(letter, low)
+        self.entries[symbol] = Entry(text, unit, lambda motion: value)
+        return symbol
+
+    def variable(
+        self, symbol: Symbol, texts: tuple[Mapping[Lang, str], ...], units: tuple[Unit, Unit, Unit],
+        readers: tuple[Reader, Reader, Reader],
+    ) -> Symbol:  # fmt: skip
+        """A symbol that moves, with its rates."""
+        for each, text, unit, read in zip(_family(symbol), texts, units, readers, strict=False):
+            self.entries[each] = Entry(text, unit, read)
+        return symbol
+
+
+def _family(symbol: Symbol) -> tuple[Symbol, ...]:
+    """The symbol, its rate, and the rate of that."""
+    found = [symbol]
+    while found[-1].kind != "push" and (rate := found[-1].rate) is not None:
+        found.append(rate)
+    return tuple(found)
+
+
+def values(ledger: Ledger, motion: Motion) -> dict[Symbol, Value]:
+    """Every symbol's value at a motion, in SI units: scalars, or arrays over positions."""
+    return {symbol: entry.read(motion) for symbol, entry in ledger.entries.items()}

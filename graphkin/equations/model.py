@@ -1,0 +1,142 @@
+"""The mechanism as the analytic methods see it: polygons in the order of solution, rolling, unknowns, drivers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from graphkin.analytic import Motion, motion
+from graphkin.equations.bodies import Bodies
+from graphkin.equations.expressions import Sum
+from graphkin.equations.ledger import Ledger, values
+from graphkin.equations.polygons import Arrows, Polygon, closed
+from graphkin.equations.rolling import Rolling, rolling
+from graphkin.equations.symbols import Angle, Symbol
+from graphkin.geometry import Value
+from graphkin.mechanism import FRAME
+from graphkin.methods import Method
+from graphkin.methods.stages import Bridge, Carry, Group, Loop, Mesh, Stage
+from graphkin.methods.structure import Hinge
+from graphkin.value import frozen
+
+__all__ = ["Model", "Task", "model_of"]
+
+
+@frozen
+class Task:
+    """One stage of the solution: polygons and rolling contacts with their unknowns.
+
+    known  bodies solved before
+    """
+
+    polygons: tuple[Polygon, ...]
+    rollings: tuple[Rolling, ...]
+    unknowns: tuple[Symbol, ...]
+    known: frozenset[str]
+
+    @property
+    def equations(self) -> tuple[Sum, ...]:
+        """What is zero: x and y parts of the polygons, then the angle relations."""
+        parts = [part for polygon in self.polygons for part in (polygon.sum.real, polygon.sum.imag)]
+        return (*parts, *(rolling.sum for rolling in self.rollings))
+
+
+@frozen
+class Model:
+    """Everything the two methods write about.
+
+    drivers  the symbol of each driver, in their order
+    drawn    the analytic solution at the drawn position
+    """
+
+    method: Method
+    ledger: Ledger
+    bodies: Bodies
+    arrows: Arrows
+    tasks: tuple[Task, ...]
+    drivers: tuple[Symbol, ...]
+    drawn: Motion
+
+    @property
+    def alias(self) -> Mapping[Symbol, Angle]:
+        return self.ledger.alias
+
+    @property
+    def unknowns(self) -> tuple[Symbol, ...]:
+        return tuple(symbol for task in self.tasks for symbol in task.unknowns)
+
+    @property
+    def values(self) -> dict[Symbol, Value]:
+        """All letters at the drawn position [SI]."""
+        return values(self.ledger, self.drawn)
+
+
+def model_of(method: Method) -> Model:
+    """Write the loops of a planned mechanism. Raises where the drawn position is a dead point."""
+    ledger = Ledger()
+    bodies = Bodies(method.structure, ledger)
+    arrows = Arrows(bodies, ledger)
+    drawn = motion(method.mechanism)
+    drivers = tuple(_driver(bodies, arrows, number) for number in range(len(method.drivers)))
+    tasks = tuple(_tasks(method, arrows, drawn))
+    return Model(method, ledger, bodies, arrows, tasks, drivers, drawn)
+
+
+def _driver(bodies: Bodies, arrows: Arrows, number: int) -> Symbol:
+    driver = bodies.structure.mechanism.drivers[number]
+    return arrows.displacement(driver.link) if driver.kind == "slide" else bodies.drivers[number]
+
+
+def _tasks(method: Method, arrows: Arrows, drawn: Motion) -> list[Task]:
+    known, found = {FRAME}, list[Task]()
+    for stage in method.stages:
+        task = _task(stage, arrows, frozenset(known), drawn)
+        if task is not None:
+            found.append(task)
+        known.update(_bodies(stage))
+    return found
+
+
+def _bodies(stage: Stage) -> tuple[str, ...]:
+    match stage:
+        case Carry() | Bridge():
+            return (stage.body,)
+        case Loop() | Group():
+            return stage.bodies
+        case Mesh():
+            return ()
+
+
+def _task(stage: Stage, arrows: Arrows, known: frozenset[str], drawn: Motion) -> Task | None:
+    match stage:
+        case Loop():
+            polygons, contacts = (closed(arrows, known, stage.bodies, stage.joints),), ()
+        case Bridge():
+            joints = [Hinge(point) for point in stage.points]
+            polygons, contacts = (closed(arrows, known, (stage.body,), joints),), ()
+        case Mesh():
+            polygons, contacts = (), (stage.contact,)
+        case Group():
+            polygons = tuple(closed(arrows, known, loop.bodies, loop.joints) for loop in stage.loops)
+            contacts = stage.contacts
+        case Carry():
+            return None
+    rollings = tuple(rolling(arrows, contact, drawn) for contact in contacts)
+    return Task(polygons, rollings, _unknowns(stage, arrows), known)
+
+
+def _unknowns(stage: Loop | Bridge | Mesh | Group, arrows: Arrows) -> tuple[Symbol, ...]:
+    """Displacements along moving guides, then angles, then displacements on the frame, as the book lists them."""
+    match stage:
+        case Bridge():
+            angles, slides = (stage.body,), ()
+        case Mesh():
+            angles, slides = tuple(filter(None, (stage.angle,))), tuple(filter(None, (stage.slide,)))
+        case _:
+            angles, slides = stage.angles, stage.slides
+    guides = {name: arrows.structure.slides[name].guide for name in slides}
+    moving = [arrows.displacement(name) for name, guide in guides.items() if guide != FRAME]
+    fixed = [arrows.displacement(name) for name, guide in guides.items() if guide == FRAME]
+    thetas = [base for body in angles if (base := arrows.bodies.base[body]) is not None]
+    return (*moving, *dict.fromkeys(thetas), *fixed)
+
+

@@ -1,0 +1,74 @@
+"""Rolling contacts as angle relations: r1 θ1 + r2 θ2 − (r1 + r2) θH = c, from the motion seen from the arm."""
+
+from __future__ import annotations
+
+from graphkin.analytic import Motion
+from graphkin.equations.expressions import Sum, Term, number, one
+from graphkin.equations.ledger import values
+from graphkin.equations.polygons import Arrows
+from graphkin.equations.symbols import Angle, Symbol
+from graphkin.errors import Lang
+from graphkin.methods.equivalent import Contact
+from graphkin.value import frozen
+
+__all__ = ["Rolling", "rolling"]
+
+
+@frozen
+class Rolling:
+    """sum = 0: what turns and slides, less the constant of the drawn position. `contact` is what rolls."""
+
+    contact: Contact
+    moving: Sum
+    constant: Symbol
+
+    @property
+    def sum(self) -> Sum:
+        return self.moving - one(self.constant)
+
+
+def rolling(arrows: Arrows, contact: Contact, drawn: Motion) -> Rolling:
+    """The relation of one contact; its constant is what the drawn position gives."""
+    moving = _on_circles(arrows, contact) if contact.arm else _on_line(arrows, contact)
+    value = float(moving.at(values(arrows.ledger, drawn)))
+    names = [arrows.bodies.called(wheel) for wheel in contact.wheels]
+    what: dict[Lang, str] = {"en": f"constant of the rolling of {names[0]} and {names[1]}, from the drawn position",
+                             "zh": f"构件 {names[0]} 与 {names[1]} 滚动关系的常数，由给定位置确定"}  # fmt: skip
+    constant = arrows.ledger.constant("c", "".join(names) if all(map(str.isdigit, names)) else names[1],
+                                      what, "mm rad", value)  # fmt: skip
+    return Rolling(contact, moving, constant)
+
+
+def _radius(arrows: Arrows, wheel: str, radius: float) -> Symbol:
+    """The radius of a wheel's circle, one letter for each size."""
+    known = {(e.text["zh"], s): s for s, e in arrows.ledger.entries.items() if s.letter == "r"}
+    name = arrows.bodies.called(wheel)
+    what: dict[Lang, str] = {"en": f"radius {radius * 1000:.12g} mm of wheel {name}",
+                             "zh": f"轮 {name} 的半径 {radius * 1000:.12g} mm"}  # fmt: skip
+    for (text, _), symbol in known.items():
+        if text == what["zh"]:
+            return symbol
+    return arrows.ledger.constant("r", name, what, "mm", radius)
+
+
+def _turning(angle: Angle) -> Sum:
+    """What changes of an angle."""
+    return Sum.of(Term(float(count), ((symbol, 1),)) for symbol, count in angle.moving)
+
+
+def _on_circles(arrows: Arrows, contact: Contact) -> Sum:
+    angles = [arrows.bodies.angles[wheel] for wheel in contact.wheels]
+    arm = _turning(arrows.bodies.angles[contact.arm])
+    total = Sum()
+    for wheel, radius, angle in zip(contact.wheels, contact.radii, angles, strict=True):
+        share = number(1.0 if radius > 0 else -1.0) * one(_radius(arrows, wheel, abs(radius)))
+        total += share * (_turning(angle) - arm)
+    return total
+
+
+def _on_line(arrows: Arrows, contact: Contact) -> Sum:
+    """s + r (θ_wheel − θ_track) where the centre lies left of the line, s − r (..) where right."""
+    track, wheel = (_turning(arrows.bodies.angles[body]) for body in contact.wheels)
+    radius = next(share for body, share in contact.angles if body == contact.wheels[1])
+    turned = one(_radius(arrows, contact.wheels[1], radius)) * (wheel - track)
+    return one(arrows.displacement(contact.slide)).times(contact.on_slide) + turned

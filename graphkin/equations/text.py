@@ -1,0 +1,156 @@
+"""The document as plain text. Products are written side by side, so that every formula can be read back."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Sequence
+from typing import assert_never
+
+from graphkin.equations.document import Block, Display, Document, Figure, Heading, Sentence, Table
+from graphkin.equations.layout import (
+    Call, Exp, Frac, Grid, Letter, Minus, Node, Num, Op, Paren, Pow, Root, Row, Word,
+)  # fmt: skip
+from graphkin.equations.symbols import Symbol
+
+__all__ = ["inline", "symbol_text", "write_text"]
+
+_DOTS = {0: "", 1: "\u0307", 2: "\u0308"}
+_POWERS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+_NUMBERED_AT = 88
+
+
+def write_text(document: Document) -> str:
+    """The whole document, ending in a newline; no line ends in blanks."""
+    lines = [document.title, "=" * _width(document.title)]
+    for block in document.blocks:
+        lines += ["", *_block(block)]
+    return "\n".join(line.rstrip() for line in lines) + "\n"
+
+
+def _block(block: Block) -> list[str]:
+    match block:
+        case Heading():
+            return [block.text, ("-" if block.level == 2 else "·") * _width(block.text)]
+        case Sentence():
+            return ["".join(part if isinstance(part, str) else inline(part) for part in block.parts)]
+        case Display():
+            return _display(block)
+        case Table():
+            return _table(block)
+        case Figure():
+            return []
+        case _:
+            assert_never(block)
+
+
+def _display(block: Display) -> list[str]:
+    lines = [line for row in block.rows for line in _beside([*_sides(row)])]
+    number = f"({block.number})"
+    lines[-1] += " " * max(3, _NUMBERED_AT - 4 - _width(lines[-1])) + number
+    return ["    " + line for line in lines]
+
+
+def _sides(row: Sequence[Node]) -> list[Node]:
+    """A chain of equal sides as nodes; products with matrices in them taken apart."""
+    found: list[Node] = []
+    for k, side in enumerate(row):
+        found += [Op("=")] if k else []
+        found += side.items if isinstance(side, Row) and _has_grid(side) else [side]
+    return found
+
+
+def _has_grid(node: Row) -> bool:
+    return any(isinstance(item, Grid) or (isinstance(item, Minus) and isinstance(item.of, Grid)) for item in node.items)
+
+
+def _beside(nodes: Sequence[Node]) -> list[str]:
+    """Nodes side by side; matrices make as many lines as they have rows, the rest stands on the middle one."""
+    columns = [_matrix(node) if isinstance(node, Grid) else [inline(node)] for node in nodes]
+    height = max(len(column) for column in columns)
+    lines = [""] * height
+    for column in columns:
+        top = (height - len(column)) // 2
+        wide = max(_width(text) for text in column)
+        for k in range(height):
+            text = column[k - top] if top <= k < top + len(column) else ""
+            lines[k] += (" " if lines[k] else "") + text + " " * (wide - _width(text))
+    return [line.rstrip() for line in lines] if height == 1 else lines
+
+
+def _matrix(grid: Grid) -> list[str]:
+    cells = [[inline(entry) for entry in row] for row in grid.rows]
+    wide = [max(_width(row[k]) for row in cells) for k in range(len(cells[0]))]
+    rows = ["   ".join(text + " " * (wide[k] - _width(text)) for k, text in enumerate(row)) for row in cells]
+    if len(rows) == 1:
+        return [f"[ {rows[0]} ]"]
+    ends = [("⎡", "⎤"), *[("⎢", "⎥")] * (len(rows) - 2), ("⎣", "⎦")]
+    return [f"{left} {row} {right}" for (left, right), row in zip(ends, rows, strict=True)]
+
+
+def _table(block: Table) -> list[str]:
+    cells = [list(block.heads), *([_cell(entry) for entry in row] for row in block.rows)]
+    wide = [max(_width(row[k]) for row in cells) for k in range(len(block.heads))]
+    return ["    " + "  ".join(text + " " * (wide[k] - _width(text)) for k, text in enumerate(row)) for row in cells]
+
+
+def _cell(entry: str | Node) -> str:
+    return entry if isinstance(entry, str) else inline(entry)
+
+
+def _width(text: str) -> int:
+    """Columns of a terminal: wide characters take two, combining ones none."""
+    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
+
+
+def symbol_text(symbol: Symbol) -> str:
+    """`θ3`, `l3'`, `s_E`, `ω_guide`."""
+    letter = unicodedata.normalize("NFC", symbol.letter + _DOTS[symbol.dots])
+    low = symbol.low if symbol.low.isdigit() or not symbol.low else "_" + symbol.low
+    return letter + low + "'" * symbol.primes
+
+
+def inline(node: Node) -> str:
+    """A formula on one line."""
+    match node:
+        case Letter():
+            return symbol_text(node.symbol)
+        case Num() | Op() | Word():
+            return node.text
+        case Minus():
+            return f"−{inline(node.of)}"
+        case Row():
+            return " ".join(inline(item) for item in node.items)
+        case Frac():
+            return f"{_closed(node.top)} / {_closed(node.bottom)}"
+        case Root():
+            return f"√({inline(node.of)})"
+        case Pow():
+            return _power(node)
+        case Exp():
+            return f"e^({inline(node.power)})"
+        case Call():
+            return _call(node.name, node.args)
+        case Paren():
+            return f"({inline(node.of)})"
+        case Grid():
+            return "; ".join("  ".join(inline(entry) for entry in row) for row in node.rows)
+        case _:
+            assert_never(node)
+
+
+def _power(node: Pow) -> str:
+    raised = str(node.power).translate(_POWERS)
+    if isinstance(node.of, Call):
+        return _call(node.of.name + raised, node.of.args)
+    return inline(node.of) + raised
+
+
+def _call(name: str, args: Sequence[Node]) -> str:
+    if len(args) == 1 and isinstance(args[0], Letter):
+        return f"{name} {inline(args[0])}"
+    return f"{name}({', '.join(inline(arg) for arg in args)})"
+
+
+def _closed(node: Node) -> str:
+    """One factor, or a bracket round it."""
+    return inline(node) if isinstance(node, Letter | Num | Pow | Call | Paren) else f"({inline(node)})"

@@ -1,0 +1,299 @@
+"""The way of a mechanism along a line of driver values: how far it leads from the drawn position, and through what.
+
+Two circles (or a line and a circle) that touch on the way and part again are a dead point: there the way ends.
+Where they touch without parting, all links of the group in line, it is a change point: the mechanism goes through
+smoothly, and from there on the other crossing is the right one. Two lines that become parallel end the way, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import field, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from graphkin.geometry import Value
+from graphkin.methods.assembly import links_of
+from graphkin.steps import Arc, Fit, Meet, Plot, Swing, replay
+from graphkin.value import frozen
+
+if TYPE_CHECKING:
+    from graphkin.methods import Method
+
+__all__ = ["Event", "Way", "along", "crossings", "event_at", "key_of", "look_along", "stride"]
+
+LOOK_DEG, LOOK_PART = 0.5, 0.002
+"""How closely the way is looked at [deg, of the mechanism's size]."""
+TOUCH = 1e-11
+"""Circles that miss each other by less than this part of the mechanism's size touch."""
+TOUCHING_SINE = 3e-6
+"""The sine to which two loci come down, as closely as it is looked at, where they touch."""
+LOW_SINE = 0.3
+"""Below this a least angle between two loci is looked at more closely."""
+ROUNDS, FINE = 3, 201
+
+Crossing = Meet | Swing | Fit
+
+
+@frozen
+class Event:
+    """A stop or a change point on a way.
+
+    at       where on the way
+    kind     "in line" (two links), "right angle" (a link and a guide), "tangent" (a guide and its circle),
+             "parallel" (two lines), "fit" (a group that is fitted)
+    links    the links of the group
+    choices  crossings that change over, for a change point
+    """
+
+    at: float
+    kind: str
+    links: tuple[str, ...]
+    choices: tuple[int, ...] = ()
+
+
+@frozen
+class Way:
+    """Driver values start + t pace [rad, m]; t is 0 at the drawn position.
+
+    low, high   how far it was looked; beyond a stop the way does not lead
+    stops       where it ends, before the drawn position and after it: at most one each
+    changes     change points on it
+    nodes       where each position hangs on the one before: t (m,), angles by base link and displacements (m,) each
+    sides       the crossing of each choice at t = 0
+    """
+
+    start: tuple[float, ...]
+    pace: tuple[float, ...]
+    low: float
+    high: float
+    stops: tuple[Event, ...] = ()
+    changes: tuple[Event, ...] = ()
+    nodes: tuple[np.ndarray, Mapping[str, np.ndarray]] | None = None
+    sides: Mapping[int, int] = field(default_factory=dict)
+
+    @property
+    def first(self) -> float:
+        """The least t that is reached (a stop itself is not)."""
+        return max((stop.at for stop in self.stops if stop.at < 0), default=self.low)
+
+    @property
+    def last(self) -> float:
+        return min((stop.at for stop in self.stops if stop.at > 0), default=self.high)
+
+    def values(self, t: Value) -> tuple[Value, ...]:
+        """The drivers' values [rad, m]."""
+        return tuple(start + pace * t if pace else start for start, pace in zip(self.start, self.pace, strict=True))
+
+    def leads_to(self, t: Value) -> Value:
+        """Whether the positions are reached."""
+        after = [stop.at for stop in self.stops if stop.at > 0]
+        before = [stop.at for stop in self.stops if stop.at < 0]
+        return np.all([np.less(t, at) for at in after] + [np.greater(t, at) for at in before], axis=0)
+
+    def crossings(self, t: Value) -> dict[int, Value]:
+        """Which crossing is right at each t, for those choices that change over on the way."""
+        found: dict[int, Value] = {**self.sides}
+        for change in self.changes:
+            beyond = np.greater(t, change.at) if change.at > 0 else np.less(t, change.at)
+            for choice in change.choices:
+                found[choice] = np.where(beyond, -1, 1) * found[choice]
+        return found
+
+    def near(self, t: Value) -> dict[str, Value]:
+        """Angles and displacements close by, where fitting starts and from where angles count."""
+        if self.nodes is None:
+            return {}
+        at, tables = self.nodes
+        return {name: np.interp(t, at, table)[()] for name, table in tables.items()}
+
+
+def along(method: Method, way: Way, t: Value) -> Plot:
+    """The positions at t, scalar or (n,), on the way."""
+    plot = Plot(method.facts(way.values(t)), way.near(t))
+    return replay(method.position, plot, way.crossings(t))
+
+
+def look_along(
+    method: Method, pace: Sequence[float], low: float, high: float, after: tuple[Way, float] | None = None
+) -> Way:
+    """Look along the way from t = low to t = high (low <= 0 <= high) for stops and change points.
+
+    after   a place on another way, to start from there instead of from the drawn position
+    """
+    from graphkin.methods.moving import with_nodes
+
+    way = _setting_out(method, tuple(float(p) for p in pace), (float(low), float(high)), after)
+    if method.moves_on:
+        return with_nodes(method, way)
+    for end in (high, low):
+        way = _scouted(method, way, end)
+    return way
+
+
+def _setting_out(
+    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[Way, float] | None
+) -> Way:
+    """A way of which only its start is known."""
+    if after is None:
+        start = tuple(float(value) for value in method.facts(None).values)
+        near, sides = dict(method.near), _sides(method)
+    else:
+        before, t = after
+        start = tuple(float(value) for value in before.values(t))
+        near = before.near(t)
+        sides = {choice: int(side) for choice, side in before.crossings(t).items()}
+    nodes = (np.zeros(1), {name: np.full(1, value) for name, value in near.items()})
+    return Way(start, pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)
+
+
+def _sides(method: Method) -> dict[int, int]:
+    steps = method.position.steps
+    return {step.choice: step.side for step in steps if isinstance(step, Meet | Swing) and step.choice is not None}
+
+
+def stride(method: Method, pace: Sequence[float], deg: float, part: float) -> float:
+    """How far t goes while no driver goes farther than an angle, or a part of the mechanism's size."""
+    units = [method.size * part if driver.kind == "slide" else float(np.radians(deg)) for driver in method.drivers]
+    return min((unit / abs(p) for unit, p in zip(units, pace, strict=True) if p), default=1.0)
+
+
+# --- looking ----------------------------------------------------------------------------------
+
+
+def _scouted(method: Method, way: Way, end: float) -> Way:
+    """The way with what lies between the drawn position and `end` on it."""
+    begin, step = 0.0, stride(method, way.pace, LOOK_DEG, LOOK_PART)
+    while abs(end - begin) > 1e-6 * step:
+        count = int(np.ceil(abs(end - begin) / step)) + 2
+        t = np.linspace(begin, end, count)
+        event = _next_event(method, way, t)
+        if event is None:
+            return way
+        if not event.choices:
+            return replace(way, stops=(*way.stops, event))
+        way = replace(way, changes=(*way.changes, event))
+        begin = event.at + float(np.sign(end)) * 1e-3 * step
+    return way
+
+
+def _next_event(method: Method, way: Way, t: np.ndarray) -> Event | None:
+    """The first stop or change point among positions t, in their order."""
+    plot = along(method, way, t)
+    found: list[tuple[float, Crossing, bool]] = []
+    for step in crossings(method):
+        if (met := _first(method, way, t, step, plot)) is not None:
+            found.append((met[0], step, met[1]))
+    if not found:
+        return None
+    found.sort(key=lambda entry: abs(entry[0] - t[0]))
+    at, step, passes = found[0]
+    if not passes:
+        return event_at(method, step, at, ())
+    close = 1e-3 * abs(t[1] - t[0])
+    choices = tuple(c for place, other, through in found if through and abs(place - at) < close for c in _choice(other))
+    return event_at(method, step, at, choices)
+
+
+def crossings(method: Method) -> Iterator[Crossing]:
+    """The steps of the position that may fail, without special points."""
+    names = {ternary.name for ternary in method.ternaries.values()}
+    for step in method.position.steps:
+        if isinstance(step, Meet | Swing | Fit) and key_of(step) not in names:
+            yield step
+
+
+def key_of(step: Crossing) -> str:
+    """The name under which a plot keeps the angle of a crossing."""
+    return step.point if isinstance(step, Meet) else step.slide if isinstance(step, Swing) else step.name
+
+
+def event_at(method: Method, step: Crossing, at: float, choices: tuple[int, ...]) -> Event:
+    """A stop, or a change point where choices change over, at a crossing."""
+    return Event(at, _kind(step), _called(method, step), choices)
+
+
+def _choice(step: Crossing) -> tuple[int, ...]:
+    return () if isinstance(step, Fit) or step.choice is None else (step.choice,)
+
+
+def _kind(step: Crossing) -> str:
+    match step:
+        case Meet(Arc(), Arc()):
+            return "in line"
+        case Meet(_, Arc()):
+            return "right angle"
+        case Meet():
+            return "parallel"
+        case Swing():
+            return "tangent"
+        case Fit():
+            return "fit"
+
+
+def _called(method: Method, step: Crossing) -> tuple[str, ...]:
+    return tuple(method.mechanism.called(link) for link in links_of(method.structure, step))
+
+
+def _first(method: Method, way: Way, t: np.ndarray, step: Crossing, plot: Plot) -> tuple[float, bool] | None:
+    """Where the two loci of a crossing first touch or part, and whether the mechanism goes through."""
+    sine, miss = _angle(method, step, plot, t.shape)
+    apart = ~np.isfinite(sine) | (miss > 0)
+    low = _lows(sine) & ~apart
+    for k in map(int, np.flatnonzero(low | apart)):
+        around = float(t[max(k - 1, 0)]), float(t[min(k + 1, t.size - 1)])
+        if (found := _closer(method, way, step, *around)) is not None:
+            return found
+        if apart[k]:
+            return float(t[max(k - 1, 0)]), False
+    return None
+
+
+def _lows(sine: np.ndarray) -> np.ndarray:
+    """Local minima of the sine that are worth a closer look."""
+    low = np.zeros(sine.shape, dtype=bool)
+    with np.errstate(invalid="ignore"):
+        low[1:-1] = (sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:]) & (sine[1:-1] < LOW_SINE)
+        low[-1] = sine[-1] < 0.01
+    return low
+
+
+def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
+    """The sine of the angle of a crossing, 0 where its loci touch, and by how much they part [m]."""
+    key = key_of(step)
+    miss = np.array(np.broadcast_to(plot.misses.get(key, -np.inf), shape), dtype=float)
+    sine = np.array(np.broadcast_to(plot.sines["position", key], shape), dtype=float)
+    touching = np.abs(miss) <= TOUCH * method.size
+    sine[touching & ~np.isfinite(sine)] = 0.0
+    miss[touching] = 0.0
+    return sine, miss
+
+
+def _closer(method: Method, way: Way, step: Crossing, begin: float, end: float) -> tuple[float, bool] | None:
+    """Look closer between two positions: (where, whether it goes through), None where nothing happens."""
+    for _ in range(ROUNDS):
+        t = np.linspace(begin, end, FINE)
+        sine, miss = _angle(method, step, along(method, way, t), t.shape)
+        apart = ~np.isfinite(sine) | (miss > 0)
+        if apart.any():
+            return _edge(method, way, step, t, int(np.flatnonzero(apart)[0])), False
+        k = int(np.argmin(sine))
+        begin, end = float(t[max(k - 1, 0)]), float(t[min(k + 1, FINE - 1)])
+    if sine[k] > TOUCHING_SINE:
+        return None
+    return float(t[k]), _kind(step) not in ("parallel", "fit")
+
+
+def _edge(method: Method, way: Way, step: Crossing, t: np.ndarray, k: int) -> float:
+    """The last position at which the loci still meet, before position k."""
+    if k == 0:
+        return float(t[0])
+    begin, end = float(t[k - 1]), float(t[k])
+    for _ in range(5):
+        t = np.linspace(begin, end, FINE)
+        sine, miss = _angle(method, step, along(method, way, t), t.shape)
+        apart = ~np.isfinite(sine) | (miss > 0)
+        first = int(np.flatnonzero(apart)[0]) if apart.any() else FINE - 1
+        begin, end = float(t[max(first - 1, 0)]), float(t[first])
+    return begin

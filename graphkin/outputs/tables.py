@@ -1,0 +1,164 @@
+"""Sweeps as tables for other programs: CSV, JSON, Parquet. Written part by part, so that their length costs no memory.
+
+CSV and Parquet have mm and deg and say so in their headers; JSON has SI units and radians, as `solve --json`.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+
+from graphkin.errors import GraphkinError, Lang
+from graphkin.outputs.files import beside
+from graphkin.sweeps import Course, Road, Series, Sweep, parts
+
+__all__ = ["FORMATS", "NoParquet", "columns", "csv_lines", "json_text", "write"]
+
+FORMATS = (".csv", ".json", ".parquet")
+MARKS = (b" [deg]", b" [mm]", b'"format": 1', b"graphkin")
+EDGE = {"rad": ("deg", 180 / math.pi), "m": ("mm", 1000.0)}
+"""Units at the edge, by SI unit, and how many of them make one."""
+
+Seen = Callable[[int], None]
+"""Is told how many positions more are done."""
+
+
+class NoParquet(GraphkinError):
+    """Parquet is asked for, and its library is not there."""
+
+    path: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{path}: writing Parquet needs pyarrow: pip install 'graphkin[parquet]'. Or write .csv or .json.",
+        "zh": "{path}：写 Parquet 需要 pyarrow：pip install 'graphkin[parquet]'。也可改写 .csv 或 .json。",
+    }
+
+
+def write(
+    path: Path, course: Course, names: tuple[str, ...], by: Road, force: bool = False, seen: Seen = lambda done: None
+) -> None:
+    """A table into a file, by its suffix. Raises FileInTheWay, NoFolder, CannotWrite, NoParquet."""
+    found = _told(course, parts(course, names, by), seen)
+    if path.suffix == ".parquet":
+        _write_parquet(path, course, found, force)
+        return
+    with beside(path, force, MARKS) as draft, draft.open("w", encoding="utf-8", newline="\n") as file:
+        if path.suffix == ".json":
+            file.write(json_text(course, found) + "\n")
+        else:
+            for lines in csv_lines(course, found):
+                file.write(lines)
+
+
+def _told(course: Course, found: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
+    for part in found:
+        yield part
+        seen(part.t.size)
+
+
+# --- columns ----------------------------------------------------------------------------------
+
+
+def columns(part: Sweep) -> dict[str, np.ndarray]:
+    """By header, in mm and deg: the driver's value, and each quantity; of vectors the size, then x and y."""
+    driver = part.course.driver.name
+    unit, factor = EDGE["rad" if part.course.angular else "m"]
+    found = {f"{driver} [{unit}]": part.values * factor}
+    for entry in part.series:
+        found |= _columns(entry)
+    return found
+
+
+def _columns(entry: Series) -> Iterator[tuple[str, np.ndarray]]:
+    unit, factor = EDGE.get(entry.unit, (entry.unit, 1.0))
+    yield f"{entry.name} [{unit}]", entry.values * factor
+    if entry.vectors is not None:
+        yield f"{entry.name} x [{unit}]", entry.vectors.real
+        yield f"{entry.name} y [{unit}]", entry.vectors.imag
+
+
+def csv_lines(course: Course, found: Iterator[Sweep]) -> Iterator[str]:
+    """The header, then the rows of each part; twelve digits, as RFC 4180 has it but for the line ends."""
+    for number, part in enumerate(found):
+        table = columns(part)
+        if number == 0:
+            yield ",".join(_quoted(name) for name in table) + "\n"
+        rows = np.column_stack(list(table.values())) + 0.0
+        line = ",".join(["%.12g"] * rows.shape[1]) + "\n"
+        yield (line * len(rows)) % tuple(rows.ravel().tolist())
+
+
+def _quoted(name: str) -> str:
+    return f'"{name}"' if "," in name else name
+
+
+# --- JSON -------------------------------------------------------------------------------------
+
+
+def json_text(course: Course, found: Iterator[Sweep]) -> str:
+    """One object: the driver's values, the range that is reached, and each quantity with its unit."""
+    collected = list(found)
+    low, high = course.reach
+    unit = "rad" if course.angular else "m"
+    data: dict[str, Any] = {
+        "format": 1,
+        "name": course.method.mechanism.name,
+        "driver": {"name": course.driver.name, "unit": unit, "values": _all([part.values for part in collected])},
+        "range": {
+            "full_turn": course.full_turn,
+            "low": None if course.full_turn else low,
+            "high": None if course.full_turn else high,
+            "stops": [_event(course, stop) for stop in course.stops],
+            "change_points": [_event(course, change) for change in course.way.changes],
+            "not_reached": [float(value) for value in course.dropped],
+        },
+        "quantities": {
+            entry.name: _quantity([part.series[k] for part in collected])
+            for k, entry in enumerate(collected[0].series)
+        },
+    }
+    return json.dumps(data, ensure_ascii=False, allow_nan=False)
+
+
+def _event(course: Course, event: Any) -> dict[str, Any]:
+    return {"at": float(course.value(event.at)), "kind": event.kind, "links": list(event.links)}
+
+
+def _quantity(found: list[Series]) -> dict[str, Any]:
+    data: dict[str, Any] = {"unit": found[0].unit, "values": _all([entry.values for entry in found])}
+    if found[0].vectors is not None:
+        vectors = np.concatenate([np.asarray(entry.vectors) for entry in found])
+        data["vectors"] = [[_number(v.real), _number(v.imag)] for v in vectors]
+    return data
+
+
+def _all(found: list[np.ndarray]) -> list[float | None]:
+    return [_number(value) for value in np.concatenate(found)]
+
+
+def _number(value: float) -> float | None:
+    """A number JSON can hold; what has no value there (a quotient by 0) is null."""
+    return float(value) + 0.0 if math.isfinite(value) else None
+
+
+# --- Parquet ----------------------------------------------------------------------------------
+
+
+def _write_parquet(path: Path, course: Course, found: Iterator[Sweep], force: bool) -> None:
+    try:
+        import pyarrow  # type: ignore[import-not-found, unused-ignore]
+        import pyarrow.parquet  # type: ignore[import-not-found, unused-ignore]
+    except ImportError:
+        raise NoParquet(str(path)) from None
+    with beside(path, force, MARKS) as draft:
+        writer: Any = None
+        for part in found:
+            table = pyarrow.table(columns(part)).replace_schema_metadata({"writer": "graphkin"})
+            writer = writer or pyarrow.parquet.ParquetWriter(draft, table.schema)
+            writer.write_table(table)
+        writer.close()
+

@@ -1,0 +1,127 @@
+"""A sweep: quantities over the positions of a course, all at once or part by part."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from graphkin.mechanism import Mechanism
+from graphkin.methods import Method
+from graphkin.methods.way import stride
+from graphkin.sweeps.course import Course, course
+from graphkin.sweeps.quantities import Series, asked, series
+from graphkin.sweeps.roads import Road, moving
+from graphkin.value import frozen
+
+__all__ = ["Sweep", "parts", "sweep", "sweep_over"]
+
+PART = 8192
+"""Positions done at once: what they need stays in the processor's cache, and memory stays flat."""
+FINE_DEG, FINE_PART = 0.5, 0.002
+"""How closely angles are followed, so that none jumps by a turn [deg, of the mechanism's size]."""
+
+
+@frozen
+class Sweep:
+    """Quantities over positions.
+
+    t       where on the way (n,)
+    values  of the driver that names the positions (n,) [rad, m]
+    """
+
+    course: Course
+    t: np.ndarray
+    values: np.ndarray
+    series: tuple[Series, ...]
+
+    @property
+    def mechanism(self) -> Mechanism:
+        return self.course.method.mechanism
+
+    def __getitem__(self, name: str) -> Series:
+        return next(entry for entry in self.series if entry.name == name)
+
+
+def sweep(method: Method, ranges: Sequence[str] = (), of: Sequence[str] = (), by: Road = "construction") -> Sweep:
+    """Quantities `of` a mechanism over the driver values of `ranges`; see `course` and `asked` for what is usual.
+
+    Angles are continuous along the sweep, from between 0 and a full turn at its first position.
+    """
+    return sweep_over(course(method, ranges), asked(method.mechanism, of), by)
+
+
+def sweep_over(course: Course, names: Sequence[str], by: Road = "construction") -> Sweep:
+    """The same over a course."""
+    return _joined(list(parts(course, names, by)))
+
+
+def parts(course: Course, names: Sequence[str], by: Road = "construction", size: int = PART) -> Iterator[Sweep]:
+    """The same, some positions at a time: a sweep of any length needs no more memory."""
+    turned = _Turned(course, [name for name in names if name.startswith("theta ")], by)
+    for begin in range(0, course.t.size, size):
+        here = slice(begin, begin + size)
+        yield replace(_at(course, names, course.t[here], by, turned), values=course.values[here])
+
+
+def at(course: Course, names: Sequence[str], t: np.ndarray, by: Road = "construction") -> Sweep:
+    """Quantities at positions t (n,) of the course."""
+    return _at(course, names, t, by, _Turned(course, [name for name in names if name.startswith("theta ")], by))
+
+
+def _at(course: Course, names: Sequence[str], t: np.ndarray, by: Road, turned: _Turned) -> Sweep:
+    mechanism = course.method.mechanism
+    motions = moving(course.method, course.way, t, by)
+    found = [series(mechanism, motions, name, t.size) for name in names]
+    return Sweep(course, t, np.asarray(course.value(t)), tuple(turned.on(entry, t) for entry in found if entry))
+
+
+class _Turned:
+    """How far links have turned since the first position: angles that go on beyond a full turn."""
+
+    def __init__(self, course: Course, names: Sequence[str], by: Road) -> None:
+        self.tables: dict[str, np.ndarray] = {}
+        if not names:
+            return
+        low, high = float(course.t.min()), float(course.t.max())
+        count = 2 + int((high - low) / stride(course.method, course.way.pace, FINE_DEG, FINE_PART))
+        self.t = np.linspace(low, high, count)
+        motions = moving(course.method, course.way, self.t, by)
+        first = np.interp(course.t[0], self.t, np.arange(count))
+        for name in names:
+            entry = series(course.method.mechanism, motions, name, count)
+            if entry is not None and entry.unit == "rad":
+                angles = _unwrapped(entry.values)
+                start = np.interp(first, np.arange(count), angles)
+                self.tables[name] = angles - 2 * np.pi * np.floor(start / (2 * np.pi) + 1e-12)
+
+    def on(self, entry: Series, t: np.ndarray) -> Series:
+        if entry.name not in self.tables:
+            return entry
+        near = np.interp(t, self.t, self.tables[entry.name])
+        values = entry.values + 2 * np.pi * np.round((near - entry.values) / (2 * np.pi))
+        return Series(entry.name, entry.unit, values)
+
+
+def _unwrapped(angles: np.ndarray) -> np.ndarray:
+    """Without jumps of a turn; positions that are not reached are passed over."""
+    there = np.isfinite(angles)
+    found = np.array(angles)
+    found[there] = np.unwrap(angles[there])
+    found[~there] = np.interp(np.flatnonzero(~there), np.flatnonzero(there), found[there])
+    return found
+
+
+def _joined(found: Sequence[Sweep]) -> Sweep:
+    if len(found) == 1:
+        return found[0]
+    entries = tuple(
+        Series(
+            first.name, first.unit, np.concatenate([part.series[k].values for part in found]),
+            None if first.vectors is None else np.concatenate([part.series[k].vectors for part in found]), first.along,
+        )
+        for k, first in enumerate(found[0].series)
+    )  # fmt: skip
+    t, values = (np.concatenate([getattr(part, name) for part in found]) for name in ("t", "values"))
+    return Sweep(found[0].course, t, values, entries)

@@ -1,0 +1,290 @@
+"""How fast a sweep is: positions, velocities and accelerations of all links, beside the programs that do it too.
+
+One run, one core, the best of several rounds taken in turns, so that what else the machine does hits all alike. Before
+a clock is started, every peer's numbers are compared with graphkin's: the comparison is of the same work.
+`positions a second` counts crank positions, each with all points and links.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import graphkin
+from graphkin.methods import Method, replay_all
+
+MECHANISMS = {"ex3-5": "four-bar", "p3-23a": "offset slider-crank", "ex3-7": "shaper"}
+SEEN = {"ex3-5": "CE", "p3-23a": "C", "ex3-7": "DE"}
+"""Points whose numbers are compared with the peers'."""
+MANY, TURN = 100_000, 360
+CHUNK = 4096
+ROUNDS = {MANY: 12, TURN: 400}
+TIMES_ALL, TIMES_POSITIONS, TIMES_CALL = 5.0, 1.0, 2.5
+CLASS_III = "p3-15"
+SWEPT, LIMIT_MIB = 10**7, 1024
+
+Found = Mapping[tuple[str, str], np.ndarray]
+TABLES = (
+    "position", "velocity", "acceleration", "theta", "omega", "alpha", "s", "s_rate", "s_acceleration",
+)  # fmt: skip
+
+
+def graphkin_pva(method: Method, angles: np.ndarray) -> Found:
+    """Everything of every position, kept: by table and name of a point, link or slide; (n,) each."""
+    kept: dict[tuple[str, str], np.ndarray] = {}
+    for start in range(0, angles.size, CHUNK):
+        part = slice(start, start + CHUNK)
+        plot = replay_all(method, [angles[part]])
+        for table in TABLES:
+            for name, value in getattr(plot, table).items():
+                if np.ndim(value):
+                    if not start:
+                        kept[table, name] = np.empty(angles.size, value.dtype)
+                    kept[table, name][part] = value
+    return kept
+
+
+# --- what the tests share ---------------------------------------------------------------------
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _one_core() -> Iterator[None]:
+    """The process, and every thread that a peer starts, on one core, where the system lets us say so."""
+    if not hasattr(os, "sched_setaffinity"):
+        yield
+        return
+    cores = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {max(cores)})
+    yield
+    os.sched_setaffinity(0, cores)
+
+
+def needs(package: str) -> None:
+    """Skip where a peer is not installed; its own module imports it, and keeps its warnings to itself."""
+    if find_spec(package) is None:
+        pytest.skip(f"{package} is not installed: pip install graphkin[bench]")
+
+
+@cache
+def planned(name: str) -> Method:
+    return graphkin.plan(graphkin.load(name))
+
+
+def turn(name: str, count: int) -> np.ndarray:
+    """Crank angles over a whole turn from the drawn position [rad]."""
+    found: np.ndarray = float(planned(name).facts(None).values[0]) + np.linspace(0, 2 * np.pi, count)
+    return found
+
+
+def motion_of(method: Method, found: Found, point: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Place, velocity and acceleration of a point [m, m/s, m/s^2]."""
+    nodes = method.velocity.nodes.values()
+    node = next(node.name for node in nodes if node.site is not None and node.site.point == point)
+    return found["position", point], found["velocity", node], found["acceleration", f"{node}'"]
+
+
+def drawn(name: str) -> dict[str, complex]:
+    """Places of all points at the drawn position."""
+    return {point: complex(place) for point, place in graphkin.replay(planned(name)).position.items()}
+
+
+def agree(found: np.ndarray, other: np.ndarray, part: float = 1e-9) -> bool:
+    """Whether two motions are one, to a part of the largest value: what a peer that adds up its steps can say."""
+    return bool(np.max(np.abs(found - other)) <= part * np.max(np.abs(found)))
+
+
+def seconds(work: Callable[[], object], before: Callable[[], object] = lambda: None) -> float:
+    """How long one call takes [s]; `before` is not timed."""
+    before()
+    start = time.perf_counter()
+    work()
+    return time.perf_counter() - start
+
+
+def told(count: int, took: float) -> str:
+    """The time of one call, and crank positions a second."""
+    return f"{took * 1e3:9.3f} ms {count / took:12,.0f}/s"
+
+
+# --- beside pylinkage -------------------------------------------------------------------------
+
+
+@pytest.mark.bench
+@pytest.mark.parametrize("name", MECHANISMS)
+@pytest.mark.parametrize("count", [MANY, TURN])
+def test_sweep_beside_pylinkage(name: str, count: int, capsys: pytest.CaptureFixture[str]) -> None:
+    """At least 5 times its rate for everything and its rate for positions alone; a single turn 2.5 times."""
+    for needed in ("numba", "pylinkage"):
+        needs(needed)
+    from peers.linkage import Peer
+
+    method, angles = planned(name), turn(name, count)
+    peer = Peer(name, method, count, drawn(name))
+    found, (places, velocities, accelerations) = graphkin_pva(method, angles), peer.everything()
+    for point in SEEN[name]:
+        for drawing, table in zip(motion_of(method, found, point), (places, velocities, accelerations), strict=True):
+            assert agree(drawing, peer.of(point, table)), point
+
+    mine = everything = positions = float("inf")
+    for _ in range(ROUNDS[count]):
+        everything = min(everything, seconds(peer.everything, peer.back))
+        mine = min(mine, seconds(lambda: graphkin_pva(method, angles)))
+        positions = min(positions, seconds(peer.positions, peer.back))
+    with capsys.disabled():
+        print(f"\n{MECHANISMS[name]}, {count} positions: graphkin {told(count, mine)}")
+        print(f"  pylinkage, all       {told(count, everything)}  graphkin {everything / mine:5.2f} times as fast")
+        print(f"  pylinkage, positions {told(count, positions)}  graphkin {positions / mine:5.2f} times as fast")
+    if count == TURN:
+        assert everything / mine >= TIMES_CALL
+    else:
+        assert everything / mine >= TIMES_ALL
+        assert positions / mine >= TIMES_POSITIONS
+
+
+# --- beside a C loop --------------------------------------------------------------------------
+
+
+@pytest.mark.bench
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc to build the C loop with")
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_sweep_beside_a_c_loop(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Reported: how far a sweep is from a loop written in C for this very mechanism."""
+    from peers.plain import Loop, built
+
+    method, places = planned(name), drawn(name)
+    library = built(tmp_path)
+    for count in (MANY, TURN):
+        angles = turn(name, count)
+        loop = Loop(library, name, method, angles, side(name, places))
+        out, found = loop.run(), graphkin_pva(method, angles)
+        for point in SEEN[name]:
+            for drawing, column in zip(motion_of(method, found, point), loop.of(point, out), strict=True):
+                assert agree(drawing, column), point
+        for link in loop.links:
+            for table, column in zip(("omega", "alpha"), loop.rates(link, out), strict=True):
+                assert agree(found[table, link], column), link
+        mine = theirs = float("inf")
+        for _ in range(ROUNDS[count]):
+            theirs = min(theirs, seconds(loop.run))
+            mine = min(mine, seconds(lambda angles=angles: graphkin_pva(method, angles)))
+        with capsys.disabled():
+            print(f"\n{MECHANISMS[name]}, {count} positions: C {told(count, theirs)}, graphkin {mine / theirs:.1f} times as long")
+
+
+def side(name: str, places: Mapping[str, complex]) -> int:
+    """Which assembly the C loop is to take: C left of the way B to D, or the rod's end farther along the guide."""
+    if name == "ex3-5":
+        way, rod = places["D"] - places["B"], places["C"] - places["B"]
+        return 1 if (way.conjugate() * rod).imag > 0 else -1
+    rod = places["C"] - places["B"] if name == "p3-23a" else places["E"] - places["D"]
+    return 1 if rod.real > 0 else -1
+
+
+# --- reported ---------------------------------------------------------------------------------
+
+
+@pytest.mark.bench
+def test_four_bar_beside_mechanism(capsys: pytest.CaptureFixture[str]) -> None:
+    """Reported: vector loops solved by fsolve, position by position."""
+    needs("mechanism")
+    from peers.loops import four_bar
+
+    method, angles = planned("ex3-5"), turn("ex3-5", TURN)
+    found = graphkin_pva(method, angles)
+    near = float(found["theta", "2"][0]), float(found["theta", "3"][0])
+    theirs = mine = float("inf")
+    for _ in range(2):
+        solved, joint = four_bar(method, TURN, near)
+        theirs = min(theirs, seconds(solved.iterate))
+        mine = min(mine, seconds(lambda: graphkin_pva(method, angles)))
+    place, velocity, acceleration = motion_of(method, found, "C")
+    origin = drawn("ex3-5")["A"]
+    assert agree(place, joint.x_positions + 1j * joint.y_positions + origin, 1e-7)
+    assert agree(velocity, joint.x_velocities + 1j * joint.y_velocities, 1e-7)
+    assert agree(acceleration, joint.x_accelerations + 1j * joint.y_accelerations, 1e-7)
+    with capsys.disabled():
+        print(f"\nfour-bar, {TURN} positions: mechanism {told(TURN, theirs)}, graphkin {theirs / mine:.0f} times as fast")
+
+
+@pytest.mark.bench
+def test_four_bar_beside_kinepy(capsys: pytest.CaptureFixture[str]) -> None:
+    """Reported: kinepy gives positions; its velocities are differences, found with the forces."""
+    needs("kinepy")
+    from peers import solids
+
+    method, angles = planned("ex3-5"), turn("ex3-5", MANY)
+    system, joint = solids.four_bar(method, -side("ex3-5", drawn("ex3-5")))
+    solids.turn(system, angles)
+    place = graphkin_pva(method, angles)["position", "C"]
+    assert agree(place, joint.point[0] + 1j * joint.point[1])
+    theirs = mine = float("inf")
+    for _ in range(5):
+        theirs = min(theirs, seconds(lambda: solids.turn(system, angles)))
+        mine = min(mine, seconds(lambda: graphkin_pva(method, angles)))
+    with capsys.disabled():
+        print(f"\nfour-bar, {MANY} positions: kinepy, positions {told(MANY, theirs)}, graphkin, all {theirs / mine:.1f} times as fast")
+
+
+@pytest.mark.bench
+def test_class_iii(capsys: pytest.CaptureFixture[str]) -> None:
+    """Reported: a group that no ruler places, fitted at every position."""
+    method, angles = planned(CLASS_III), turn(CLASS_III, MANY)
+    found = graphkin_pva(method, angles)
+    assert all(np.isfinite(found["acceleration", node]).all() for table, node in found if table == "acceleration")
+    mine = min(seconds(lambda: graphkin_pva(method, angles)) for _ in range(3))
+    with capsys.disabled():
+        print(f"\nClass III shaper, {MANY} positions: graphkin {told(MANY, mine)}")
+
+
+# --- memory -----------------------------------------------------------------------------------
+
+LONG_SWEEP = """
+import resource, sys
+from pathlib import Path
+import numpy as np
+import graphkin
+from graphkin.methods import replay_all
+
+count, chunk = int(sys.argv[1]), int(sys.argv[2])
+method = graphkin.plan(graphkin.load("ex3-5"))
+start, step = float(method.facts(None).values[0]), 2 * np.pi / (count - 1)
+total = 0.0
+for first in range(0, count, chunk):
+    angles = start + step * np.arange(first, min(first + chunk, count))
+    total += float(np.sum(replay_all(method, [angles]).alpha["3"]))
+status = Path("/proc/self/status")  # ru_maxrss alone counts what the parent held when it started this process
+if status.exists():
+    peak = next(int(line.split()[1]) for line in status.read_text().splitlines() if line.startswith("VmHWM"))
+else:
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+print(peak, total)
+"""
+
+
+@pytest.mark.bench
+@pytest.mark.skipif(sys.platform == "win32", reason="no resource module to ask for the peak of memory")
+def test_memory_stays_flat(capsys: pytest.CaptureFixture[str]) -> None:
+    """Ten million positions in chunks, in a process of its own: under 1 GiB, and hardly more than a tenth of them."""
+    tenth, whole = (peak_mib(count) for count in (SWEPT // 10, SWEPT))
+    with capsys.disabled():
+        print(f"\nfour-bar, {SWEPT} positions in chunks of {CHUNK}: peak {whole:.0f} MiB ({SWEPT // 10}: {tenth:.0f} MiB)")
+    assert whole < LIMIT_MIB
+    assert whole < 1.1 * tenth
+
+
+def peak_mib(count: int) -> float:
+    """The most memory a sweep of so many positions takes [MiB]; counted in KiB, on a Mac in bytes."""
+    command = [sys.executable, "-c", LONG_SWEEP, str(count), str(CHUNK)]
+    peak, total = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
+    assert np.isfinite(float(total))
+    return int(peak) / (2**20 if sys.platform == "darwin" else 2**10)
