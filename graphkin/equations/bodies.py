@@ -51,6 +51,7 @@ class Bodies:
     base: dict[str, Symbol | None] = field(default_factory=dict)
     drivers: dict[int, Symbol] = field(default_factory=dict)
     _lines: dict[str, Angle] = field(default_factory=dict)
+    _named: set[str] = field(default_factory=set)
 
     def __post_init__(self) -> None:
         self._spread(FRAME, NO_ANGLE, None)
@@ -105,7 +106,7 @@ class Bodies:
     def _theta(self, body: str, steady: bool) -> Symbol:
         symbol = self.ledger.fresh("θ", self.called(body), "angle", steady)
         name = link_text(self.called(body))
-        texts = tuple({"en": f"{en} of {name['en']}", "zh": f"{name['zh']}的{zh}"} for en, zh in _TURNING)
+        texts = tuple({"en": f"{en} of {name['en']}", "zh": f"{name['zh']} 的{zh}"} for en, zh in _TURNING)
         return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), angle_readers(self.structure, body))
 
     def _phi(self, driver: Driver) -> Symbol:
@@ -121,6 +122,7 @@ class Bodies:
         """The angle of `other` that a driver gives: its own θ where `body` stands still, else by φ."""
         if not self.angles[body].moving:
             self.drivers[number] = self._theta(other, driver.acceleration == 0)
+            self._named.add(other)
             return Angle.of(self.drivers[number])
         self.drivers[number] = self._phi(driver)
         phi = Angle.of(self.drivers[number])
@@ -163,11 +165,9 @@ class Bodies:
         return Angle.of(self.ledger.constant(letter, low, what, "deg", math.remainder(value, math.tau)))
 
     def _name(self, body: str) -> None:
-        """A link at a constant angle to its base has a θ of its own: a name for that sum."""
+        """A link whose angle follows from others has a θ of its own: a name for that sum."""
         angle = self.angles[body]
-        if self.structure.is_pin(body) or not angle.moving or all(s.moves for s, _ in angle.parts):
-            return
-        if angle not in self.ledger.alias.values():
+        if not self.structure.is_pin(body) and angle.moving and body not in self._named:
             self.ledger.alias[self._theta(body, steady=False)] = angle
 
 

@@ -6,14 +6,13 @@ unknown's direction loses that unknown; squares of lengths lose an angle. All dy
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cached_property
 
-from graphkin.equations.expressions import Sum, Term, number, one, phasor
+from graphkin.equations.expressions import Sum, Term, number, phasor
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.value import frozen
 
-__all__ = ["Split", "length", "rate", "single", "unit"]
+__all__ = ["Split", "single", "unit"]
 
 
 @frozen
@@ -59,13 +58,3 @@ def unit(term: Term) -> Sum:
 def single(vector: Sum) -> Term | None:
     """The only term of a vector; None where there are several."""
     return vector.terms[0] if len(vector.terms) == 1 else None
-
-
-def length(term: Term) -> Sum:
-    """A term without its direction, sign kept."""
-    return Sum((replace(term, waves=tuple(wave for wave in term.waves if wave.kind != "exp"), turns=0),))
-
-
-def rate(symbol: Symbol) -> Sum:
-    """The rate of a symbol as a sum."""
-    return Sum() if symbol.rate is None else one(symbol.rate)

@@ -36,7 +36,8 @@ class Task:
     @property
     def equations(self) -> tuple[Sum, ...]:
         """What is zero: x and y parts of the polygons, then the angle relations."""
-        parts = [part for polygon in self.polygons for part in (polygon.sum.real, polygon.sum.imag)]
+        sums = [_unknowns_first(polygon.sum, self.unknowns) for polygon in self.polygons]
+        parts = [part for each in sums for part in (each.real, each.imag)]
         return (*parts, *(rolling.sum for rolling in self.rollings))
 
 
@@ -140,3 +141,6 @@ def _unknowns(stage: Loop | Bridge | Mesh | Group, arrows: Arrows) -> tuple[Symb
     return (*moving, *dict.fromkeys(thetas), *fixed)
 
 
+def _unknowns_first(of: Sum, unknowns: tuple[Symbol, ...]) -> Sum:
+    """A polygon with its sign turned where all its unknown vectors are walked backward."""
+    return -of if all(term.factor < 0 for term in of.having(*unknowns).terms) else of

@@ -52,7 +52,9 @@ class Polygon:
 
     @property
     def sum(self) -> Sum:
-        return Sum.of(term for arrow in self.arrows for term in arrow.sum.terms)
+        """The arrows in the order of the sides: what is zero."""
+        left, right = self.sides
+        return Sum.of(term for arrow in (*left, *right) for term in arrow.sum.terms)
 
     @property
     def sides(self) -> tuple[tuple[Arrow, ...], tuple[Arrow, ...]]:

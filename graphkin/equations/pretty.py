@@ -10,7 +10,7 @@ from graphkin.equations.layout import Call, Exp, Frac, Letter, Minus, Node, Num,
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.value import frozen
 
-__all__ = ["Pretty", "added", "bracketed"]
+__all__ = ["ZERO", "Pretty", "added", "bracketed"]
 
 ZERO = Num("0")
 
@@ -21,11 +21,11 @@ class Pretty:
 
     alias: Mapping[Symbol, Angle]
 
-    def sum(self, of: Sum) -> Node:
-        """Terms with their signs, a positive one first where there is one."""
+    def sum(self, of: Sum, ordered: bool = False) -> Node:
+        """Terms with their signs, a positive one first where there is one (not where they stand `ordered`)."""
         if not of.terms:
             return ZERO
-        first = next((k for k, term in enumerate(of.terms) if term.factor > 0), 0)
+        first = 0 if ordered else next((k for k, term in enumerate(of.terms) if term.factor > 0), 0)
         terms = (of.terms[first], *of.terms[:first], *of.terms[first + 1 :])
         return added([(term.factor < 0, self._product(term)) for term in terms])
 
@@ -45,6 +45,8 @@ class Pretty:
             top, bottom = -top, -bottom
         if bottom == Sum((Term(1.0),)):
             return self.sum(top)
+        if top.terms and all(term.factor < 0 for term in top.terms):
+            return Minus(Frac(self.factored(-top), self.factored(bottom)))
         if not top.terms:
             return ZERO
         return Frac(self.factored(top), self.factored(bottom))

@@ -76,7 +76,7 @@ class Angle:
         found: dict[Symbol, int] = {}
         for symbol, count in parts:
             found[symbol] = found.get(symbol, 0) + count
-        kept = sorted(((s, n) for s, n in found.items() if n), key=lambda part: part[0].order)
+        kept = sorted(((s, n) for s, n in found.items() if n), key=lambda part: (not part[0].moves, part[0].order))
         return cls(tuple(kept), quarters % 4)
 
     def __add__(self, other: Angle) -> Angle:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Sequence
 from typing import assert_never
@@ -17,6 +18,8 @@ __all__ = ["inline", "symbol_text", "write_text"]
 _DOTS = {0: "", 1: "\u0307", 2: "\u0308"}
 _POWERS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 _NUMBERED_AT = 88
+_PIECES = re.compile(r"[\u4e00-\u9fff][，。；：、）]*\s*|[^\s\u4e00-\u9fff]+\s*")
+"""Words, and Chinese characters with the signs that may not begin a line."""
 
 
 def write_text(document: Document) -> str:
@@ -32,7 +35,7 @@ def _block(block: Block) -> list[str]:
         case Heading():
             return [block.text, ("-" if block.level == 2 else "·") * _width(block.text)]
         case Sentence():
-            return ["".join(part if isinstance(part, str) else inline(part) for part in block.parts)]
+            return _wrapped("".join(part if isinstance(part, str) else inline(part) for part in block.parts))
         case Display():
             return _display(block)
         case Table():
@@ -41,6 +44,16 @@ def _block(block: Block) -> list[str]:
             return []
         case _:
             assert_never(block)
+
+
+def _wrapped(text: str) -> list[str]:
+    """Lines of a terminal's width, broken at blanks or between Chinese characters."""
+    lines = [""]
+    for word in _PIECES.findall(text):
+        if lines[-1] and _width(lines[-1] + word.rstrip()) > _NUMBERED_AT:
+            lines.append("")
+        lines[-1] += word
+    return lines
 
 
 def _display(block: Display) -> list[str]:
@@ -119,9 +132,9 @@ def inline(node: Node) -> str:
         case Minus():
             return f"−{inline(node.of)}"
         case Row():
-            return " ".join(inline(item) for item in node.items)
+            return " ".join(inline(item) for item in node.items).replace(" ,", ",")
         case Frac():
-            return f"{_closed(node.top)} / {_closed(node.bottom)}"
+            return f"{_closed(node.top, product=True)} / {_closed(node.bottom)}"
         case Root():
             return f"√({inline(node.of)})"
         case Pow():
@@ -151,6 +164,9 @@ def _call(name: str, args: Sequence[Node]) -> str:
     return f"{name}({', '.join(inline(arg) for arg in args)})"
 
 
-def _closed(node: Node) -> str:
-    """One factor, or a bracket round it."""
-    return inline(node) if isinstance(node, Letter | Num | Pow | Call | Paren) else f"({inline(node)})"
+def _closed(node: Node, product: bool = False) -> str:
+    """One factor, or a bracket round it; above the line a product does without."""
+    bare = isinstance(node, Letter | Num | Pow | Call | Paren)
+    if product and isinstance(node, Row):
+        bare = not any(isinstance(item, Op) for item in node.items)
+    return inline(node) if bare else f"({inline(node)})"

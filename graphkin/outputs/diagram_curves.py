@@ -109,21 +109,35 @@ class Curves:
         """(curve, sign, from, to) around its greatest and its least sampled value."""
         values = self.series[k].signed
         there = np.flatnonzero(np.isfinite(values))
-        if not there.size or (size := float(np.ptp(values[there]))) <= ZERO * self._like(k):
+        low, high = self.bounds(k)
+        if not there.size or high - low <= ZERO * self._like(k):
             return
         for sign in (1, -1):
-            heights = sign * values[there]
-            at = int(np.flatnonzero(heights >= heights.max() - ZERO * size)[0])
-            if self._is_peak(k, at, there, size):
+            at = self._highest(k, sign * values[there], there, ZERO * (high - low))
+            if at is not None:
                 yield k, sign, *(float(self.t[there[j]]) for j in (max(at - 1, 0), min(at + 1, there.size - 1)))
+
+    def _highest(self, k: int, heights: np.ndarray, there: np.ndarray, rounding: float) -> int | None:
+        """The first of the highest places; where a curve rises without bound, the highest of its summits, if any."""
+        at = int(np.flatnonzero(heights >= heights.max() - rounding)[0])
+        if self._is_peak(k, at, there):
+            return at
+        if not any(self.unbounded(k)):
+            return None
+        rise = np.diff(heights)
+        summits = 1 + np.flatnonzero((rise[:-1] > 0) & (rise[1:] <= 0))
+        if not summits.size:
+            return None
+        best = heights[summits].max()
+        return int(summits[heights[summits] >= best - rounding][0])
 
     def _like(self, k: int) -> float:
         """The greatest size among quantities of one unit."""
         unit = self.series[k].unit
-        sizes = [np.abs(entry.signed) for entry in self.series if entry.unit == unit]
-        return max((float(size[np.isfinite(size)].max(initial=0.0)) for size in sizes), default=0.0)
+        same = [j for j, entry in enumerate(self.series) if entry.unit == unit]
+        return max((abs(end) for j in same for end in self.bounds(j)), default=0.0)
 
-    def _is_peak(self, k: int, at: int, there: np.ndarray, size: float) -> bool:
+    def _is_peak(self, k: int, at: int, there: np.ndarray) -> bool:
         """An end of what is shown counts where the curve stops there, not where it goes on round or without bound."""
         if 0 < at < there.size - 1:
             t = self.t[there[at]]
@@ -131,7 +145,7 @@ class Curves:
             return all(abs(t - end) > 1e-3 * (self.high - self.low) for end in ends)
         values = self.series[k].signed[there]
         if self.course.full_turn and self.high - self.low > TURN - 1e-9:
-            return bool(abs(values[0] - values[-1]) < 1e-6 * size)
+            return bool(abs(values[0] - values[-1]) < 1e-6 * np.ptp(values))
         return not self.unbounded(k)[0 if at == 0 else 1]
 
     def _polished(self, brackets: Sequence[tuple[int, int, float, float]]) -> list[Peak]:
@@ -147,7 +161,11 @@ class Curves:
             heights = np.where(np.isfinite(values), sign[:, None] * values, -np.inf)
             best = heights.argmax(axis=1)
             low, high = t[rows, np.maximum(best - 1, 0)], t[rows, np.minimum(best + 1, PLACES - 1)]
-        return [Peak(float(t[r, best[r]]), float(values[r, best[r]]), int(sign[r])) for r in rows]
+        return [Peak(float(t[r, best[r]]), self._rounded(k, float(values[r, best[r]])), int(sign[r])) for r, k in enumerate(owner)]
+
+    def _rounded(self, k: int, value: float) -> float:
+        """0 for what is only rounding."""
+        return 0.0 if abs(value) <= ZERO * self._like(k) else value
 
 
 def curves(course: Course, names: Sequence[str], by: Road = "construction") -> Curves:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from graphkin.outputs.diagram_curves import Curves
 from graphkin.sheet.lettering import Label, joined, quantity_label, vector_label
+from graphkin.sweeps.remarks import STANDARD_GRAVITY
 from graphkin.value import frozen
 
 __all__ = ["UNITS", "Axis", "Panel", "Unit", "division", "label_of", "limits", "panels", "unit_of"]
@@ -14,7 +15,7 @@ __all__ = ["UNITS", "Axis", "Panel", "Unit", "division", "label_of", "limits", "
 MOST = 6
 """More curves than these do not stand together."""
 KINDS = ("position", "velocity", "acceleration", "ratio")
-LETTERS = {"rad": "θ", "m": "s", "rad/s": "ω", "m/s": "v", "rad/s^2": "α", "m/s^2": "a", "1": ""}
+LETTERS = {"rad": "θ", "m": "s", "rad/s": "ω", "m/s": "v", "rad/s^2": "α", "m/s^2": "a", "g": "a", "1": ""}
 _GREEK = {"theta": "θ", "omega": "ω", "alpha": "α", "s": "s"}
 HEADROOM = 0.16
 """Room above and below the curves for what is written at them, as a part of their height."""
@@ -31,6 +32,7 @@ class Unit:
 UNITS = {
     "rad": Unit("°", 180 / math.pi), "m": Unit("mm", 1000.0), "rad/s": Unit("rad/s", 1.0), "m/s": Unit("m/s", 1.0),
     "rad/s^2": Unit("rad/s²", 1.0), "m/s^2": Unit("m/s²", 1.0), "1": Unit("", 1.0),
+    "g": Unit("g", 1 / STANDARD_GRAVITY),
 }  # fmt: skip
 _PLACE = {"rad": (0, 0), "m": (0, 1), "rad/s": (1, 0), "m/s": (1, 1), "rad/s^2": (2, 0), "m/s^2": (2, 1), "1": (3, 0)}
 """By SI unit: the kind of panel, and whether it is the second axis of one."""

@@ -1,0 +1,111 @@
+"""The vector from a fixed pivot to any point of a link, as in (3-18): l1 e^(iθ1) + a e^(iθ2) + b e^(i(θ2 + 90°))."""
+
+from __future__ import annotations
+
+import cmath
+
+from graphkin.analytic import Motion
+from graphkin.equations.bodies import quarters
+from graphkin.equations.expressions import Sum, one, phasor
+from graphkin.equations.ledger import Entry, Reader, Unit
+from graphkin.equations.model import Model
+from graphkin.equations.polygons import way
+from graphkin.equations.readers import place
+from graphkin.equations.symbols import Symbol
+from graphkin.errors import Lang
+from graphkin.geometry import Value
+from graphkin.mechanism import FRAME
+from graphkin.methods.structure import Hinge, Joint, Sliding
+from graphkin.naming import Seen, pair, seen
+from graphkin.value import frozen
+
+__all__ = ["Chain", "asked_points", "chain", "vectors"]
+
+
+@frozen
+class Chain:
+    """From the fixed point `start` to the point `of`."""
+
+    start: str
+    of: str
+    sum: Sum
+
+
+def asked_points(model: Model) -> tuple[str, ...]:
+    """The moving points whose velocity or acceleration the problem asks for, in its order."""
+    mechanism, found = model.method.mechanism, dict[str, None]()
+    for question in mechanism.ask:
+        for words in question.split("/"):
+            quantity, _, of = words.strip().partition(" ")
+            if quantity in ("v", "a"):
+                site, sites = seen(mechanism, of.strip()), pair(mechanism, of.strip())
+                both: tuple[Seen, ...] = (site,) if site is not None else sites or ()
+                found |= dict.fromkeys(s.point for s in both if not s.explicit)
+    return tuple(point for point in found if FRAME not in mechanism.owners[point])
+
+
+def chain(model: Model, point: str, low: str) -> Chain:
+    """The shortest way from the frame to a point; `low` is the subscript of its a and b."""
+    structure = model.method.structure
+    owners = [body for body in structure.owners[point] if not structure.is_pin(body)]
+    bodies, joints = way(structure, structure.bodies, owners, (FRAME,))
+    total = Sum()
+    for k in range(len(joints) - 1, -1, -1):
+        inner = bodies[k]
+        if isinstance(joints[k], Sliding):
+            total += _slid(model, joints[k], inner)
+        goal = point if k == 0 else _at(model, joints[k - 1], inner)
+        total += _arm(model, inner, _at(model, joints[k], inner), goal, low)
+    return Chain(_at(model, joints[-1], FRAME), point, total)
+
+
+def _at(model: Model, joint: Joint, body: str) -> str:
+    return joint.point if isinstance(joint, Hinge) else model.method.structure.slide_point(joint.slide, body)
+
+
+def _slid(model: Model, joint: Joint, inner: str) -> Sum:
+    """The displacement, walked towards the inner body."""
+    assert isinstance(joint, Sliding)
+    arrow = model.arrows.sliding(joint.slide)
+    return -arrow.sum if model.method.structure.slides[joint.slide].guide == inner else arrow.sum
+
+
+def _arm(model: Model, body: str, start: str, end: str, low: str) -> Sum:
+    """The vector between two points of a body: a known link vector, or a along the link and b across it."""
+    arrows = model.arrows
+    if (body, frozenset((start, end))) in arrows.arms or start == end:
+        return Sum.of(term for arrow in arrows.along(body, start, end) for term in arrow.sum.terms)
+    shape = model.method.structure.shapes[body]
+    arm, called = shape[end] - shape[start], model.bodies.called(body)
+    if quarters(cmath.phase(arm)) is not None:
+        return Sum.of(term for arrow in arrows.along(body, start, end) for term in arrow.sum.terms)
+    theta = model.bodies.angles[body]
+    what: list[dict[Lang, str]] = [
+        {"en": f"of {start}{end} along the direction of link {called}", "zh": f"{start}{end} 沿构件 {called} 方向的分量"},
+        {"en": f"of {start}{end} across it, to its left", "zh": f"{start}{end} 垂直于该方向（逆时针 90°）的分量"},
+    ]
+    a = model.ledger.constant("a", low, what[0], "mm", arm.real)
+    b = model.ledger.constant("b", low, what[1], "mm", arm.imag)
+    return phasor(one(a), theta) + phasor(one(b), theta.turned(1))
+
+
+def vectors(model: Model, of: Chain) -> tuple[Symbol, Symbol, Symbol]:
+    """Letters for the point's position from the chain's start, its velocity and its acceleration, as complex numbers."""
+
+    def position(motion: Motion) -> Value:
+        return motion.position[of.of] - place(model.method.structure, of.start, FRAME, motion)
+
+    readers: tuple[Reader, ...] = (position, lambda motion: motion.velocity[of.of], lambda m: m.acceleration[of.of])
+    start = of.start if of.start[0].isupper() else "O"
+    what: list[tuple[str, dict[Lang, str]]] = [
+        ("l", {"en": f"position of {of.of} from {start}", "zh": f"由 {start} 至 {of.of} 的位置矢量"}),
+        ("v", {"en": f"velocity of {of.of}", "zh": f"{of.of} 点的速度"}),
+        ("a", {"en": f"acceleration of {of.of}", "zh": f"{of.of} 点的加速度"}),
+    ]
+    units: tuple[Unit, ...] = ("mm", "m/s", "m/s^2")
+    found = []
+    for (letter, text), unit, read in zip(what, units, readers, strict=True):
+        symbol = model.ledger.fresh(letter, of.of)
+        model.ledger.entries[symbol] = Entry(text, unit, read)
+        found.append(symbol)
+    return found[0], found[1], found[2]

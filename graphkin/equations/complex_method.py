@@ -1,0 +1,165 @@
+"""The method of complex vectors written out: each polygon closed, split, derived twice, and solved in closed form."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from graphkin.equations.chains import asked_points, chain, vectors
+from graphkin.equations.dyads import Split
+from graphkin.equations.expressions import Sum, Term
+from graphkin.equations.layout import Letter, Node, Op, Row, Word
+from graphkin.equations.matrices import matrices
+from graphkin.equations.model import Model, Task
+from graphkin.equations.page import Page
+from graphkin.equations.polygons import Polygon
+from graphkin.equations.positions import Solver
+from graphkin.equations.pretty import Pretty, bracketed
+from graphkin.equations.rates import quotients
+from graphkin.equations.symbols import Symbol
+
+__all__ = ["complex_sides", "listed", "ring", "sides", "write_complex"]
+
+
+def write_complex(model: Model, page: Page) -> None:
+    """All polygons in the order of solution, then the points asked for."""
+    pretty = Pretty(model.alias)
+    polygons = sum(len(task.polygons) for task in model.tasks)
+    number = 0
+    for task in model.tasks:
+        for polygon in task.polygons:
+            number += 1
+            page.head("polygon", number=number, names=ring(model, polygon))
+            if len(task.polygons) == 1 and not task.rollings:
+                _solved(model, page, pretty, task, polygon, str(number) if polygons > 1 else "")
+            else:
+                _closed(page, pretty, polygon)
+        for rolling in task.rollings:
+            page.head("rolling", names=", ".join(model.bodies.called(w) for w in rolling.contact.wheels))
+            _rolled(page, pretty, rolling.moving, Letter(rolling.constant))
+        if not task.polygons and len(task.unknowns) == 1:
+            _one_rolled(page, pretty, task)
+        elif len(task.polygons) + len(task.rollings) > 1:
+            _together(model, page, pretty, task)
+    _points(model, page, pretty)
+
+
+def ring(model: Model, polygon: Polygon) -> str:
+    """The polygon's corners in their order: ABCDA."""
+    left, right = polygon.sides
+    sites = [site for arrow in left for site in (arrow.tail, arrow.head)]
+    sites += [site for arrow in reversed(right) for site in (arrow.head, arrow.tail)]
+    names = [site[0] if site[0][0].isupper() else "O" for site in sites]
+    return "".join(name for k, name in enumerate(names) if k == 0 or name != names[k - 1])
+
+
+def sides(pretty: Pretty, of: Sum) -> tuple[Node, Node]:
+    """What is zero, as an equation: positive terms left, the rest right with their signs turned."""
+    left = Sum(tuple(term for term in of.terms if term.factor > 0))
+    right = -Sum(tuple(term for term in of.terms if term.factor < 0))
+    return pretty.sum(left), pretty.sum(right)
+
+
+def complex_sides(pretty: Pretty, polygon: Polygon, of: Sum) -> tuple[Node, Node]:
+    """A polygon's sum or its derivative, each term on the side of its arrow; the right one walked from the start."""
+    found: tuple[list[Term], list[Term]] = [], []
+    for k, arrows in enumerate(polygon.sides):
+        for arrow in arrows:
+            mine = {arrow.length, arrow.length.rate, arrow.length.rate and arrow.length.rate.rate}
+            found[k].extend(term for term in of.terms if any(symbol in mine for symbol, _ in term.symbols))
+    return pretty.sum(Sum(tuple(found[0])), ordered=True), pretty.sum(-Sum(tuple(found[1])), ordered=True)
+
+
+def _closed(page: Page, pretty: Pretty, polygon: Polygon) -> None:
+    """The closure in complex form and in components, then its derivatives."""
+    page.say("closure")
+    page.show(complex_sides(pretty, polygon, polygon.sum))
+    page.say("parts")
+    page.show(*(complex_sides(pretty, polygon, part) for part in (polygon.sum.real, polygon.sum.imag)))
+
+
+def _derived(page: Page, pretty: Pretty, polygon: Polygon, order: int) -> None:
+    derived = polygon.sum.rate
+    if not any(arrow.length.moves for arrow in polygon.arrows):
+        derived = derived.over_i
+    derived = derived if order == 1 else derived.rate
+    page.say("derived" if order == 1 else "derived again")
+    page.show(complex_sides(pretty, polygon, derived))
+
+
+def _solved(model: Model, page: Page, pretty: Pretty, task: Task, polygon: Polygon, low: str) -> None:
+    """A dyad: position, velocity, acceleration."""
+    split = Split(polygon.sum, task.unknowns)
+    page.say("unknown", unknowns=listed(task.unknowns))
+    page.head("position", 3)
+    _closed(page, pretty, polygon)
+    Solver(page, pretty, model.ledger, model.values, low).write(split)
+    for order, head in ((1, "velocity"), (2, "acceleration")):
+        page.head(head, 3)
+        _derived(page, pretty, polygon, order)
+        page.say("rates")
+        found = quotients(split, order)
+        page.show(*((Letter(each.symbol), pretty.quotient(each.top, each.bottom)) for each in found))
+
+
+def _rolled(page: Page, pretty: Pretty, moving: Sum, constant: Node) -> None:
+    """The angle relation and its derivatives."""
+    page.say("rolling relation")
+    page.show((pretty.sum(moving), constant))
+    page.say("derived")
+    page.show(sides(pretty, moving.rate), sides(pretty, moving.rate.rate))
+
+
+def _one_rolled(page: Page, pretty: Pretty, task: Task) -> None:
+    """The last unknown of a rolling contact."""
+    symbol, moving = task.unknowns[0], task.rollings[0].sum
+    rows = []
+    for of, wanted in ((moving, symbol), (moving.rate, symbol.rate), (moving.rate.rate, symbol.rate and symbol.rate.rate)):
+        assert wanted is not None
+        bottom = of.partial(wanted)
+        rest = Sum(tuple(term for term in of.terms if not term.has(wanted)))
+        rows.append((Letter(wanted), pretty.quotient(-rest, bottom)))
+    page.say("hence")
+    page.show(*rows)
+
+
+def _together(model: Model, page: Page, pretty: Pretty, task: Task) -> None:
+    """A group that no dyad leads through."""
+    names = [model.bodies.called(body) for body in _group_bodies(model, task)]
+    page.head("group", names=", ".join(names))
+    page.say("unknown", unknowns=listed(task.unknowns))
+    page.say("newton", count=len(task.equations))
+    matrices(model, page, pretty, task.equations, task.unknowns, numbers=False)
+
+
+def _group_bodies(model: Model, task: Task) -> list[str]:
+    bases = [body for body, base in model.bodies.base.items() if base in task.unknowns]
+    return [body for body in bases if not model.method.structure.is_pin(body)]
+
+
+def listed(symbols: Sequence[Symbol]) -> Node:
+    """θ2, θ3."""
+    items: list[Node] = []
+    for k, symbol in enumerate(symbols):
+        items += [Op(","), Letter(symbol)] if k else [Letter(symbol)]
+    return Row(tuple(items))
+
+
+def _points(model: Model, page: Page, pretty: Pretty) -> None:
+    """(3-18) to (3-20) for every point asked for."""
+    points = asked_points(model)
+    for number, point in enumerate(points, start=1):
+        found = chain(model, point, "" if len(points) == 1 else str(number))
+        page.head("point", name=point)
+        start = found.start if found.start[0].isupper() else "O"
+        page.say("point from", start=start, name=point)
+        place, velocity, acceleration = (Letter(symbol) for symbol in vectors(model, found))
+        page.show((place, pretty.sum(found.sum)))
+        page.say("derived")
+        page.show((velocity, _whole(pretty, found.sum.rate)))
+        page.show((acceleration, _whole(pretty, found.sum.rate.rate)))
+
+
+def _whole(pretty: Pretty, of: Sum) -> Node:
+    """Real part + i imaginary part."""
+    imag = pretty.sum(of.imag)
+    return Row((bracketed(pretty.sum(of.real)), Op("+"), Row((Word("i"), bracketed(imag)))))

@@ -1,0 +1,94 @@
+"""From a planned mechanism to the document: what is given, the equations, the legend."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from graphkin.equations.complex_method import listed, write_complex
+from graphkin.equations.document import By, Document
+from graphkin.equations.layout import Letter, Node
+from graphkin.equations.expressions import Sum, Term
+from graphkin.equations.ledger import Entry
+from graphkin.equations.matrix_method import write_matrix
+from graphkin.equations.model import Model, model_of
+from graphkin.equations.page import Page
+from graphkin.equations.phrases import phrase
+from graphkin.equations.pretty import Pretty
+from graphkin.equations.symbols import Angle, Symbol
+from graphkin.errors import Lang
+from graphkin.geometry import Value
+from graphkin.methods import Method
+
+__all__ = ["document"]
+
+
+def document(method: Method, by: By = "complex", lang: Lang = "en") -> Document:
+    """The equations of a planned mechanism by one of the two methods.
+
+    Raises a GraphkinError where the drawn position is a dead point: velocities are not determined there.
+    """
+    return written(model_of(method), by, lang)
+
+
+def written(model: Model, by: By, lang: Lang) -> Document:
+    """The document, filling the model's legend."""
+    page = Page(lang)
+    page.say("every vector")
+    _given(model, page)
+    if not model.tasks:
+        page.say("no loop")
+    (write_complex if by == "complex" else write_matrix)(model, page)
+    page.head("legend")
+    page.table(("symbol", "meaning", "value"), _legend(model, lang))
+    mechanism = model.method.mechanism
+    title = f"{mechanism.headline(lang)}{'：' if lang == 'zh' else ': '}{phrase(by, lang)}"
+    return Document(title, tuple(page.blocks), by, lang, mechanism.name)
+
+
+def _given(model: Model, page: Page) -> None:
+    """The drivers, and the angles that follow others at once."""
+    if model.drivers:
+        page.say("driver" if len(model.drivers) == 1 else "drivers", drivers=listed(model.drivers))
+    if model.alias:
+        pretty = Pretty({})
+        page.say("fixed angles")
+        page.show(*((Letter(name), pretty.angle(angle)) for name, angle in model.alias.items()))
+        page.say("same rates")
+        rates = [_rates(name, angle) for name, angle in model.alias.items()]
+        page.show(*((Letter(name), pretty.sum(of)) for order in zip(*rates) for name, of in order))
+
+
+def _rates(name: Symbol, angle: Angle) -> list[tuple[Symbol, Sum]]:
+    """ω and α of a link whose angle is a sum."""
+    turning = Sum.of(Term(float(count), ((symbol, 1),)) for symbol, count in angle.moving)
+    assert name.rate is not None
+    assert name.rate.rate is not None
+    return [(name.rate, turning.rate), (name.rate.rate, turning.rate.rate)]
+
+
+def _legend(model: Model, lang: Lang) -> list[tuple[str | Node, ...]]:
+    """Every letter, what it is, and its value at the drawn position."""
+    most: dict[str, float] = {}
+    for entry in model.ledger.entries.values():
+        most[entry.unit] = max(most.get(entry.unit, 0.0), float(abs(entry.read(model.drawn))))
+    return [(Letter(symbol), entry.text[lang], _value(entry, entry.read(model.drawn), most[entry.unit]))
+            for symbol, entry in model.ledger.entries.items()]  # fmt: skip
+
+
+_FACTORS = {"mm": 1000.0, "deg": 180 / math.pi, "mm rad": 1000.0}
+
+
+def _value(entry: Entry, value: Value, most: float) -> str:
+    """In the unit of the legend; what is nothing beside the largest of its unit is 0."""
+    factor = _FACTORS.get(entry.unit, 1.0)
+    real, imag = (factor * float(part) if abs(part) > 1e-12 * most else 0.0 for part in (np.real(value), np.imag(value)))
+    unit = {"deg": "°", "1": ""}.get(entry.unit, " " + entry.unit.replace("^2", "²").replace(" rad", "·rad"))
+    if np.iscomplexobj(value):
+        return f"{_digits(real)} {'−' if imag < 0 else '+'} {_digits(abs(imag))} i{unit}"
+    return _digits(real) + unit
+
+
+def _digits(value: float) -> str:
+    return f"{value:.6g}".replace("-", "−")

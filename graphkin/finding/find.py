@@ -1,0 +1,118 @@
+"""One condition, looked for over all positions that are asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import assert_never
+
+from graphkin.errors import BadCondition, Where
+from graphkin.finding import conditions
+from graphkin.finding.comparing import difference, holding, intervals, nearest
+from graphkin.finding.conditions import WHERE, Comparison, Extreme, Scaling, Slowest
+from graphkin.finding.extremes import Extremes, extremes, stroke
+from graphkin.finding.found import Found, Position
+from graphkin.finding.ground import Ground, ground
+from graphkin.finding.points import line_of, scaled, slowest, spots
+from graphkin.finding.quantities import checked
+from graphkin.methods import Method
+from graphkin.sweeps import Course, Road, Series, course
+
+__all__ = ["find", "limit"]
+
+
+def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = "construction") -> Found:
+    """All positions with a property.
+
+    condition  `v C = 0`, `theta 5 = 30`, `omega 2 = omega 3`, `a E > 3 g`, `max v E`, `min ..`, `range theta 3`,
+               `stroke s ram`, `slowest BC`, `v E = 0.5 by omega 1`
+    ranges     as `graphkin.sweeps.course` takes them: where to look; a full turn or all that is reached where left
+               out. `slowest` and `by` are asked at the drawn position, or at those of `ranges`
+    by         which road tells the quantities
+
+    Raises BadCondition, UnknownQuantity, UnknownPoint, UnknownLink, UnknownSlide, OtherUnits, NegativeSize,
+    NoLineOf, NoSuchDriver, NotScaled, CannotScale, BadRange, NoPosition, and what a value with a wrong unit raises.
+    """
+    wanted = conditions.read(method.mechanism, condition)
+    match wanted:
+        case Comparison():
+            drawn = checked(method.mechanism, wanted.quantities)
+            return _compared(method, wanted, drawn, ground(course(method, ranges), tuple(ranges), wanted.quantities, by))
+        case Extreme():
+            drawn = checked(method.mechanism, wanted.quantities)
+            if wanted.which == "stroke" and drawn[0].unit not in ("rad", "m"):
+                raise BadCondition(WHERE, condition)
+            return _extreme(method, wanted, drawn, ground(course(method, ranges), tuple(ranges), wanted.quantities, by))
+        case Slowest():
+            line_of(method.mechanism, wanted.of)
+            at = spots(method, ranges, by)
+            return replace(_blank(method, wanted, at.swept, (), ()), slow=slowest(method, wanted, at))
+        case Scaling():
+            drawn = checked(method.mechanism, (wanted.quantity,))
+            at = spots(method, ranges, by)
+            blank = _blank(method, wanted, at.swept, (wanted.quantity,), drawn)
+            return replace(blank, speeds=scaled(method, wanted, at))
+        case _:
+            assert_never(wanted)
+
+
+def limit(moved: Course, text: str, ranges: Sequence[str] = (), by: Road = "construction") -> Found:
+    """Where the size of a quantity passes a limit: `a E 3 g`, `omega 3 5 rad/s`. Its `intervals` say where."""
+    wanted = conditions.limit(text)
+    where = Where("--limit")
+    drawn = checked(moved.method.mechanism, wanted.quantities, where)
+    return _compared(moved.method, wanted, drawn, ground(moved, tuple(ranges), wanted.quantities, by), where)
+
+
+def _blank(
+    method: Method, wanted: conditions.Condition, swept: int, names: tuple[str, ...], drawn: tuple[Series, ...]
+) -> Found:
+    """Nothing found yet."""
+    units, guided = tuple(entry.unit for entry in drawn), tuple(entry.along is not None for entry in drawn)
+    return Found(wanted, method.mechanism, method.drivers, swept, None, False, (False, False), names, units, guided)
+
+
+def _looked(method: Method, wanted: conditions.Condition, drawn: tuple[Series, ...], over: Ground) -> Found:
+    """Nothing found yet on a ground."""
+    swept = over.course.swept
+    blank = _blank(method, wanted, swept, over.names, drawn)
+    ends = float(over.course.value(over.low)), float(over.course.value(over.high))
+    return replace(blank, looked=ends, turn=over.closed, stopped=over.stopped)
+
+
+def _compared(
+    method: Method, wanted: Comparison, drawn: tuple[Series, ...], over: Ground, where: Where = WHERE
+) -> Found:
+    two_sides = difference(over, wanted, drawn, where)
+    blank = _looked(method, wanted, drawn, over)
+    if two_sides.everywhere:
+        return replace(blank, everywhere=wanted.sign == "=")
+    if wanted.sign != "=":
+        parts = intervals(two_sides, wanted.sign)
+        return replace(blank, intervals=parts, nearest=None if parts else nearest(two_sides))
+    positions = holding(two_sides)
+    return replace(blank, positions=positions, nearest=None if positions else nearest(two_sides))
+
+
+def _extreme(method: Method, wanted: Extreme, drawn: tuple[Series, ...], over: Ground) -> Found:
+    found, blank = extremes(over), _looked(method, wanted, drawn, over)
+    if found.level:
+        return replace(blank, everywhere=True, positions=(over.position(over.low, "here"),))
+    if wanted.which == "max":
+        return replace(blank, positions=found.highest + _larger(over, found, drawn[0]))
+    if wanted.which == "min":
+        return replace(blank, positions=found.lowest)
+    blank = replace(blank, positions=found.lowest + found.highest, swing=found.swing)
+    if wanted.which == "range":
+        return blank
+    there_and_back, notes = stroke(over, found)
+    return replace(blank, stroke=there_and_back, notes=notes)
+
+
+def _larger(over: Ground, found: Extremes, drawn: Series) -> tuple[Position, ...]:
+    """Where a point on a guide is faster the other way than its greatest value."""
+    if drawn.along is None or not found.highest or not found.lowest:
+        return ()
+    if -found.lowest[0].values[0] <= found.highest[0].values[0] * (1 + 1e-9):
+        return ()
+    return tuple(replace(position, kind="largest") for position in found.lowest if position.kind != "pole")

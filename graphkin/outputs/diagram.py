@@ -1,0 +1,108 @@
+"""Motion diagrams (运动线图): position, velocity and acceleration over a turn, or as far as the driver gets.
+
+As in figs. 3-14 to 3-16 of the textbook: panels below one another over one x axis. matplotlib draws them, without
+pyplot and without a trace in its settings; the same input gives the same bytes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from graphkin.errors import GraphkinError, Lang
+from graphkin.outputs import files
+from graphkin.outputs.diagram_curves import curves
+from graphkin.outputs.diagram_fonts import NoChineseFont, chinese_font, has_chinese, letters
+from graphkin.sweeps import Course, Road
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["FORMATS", "NotADiagram", "figure", "refuse", "write"]
+
+FORMATS = (".svg", ".png", ".pdf")
+MARK = "https://graphkin.invalid/diagram/1"
+"""By this graphkin knows a diagram of its own, whatever the format."""
+DPI = 200
+
+
+class NotADiagram(GraphkinError):
+    """A diagram is to be written into a file of another kind."""
+
+    path: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{path}: a diagram is written as .svg, .png or .pdf. Let the file's name end in one of these.",
+        "zh": "{path}：线图只能写成 .svg、.png 或 .pdf 文件，请用其中之一作扩展名。",
+    }
+
+
+def figure(course: Course, names: Sequence[str], lang: Lang = "en", by: Road = "construction") -> Figure:
+    """The diagram of quantities over a course, for a notebook or to be saved with `savefig`.
+
+    names  as `sweeps.asked` gives them: `theta 3`, `v E`, `omega 3/omega 2`
+    lang   where no Chinese font is found, Chinese falls back to English (`write` says so)
+    """
+    from graphkin.outputs.diagram_draw import draw
+
+    found = curves(course, names, by)
+    with _settings():
+        return draw(found, lang if chinese_font() is not None else "en")
+
+
+def write(
+    path: Path, course: Course, names: Sequence[str], lang: Lang = "en", by: Road = "construction", force: bool = False
+) -> NoChineseFont | None:
+    """Write a diagram as SVG, PNG or PDF, after the file's ending; beside, then renamed.
+
+    Returns what is to be said where Chinese letters are wanted and there are none. Raises NotADiagram, FileInTheWay,
+    NoFolder, CannotWrite.
+    """
+    kind = path.suffix.lower()
+    if kind not in FORMATS:
+        raise NotADiagram(str(path))
+    refuse(path, force)
+    drawn = figure(course, names, lang, by)
+    with files.beside(path, force, (MARK.encode(),)) as draft, _settings():
+        drawn.savefig(draft, format=kind[1:], dpi=DPI, metadata=_metadata(kind))
+    wanted = lang == "zh" or has_chinese(course.method.mechanism.headline(lang)) or any(map(has_chinese, names))
+    return NoChineseFont() if wanted and chinese_font() is None else None
+
+
+def refuse(path: Path, force: bool) -> None:
+    """Whether a diagram may be written there."""
+    files.refuse(path, force, (MARK.encode(),))
+
+
+def _metadata(kind: str) -> dict[str, Any]:
+    """Who wrote it, and no time."""
+    if kind == ".png":
+        return {"Software": f"graphkin {MARK}"}
+    if kind == ".svg":
+        return {"Creator": f"graphkin {MARK}", "Date": None}
+    return {"Creator": f"graphkin {MARK}", "Producer": None, "CreationDate": None}
+
+
+@contextmanager
+def _settings() -> Iterator[None]:
+    """matplotlib as it comes, with our letters; what the user has set is there again afterwards."""
+    import matplotlib
+
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(
+            {
+                "font.family": letters(),
+                "font.size": 9.0,
+                "mathtext.fontset": "stix",
+                "mathtext.fallback": None,
+                "svg.hashsalt": "graphkin",
+                "svg.fonttype": "path",
+                "pdf.fonttype": 42,
+                "text.hinting": "no_hinting",
+                "path.simplify": False,
+            }
+        )
+        yield

@@ -1,0 +1,226 @@
+"""A motion diagram drawn with matplotlib: panels, axes, curves, upright lines; `diagram_notes` writes at the curves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from graphkin.errors import Lang
+from graphkin.outputs import diagram_words as words
+from graphkin.outputs.diagram_curves import Curves
+from graphkin.outputs.diagram_fonts import has_chinese, typeset, writable
+from graphkin.outputs.diagram_notes import Drawn, note_peaks
+from graphkin.outputs.diagram_panels import Axis, Panel, division, label_of, limits, panels, unit_of
+from graphkin.sheet.lettering import width
+from graphkin.sweeps.remarks import STANDARD_GRAVITY
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["draw"]
+
+MM = 1 / 25.4
+POINT = 25.4 / 72
+"""Inches in a millimetre, millimetres in a point."""
+WIDTH, A4 = 180.0, 267.0
+LEFT, PLAIN_RIGHT, SIDE = 16.0, 5.0, 14.0
+"""Room left of the panels, right of them, and for each axis on the right [mm]."""
+HIGH, LOW = 58.0, 34.0
+TOP, FOOT, LINE, BETWEEN = 14.0, 10.5, 4.0, 3.5
+ROW = 4.8
+"""Height of a row of a legend [mm]."""
+BROAD, THIN = 0.35, 0.18
+"""Lines after ISO 128 [mm]."""
+GREY = "#d8d8d8"
+STYLES: tuple[tuple[str, Any], ...] = (
+    ("#000000", "-"),
+    ("#0b4f9e", (0, (7, 2))),
+    ("#b0221a", (0, (8, 2, 1.5, 2))),
+    ("#1c6e34", (0, (2.5, 1.5))),
+    ("#6a2c91", (0, (8, 2, 1.5, 2, 1.5, 2))),
+    ("#8a5a00", (0, (1, 1.4))),
+)
+"""Colour and dashes: told apart in print without colours, too."""
+
+
+def draw(found: Curves, lang: Lang) -> Figure:
+    """All panels of a diagram, with title, legends, extremes and notes."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    layout = panels([entry.unit for entry in found.series])
+    rows = [_legend_rows(found, panel) for panel in layout]
+    notes = [words.event_line(found.course, event, lang) for event in found.events]
+    high = _panel_height(rows, len(notes))
+    total = TOP + FOOT + len(notes) * LINE + sum(high + row * ROW + BETWEEN for row in rows)
+    page = Figure(figsize=(WIDTH * MM, total * MM), dpi=200)
+    FigureCanvasAgg(page)
+    drawn, level = [], total - TOP
+    for panel, row in zip(layout, rows, strict=True):
+        level -= row * ROW + high
+        drawn.append(_panel(page, found, panel, lang, (level / total, high / total), row, last=panel is layout[-1]))
+        level -= BETWEEN
+    _head(page, found, lang, total)
+    _fit_sides(page, drawn)
+    for k, line in enumerate(notes):
+        start = drawn[0].sides[0].get_position().x0
+        _written(page, start, ((len(notes) - k) * LINE - 1.5) / total, line, size=8, va="bottom")
+    note_peaks(page, found, drawn, lang)
+    return page
+
+
+def _legend_rows(found: Curves, panel: Panel) -> int:
+    """Rows of a legend: as wide as its labels, with their samples of a line, are."""
+    size = sum(width(label_of(found.series[k].name), 9 * POINT) + 15.0 for axis in panel.axes for k in axis.curves)
+    return max(1, math.ceil(size / (WIDTH - LEFT - 2 * SIDE - 30.0)))
+
+
+def _panel_height(rows: Sequence[int], notes: int) -> float:
+    room = A4 - TOP - FOOT - notes * LINE - sum(row * ROW + BETWEEN for row in rows)
+    return min(HIGH, max(LOW, room / len(rows)))
+
+
+def _written(page: Figure, x: float, y: float, text: str, size: float, **options: Any) -> None:
+    page.text(x, y, text, fontsize=size, parse_math=False, **options)
+
+
+def _head(page: Figure, found: Curves, lang: Lang, total: float) -> None:
+    """Title and drivers; long ones are written smaller."""
+    mechanism = found.course.method.mechanism
+    lines = (writable(mechanism.headline(lang)), 11.0, 6.0), (words.about_drivers(found.course, lang), 9.0, 10.5)
+    for text, size, below in lines:
+        wide = sum(1.0 if has_chinese(letter) else 0.5 for letter in text) * size * POINT
+        size *= min(1.0, (WIDTH - 10.0) / wide)
+        _written(page, 0.5, 1 - below / total, text, size=size, ha="center")
+
+
+# --- one panel --------------------------------------------------------------------------------
+
+
+def _panel(
+    page: Figure, found: Curves, panel: Panel, lang: Lang, place: tuple[float, float], rows: int, last: bool
+) -> Drawn:
+    """Axes, curves and legend of one panel; `place`: where its lower edge is and how high it is, of the page."""
+    low, high = place
+    first = page.add_axes((LEFT / WIDTH, low, 1 - (LEFT + PLAIN_RIGHT) / WIDTH, high), label=panel.kind)
+    sides = [first, *(first.twinx() for _ in panel.axes[1:])]
+    for side, axis, ends in zip(sides, panel.axes, limits(found, panel), strict=True):
+        _upright(side, axis, ends, lang)
+    _acceleration_in_g(sides, panel, lang)
+    _across(first, found, lang, last)
+    lines, k = {}, 0
+    for side, axis in zip(sides, panel.axes, strict=True):
+        for curve in axis.curves:
+            lines[curve] = _curve(side, found, curve, STYLES[k % len(STYLES)])
+            k += 1
+    _legend(first, panel, lang, [lines[k] for k in lines], rows)
+    _thin_lines(first, found, panel)
+    return Drawn(panel, tuple(sides), lines)
+
+
+def _curve(side: Axes, found: Curves, k: int, style: tuple[str, Any]) -> Any:
+    entry, course = found.series[k], found.course
+    across = unit_of("rad" if course.angular else "m").factor
+    (line,) = side.plot(
+        course.value(found.t) * across, entry.signed * unit_of(entry.unit).factor, color=style[0], linestyle=style[1],
+        linewidth=BROAD / POINT, label=typeset(label_of(entry.name)), gid=entry.name, solid_joinstyle="round",
+    )  # fmt: skip
+    return line
+
+
+def _upright(side: Axes, axis: Axis, ends: tuple[float, float], lang: Lang) -> None:
+    """Limits, round ticks and name of a y axis; very large and small numbers are written with a power of ten."""
+    side.set_ylim(*ends)
+    power = _power(max(map(abs, ends)))
+    ticks = division(*ends, most=6, degrees=axis.unit == "rad")
+    side.set_yticks(ticks, labels=[_tick(value / 10**power, ticks, power) for value in ticks])
+    side.set_ylabel(words.upright_label(axis.unit, lang, power), labelpad=3)
+    _plain_spines(side)
+
+
+def _power(size: float) -> int:
+    if size == 0 or 0.01 <= size < 1e5:
+        return 0
+    return 3 * math.floor(math.log10(size) / 3)
+
+
+def _tick(value: float, ticks: Sequence[float], power: int) -> str:
+    step = abs(ticks[1] - ticks[0]) / 10**power if len(ticks) > 1 else 1.0
+    digits = max(0, -math.floor(math.log10(step) + 1e-9))
+    return f"{value:.{digits}f}".replace("-", "−") if abs(value) > 1e-9 * step else "0"
+
+
+def _plain_spines(side: Axes) -> None:
+    side.tick_params(direction="in", width=THIN / POINT, length=3, labelsize=8, pad=2.5)
+    for spine in side.spines.values():
+        spine.set_linewidth(THIN / POINT)
+
+
+def _acceleration_in_g(sides: Sequence[Axes], panel: Panel, lang: Lang) -> None:
+    """A second scale for accelerations of points, in multiples of the standard gravity."""
+    if panel.axes[-1].unit != "m/s^2":
+        return
+    side = sides[-1]
+    away = 1.0 if len(sides) == 1 else 1.0 + SIDE / (WIDTH - LEFT - PLAIN_RIGHT - 2 * SIDE)
+    scale = side.secondary_yaxis(
+        away, functions=(lambda a: a / STANDARD_GRAVITY, lambda g: g * STANDARD_GRAVITY)
+    )
+    low, high = (end / STANDARD_GRAVITY for end in side.get_ylim())
+    power, ticks = _power(max(-low, high)), division(low, high, most=5)
+    scale.set_yticks(ticks, labels=[_tick(value / 10**power, ticks, power) for value in ticks])
+    scale.set_ylabel(words.upright_label("g", lang, power), labelpad=3)
+    _plain_spines(scale)
+
+
+def _across(first: Axes, found: Curves, lang: Lang, last: bool) -> None:
+    """The x axis: a turn by 30 degrees; a little wider than the range where stops are at its ends."""
+    course = found.course
+    factor = unit_of("rad" if course.angular else "m").factor
+    low, high = sorted(float(course.value(t)) * factor for t in (found.low, found.high))
+    beyond = 0.015 * (high - low) if course.way.stops else 0.0
+    first.set_xlim(low - beyond, high + beyond)
+    ticks = division(low, high, most=13, degrees=course.angular)
+    first.set_xticks(ticks, labels=[_tick(value, ticks, 0) for value in ticks] if last else [""] * len(ticks))
+    first.grid(color=GREY, linewidth=THIN / POINT / 2)
+    first.set_axisbelow(True)
+    if last:
+        first.set_xlabel(words.across(course, lang), labelpad=3)
+
+
+def _thin_lines(first: Axes, found: Curves, panel: Panel) -> None:
+    """The zero line, and upright lines where the driver stops and at change points."""
+    low, high = first.get_ylim()
+    if low < 0 < high and (panel.kind != "position" or len(panel.axes) == 1):
+        first.axhline(0, color="black", linewidth=THIN / POINT, zorder=1.5)
+    factor = unit_of("rad" if found.course.angular else "m").factor
+    for event in found.events:
+        place = float(found.course.value(event.at)) * factor
+        first.axvline(place, color="black", linewidth=THIN / POINT, zorder=1.5, linestyle=(0, (12, 3, 2, 3)))
+
+
+def _legend(first: Axes, panel: Panel, lang: Lang, lines: Sequence[Any], rows: int) -> None:
+    """What is shown, and which line is which; above the panel, so that it never hides a curve."""
+    first.set_title(words.HEADINGS[panel.kind][lang], loc="left", fontsize=9, pad=4, y=1.0)
+    first.legend(
+        handles=lines, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=math.ceil(len(lines) / rows), frameon=False,
+        borderaxespad=0.15, borderpad=0.1, handlelength=3.2, handletextpad=0.5, columnspacing=1.4, labelspacing=0.15,
+        fontsize=9,
+    )  # fmt: skip
+
+
+def _fit_sides(page: Figure, drawn: Sequence[Drawn]) -> None:
+    """All panels equally wide, with room for what is written beside them."""
+    for _ in range(2):
+        page.draw_without_rendering()
+        renderer = page.canvas.get_renderer()  # type: ignore[attr-defined]
+        boxes = [side.get_tightbbox(renderer) for panel in drawn for side in panel.sides]
+        frame = drawn[0].sides[0].bbox
+        edge = 2.5 * MM * page.dpi
+        left = frame.x0 - min(box.x0 for box in boxes) + edge
+        right = max(box.x1 for box in boxes) - frame.x1 + edge
+        for panel in drawn:
+            for side in panel.sides:
+                place, whole = side.get_position(), page.bbox.width
+                side.set_position((left / whole, place.y0, 1 - (left + right) / whole, place.height))

@@ -1,0 +1,120 @@
+"""What is written at the curves of a motion diagram: greatest and least values, dead points and change points."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from graphkin.errors import Lang
+from graphkin.outputs import diagram_words as words
+from graphkin.outputs.diagram_curves import Curves, Peak
+from graphkin.outputs.diagram_panels import Panel, unit_of
+from graphkin.outputs.diagram_place import Note, arrange, paths_of
+from graphkin.value import frozen
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.transforms import Bbox
+
+__all__ = ["Drawn", "note_peaks"]
+
+SIZE = 7.5
+THIN_PT = 0.18 * 72 / 25.4
+
+
+@frozen
+class Drawn:
+    """A panel that is drawn: its axes, and the line of each curve by its number."""
+
+    panel: Panel
+    sides: tuple[Axes, ...]
+    lines: Mapping[int, Any]
+
+
+def note_peaks(page: Figure, found: Curves, drawn: Sequence[Drawn], lang: Lang) -> None:
+    """Write at every panel, once all is where it stays."""
+    page.draw_without_rendering()
+    for panel in drawn:
+        paths = [path for line in panel.lines.values() for path in paths_of(_pixels(line))]
+        straight = _straight(panel)
+        taken = [_name_event(page, panel, found, k, paths, lang) for k in range(len(found.events))]
+        _write_peaks(page, found, panel, [*paths, *straight], taken)
+
+
+def _pixels(line: Any) -> np.ndarray:
+    """Where a curve is drawn (n, 2) [pixels]."""
+    return np.asarray(line.get_transform().transform(np.column_stack(line.get_data())))
+
+
+def _straight(drawn: Drawn) -> list[Any]:
+    """The zero line and the upright lines [pixels]."""
+    lines = [line for line in drawn.sides[0].lines if line not in drawn.lines.values()]
+    return [path for line in lines for path in paths_of(_pixels(line))]
+
+
+# --- greatest and least values ----------------------------------------------------------------
+
+
+def _write_peaks(page: Figure, found: Curves, drawn: Drawn, paths: Sequence[Any], taken: Sequence[Bbox]) -> None:
+    top, frame, point = drawn.sides[-1], drawn.sides[0].bbox, page.dpi / 72
+    texts, notes = [], []
+    for line, place, peak, text in _peaks(found, drawn):
+        at = tuple(float(x) for x in line.axes.transData.transform(place))
+        line.axes.plot(*place, marker="o", markersize=2.6, color=line.get_color(), linestyle="", gid=f"{line.get_gid()} {peak.sign}")
+        texts.append(top.text(0, 0, text, fontsize=SIZE, color=line.get_color(), transform=None, va="bottom", zorder=5))
+        box = texts[-1].get_window_extent(page.canvas.get_renderer())  # type: ignore[attr-defined]
+        notes.append(Note((at[0], at[1]), (box.width, box.height), peak.sign))
+    placed = arrange(notes, paths, taken, frame, point)
+    for text, note, (box, led) in zip(texts, notes, placed, strict=True):
+        _put(page, top, text, note, box, led)
+
+
+def _peaks(found: Curves, drawn: Drawn) -> Iterator[tuple[Any, tuple[float, float], Peak, str]]:
+    """(line, place in its axes, peak, text) of all extremes in a panel."""
+    across = unit_of("rad" if found.course.angular else "m").factor
+    for k, line in drawn.lines.items():
+        unit = unit_of(found.series[k].unit)
+        for peak in found.peaks[k]:
+            place = float(found.course.value(peak.t)) * across, peak.value * unit.factor
+            degree = unit.name if unit.name == "°" else ""
+            yield line, place, peak, f"{words.figure_of(place[1])}{degree} @ {words.place_of(found.course, peak.t)}"
+
+
+def _put(page: Figure, top: Axes, text: Any, note: Note, box: Bbox, led: bool) -> None:
+    """Move a text to its box, in parts of the panel, so that it stays there at any resolution."""
+    inside = top.transAxes.inverted()
+    text.set_transform(top.transAxes)
+    text.set_position(inside.transform((box.x0, box.y0)))
+    if led:
+        near = np.clip(note.at, (box.x0, box.y0), (box.x1, box.y1))
+        (x0, y0), (x1, y1) = inside.transform(note.at), inside.transform(near)
+        top.plot([x0, x1], [y0, y1], transform=top.transAxes, color=text.get_color(), linewidth=THIN_PT, gid="leader")
+
+
+# --- stops and change points ------------------------------------------------------------------
+
+
+def _name_event(page: Figure, drawn: Drawn, found: Curves, k: int, paths: Sequence[Any], lang: Lang) -> Bbox:
+    """The word along an upright line, at the height and on the side where it hides least of the curves."""
+    from matplotlib.transforms import Bbox
+
+    first, top, event = drawn.sides[0], drawn.sides[-1], found.events[k]
+    across = unit_of("rad" if found.course.angular else "m").factor
+    x = float(first.transData.transform((float(found.course.value(event.at)) * across, 0))[0])
+    text = top.text(0, 0, words.event_mark(event, lang), fontsize=SIZE, rotation=90, transform=None, va="bottom", zorder=5)
+    size = text.get_window_extent(page.canvas.get_renderer())  # type: ignore[attr-defined]
+    frame, gap = first.bbox, 2 * page.dpi / 72
+    tried = []
+    for left in (x + gap, x - gap - size.width):
+        for part in (0.97, 0.03, 0.8, 0.2, 0.65, 0.35, 0.5):
+            low = frame.y0 + 2 * gap + part * (frame.height - size.height - 4 * gap)
+            box = Bbox.from_bounds(left, low, size.width, size.height)
+            if frame.x0 < box.x0 and box.x1 < frame.x1:
+                tried.append((sum(path.intersects_bbox(box, filled=False) for path in paths), len(tried), box))
+    box = min(tried, key=lambda entry: entry[:2])[2]
+    text.set_transform(top.transAxes)
+    text.set_position(top.transAxes.inverted().transform((box.x0, box.y0)))
+    return box

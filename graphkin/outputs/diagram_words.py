@@ -1,0 +1,107 @@
+"""The words of a motion diagram, in both languages."""
+
+from __future__ import annotations
+
+from graphkin.errors import Lang
+from graphkin.methods.way import Event
+from graphkin.outputs.diagram_fonts import typeset, writable
+from graphkin.outputs.diagram_panels import LETTERS, unit_of
+from graphkin.sheet.lettering import link_label, number
+from graphkin.sweeps import Course
+from graphkin.sweeps.remarks import told
+
+__all__ = ["HEADINGS", "about_drivers", "across", "event_line", "event_mark", "figure_of", "place_of", "upright_label"]
+
+HEADINGS: dict[str, dict[Lang, str]] = {
+    "position": {"en": "Position", "zh": "位置线图"},
+    "velocity": {"en": "Velocity", "zh": "速度线图"},
+    "acceleration": {"en": "Acceleration", "zh": "加速度线图"},
+    "ratio": {"en": "Ratio", "zh": "比值"},
+}
+_EVENTS: dict[str, dict[Lang, str]] = {
+    "dead": {"en": "dead point", "zh": "死点"},
+    "limit": {"en": "limit", "zh": "极限位置"},
+    "change": {"en": "change point", "zh": "变点"},
+}
+_ACROSS: dict[str, dict[Lang, str]] = {
+    "angle": {"en": "direction of {name} [°]", "zh": "{name} 的方位角 /(°)"},
+    "between": {"en": "angle {name} [°]", "zh": "夹角 {name} /(°)"},
+    "spin": {"en": "rotation of {name} [°]", "zh": "{name} 的转角 /(°)"},
+    "slide": {"en": "displacement of {name} [mm]", "zh": "{name} 的位移 /mm"},
+}
+_RATES = {"slide": ("v", "m/s", "a", "m/s²")}
+
+
+def _signed(text: str) -> str:
+    return text.replace("-", "−")
+
+
+def figure_of(value: float, unit: str = "") -> str:
+    """A number at a curve: `−3.919`, `117.0°`, `2.013×10⁻⁵` as matplotlib writes them; four digits, as on paper."""
+    if value == 0 or 1e-4 <= abs(value) < 1e5:
+        text = _signed(f"{value:#.4g}" if abs(value) < 1e4 and value else f"{value:.0f}").rstrip(".")
+    else:
+        text = typeset(number(value, 4))
+    return f"{text}{unit}"
+
+
+def place_of(course: Course, t: float) -> str:
+    """Where a value is reached: `125.3°`, `72.35 mm`."""
+    value = float(course.value(t)) * (unit_of("rad").factor if course.angular else unit_of("m").factor)
+    if not course.angular:
+        return _signed(f"{value:.4g}" if abs(value) > 1e-6 else "0") + " mm"
+    return _signed(f"{value + 0.0:.1f}".replace("-0.0", "0.0") + "°")
+
+
+def across(course: Course, lang: Lang) -> str:
+    """What the x axis shows."""
+    driver = course.driver
+    kind = "between" if driver.kind == "angle" and driver.from_vector is not None else driver.kind
+    return _ACROSS[kind][lang].format(name=writable(driver.name))
+
+
+def upright_label(unit: str, lang: Lang, power: int = 0) -> str:
+    """What a y axis shows: `ω [rad/s]`, in Chinese as the standard has it `ω /(rad/s)`."""
+    name, letter = unit_of(unit).name, LETTERS.get(unit, "")
+    if power:
+        name = f"10^{{{power}}}" + (f"\\ {name}" if name else "")
+    name = "$\\mathrm{" + name.replace("²", "^2") + "}$" if "²" in name or power else name
+    letter = typeset(link_label(letter)) if letter else ""
+    if lang == "en":
+        return f"{letter} [{name}]".strip() if name else letter
+    compound = any(sign in name for sign in "/° ")
+    return (f"{letter} /({name})" if compound else f"{letter} /{name}").strip() if name else letter
+
+
+def about_drivers(course: Course, lang: Lang) -> str:
+    """`driver AB: ω = 10 rad/s`, and where those stand that do not move."""
+    colon, comma, semicolon = (": ", ", ", "; ") if lang == "en" else ("：", "，", "；")
+    told = []
+    for k, driver in enumerate(course.method.drivers):
+        speed, per_second, gain, per_square = _RATES.get(driver.kind, ("ω", "rad/s", "α", "rad/s²"))
+        parts = [f"{speed} = {_signed(f'{driver.rate:.6g}')} {per_second}"]
+        if driver.acceleration:
+            parts.append(f"{gain} = {_signed(f'{driver.acceleration:.6g}')} {per_square}")
+        if not course.way.pace[k]:
+            unit, factor = (" mm", 1000.0) if driver.kind == "slide" else ("°", unit_of("rad").factor)
+            parts.insert(0, _signed(f"{course.way.start[k] * factor:.6g}{unit}"))
+        told.append(f"{writable(driver.name)}{colon}{comma.join(parts)}")
+    word = {"en": "driver ", "zh": "原动件 "} if len(told) == 1 else {"en": "drivers ", "zh": "原动件 "}
+    return word[lang] + semicolon.join(told)
+
+
+def event_mark(event: Event, lang: Lang) -> str:
+    """The word beside an upright line."""
+    kind = "change" if event.choices else "limit" if event.kind in ("tangent", "parallel") else "dead"
+    return _EVENTS[kind][lang]
+
+
+def event_line(course: Course, event: Event, lang: Lang) -> str:
+    """The line below the diagram: where, and which links."""
+    why, stop, colon = told(event, lang), "." if lang == "en" else "。", ": " if lang == "en" else "："
+    mark = event_mark(event, lang)
+    mark = mark[0].upper() + mark[1:]
+    for word in (" (dead point)", "（死点）"):
+        why = why.removesuffix(word)
+    return f"{mark}{' at ' if lang == 'en' else ' '}{place_of(course, event.at)}{colon}{writable(why)}{stop}"
+
