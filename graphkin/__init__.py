@@ -24,7 +24,7 @@ __version__ = "0.1.0"
 ORDER = (
     "value", "errors", "geometry", "steps", "pairs", "mechanism", "naming", "loading", "library", "methods", "seal",
     "analytic", "freedoms", "assur", "readings", "sweeps", "check", "results", "reports", "words", "sheet", "outputs",
-    "equations", "finding", "api", "cli",
+    "equations", "finding", "api", "batches", "cli",
 )  # fmt: skip
 
 _WHERE = {
@@ -35,14 +35,17 @@ _WHERE = {
     "Drawing": "api",
     "explain": "words",
     "measure": "check",
+    "sweep": "api",
+    "sweep_many": "batches",
     "GraphkinError": "errors",
 }
 
-__all__ = ["Drawing", "GraphkinError", "explain", "load", "measure", "motion", "plan", "replay"]
+__all__ = ["Drawing", "GraphkinError", "explain", "load", "measure", "motion", "plan", "replay", "sweep", "sweep_many"]
 
 if TYPE_CHECKING:
     from graphkin.analytic import motion
-    from graphkin.api import Drawing, load, plan, replay
+    from graphkin.api import Drawing, load, plan, replay, sweep
+    from graphkin.batches import sweep_many
     from graphkin.check import measure
     from graphkin.errors import GraphkinError
     from graphkin.words import explain

@@ -28,8 +28,9 @@ from graphkin.value import frozen
 if TYPE_CHECKING:
     from graphkin.readings import Answer
     from graphkin.sheet import Sheet
+    from graphkin.sweeps import Road, Sweep
 
-__all__ = ["Drawing", "load", "plan", "replay"]
+__all__ = ["Drawing", "load", "plan", "replay", "sweep"]
 
 
 def load(source: str | Path) -> Mechanism:
@@ -83,6 +84,21 @@ def replay(method: Method, values: Sequence[Value] | None = None) -> Plot:
     array([-3.919, -1.132,  0.64 ])
     """
     return methods.replay_all(method, values)
+
+
+def sweep(mechanism: Mechanism, ranges: Sequence[str] = (), of: Sequence[str] = (), by: Road = "construction") -> Sweep:
+    """Quantities over a turn, or as far as the mechanism gets; `ranges` and `of` as on the command line.
+
+    >>> import numpy as np
+    >>> found = sweep(load("ex3-7"), ["0:20:10"], ["theta 4", "v E"])
+    >>> np.round(np.degrees(found["theta 4"].values), 5)
+    array([168.93822, 172.02725, 175.32662])
+    >>> np.round(found["v E"].signed, 5)
+    array([-0.10184, -0.12272, -0.13833])
+    """
+    from graphkin import sweeps
+
+    return sweeps.sweep(plan(mechanism), ranges, of, by)
 
 
 @frozen

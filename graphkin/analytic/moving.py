@@ -24,10 +24,17 @@ _LENGTH_STRIDE = 0.02
 """The same for a displacement, in units of the mechanism's size."""
 _SHORTEST = 1e-5
 """Sub-steps this much shorter than the longest are the end of the way."""
+_CROSSING = 2e-5
+"""Through a change point only by sub-steps this much shorter: longer ones could cut across to another assembly."""
 _MARGIN = 4 * _SHORTEST
 """So near its end a way still counts as leading there: a dead point itself is reached by Newton only."""
 _REACH = 0.2
 """Longest sub-step of any unknown in the loops [rad, size]."""
+_SWERVE, _SLIP = 0.15, 0.005
+"""How much the turning over a sub-step may differ between its ends, and from their mean [rad, size].
+
+Two assemblies that come close to each other turn in opposite senses there: more than this, and it is another one.
+"""
 _TRUST = 0.1
 """Newton may correct a sub-step by this much [rad, size]."""
 
@@ -100,19 +107,37 @@ def _walk(closure: Closure, start: Real, c: Real, change: Real) -> Iterator[tupl
     """Yield (q (p, n), share of the way done (p,)) after each sub-step, until all arrive or are stuck."""
     q, done = np.repeat(start[None], len(change), axis=0), np.zeros(len(change))
     longest, heard = _longest(closure, change), closure.loops.moves(closure.loops.rows)
-    stride = longest.copy()
+    stride, slope, side = longest.copy(), tangent(closure, q, change), _side(closure, q)
     while (active := (done < 1) & (stride > _SHORTEST * longest)).any():
-        toward = tangent(closure, q[active], change[active])
+        toward = slope[active]
         fastest = np.max(np.abs(toward[:, heard]), axis=1, initial=0.0)
         share = np.minimum(stride[active], _REACH / np.maximum(fastest, _REACH))
         ahead = np.where(done[active] + share > 1 - 1e-12, 1.0, done[active] + share)
-        tried = q[active] + (ahead - done[active])[:, None] * toward
+        step = (ahead - done[active])[:, None]
+        tried = q[active] + step * toward
         closed = close(closure, tried, c + ahead[:, None] * change[active], steps=7)
-        good = _good(closure, closed, tried)
+        onward = tangent(closure, closed.q, change[active])
+        swerve = np.abs(step * (onward - toward))
+        slip = np.abs(closed.q - q[active] - step * (onward + toward) / 2)
+        smooth = (np.max(swerve[:, heard], axis=1, initial=0.0) < _SWERVE) & (
+            np.max(slip[:, heard], axis=1, initial=0.0) < _SLIP
+        )
+        beyond = _side(closure, closed.q)
+        same = (beyond == side[active]) | (share <= _CROSSING * longest[active])
+        good = _good(closure, closed, tried) & smooth & same
         stride[active] = np.where(good, np.minimum(2 * share, longest[active]), share / 2)
         q[active] = np.where(good[:, None], closed.q, q[active])
+        slope[active] = np.where(good[:, None], onward, toward)
+        side[active] = np.where(good, beyond, side[active])
         done[active] = np.where(good, ahead, done[active])
         yield q.copy(), done.copy()
+
+
+def _side(closure: Closure, q: Real) -> Real:
+    """The sign of the matrix's determinant: it changes only through a change point, or to another assembly."""
+    matrix = closure.matrix(q)
+    square = matrix.shape[-1] == matrix.shape[-2]
+    return np.asarray(np.linalg.slogdet(matrix)[0]) if square else np.ones(len(q))
 
 
 def _longest(closure: Closure, change: Real) -> Real:

@@ -21,10 +21,10 @@ from graphkin.methods.position import position
 from graphkin.methods.special import Ternary, special_points, with_special_points
 from graphkin.methods.stages import Bridge, Group, Stage, stages
 from graphkin.methods.structure import Structure
-from graphkin.steps import Construction, Facts, Fit, Plot, Roll, Site, replay
+from graphkin.steps import Construction, Facts, Fit, Meet, Plot, Roll, Site, Swing, replay
 from graphkin.value import frozen
 
-__all__ = ["Method", "plan", "replay_all"]
+__all__ = ["Method", "plan", "replay_all", "with_other_points"]
 
 
 @frozen
@@ -106,15 +106,36 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     construction = with_sides(construction, found.sides)
     plot = replay(construction, Plot(facts, found.near))
     refuse_gears_apart(mechanism, ties, plot)
+    return _method(mechanism, structure, order, construction, plot, found.near, drawn)
+
+
+def with_other_points(method: Method, plot: Plot) -> Method:
+    """The same mechanism with the special points of its groups chosen anew, for the position of a plot."""
+    construction, _ = position(method.structure, method.stages)
+    sides = {step.choice: step.side for step in method.position.steps if isinstance(step, Meet | Swing)}
+    construction = with_sides(construction, tuple(sides[k] for k in sorted(k for k in sides if k is not None)))
+    return _method(
+        method.mechanism, method.structure, method.stages, construction, plot, method.near, method.drawn
+    )
+
+
+def _method(
+    mechanism: Mechanism,
+    structure: Structure,
+    order: tuple[Stage, ...],
+    construction: Construction,
+    plot: Plot,
+    near: Mapping[str, float],
+    drawn: Mapping[str, float],
+) -> Method:
+    """The polygons to a position's construction, with special points that lie well at the position of a plot."""
     ternaries = special_points(structure, order, plot)
-    construction = with_special_points(construction, ternaries)
     meeting = coincident_points(structure, order)
     labels, pole = Labels(structure, meeting), _pole(mechanism)
     velocity, at = motion(structure, order, labels, "velocity", pole, lambda site: "", ternaries)
     acceleration, _ = motion(structure, order, labels, "acceleration", pole, at, ternaries)
-    return Method(
-        mechanism, structure, order, construction, velocity, acceleration, meeting, found.near, drawn, ternaries
-    )
+    construction = with_special_points(construction, ternaries)
+    return Method(mechanism, structure, order, construction, velocity, acceleration, meeting, near, drawn, ternaries)
 
 
 def _order(structure: Structure) -> tuple[Stage, ...]:

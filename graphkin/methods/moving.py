@@ -25,7 +25,9 @@ SURPRISE = 0.02
 SWERVE, SLIP = 0.15, 0.005
 """How much the turning over a step may differ at its two ends, and from their mean [rad]: another branch does."""
 SHORTEST = 1 / 256
-"""A step this much shorter than the longest is the end of the way."""
+"""Steps are not halved below this part of the longest, for many positions at once."""
+CROSSING = 2e-5
+"""Through a change point only by steps this much shorter than the longest; longer ones could cut across."""
 FLAT_SINE = 0.1
 """Crossings under a smaller angle may change over where the way is stuck."""
 
@@ -163,18 +165,18 @@ class _Walk:
         self.sides = dict(way.sides)
         self.stops: tuple[Event, ...] = ()
         self.changes: tuple[Event, ...] = ()
-        now, slope = self._looked_at(0.0, way.near(0.0), self.sides)
+        self.longest = stride(method, way.pace, STEP_DEG, STEP_PART)
+        now, slope, self.senses = self._looked_at(0.0, way.near(0.0), self.sides)
         self.at, self.found, self.slopes = [0.0], [now], [slope]
 
     def walk(self, end: float) -> None:
-        longest = stride(self.method, self.way.pace, STEP_DEG, STEP_PART)
-        step = longest
+        step = longest = self.longest
         while abs(end - self.at[-1]) > 1e-12 * longest:
             if self._taken(self._ahead(end, step), self.sides):
                 step = min(longest, 1.5 * step)
-            elif step > longest * SHORTEST:
+            elif step > longest * CROSSING:
                 step /= 2
-            elif not self._through(end, 16 * step):
+            elif not self._through(end, 64 * step):
                 self._stop(end, step)
                 return
 
@@ -184,20 +186,22 @@ class _Walk:
 
     def _looked_at(
         self, t: float, near: Mapping[str, Value], sides: Mapping[int, int]
-    ) -> tuple[dict[str, float], dict[str, float]]:
-        """Angles and displacements at t, and how they change with it."""
+    ) -> tuple[dict[str, float], dict[str, float], dict[str, Value]]:
+        """Angles and displacements at t, how they change with it, and the senses of what is fitted."""
         facts = replace(self.method.facts(self.way.values(t)), rates=self.way.pace)
         plot = replay(self.method.velocity, replay(self.method.position, Plot(facts, near), sides))
         now = {name: float(value) for name, value in _turned(self.method, plot).items()}
         rates = {**plot.omega, **plot.s_rate}
-        return now, {name: float(rates[name]) for name in now}
+        return now, {name: float(rates[name]) for name in now}, plot.senses
 
     def _taken(self, ahead: float, sides: Mapping[int, int]) -> bool:
         """One step, if the links come to where they were expected, and go on as they did."""
         step, before, slope = ahead - self.at[-1], self.found[-1], self.slopes[-1]
         guess = {name: value + slope[name] * step for name, value in before.items()}
-        now, then = self._looked_at(ahead, guess, sides)
+        now, then, senses = self._looked_at(ahead, guess, sides)
         if not all(map(np.isfinite, now.values())):
+            return False
+        if senses != self.senses and abs(step) > self.longest * CROSSING:
             return False
         secant = {name: (now[name] - before[name]) / step for name in now}
         then = {name: value if np.isfinite(value) else secant[name] for name, value in then.items()}
@@ -209,6 +213,7 @@ class _Walk:
         self.at.append(ahead)
         self.found.append(now)
         self.slopes.append(then)
+        self.senses = senses
         return True
 
     def _through(self, end: float, step: float) -> bool:
@@ -237,7 +242,7 @@ class _Walk:
 
     def _stop(self, end: float, step: float) -> None:
         """The way ends here: where, to the last digit that stepping on gives, and at which crossing."""
-        smallest = 1e-9 * stride(self.method, self.way.pace, STEP_DEG, STEP_PART)
+        smallest = 1e-9 * self.longest
         while step > smallest:
             if not self._taken(self._ahead(end, step), self.sides):
                 step /= 2

@@ -32,6 +32,8 @@ TOUCHING_SINE = 3e-6
 LOW_SINE = 0.3
 """Below this a least angle between two loci is looked at more closely."""
 ROUNDS, FINE = 3, 201
+CENTRING = 1e-3
+"""How far to both sides of a touching it is weighed, as part of how closely the way is looked at."""
 
 Crossing = Meet | Swing | Fit
 
@@ -187,13 +189,11 @@ def _next_event(method: Method, way: Way, t: np.ndarray) -> Event | None:
             found.append((met[0], step, met[1]))
     if not found:
         return None
-    found.sort(key=lambda entry: abs(entry[0] - t[0]))
-    at, step, passes = found[0]
-    if not passes:
-        return event_at(method, step, at, ())
-    close = 1e-3 * abs(t[1] - t[0])
-    choices = tuple(c for place, other, through in found if through and abs(place - at) < close for c in _choice(other))
-    return event_at(method, step, at, choices)
+    nearest = min(abs(place - t[0]) for place, _, _ in found)
+    here = [entry for entry in found if abs(entry[0] - t[0]) < nearest + 1e-3 * abs(t[1] - t[0])]
+    at, step, passes = here[0]
+    choices = tuple(choice for _, other, through in here if through for choice in _choice(other))
+    return event_at(method, step, at, choices if passes else ())
 
 
 def crossings(method: Method) -> Iterator[Crossing]:
@@ -264,6 +264,8 @@ def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -
     key = key_of(step)
     miss = np.array(np.broadcast_to(plot.misses.get(key, -np.inf), shape), dtype=float)
     sine = np.array(np.broadcast_to(plot.sines["position", key], shape), dtype=float)
+    if isinstance(step, Swing):  # a line through its own pivot gives no angle where the point comes to the pivot
+        sine = np.fmin(sine, np.abs(miss) / method.size)
     touching = np.abs(miss) <= TOUCH * method.size
     sine[touching & ~np.isfinite(sine)] = 0.0
     miss[touching] = 0.0
@@ -282,7 +284,15 @@ def _closer(method: Method, way: Way, step: Crossing, begin: float, end: float) 
         begin, end = float(t[max(k - 1, 0)]), float(t[min(k + 1, FINE - 1)])
     if sine[k] > TOUCHING_SINE:
         return None
-    return float(t[k]), _kind(step) not in ("parallel", "fit")
+    return _centred(method, way, step, float(t[k])), _kind(step) not in ("parallel", "fit")
+
+
+def _centred(method: Method, way: Way, step: Crossing, at: float) -> float:
+    """Where the sine, which falls and rises in straight lines, comes to 0."""
+    aside = CENTRING * stride(method, way.pace, LOOK_DEG, LOOK_PART)
+    t = at + aside * np.array([-1.0, 1.0])
+    (before, after), _ = _angle(method, step, along(method, way, t), t.shape)
+    return at + aside * float((before - after) / (before + after))
 
 
 def _edge(method: Method, way: Way, step: Crossing, t: np.ndarray, k: int) -> float:

@@ -124,6 +124,7 @@ def _keep_what_fits(step: Fit, plot: Plot, x: np.ndarray, size: float, units: np
     widest = np.max(np.abs(gap), axis=0)
     fits = widest < 1e-10
     _settle_all(step, plot, np.where(fits, x, np.nan))
+    plot.senses[step.name] = _sense(slope)
     plot.sines["position", step.name] = np.where(fits, _least(slope * units), np.nan)[()]
     plot.misses[step.name] = np.where(fits, 0.0, widest * size)[()]
 
@@ -237,6 +238,13 @@ def _solve(slope: np.ndarray, gap: np.ndarray) -> np.ndarray:
         found = np.linalg.pinv(matrix) @ right
     found = np.where(finite[..., None, None], found, np.nan)
     return np.moveaxis(found[..., 0], -1, 0)
+
+
+def _sense(slope: np.ndarray) -> Value:
+    """The sign of a system's determinant: another assembly close by has the other one."""
+    if slope.shape[0] != slope.shape[1]:
+        return 1.0
+    return np.linalg.slogdet(np.nan_to_num(np.moveaxis(slope, (0, 1), (-2, -1))))[0]
 
 
 def _least(slope: np.ndarray) -> Value:

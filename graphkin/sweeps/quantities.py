@@ -51,7 +51,8 @@ def split(text: str) -> list[str]:
 
 def series(mechanism: Mechanism, motions: Motions, name: str, count: int) -> Series | None:
     """One quantity; None for a text that names none."""
-    found = answer(mechanism, motions, name)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        found = answer(mechanism, motions, name)
     if found is None:
         return None
     vectors = None if found.vector is None else _row(found.vector, count)

@@ -1,20 +1,20 @@
 """The two roads over many positions: the construction replayed, or the analysis; and places only a limit gives.
 
-At a change point all lines of a group coincide, and where a special point goes far off its lines are parallel:
-there velocities are 0/0 on paper and in the matrices alike, though the motion itself is smooth. Such positions get the
-value that their neighbours on both sides, found by the same road, lead to.
+At a change point all lines of a group coincide: there velocities are 0/0 on paper and in the matrices alike, though
+the motion itself is smooth. Such positions get the value that their neighbours on both sides, found by the same
+road, lead to. Where a special point goes far off, its lines are nearly parallel, and another special point is taken.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Literal
 
 import numpy as np
 
 from graphkin.geometry import Value
-from graphkin.methods import Method
+from graphkin.methods import Method, with_other_points
 from graphkin.methods.way import Way, along, stride
 from graphkin.readings import Motions, Readings
 from graphkin.steps import Plot, replay
@@ -26,53 +26,67 @@ Road = Literal["construction", "analysis"]
 
 ASIDE_DEG, ASIDE_PART = 1.2, 0.02
 """How far apart the neighbours of a change point are [deg, of the mechanism's size]."""
-CLOSER = 1 / 3
-"""How much closer they are beside a special point far off, where they lose fewer digits."""
 PLACES = np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
-FAR_SINE = 0.02
-"""Lines of a special point under a smaller angle are taken for parallel."""
+FAR_SINE, OTHER_POINTS = 0.05, 4
+"""Where the lines of a special point meet under a smaller angle, another one is taken; so often at most."""
 
 
 def moving(method: Method, way: Way, t: np.ndarray, by: Road) -> Motions:
     """Position, velocity and acceleration at t (n,) on the way, by one of the roads."""
-    rows, sines = _by(method, way, t, by)
-    aside = stride(method, way.pace, ASIDE_DEG, ASIDE_PART)
-    index, centres, apart = _to_mend(way, t, sines, aside)
-    if not index.size:
-        return rows
-    places = centres[:, None] + apart[:, None] * PLACES
-    neighbours, _ = _by(method, way, places.ravel(), by)
-    return Mended(rows, neighbours, t.size, index, _weights((t[index] - centres) / apart))
+    rows, patches = _by(method, way, t, by)
+    patches += [patch for change in way.changes if (patch := _beside(method, way, t, by, change.at))]
+    return Mended(rows, t.size, tuple(patches)) if patches else rows
 
 
-def _by(method: Method, way: Way, t: np.ndarray, by: Road) -> tuple[Motions, np.ndarray]:
-    """Motions, and the least sine of the lines of special points (n,)."""
+def _by(method: Method, way: Way, t: np.ndarray, by: Road) -> tuple[Motions, list[Patch]]:
+    """Motions, but for change points."""
     if by == "analysis":
         from graphkin.analytic import motion
 
-        return motion(method.mechanism, [np.broadcast_to(value, t.shape) for value in way.values(t)]), np.ones(t.shape)
+        return motion(method.mechanism, [np.broadcast_to(value, t.shape) for value in way.values(t)]), []
     plot = replay(method.acceleration, replay(method.velocity, along(method, way, t)))
-    return Readings(method, plot), _special_sines(method, plot, t.shape)
+    return Readings(method, plot), _by_other_points(method, way, t, plot)
+
+
+def _beside(method: Method, way: Way, t: np.ndarray, by: Road, centre: float) -> Patch | None:
+    """The rows at a change point, by their neighbours on both sides."""
+    aside = stride(method, way.pace, ASIDE_DEG, ASIDE_PART)
+    rows = np.flatnonzero(np.abs(t - centre) < aside)
+    if not rows.size:
+        return None
+    neighbours, patches = _by(method, way, centre + aside * PLACES, by)
+    if patches:
+        neighbours = Mended(neighbours, PLACES.size, tuple(patches))
+    places = np.broadcast_to(np.arange(PLACES.size), (rows.size, PLACES.size))
+    return Patch(rows, neighbours, places, _weights((t[rows] - centre) / aside))
+
+
+# --- special points far off -------------------------------------------------------------------
+
+
+def _by_other_points(method: Method, way: Way, t: np.ndarray, plot: Plot) -> list[Patch]:
+    """Rows at which the lines of a special point hardly meet, by other special points."""
+    sines = _special_sines(method, plot, t.shape)
+    rows, patches = np.flatnonzero(sines < FAR_SINE), []
+    for _ in range(OTHER_POINTS):
+        if not rows.size:
+            break
+        worst = float(t[rows[np.argmin(sines[rows])]])
+        other = with_other_points(method, along(method, way, worst))
+        there = replay(other.acceleration, replay(other.velocity, along(other, way, t[rows])))
+        better = _special_sines(other, there, rows.shape)
+        good = np.flatnonzero(better > sines[rows])
+        patches.append(Patch(rows[good], Readings(other, there), good[:, None], np.ones((good.size, 1))))
+        rows = rows[better < FAR_SINE]
+    return [patch for patch in patches if patch.rows.size]
 
 
 def _special_sines(method: Method, plot: Plot, shape: tuple[int, ...]) -> np.ndarray:
+    """The least sine of the angle between the lines of special points (n,)."""
     least = np.ones(shape)
     for ternary in method.ternaries.values():
         least = np.fmin(least, plot.sines.get(("position", ternary.name), 1.0))
     return least
-
-
-def _to_mend(
-    way: Way, t: np.ndarray, sines: np.ndarray, aside: float
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Rows that only their neighbours can tell, about where these are taken, and how far apart: (m,) each."""
-    far = np.flatnonzero(sines < FAR_SINE)
-    found = [(far, t[far], np.full(far.size, aside * CLOSER))]
-    for change in way.changes:
-        close = np.flatnonzero(np.abs(t - change.at) < aside)
-        found.append((close, np.full(close.size, change.at), np.full(close.size, aside)))
-    index, centres, apart = (np.concatenate(column) for column in zip(*found))
-    return index, centres, apart
 
 
 def _weights(x: np.ndarray) -> np.ndarray:
@@ -85,29 +99,38 @@ def _weights(x: np.ndarray) -> np.ndarray:
 
 
 @frozen
-class Mended:
-    """Motions of which some rows are taken from their neighbours.
+class Patch:
+    """Rows that are told by other motions: each a weighted sum of some of theirs.
 
-    index    those rows (m,); weights   of their neighbours (m, 8)
+    rows    which they are (m,); places  which of the others' positions (m, k); weights (m, k)
     """
 
-    rows: Motions
-    neighbours: Motions
-    count: int
-    index: np.ndarray
+    rows: np.ndarray
+    others: Motions
+    places: np.ndarray
     weights: np.ndarray
 
-    def _mend(self, value: Value, beside: Value, turning: bool = False) -> Value:
+
+@frozen
+class Mended:
+    """Motions of which some rows are told otherwise."""
+
+    rows: Motions
+    count: int
+    patches: tuple[Patch, ...]
+
+    def _mend(self, value: Value, others: Sequence[Value], turning: bool = False) -> Value:
         mended = np.array(np.broadcast_to(value, (self.count,)))
-        told = np.broadcast_to(beside, (self.weights.size,)).reshape(self.weights.shape)
-        if turning:
-            told = np.unwrap(told, axis=1)
-        mended[self.index] = np.sum(self.weights * told, axis=1)
+        for patch, other in zip(self.patches, others, strict=True):
+            told = np.broadcast_to(other, (int(patch.places.max()) + 1,))[patch.places]
+            mended[patch.rows] = np.sum(patch.weights * (np.unwrap(told, axis=1) if turning else told), axis=1)
         return mended
 
     def _table(self, name: str) -> Mapping[str, Value]:
-        rows, beside = getattr(self.rows, name), getattr(self.neighbours, name)
-        return {key: self._mend(value, beside[key], name == "theta") for key, value in rows.items()}
+        others = [getattr(patch.others, name) for patch in self.patches]
+        rows: Mapping[str, Value] = getattr(self.rows, name)
+        turning = name == "theta"
+        return {key: self._mend(value, [other[key] for other in others], turning) for key, value in rows.items()}
 
     @cached_property
     def theta(self) -> Mapping[str, Value]:
@@ -138,7 +161,9 @@ class Mended:
         return self._table("position")
 
     def velocity_at(self, point: str, link: str) -> Value:
-        return self._mend(self.rows.velocity_at(point, link), self.neighbours.velocity_at(point, link))
+        others = [patch.others.velocity_at(point, link) for patch in self.patches]
+        return self._mend(self.rows.velocity_at(point, link), others)
 
     def acceleration_at(self, point: str, link: str) -> Value:
-        return self._mend(self.rows.acceleration_at(point, link), self.neighbours.acceleration_at(point, link))
+        others = [patch.others.acceleration_at(point, link) for patch in self.patches]
+        return self._mend(self.rows.acceleration_at(point, link), others)

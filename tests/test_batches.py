@@ -1,0 +1,99 @@
+"""Many mechanisms on processes and on a cluster: the same results, in order, with few in flight."""
+
+from __future__ import annotations
+
+import multiprocessing
+import warnings
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+from random_mechanisms import dyad
+
+import graphkin
+from graphkin import library, sweep_many
+from graphkin.batches import Swept
+
+RANGES: list[str] = []
+OF: list[str] = []
+
+
+def sources(folder: Path) -> list[object]:
+    """Library names, mechanisms, and a file that cannot be read."""
+    broken = folder / "broken.toml"
+    broken.write_text("[frame\n", encoding="utf-8")
+    return ["ex3-1", "ex3-7", *(dyad("RRR", seed) for seed in range(20)), broken, "fig3-10", library.load("p3-23a")]
+
+
+def same(one: Iterable[Swept], other: Iterable[Swept]) -> int:
+    count = 0
+    for first, second in zip(one, other, strict=True):
+        count += 1
+        assert (first.name, first.driver, first.reach) == (second.name, second.driver, second.reach) or first.error
+        assert (first.error and first.error.message()) == (second.error and second.error.message())
+        assert np.array_equal(first.values, second.values)
+        for a, b in zip(first.series, second.series, strict=True):
+            assert (a.name, a.unit) == (b.name, b.unit)
+            assert np.array_equal(a.values, b.values, equal_nan=True)
+    return count
+
+
+def test_processes_give_the_same(tmp_path: Path):
+    many = sources(tmp_path)
+    with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
+        assert same(sweep_many(many, RANGES, OF, executor=pool, batch=4), sweep_many(many, RANGES, OF)) == len(many)
+
+
+def test_a_cluster_gives_the_same(tmp_path: Path):
+    distributed = pytest.importorskip("distributed", reason="needs graphkin[dask]")
+    many = sources(tmp_path)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        with distributed.Client(n_workers=2, threads_per_worker=1, processes=False, dashboard_address=None) as client:
+            found = list(sweep_many(many, RANGES, OF, executor=client.get_executor(), batch=4))
+    assert same(found, sweep_many(many, RANGES, OF)) == len(many)
+
+
+def test_a_bad_one_stops_nothing(tmp_path: Path):
+    found = list(sweep_many(sources(tmp_path), RANGES, OF))
+    assert [result.name for result in found if result.error] == ["broken"]
+    assert "broken.toml" in next(result.error.message() for result in found if result.error)
+
+
+class Counting(ThreadPoolExecutor):
+    """How many were sent and not yet asked for, at most."""
+
+    most = taken = 0
+
+    def submit(self, *args, **kwargs):
+        self.most = max(self.most, self.taken)
+        return super().submit(*args, **kwargs)
+
+
+def test_few_are_in_flight():
+    pool = Counting(2)
+    given = 0
+
+    def endless() -> Iterator[str]:
+        nonlocal given
+        while True:
+            given += 1
+            pool.taken = given - got
+            yield "ex3-1"
+
+    got = 0
+    with pool:
+        for _ in sweep_many(endless(), ["0:90:30"], executor=pool, batch=3, in_flight=4):
+            got += 1
+            if got == 60:
+                break
+    assert pool.most <= 3 * (4 + 1)
+
+
+def test_any_executor_will_do():
+    assert issubclass(ThreadPoolExecutor, Executor)
+    with ThreadPoolExecutor(2) as pool:
+        names = ["ex3-1", "ex3-5", "ex3-7"] * 5
+        assert [result.name for result in graphkin.sweep_many(names, RANGES, executor=pool, batch=2)] == names
