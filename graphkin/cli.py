@@ -374,7 +374,8 @@ def _write_sweep(
     elif suffix in (".svg", ".png", ".pdf"):
         from graphkin.outputs import diagram
 
-        diagram.write(output, course, names, lang, by, force)
+        if (remark := diagram.write(output, course, names, lang, by, force)) is not None:
+            click.echo(remark.message(lang), err=True)
     else:
         raise click.UsageError(f"{output}: the file to write must end in .csv, .json, .parquet, .svg, .png or .pdf")
     click.echo(str(output))

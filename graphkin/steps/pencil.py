@@ -27,7 +27,7 @@ from graphkin.steps.kinds import (
 from graphkin.steps.plot import Plot
 from graphkin.steps.terms import Plane, Slid
 
-__all__ = ["FIXED", "replay"]
+__all__ = ["FIXED", "replay", "touch"]
 
 FIXED = complex(0.0)
 """What a fixed point of the mechanism is in a polygon: on the pole, wherever that is found."""
@@ -70,7 +70,7 @@ def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value]) ->
             case Fit():
                 fit(step, plot)
             case Touch():
-                points[step.point] = _touch(step, plot)
+                points[step.point] = touch(step, plot)
             case Simultaneous():
                 solve_together(step, plot, plane)
             case _:
@@ -171,7 +171,8 @@ def _measure(step: Measure, plot: Plot, points: Mapping[str, Value]) -> None:
         table[step.of] = step.sign * dot(plot.guide_direction(step.of), arrow)
 
 
-def _touch(step: Touch, plot: Plot) -> Value:
+def touch(step: Touch, plot: Plot) -> Value:
+    """Where two wheels touch, or a wheel and its track [m]."""
     centre = plot.position[step.centre]
     if step.slide:
         return centre + 1j * step.offset * plot.guide_direction(step.slide)

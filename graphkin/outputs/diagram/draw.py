@@ -1,4 +1,4 @@
-"""A motion diagram drawn with matplotlib: panels, axes, curves, upright lines; `diagram_notes` writes at the curves."""
+"""A motion diagram drawn with matplotlib: panels, axes, curves, upright lines; `notes` writes at the curves."""
 
 from __future__ import annotations
 
@@ -6,14 +6,15 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from graphkin.errors import Lang
-from graphkin.outputs import diagram_words as words
-from graphkin.outputs.diagram_curves import Curves
-from graphkin.outputs.diagram_fonts import has_chinese, typeset, writable
-from graphkin.outputs.diagram_notes import Drawn, note_peaks
-from graphkin.outputs.diagram_panels import Axis, Panel, division, label_of, limits, panels, unit_of
-from graphkin.sheet.lettering import width
-from graphkin.sweeps.remarks import STANDARD_GRAVITY
+from graphkin.outputs.diagram import words
+from graphkin.outputs.diagram.curves import Curves
+from graphkin.outputs.diagram.fonts import has_chinese, typeset, writable
+from graphkin.outputs.diagram.notes import Drawn, note_peaks
+from graphkin.outputs.diagram.panels import Axis, Panel, division, labels_of, limits, panels, unit_of
+from graphkin.sheet.lettering import Label, width
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -49,10 +50,11 @@ def draw(found: Curves, lang: Lang) -> Figure:
     """All panels of a diagram, with title, legends, extremes and notes."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
+    from matplotlib.text import Text
 
-    layout = panels([entry.unit for entry in found.series])
+    layout = panels({group[0]: found.series[group[0]].unit for group in found.alike})
     rows = [_legend_rows(found, panel) for panel in layout]
-    notes = [words.event_line(found.course, event, lang) for event in found.events]
+    notes = [words.event_line(found, event, lang) for event in found.events]
     high = _panel_height(rows, len(notes))
     total = TOP + FOOT + len(notes) * LINE + sum(high + row * ROW + BETWEEN for row in rows)
     page = Figure(figsize=(WIDTH * MM, total * MM), dpi=200)
@@ -68,13 +70,21 @@ def draw(found: Curves, lang: Lang) -> Figure:
         start = drawn[0].sides[0].get_position().x0
         _written(page, start, ((len(notes) - k) * LINE - 1.5) / total, line, size=8, va="bottom")
     note_peaks(page, found, drawn, lang)
+    for text in page.findobj(Text):
+        text.set_math_fontfamily("stix")
     return page
 
 
 def _legend_rows(found: Curves, panel: Panel) -> int:
     """Rows of a legend: as wide as its labels, with their samples of a line, are."""
-    size = sum(width(label_of(found.series[k].name), 9 * POINT) + 15.0 for axis in panel.axes for k in axis.curves)
+    size = sum(width(_label(found, k), 9 * POINT) + 15.0 for axis in panel.axes for k in axis.curves)
     return max(1, math.ceil(size / (WIDTH - LEFT - 2 * SIDE - 30.0)))
+
+
+def _label(found: Curves, k: int) -> Label:
+    """What a curve shows, with what else lies on it."""
+    group = next(group for group in found.alike if group[0] == k)
+    return labels_of([found.series[j].name for j in group])
 
 
 def _panel_height(rows: Sequence[int], notes: int) -> float:
@@ -125,7 +135,7 @@ def _curve(side: Axes, found: Curves, k: int, style: tuple[str, Any]) -> Any:
     across = unit_of("rad" if course.angular else "m").factor
     (line,) = side.plot(
         course.value(found.t) * across, entry.signed * unit_of(entry.unit).factor, color=style[0], linestyle=style[1],
-        linewidth=BROAD / POINT, label=typeset(label_of(entry.name)), gid=entry.name, solid_joinstyle="round",
+        linewidth=BROAD / POINT, label=typeset(_label(found, k)), gid=f"curve-{k}", solid_joinstyle="round",
     )  # fmt: skip
     return line
 
@@ -134,10 +144,18 @@ def _upright(side: Axes, axis: Axis, ends: tuple[float, float], lang: Lang) -> N
     """Limits, round ticks and name of a y axis; very large and small numbers are written with a power of ten."""
     side.set_ylim(*ends)
     power = _power(max(map(abs, ends)))
-    ticks = division(*ends, most=6, degrees=axis.unit == "rad")
+    ticks = _ticks(side, *ends, degrees=axis.unit == "rad")
     side.set_yticks(ticks, labels=[_tick(value / 10**power, ticks, power) for value in ticks])
     side.set_ylabel(words.upright_label(axis.unit, lang, power), labelpad=3)
     _plain_spines(side)
+
+
+def _ticks(side: Axes, low: float, high: float, degrees: bool = False) -> list[float]:
+    """At most one in 7 mm, and none so near to the lower edge that its figure would stand on those of the x axis."""
+    figure: Any = side.figure
+    height = side.bbox.height / figure.dpi / MM
+    edge = (high - low) * 1.2 / height
+    return division(low + edge, high, most=max(3, int(height / 7)), degrees=degrees)
 
 
 def _power(size: float) -> int:
@@ -152,7 +170,7 @@ def _tick(value: float, ticks: Sequence[float], power: int) -> str:
     return f"{value:.{digits}f}".replace("-", "−") if abs(value) > 1e-9 * step else "0"
 
 
-def _plain_spines(side: Axes) -> None:
+def _plain_spines(side: Any) -> None:
     side.tick_params(direction="in", width=THIN / POINT, length=3, labelsize=8, pad=2.5)
     for spine in side.spines.values():
         spine.set_linewidth(THIN / POINT)
@@ -164,11 +182,10 @@ def _acceleration_in_g(sides: Sequence[Axes], panel: Panel, lang: Lang) -> None:
         return
     side = sides[-1]
     away = 1.0 if len(sides) == 1 else 1.0 + SIDE / (WIDTH - LEFT - PLAIN_RIGHT - 2 * SIDE)
-    scale = side.secondary_yaxis(
-        away, functions=(lambda a: a / STANDARD_GRAVITY, lambda g: g * STANDARD_GRAVITY)
-    )
-    low, high = (end / STANDARD_GRAVITY for end in side.get_ylim())
-    power, ticks = _power(max(-low, high)), division(low, high, most=5)
+    factor = unit_of("g").factor
+    scale = side.secondary_yaxis(away, functions=(lambda a: np.multiply(a, factor), lambda g: np.divide(g, factor)))
+    low, high = (end * factor for end in side.get_ylim())
+    power, ticks = _power(max(-low, high)), _ticks(side, low, high)
     scale.set_yticks(ticks, labels=[_tick(value / 10**power, ticks, power) for value in ticks])
     scale.set_ylabel(words.upright_label("g", lang, power), labelpad=3)
     _plain_spines(scale)
@@ -215,7 +232,8 @@ def _fit_sides(page: Figure, drawn: Sequence[Drawn]) -> None:
     for _ in range(2):
         page.draw_without_rendering()
         renderer = page.canvas.get_renderer()  # type: ignore[attr-defined]
-        boxes = [side.get_tightbbox(renderer) for panel in drawn for side in panel.sides]
+        tight = (side.get_tightbbox(renderer) for panel in drawn for side in panel.sides)
+        boxes = [box for box in tight if box is not None]
         frame = drawn[0].sides[0].bbox
         edge = 2.5 * MM * page.dpi
         left = frame.x0 - min(box.x0 for box in boxes) + edge

@@ -18,10 +18,13 @@ _CHINESE = (
     "PingFang SC", "Microsoft YaHei", "SimHei", "WenQuanYi Micro Hei", "WenQuanYi Zen Hei", "Droid Sans Fallback",
     "Noto Sans CJK JP",
 )  # fmt: skip
-_FILES = re.compile(r"cjk|source ?han|songti|stsong|simsun|simhei|msyh|pingfang|uming|wqy|droidsansfallback|notos\w+sc", re.I)
+_FILES = re.compile(r"cjk|source ?han|song|simsun|simhei|msyh|pingfang|uming|wqy|droidsansfallback|notos\w+sc", re.I)
 _WIDE = re.compile("[\u2e80-\u9fff\uf900-\ufaff\uff00-\uffef\u3000-\u303f]")
+_MATHS = re.compile("[ -~θωαμφ′−×]*")
+"""Letters that stand in mathematics; names in others are written plainly."""
 _GREEK = {"θ": r"\theta", "ω": r"\omega", "α": r"\alpha", "μ": r"\mu", "φ": r"\varphi"}
 _SIGNS = {" ": r"\ ", "-": r"\text{-}", "_": r"\_", "/": "/"}
+_RELATIONS = {" = ": "=", " + ": "+"}
 
 
 class NoChineseFont(GraphkinError):
@@ -69,13 +72,22 @@ def has_chinese(text: str) -> bool:
 
 
 def writable(text: str) -> str:
-    """The text, with a question mark for each letter that no font here has."""
-    return text if chinese_font() is not None else _WIDE.sub("?", text)
+    """The text in one line, with a question mark for each letter that no font here has."""
+    families = tuple(letters())
+    return "".join(letter if _has(families, letter) else "?" for letter in " ".join(text.split()))
+
+
+@cache
+def _has(families: tuple[str, ...], letter: str) -> bool:
+    from matplotlib.font_manager import findfont, get_font
+
+    fonts = (get_font(findfont(family)) for family in families)
+    return letter.isprintable() and any(font.get_char_index(ord(letter)) for font in fonts)
 
 
 def typeset(label: Label) -> str:
     """A label of the drawings as matplotlib writes it: θ₃ as `$\\theta_{\\mathrm{3}}$`; Chinese names stay outside."""
-    if any(has_chinese(run.text) for run in label):
+    if not all(_MATHS.fullmatch(run.text) for run in label):
         return plain(label)
     parts: list[str] = []
     place = "base"
@@ -90,8 +102,8 @@ def typeset(label: Label) -> str:
 
 
 def _run(text: str, italic: bool) -> str:
-    if text in _GREEK:
-        return _GREEK[text]
+    if known := _GREEK.get(text) or _RELATIONS.get(text):
+        return known
     letters = "".join(_SIGNS.get(letter, letter) for letter in text)
     return rf"\mathit{{{letters}}}" if italic else rf"\mathrm{{{letters}}}"
 

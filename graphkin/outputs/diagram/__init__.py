@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs import files
-from graphkin.outputs.diagram_curves import curves
-from graphkin.outputs.diagram_fonts import NoChineseFont, chinese_font, has_chinese, letters
+from graphkin.outputs.diagram.curves import curves
+from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, has_chinese, letters
 from graphkin.sweeps import Course, Road
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def figure(course: Course, names: Sequence[str], lang: Lang = "en", by: Road = "
     names  as `sweeps.asked` gives them: `theta 3`, `v E`, `omega 3/omega 2`
     lang   where no Chinese font is found, Chinese falls back to English (`write` says so)
     """
-    from graphkin.outputs.diagram_draw import draw
+    from graphkin.outputs.diagram.draw import draw
 
     found = curves(course, names, by)
     with _settings():
@@ -100,7 +100,7 @@ def _settings() -> Iterator[None]:
                 "mathtext.fallback": None,
                 "svg.hashsalt": "graphkin",
                 "svg.fonttype": "path",
-                "pdf.fonttype": 42,
+                "pdf.fonttype": 3,  # outlines: as 42, letters of OpenType Chinese fonts are not seen
                 "text.hinting": "no_hinting",
                 "path.simplify": False,
             }

@@ -83,8 +83,8 @@ def _tried(note: Note, frame: Bbox, point: float) -> Iterator[tuple[float, Bbox]
             across, up = math.cos(math.radians(angle)), math.sin(math.radians(angle))
             left = x + across * (step * point + wide / 2) - wide / 2
             low = y + up * (step * point + high / 2) - high / 2
-            left = min(max(left, frame.x0 + 2 * point), frame.x1 - 2 * point - wide)
-            low = min(max(low, frame.y0 + 2 * point), frame.y1 - 2 * point - high)
+            left = min(max(left, frame.x0 + 4.5 * point), frame.x1 - 4.5 * point - wide)
+            low = min(max(low, frame.y0 + 4.5 * point), frame.y1 - 4.5 * point - high)
             box = Bbox.from_bounds(left, low, wide, high)
             if (distance := _distance(note.at, box)) > CLOSE * point:
                 lean = WRONG_SIDE * max(0.0, -note.side * up) + 3.0 * abs(across)

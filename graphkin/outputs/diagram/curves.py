@@ -64,6 +64,26 @@ class Curves:
         found = (event for event in (*self.course.way.stops, *self.course.way.changes))
         return tuple(sorted((e for e in found if self.low - margin <= e.at <= self.high + margin), key=lambda e: e.at))
 
+    @cached_property
+    def alike(self) -> tuple[tuple[int, ...], ...]:
+        """Numbers of curves that lie on one another, together: links 2 and 3 that slide on each other turn alike."""
+        groups: list[list[int]] = []
+        for k in range(len(self.series)):
+            group = next((group for group in groups if self._same(group[0], k)), None)
+            if group is None:
+                groups.append([k])
+            else:
+                group.append(k)
+        return tuple(map(tuple, groups))
+
+    def _same(self, one: int, other: int) -> bool:
+        first, second = self.series[one], self.series[other]
+        if first.unit != second.unit:
+            return False
+        clear = np.abs(first.signed) <= 10 * self._like(one)
+        close = np.isclose(first.signed, second.signed, rtol=0, atol=ZERO * self._like(one), equal_nan=True)
+        return bool(close[clear].all() and clear.any())
+
     def unbounded(self, k: int) -> tuple[bool, bool]:
         """Whether a curve grows without bound towards the low and the high end of what is shown."""
         return self._growing(k, self.low), self._growing(k, self.high)
@@ -115,7 +135,8 @@ class Curves:
         for sign in (1, -1):
             at = self._highest(k, sign * values[there], there, ZERO * (high - low))
             if at is not None:
-                yield k, sign, *(float(self.t[there[j]]) for j in (max(at - 1, 0), min(at + 1, there.size - 1)))
+                before, after = there[max(at - 1, 0)], there[min(at + 1, there.size - 1)]
+                yield k, sign, float(self.t[before]), float(self.t[after])
 
     def _highest(self, k: int, heights: np.ndarray, there: np.ndarray, rounding: float) -> int | None:
         """The first of the highest places; where a curve rises without bound, the highest of its summits, if any."""
@@ -161,7 +182,8 @@ class Curves:
             heights = np.where(np.isfinite(values), sign[:, None] * values, -np.inf)
             best = heights.argmax(axis=1)
             low, high = t[rows, np.maximum(best - 1, 0)], t[rows, np.minimum(best + 1, PLACES - 1)]
-        return [Peak(float(t[r, best[r]]), self._rounded(k, float(values[r, best[r]])), int(sign[r])) for r, k in enumerate(owner)]
+        peaks = [self._rounded(k, float(values[row, best[row]])) for row, k in enumerate(owner)]
+        return [Peak(float(t[row, best[row]]), value, int(sign[row])) for row, value in enumerate(peaks)]
 
     def _rounded(self, k: int, value: float) -> float:
         """0 for what is only rounding."""
@@ -175,31 +197,32 @@ def curves(course: Course, names: Sequence[str], by: Road = "construction") -> C
     for _ in range(4):
         series = sweeps.at(course, names, t, by).series
         more = _where_bent(Curves(course, by, low, high, t, series))
-        if not more.size or t.size + more.size > MOST:
+        if not more.size or t.size + more.size > max(MOST, 2 * t.size):
             break
         t = np.union1d(t, more)
     return Curves(course, by, low, high, t, sweeps.at(course, names, t, by).series)
 
 
 def span(course: Course) -> tuple[float, float]:
-    """The shown part of the way: what is asked for, on to a full turn or to a stop where only a step is missing."""
+    """The shown part of the way: what is asked for; to a full turn, or to the way's end, if only a step is missing."""
     way, asked = course.way, np.unique(course.t)
-    if asked.size < 2:
-        return way.first, way.last
     low, high = float(asked[0]), float(asked[-1])
-    step = 1.01 * float(np.diff(asked).max())
+    step = 1.01 * float(np.diff(asked).max()) if asked.size > 1 else np.inf
+    if course.full_turn and asked.size == 1:
+        low = high = min(float(course.at(TURN * np.floor(course.value(low) / TURN))), way.high - TURN)
     if course.full_turn and TURN - step <= high - low < TURN:
         low, high = (low, low + TURN) if low + TURN <= way.high + 1e-9 else (high - TURN, high)
-    for stop in way.stops:
-        low = stop.at if 0 <= low - stop.at <= step else low
-        high = stop.at if 0 <= stop.at - high <= step else high
+    if not course.full_turn:
+        low = way.first if low - way.first <= step else low
+        high = way.last if way.last - high <= step else high
     return low, high
 
 
 def _first_positions(course: Course, low: float, high: float) -> np.ndarray:
     """Evenly, and ever closer to where the way stops; never on a stop itself."""
     size = high - low
-    t = np.linspace(low, high, POSITIONS)
+    turns = size / TURN if course.angular else 1.0
+    t = np.linspace(low, high, int(min(max(POSITIONS, turns * POSITIONS / 2), 40 * POSITIONS)))
     for stop in course.way.stops:
         if abs(stop.at - low) < 1e-9 * size:
             t = np.append(t[t > low], low + NEAR * size)

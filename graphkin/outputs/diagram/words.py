@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 from graphkin.errors import Lang
 from graphkin.methods.way import Event
-from graphkin.outputs.diagram_fonts import typeset, writable
-from graphkin.outputs.diagram_panels import LETTERS, unit_of
+from graphkin.outputs.diagram.curves import Curves
+from graphkin.outputs.diagram.fonts import typeset, writable
+from graphkin.outputs.diagram.panels import LETTERS, unit_of
 from graphkin.sheet.lettering import link_label, number
 from graphkin.sweeps import Course
 from graphkin.sweeps.remarks import told
@@ -45,12 +48,14 @@ def figure_of(value: float, unit: str = "") -> str:
     return f"{text}{unit}"
 
 
-def place_of(course: Course, t: float) -> str:
-    """Where a value is reached: `125.3°`, `72.35 mm`."""
-    value = float(course.value(t)) * (unit_of("rad").factor if course.angular else unit_of("m").factor)
-    if not course.angular:
-        return _signed(f"{value:.4g}" if abs(value) > 1e-6 else "0") + " mm"
-    return _signed(f"{value + 0.0:.1f}".replace("-0.0", "0.0") + "°")
+def place_of(found: Curves, t: float) -> str:
+    """Where a value is reached: `125.3°`, `72.35 mm`; as finely as is told apart in the diagram."""
+    course = found.course
+    unit, parts = (unit_of("rad"), 2000) if course.angular else (unit_of("m"), 5000)
+    step = abs(float(course.value(found.high)) - float(course.value(found.low))) * unit.factor / parts
+    digits = max(0, -math.floor(math.log10(step)))
+    value = round(float(course.value(t)) * unit.factor, digits) + 0.0
+    return _signed(f"{value:.{digits}f}") + ("°" if course.angular else " mm")
 
 
 def across(course: Course, lang: Lang) -> str:
@@ -63,9 +68,10 @@ def across(course: Course, lang: Lang) -> str:
 def upright_label(unit: str, lang: Lang, power: int = 0) -> str:
     """What a y axis shows: `ω [rad/s]`, in Chinese as the standard has it `ω /(rad/s)`."""
     name, letter = unit_of(unit).name, LETTERS.get(unit, "")
+    name = r"\mathit{g}" if name == "g" else name
     if power:
         name = f"10^{{{power}}}" + (f"\\ {name}" if name else "")
-    name = "$\\mathrm{" + name.replace("²", "^2") + "}$" if "²" in name or power else name
+    name = "$\\mathrm{" + name.replace("²", "^2") + "}$" if "²" in name or "\\" in name or power else name
     letter = typeset(link_label(letter)) if letter else ""
     if lang == "en":
         return f"{letter} [{name}]".strip() if name else letter
@@ -79,10 +85,11 @@ def about_drivers(course: Course, lang: Lang) -> str:
     told = []
     for k, driver in enumerate(course.method.drivers):
         speed, per_second, gain, per_square = _RATES.get(driver.kind, ("ω", "rad/s", "α", "rad/s²"))
-        parts = [f"{speed} = {_signed(f'{driver.rate:.6g}')} {per_second}"]
+        still = not course.way.pace[k]
+        parts = [] if still and not driver.rate else [f"{speed} = {_signed(f'{driver.rate:.6g}')} {per_second}"]
         if driver.acceleration:
             parts.append(f"{gain} = {_signed(f'{driver.acceleration:.6g}')} {per_square}")
-        if not course.way.pace[k]:
+        if still:
             unit, factor = (" mm", 1000.0) if driver.kind == "slide" else ("°", unit_of("rad").factor)
             parts.insert(0, _signed(f"{course.way.start[k] * factor:.6g}{unit}"))
         told.append(f"{writable(driver.name)}{colon}{comma.join(parts)}")
@@ -96,12 +103,12 @@ def event_mark(event: Event, lang: Lang) -> str:
     return _EVENTS[kind][lang]
 
 
-def event_line(course: Course, event: Event, lang: Lang) -> str:
+def event_line(found: Curves, event: Event, lang: Lang) -> str:
     """The line below the diagram: where, and which links."""
     why, stop, colon = told(event, lang), "." if lang == "en" else "。", ": " if lang == "en" else "："
     mark = event_mark(event, lang)
     mark = mark[0].upper() + mark[1:]
     for word in (" (dead point)", "（死点）"):
         why = why.removesuffix(word)
-    return f"{mark}{' at ' if lang == 'en' else ' '}{place_of(course, event.at)}{colon}{writable(why)}{stop}"
+    return f"{mark}{' at ' if lang == 'en' else ' '}{place_of(found, event.at)}{colon}{writable(why)}{stop}"
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from graphkin.outputs.diagram_curves import Curves
+from graphkin.outputs.diagram.curves import Curves
 from graphkin.sheet.lettering import Label, joined, quantity_label, vector_label
 from graphkin.sweeps.remarks import STANDARD_GRAVITY
 from graphkin.value import frozen
 
-__all__ = ["UNITS", "Axis", "Panel", "Unit", "division", "label_of", "limits", "panels", "unit_of"]
+__all__ = [
+    "LETTERS", "UNITS", "Axis", "Panel", "Unit", "division", "label_of", "labels_of", "limits", "panels", "unit_of",
+]  # fmt: skip
 
 MOST = 6
 """More curves than these do not stand together."""
@@ -59,14 +61,17 @@ class Panel:
     axes: tuple[Axis, ...]
 
 
-def panels(units: Sequence[str]) -> tuple[Panel, ...]:
-    """Position above velocity above acceleration, quotients last; too many curves are shared out evenly."""
+def panels(units: Mapping[int, str]) -> tuple[Panel, ...]:
+    """Position above velocity above acceleration, quotients last; too many curves are shared out evenly.
+
+    units  of the curves, by their numbers
+    """
     return tuple(panel for number, kind in enumerate(KINDS) for panel in _of_kind(kind, number, units))
 
 
-def _of_kind(kind: str, number: int, units: Sequence[str]) -> Iterator[Panel]:
+def _of_kind(kind: str, number: int, units: Mapping[int, str]) -> Iterator[Panel]:
     groups: dict[str, list[int]] = {}
-    for k, unit in sorted(enumerate(units), key=lambda entry: (_PLACE.get(entry[1], (3, 1))[1], entry[0])):
+    for k, unit in sorted(units.items(), key=lambda entry: (_PLACE.get(entry[1], (3, 1))[1], entry[0])):
         if _PLACE.get(unit, (3, 1))[0] == number:
             groups.setdefault(unit, []).append(k)
     if len(groups) <= 2 and sum(map(len, groups.values())) <= MOST:
@@ -112,9 +117,9 @@ def _roomy(low: float, high: float) -> tuple[float, float]:
 
 
 def division(low: float, high: float, most: int, degrees: bool = False) -> list[float]:
-    """Round values from low to high, at most so many: steps of 1, 2, 5, and of 30, 45, 60, 90 for degrees."""
+    """Round values from low to high, at most so many: steps of 1, 2, 5, and of 15, 30, 60, 90 for degrees."""
     least = (high - low) / most
-    step = next((s for s in (15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0) if s >= least), 0.0) if degrees else 0.0
+    step = next((s for s in (15.0, 30.0, 60.0, 90.0, 180.0, 360.0) if s >= least), 0.0) if degrees else 0.0
     if not step or (degrees and least <= 10):
         power = 10.0 ** math.floor(math.log10(least))
         step = next(power * k for k in (1, 2, 5, 10) if power * k >= least * (1 - 1e-9))
@@ -123,6 +128,11 @@ def division(low: float, high: float, most: int, degrees: bool = False) -> list[
 
 
 # --- names ------------------------------------------------------------------------------------
+
+
+def labels_of(names: Sequence[str]) -> Label:
+    """`ω₂ = ω₃`: curves that lie on one another."""
+    return joined([label_of(name) for name in names], " = ")
 
 
 def label_of(name: str) -> Label:

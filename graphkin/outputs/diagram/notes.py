@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from graphkin.errors import Lang
-from graphkin.outputs import diagram_words as words
-from graphkin.outputs.diagram_curves import Curves, Peak
-from graphkin.outputs.diagram_panels import Panel, unit_of
-from graphkin.outputs.diagram_place import Note, arrange, paths_of
+from graphkin.methods.way import Event
+from graphkin.outputs.diagram import words
+from graphkin.outputs.diagram.curves import Curves, Peak
+from graphkin.outputs.diagram.panels import Panel, unit_of
+from graphkin.outputs.diagram.place import Note, arrange, paths_of
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
@@ -39,9 +40,11 @@ def note_peaks(page: Figure, found: Curves, drawn: Sequence[Drawn], lang: Lang) 
     page.draw_without_rendering()
     for panel in drawn:
         paths = [path for line in panel.lines.values() for path in paths_of(_pixels(line))]
-        straight = _straight(panel)
-        taken = [_name_event(page, panel, found, k, paths, lang) for k in range(len(found.events))]
-        _write_peaks(page, found, panel, [*paths, *straight], taken)
+        paths += _straight(panel)
+        taken: list[Bbox] = []
+        for event in found.events:
+            taken.append(_name_event(page, panel, found, event, paths, taken, lang))
+        _write_peaks(page, found, panel, paths, taken)
 
 
 def _pixels(line: Any) -> np.ndarray:
@@ -61,29 +64,31 @@ def _straight(drawn: Drawn) -> list[Any]:
 def _write_peaks(page: Figure, found: Curves, drawn: Drawn, paths: Sequence[Any], taken: Sequence[Bbox]) -> None:
     top, frame, point = drawn.sides[-1], drawn.sides[0].bbox, page.dpi / 72
     texts, notes = [], []
-    for line, place, peak, text in _peaks(found, drawn):
+    for k, place, peak, text in _peaks(found, drawn):
+        line = drawn.lines[k]
         at = tuple(float(x) for x in line.axes.transData.transform(place))
-        line.axes.plot(*place, marker="o", markersize=2.6, color=line.get_color(), linestyle="", gid=f"{line.get_gid()} {peak.sign}")
+        name = f"peak-{k}-{'greatest' if peak.sign > 0 else 'least'}"
+        line.axes.plot(*place, color=line.get_color(), marker="o", markersize=2.6, linestyle="", gid=name)
         texts.append(top.text(0, 0, text, fontsize=SIZE, color=line.get_color(), transform=None, va="bottom", zorder=5))
         box = texts[-1].get_window_extent(page.canvas.get_renderer())  # type: ignore[attr-defined]
         notes.append(Note((at[0], at[1]), (box.width, box.height), peak.sign))
     placed = arrange(notes, paths, taken, frame, point)
-    for text, note, (box, led) in zip(texts, notes, placed, strict=True):
-        _put(page, top, text, note, box, led)
+    for written, note, (box, led) in zip(texts, notes, placed, strict=True):
+        _put(top, written, note, box, led)
 
 
-def _peaks(found: Curves, drawn: Drawn) -> Iterator[tuple[Any, tuple[float, float], Peak, str]]:
-    """(line, place in its axes, peak, text) of all extremes in a panel."""
+def _peaks(found: Curves, drawn: Drawn) -> Iterator[tuple[int, tuple[float, float], Peak, str]]:
+    """(curve, place in its axes, peak, text) of all extremes in a panel."""
     across = unit_of("rad" if found.course.angular else "m").factor
-    for k, line in drawn.lines.items():
+    for k in drawn.lines:
         unit = unit_of(found.series[k].unit)
         for peak in found.peaks[k]:
             place = float(found.course.value(peak.t)) * across, peak.value * unit.factor
             degree = unit.name if unit.name == "°" else ""
-            yield line, place, peak, f"{words.figure_of(place[1])}{degree} @ {words.place_of(found.course, peak.t)}"
+            yield k, place, peak, f"{words.figure_of(place[1])}{degree} @ {words.place_of(found, peak.t)}"
 
 
-def _put(page: Figure, top: Axes, text: Any, note: Note, box: Bbox, led: bool) -> None:
+def _put(top: Axes, text: Any, note: Note, box: Bbox, led: bool) -> None:
     """Move a text to its box, in parts of the panel, so that it stays there at any resolution."""
     inside = top.transAxes.inverted()
     text.set_transform(top.transAxes)
@@ -91,30 +96,35 @@ def _put(page: Figure, top: Axes, text: Any, note: Note, box: Bbox, led: bool) -
     if led:
         near = np.clip(note.at, (box.x0, box.y0), (box.x1, box.y1))
         (x0, y0), (x1, y1) = inside.transform(note.at), inside.transform(near)
-        top.plot([x0, x1], [y0, y1], transform=top.transAxes, color=text.get_color(), linewidth=THIN_PT, gid="leader")
+        top.plot([x0, x1], [y0, y1], transform=top.transAxes, color=text.get_color(), linewidth=THIN_PT)
 
 
 # --- stops and change points ------------------------------------------------------------------
 
 
-def _name_event(page: Figure, drawn: Drawn, found: Curves, k: int, paths: Sequence[Any], lang: Lang) -> Bbox:
+def _name_event(
+    page: Figure, drawn: Drawn, found: Curves, event: Event, paths: Sequence[Any], taken: Sequence[Bbox], lang: Lang
+) -> Bbox:
     """The word along an upright line, at the height and on the side where it hides least of the curves."""
     from matplotlib.transforms import Bbox
 
-    first, top, event = drawn.sides[0], drawn.sides[-1], found.events[k]
+    first, top = drawn.sides[0], drawn.sides[-1]
     across = unit_of("rad" if found.course.angular else "m").factor
     x = float(first.transData.transform((float(found.course.value(event.at)) * across, 0))[0])
-    text = top.text(0, 0, words.event_mark(event, lang), fontsize=SIZE, rotation=90, transform=None, va="bottom", zorder=5)
+    text = top.text(0, 0, words.event_mark(event, lang), fontsize=SIZE, rotation=90, transform=None, zorder=5)
+    text.set_verticalalignment("bottom")
     size = text.get_window_extent(page.canvas.get_renderer())  # type: ignore[attr-defined]
     frame, gap = first.bbox, 2 * page.dpi / 72
-    tried = []
+    tried: list[tuple[int, int, Bbox]] = []
     for left in (x + gap, x - gap - size.width):
         for part in (0.97, 0.03, 0.8, 0.2, 0.65, 0.35, 0.5):
             low = frame.y0 + 2 * gap + part * (frame.height - size.height - 4 * gap)
             box = Bbox.from_bounds(left, low, size.width, size.height)
             if frame.x0 < box.x0 and box.x1 < frame.x1:
-                tried.append((sum(path.intersects_bbox(box, filled=False) for path in paths), len(tried), box))
+                hidden = sum(path.intersects_bbox(box, filled=False) for path in paths)
+                tried.append((hidden + 100 * sum(map(box.overlaps, taken)), len(tried), box))
     box = min(tried, key=lambda entry: entry[:2])[2]
     text.set_transform(top.transAxes)
-    text.set_position(top.transAxes.inverted().transform((box.x0, box.y0)))
+    across_part, up_part = top.transAxes.inverted().transform((box.x0, box.y0))
+    text.set_position((float(across_part), float(up_part)))
     return box

@@ -1,0 +1,82 @@
+"""The instant centres of a mechanism, at one position or at many."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from graphkin.geometry import Value
+from graphkin.mechanism import Mechanism
+from graphkin.methods import Method
+from graphkin.methods.centres import centre_name, with_centres
+from graphkin.methods.way import Way, along
+from graphkin.steps import Plot, replay
+from graphkin.steps.centring import Centring, direction_of, find_centres, place_of
+from graphkin.value import frozen
+
+__all__ = ["Centres", "centre_of", "centres", "over"]
+
+
+@frozen
+class Centres:
+    """Instant centres: how they are found, and a plot that holds them."""
+
+    method: Method
+    centring: Centring
+    plot: Plot
+
+    @property
+    def names(self) -> list[str]:
+        """By the numbers of their links."""
+        return [name for pair in self.pairs for name in [self.name(*pair)] if name in self.centring.links]
+
+    @property
+    def pairs(self) -> list[tuple[str, str]]:
+        """Every two links, N(N-1)/2 of them (3-5)."""
+        return sorted(self._all_pairs(), key=self._numbers)
+
+    def _all_pairs(self) -> Iterator[tuple[str, str]]:
+        yield from self.centring.links.values()
+        yield from self.centring.together
+
+    def _numbers(self, pair: tuple[str, str]) -> tuple[object, ...]:
+        called = [self.method.mechanism.called(link) for link in pair]
+        return tuple((0, int(name), "") if name.isdigit() else (1, 0, name) for name in called)
+
+    def name(self, first: str, second: str) -> str:
+        return centre_name(self.method.mechanism, first, second)
+
+    def place(self, first: str, second: str) -> Value:
+        """Where the centre of two links is [m]; infinite at infinity, NaN where they do not move against each other."""
+        name = self.name(first, second)
+        return place_of(self.plot, name) if name in self.plot.centres else complex(np.nan, np.nan)
+
+    def direction(self, first: str, second: str) -> Value:
+        """Where a centre at infinity lies [rad]."""
+        return direction_of(self.plot, self.name(first, second))
+
+
+def centres(method: Method, plot: Plot) -> Centres:
+    """The instant centres at the position of a plot in which all three planes are drawn."""
+    return Centres(method, *with_centres(method, plot))
+
+
+def over(found: Centres, way: Way, t: np.ndarray) -> Centres:
+    """The same centres at other positions t (n,) on a way, by the same steps."""
+    plot = replay(found.method.velocity, along(found.method, way, t))
+    return Centres(found.method, found.centring, find_centres(found.centring, plot))
+
+
+def centre_of(mechanism: Mechanism, text: str) -> tuple[str, str] | None:
+    """The two links that `P13`, `P31` or `P1,3'` means; None for a text that means none."""
+    body = text.strip()
+    if not body.startswith("P"):
+        return None
+    called = {mechanism.called(link): link for link in mechanism.links}
+    first, comma, second = body[1:].partition(",")
+    cuts = [(first, second)] if comma else [(body[1:k], body[k:]) for k in range(2, len(body))]
+    for one, other in cuts:
+        if one.strip() in called and other.strip() in called and one.strip() != other.strip():
+            return called[one.strip()], called[other.strip()]
+    return None

@@ -1,0 +1,123 @@
+"""What instant centres alone tell: angular velocities, velocities of points, ratios, mechanical advantage.
+
+A link's motion is its absolute centre with a weight, its angular velocity: (omega x_P, omega y_P, omega). Two such
+differ by the same thing of their relative centre, so from one link's weight the common centre gives the other's:
+omega_i P1iPij = omega_j P1jPij (3-6), with its sense, and with centres at infinity where links only move along.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+
+import numpy as np
+
+from graphkin.centres.found import Centres
+from graphkin.geometry import Value, cross, dot
+from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.steps.centring import axes_of
+from graphkin.value import frozen
+
+__all__ = ["ByCentres"]
+
+
+@frozen
+class ByCentres:
+    """Velocities from instant centres and the first driver that moves; they answer what `ask` asks of velocities."""
+
+    found: Centres
+
+    @property
+    def mechanism(self) -> Mechanism:
+        return self.found.method.mechanism
+
+    @property
+    def position(self) -> Mapping[str, Value]:
+        return self.found.plot.position
+
+    @cached_property
+    def _motions(self) -> dict[str, Value]:
+        """By link: its centre in homogeneous coordinates, weighted with its angular velocity."""
+        driver = next((d for d in self.mechanism.drivers if d.rate), self.mechanism.drivers[0])
+        found = self._driven(driver)
+        while waiting := [link for link in self.mechanism.moving if link not in found]:
+            tried = [(self._lever(base, link), base, link) for base in found for link in waiting]
+            _, base, link = max(tried, key=lambda entry: entry[0])
+            found[link] = self._carried(found[base], base, link)
+        return {FRAME: np.zeros(3), **found}
+
+    def _driven(self, driver: Driver) -> dict[str, Value]:
+        """The driven link, and the link it is driven from where that one moves."""
+        if driver.kind == "slide":
+            return self._slid(driver)
+        link, other = driver.link, driver.from_link
+        centre = self._at(link, other)
+        relative = driver.rate * centre / centre[2]
+        if other == FRAME:
+            return {link: relative}
+        own = self._at(FRAME, link)
+        weighted = _share(relative, own, self._at(FRAME, other)) * own
+        return {link: weighted, other: weighted - relative}
+
+    def _slid(self, driver: Driver) -> dict[str, Value]:
+        """A point driven along a guide: by how fast centres of weight 1 would move it, of its link and of the guide."""
+        slide = next((s for s in self.mechanism.slides if s.name == driver.link), None)
+        roll = next((r for r in self.mechanism.rolls if r.name == driver.link), None)
+        point = slide.point if slide is not None else roll.centre if roll is not None else ""
+        guide = slide.guide if slide is not None else roll.track if roll is not None else FRAME
+        link = (slide.block if slide is not None else None) or next(
+            name for name in self.mechanism.owners[point] if name != guide
+        )
+        wanted = driver.rate * self.found.plot.guide_direction(driver.link)
+        own = self._at(FRAME, link)
+        pace = self._velocity(own, point)
+        if guide == FRAME:
+            return {link: dot(pace, wanted) / np.abs(pace) ** 2 * own}
+        other = self._at(FRAME, guide)
+        carried = self._velocity(other, point)
+        both = cross(pace, carried)
+        return {link: cross(wanted, carried) / both * own, guide: cross(wanted, pace) / both * other}
+
+    def _carried(self, known: Value, base: str, link: str) -> Value:
+        """The motion of a link by its centre with a known one; that of a link without an absolute centre is none."""
+        own = self._at(FRAME, link)
+        if self.found.name(FRAME, link) not in self.found.plot.centres:
+            return np.zeros_like(known)
+        return _share(known, own, self._at(base, link)) * own
+
+    def _lever(self, base: str, link: str) -> float:
+        """How far apart the absolute centre of a link and its centre with another lie, at least."""
+        apart = np.linalg.norm(np.cross(self._at(FRAME, link), self._at(base, link), axis=0), axis=0)
+        return float(np.min(np.nan_to_num(apart, nan=-1.0)))
+
+    def _at(self, first: str, second: str) -> Value:
+        """A centre in homogeneous coordinates; NaN where there is none."""
+        return self.found.plot.centres.get(self.found.name(first, second), np.full(3, np.nan))
+
+    # --- read as motions ----------------------------------------------------------------------
+
+    @cached_property
+    def omega(self) -> Mapping[str, Value]:
+        """By link [rad/s]."""
+        return {link: motion[2] for link, motion in self._motions.items() if link != FRAME}
+
+    def velocity_at(self, point: str, link: str) -> Value:
+        """v_E = omega P1E, at right angles to P1E with the sense of omega [m/s]."""
+        return self._velocity(self._motions[link], point)
+
+    def _velocity(self, motion: Value, point: str) -> Value:
+        x, y, omega = motion
+        origin, size = axes_of(self.found.plot)
+        return 1j * (omega * (self.position[point] - origin) - size * (x + 1j * y))
+
+    def ratio(self, first: str, second: str) -> Value:
+        """omega of the first link by that of the second, positive for one sense (3-6)."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.divide(self._motions[first][2], self._motions[second][2])
+
+
+def _share(known: Value, own: Value, common: Value) -> Value:
+    """The weight w with w own - known on the way to `common`: from (w own - known) x common = 0."""
+    left, right = np.cross(own, common, axis=0), np.cross(known, common, axis=0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.sum(left * right, axis=0) / np.sum(left * left, axis=0)
