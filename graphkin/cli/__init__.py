@@ -1,0 +1,71 @@
+"""The commands: parse, call one function, print. A command's module is imported when the command is called.
+
+Exit status: 0 good, 1 a check failed, 2 wrong usage, 3 bad input.
+"""
+
+from __future__ import annotations
+
+import gc
+import os
+import sys
+from contextlib import suppress
+from importlib import import_module
+from typing import Any
+
+import click
+
+__all__ = ["main"]
+
+CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
+COMMANDS = {
+    "draw": "drawing", "explain": "drawing", "solve": "drawing", "check": "drawing",
+    "sweep": "moving",
+    "structure": "library", "list": "library", "show": "library", "schema": "library",
+}  # fmt: skip
+"""The module of each command."""
+
+
+class Program(click.Group):
+    """The commands as a process of their own (a test, which calls `main.main`, has its own settings).
+
+    It ends soon: garbage is collected rarely, and the interpreter is not taken down module by module at the
+    end, which would take a tenth of the whole time of `draw`. Files are written and closed by then.
+    """
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        gc.set_threshold(200_000)
+        status: object = 0
+        try:
+            super().__call__(*args, **kwargs)
+        except SystemExit as end:
+            status = end.code
+        for stream in (sys.stdout, sys.stderr):
+            with suppress(OSError, ValueError):
+                stream.flush()
+        os._exit(status if isinstance(status, int) else 0 if status is None else 1)
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
+        if name not in COMMANDS:
+            return None
+        module = import_module(f"graphkin.cli.{COMMANDS[name]}")
+        return next(
+            (entry for entry in vars(module).values() if isinstance(entry, click.Command) and entry.name == name), None
+        )
+
+
+@click.group(cls=Program, context_settings=CONTEXT)
+@click.version_option(package_name="graphkin")
+def main() -> None:
+    """Graphical kinematics for planar mechanisms.
+
+    MECHANISM is a TOML file, a name from `graphkin list`, or - for standard input.
+
+    \b
+    Example:
+      graphkin draw ex3-1
+      graphkin show ex3-1 > mine.toml     (edit it, then)
+      graphkin draw mine.toml
+    """

@@ -1,0 +1,177 @@
+"""`draw`, `explain`, `solve`, `check`: one position of a mechanism, drawn and proved."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from graphkin.cli.shared import (
+    PAPERS,
+    angle_option,
+    at_option,
+    coincident_option,
+    drawn,
+    force_option,
+    json_line,
+    lang_option,
+    mechanism_argument,
+    method_option,
+    read,
+    speaking,
+)  # fmt: skip
+from graphkin.errors import GraphkinError, Lang
+
+if TYPE_CHECKING:
+    from graphkin.steps import Plane
+
+__all__ = ["check", "draw", "explain", "solve"]
+
+
+@click.command()
+@mechanism_argument
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="SVG to write; - for stdout.")
+@click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
+@click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
+@click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
+@force_option
+@coincident_option
+@method_option
+@angle_option
+@at_option
+@lang_option
+@speaking
+def draw(
+    mechanism: str, output: Path | None, only: Plane | None, paper: str | None, steps: Path | None, force: bool,
+    coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
+) -> None:  # fmt: skip
+    """Draw the mechanism and its polygons to scale, as SVG.
+
+    \b
+    Example:
+      graphkin draw ex3-1 -o sheet.svg --lang zh
+      graphkin draw ex3-7 --angle 120 --steps steps
+    """
+    from graphkin.outputs import svg
+
+    machine = read(mechanism)
+    output = output or Path(f"{machine.name}.svg")
+    if output.suffix.lower() != ".svg" and str(output) != "-":
+        raise click.UsageError(f"{output}: the file to write must end in .svg")
+    drawing = drawn(machine, coincident, method, angles, displacements)
+    sheet = drawing.sheet(paper=paper, lang=lang, only=only)
+    pages = [(output, svg.svg(sheet))]
+    if steps is not None:
+        pages += [
+            (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page))
+            for k, page in enumerate(drawing.step_sheets(paper=paper, lang=lang, only=only), 1)
+        ]
+    if str(output) == "-":
+        click.echo(pages.pop(0)[1], nl=False)
+    if steps is not None:
+        steps.mkdir(parents=True, exist_ok=True)
+    for path, _ in pages:
+        svg.refuse(path, force)
+    for path, text in pages:
+        svg.write(path, text, force)
+        click.echo(str(path), err=str(output) == "-")
+
+
+@click.command()
+@mechanism_argument
+@coincident_option
+@method_option
+@angle_option
+@at_option
+@lang_option
+@speaking
+def explain(
+    mechanism: str, coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...],
+    lang: Lang,
+) -> None:  # fmt: skip
+    """Write out the vector equations, what is laid off, and what is measured.
+
+    \b
+    Example:
+      graphkin explain ex3-1 --lang zh
+    """
+
+    machine = read(mechanism)
+    drawing = drawn(machine, coincident, method, angles, displacements)
+    click.echo("\n".join(drawing.explain(lang)))
+
+
+@click.command()
+@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1, required=True)
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line, SI units and radians.")
+@lang_option
+def solve(mechanisms: tuple[str, ...], as_json: bool, lang: Lang) -> None:
+    """Print all results, graphical beside analytic, and the answers to `ask`.
+
+    \b
+    Example:
+      graphkin solve ex3-1
+      graphkin solve --json *.toml > results.jsonl
+    """
+    failed = False
+    for k, source in enumerate(mechanisms):
+        try:
+            lines = list(_solved(source, as_json, lang))
+            click.echo("\n".join(([""] if k and not as_json else []) + lines))
+        except BrokenPipeError:
+            raise
+        except (GraphkinError, OSError) as error:
+            failed = True
+            message = error.message(lang) if isinstance(error, GraphkinError) else str(error)
+            if as_json:
+                name = Path(source).stem if source != "-" else "stdin"
+                click.echo(json_line({"format": 1, "name": name, "error": message}))
+            else:
+                click.echo(message, err=True)
+    if failed:
+        sys.exit(3)
+
+
+def _solved(source: str, as_json: bool, lang: Lang) -> Iterator[str]:
+    from graphkin import api, reports, results
+
+    machine = read(source)
+    found = results.results(machine, api.plan(machine), lang)
+    if as_json:
+        yield json_line(found)
+    else:
+        yield from reports.solve_lines(machine, found, lang)
+
+
+@click.command()
+@click.argument("drawings", metavar="DRAWING.svg...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option("--tolerance", type=click.FloatRange(min=0, min_open=True), default=0.01, show_default=True, metavar="MM",
+              help="How far a vector or point may be off.")  # fmt: skip
+@lang_option
+def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
+    """Measure drawings with a ruler and hold them against the analytic solution.
+
+    \b
+    Example:
+      graphkin check ex3-1.svg
+    """
+    from graphkin import reports
+    from graphkin.check import measure
+
+    if not math.isfinite(tolerance):
+        raise click.UsageError("--tolerance takes a finite number")
+    status = 0
+    for drawing in drawings:
+        try:
+            report = measure(drawing, tolerance)
+        except GraphkinError as error:
+            click.echo(error.message(lang), err=True)
+            status = 3
+            continue
+        click.echo("\n".join(reports.check_lines(report, tolerance, lang)))
+        status = max(status, 0 if report.passed(tolerance) else 1)
+    sys.exit(status)

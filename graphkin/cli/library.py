@@ -1,0 +1,72 @@
+"""`list`, `show`, `structure`, `schema`: what there is, and what it is made of."""
+
+from __future__ import annotations
+
+import click
+
+from graphkin.cli.shared import lang_option, mechanism_argument, read, speaking
+from graphkin.errors import Lang
+
+__all__ = ["list_", "schema", "show", "structure"]
+
+
+@click.command("list")
+@lang_option
+@speaking
+def list_(lang: Lang) -> None:
+    """List the mechanisms of the library.
+
+    \b
+    Example:
+      graphkin list --lang zh
+    """
+    from graphkin import library
+
+    for name, title in library.titles(lang).items():
+        click.echo(f"{name:<12}{title}")
+
+
+@click.command()
+@click.argument("name")
+@lang_option
+@speaking
+def show(name: str, lang: Lang) -> None:
+    """Print the TOML file of a library mechanism, to start one's own from.
+
+    \b
+    Example:
+      graphkin show ex3-1 > mine.toml
+    """
+    from graphkin import library
+
+    click.echo(library.text(name), nl=False)
+
+
+@click.command()
+@mechanism_argument
+@lang_option
+@speaking
+def structure(mechanism: str, lang: Lang) -> None:
+    """List links, pairs, degrees of freedom and the Assur groups in the order they are solved.
+
+    \b
+    Example:
+      graphkin structure p3-15
+    """
+    from graphkin import api, assur
+
+    for line in assur.structure_lines(api.plan(read(mechanism)), lang):
+        click.echo(line)
+
+
+@click.command()
+def schema() -> None:
+    """Print the JSON Schema of the mechanism file, for editors.
+
+    \b
+    Example:
+      graphkin schema > graphkin.schema.json
+    """
+    from graphkin import loading
+
+    click.echo(loading.json_schema_text(), nl=False)
