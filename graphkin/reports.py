@@ -7,6 +7,7 @@ import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from graphkin.centres import told
 from graphkin.check import Measured, Report
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
@@ -126,6 +127,9 @@ def _answers(asked: Json, lang: Lang) -> Iterator[str]:
     if asked:
         yield f"{say('asked', lang)}:"
     for question, entry in asked.items():
+        if "at" in entry or "direction" in entry:
+            yield f"  {question} = {told(entry, lang)}" + (" mm" if "at" in entry else "")
+            continue
         if entry["value"] is None:
             yield f"  {question}: {say('not answered', lang)}"
             continue
@@ -145,11 +149,14 @@ def _components(entry: Json) -> str:
 
 
 def sweep_lines(sweep: Sweep) -> Iterator[str]:
-    """A row for each position, in mm and deg."""
+    """A row for each position, in mm and deg; of an instant centre x and y."""
     driver = [sweep.course.driver.name, "deg" if sweep.course.angular else "mm"]
-    heads = [driver, *([entry.name, _edge(entry.unit)[0]] for entry in sweep.series)]
-    factor = _edge("rad" if sweep.course.angular else "m")[1]
-    values = [sweep.values * factor, *(entry.signed * _edge(entry.unit)[1] for entry in sweep.series)]
+    heads, values = [driver], [sweep.values * _edge("rad" if sweep.course.angular else "m")[1]]
+    for entry in sweep.series:
+        unit, factor = _edge(entry.unit)
+        heads += [[f"{entry.name}{part}", unit] for part in ((" x", " y") if entry.is_place else ("",))]
+        parts = (entry.vectors.real, entry.vectors.imag) if entry.is_place and entry.vectors is not None else (entry.signed,)
+        values += [part * factor for part in parts]
     rows = [[number(float(column[k])) for column in values] for k in range(sweep.t.size)]
     yield from table([[head[0] for head in heads], [f"[{head[1]}]" for head in heads], *rows])
 
@@ -167,7 +174,7 @@ PLANES = ("rad m", "rad/s m/s", "rad/s^2 m/s^2", "1")
 
 def book_lines(sweep: Sweep) -> Iterator[str]:
     """As Sun Huan's table 3-1: positions, velocities, accelerations; deg and m, five decimals."""
-    entries = [e for plane in PLANES for unit in plane.split() for e in sweep.series if e.unit == unit]
+    entries = [e for plane in PLANES for unit in plane.split() for e in sweep.series if e.unit == unit and not e.is_place]
     angular = sweep.course.angular
     heads = [_driver_symbol(sweep), *(_symbol(entry) for entry in entries)]
     units = [BOOK_UNITS["rad" if angular else "m"], *(BOOK_UNITS[entry.unit] for entry in entries)]

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from graphkin.analytic import motion
+from graphkin.centres import centre_of, centres, place
 from graphkin.check import compare
 from graphkin.errors import Lang, RoadsDiffer
 from graphkin.geometry import Value
@@ -14,7 +15,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.methods import Method, replay_all
 from graphkin.naming import Seen
 from graphkin.readings import Motions, Readings, answer, relative
-from graphkin.steps import Site
+from graphkin.steps import Plot, Site
 
 __all__ = ["driver_values", "results"]
 
@@ -50,7 +51,7 @@ def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...]) -
         "drivers": list(values),
         **_motions(mechanism, readings),
         "coincident": dict(_coincident(mechanism, method, readings)),
-        "ask": {question: _answer(mechanism, readings, question) for question in mechanism.ask},
+        "ask": {question: _answer(method, plot, readings, question) for question in mechanism.ask},
         "analytic": _motions(mechanism, exact),
         "worst": worst,
     }
@@ -113,8 +114,10 @@ def _home(method: Method, site: Site) -> Seen:
     return Seen(site.point, link, True)
 
 
-def _answer(mechanism: Mechanism, motions: Motions, question: str) -> Mapping[str, Any]:
-    found = answer(mechanism, motions, question)
+def _answer(method: Method, plot: Plot, motions: Motions, question: str) -> Mapping[str, Any]:
+    if (links := centre_of(method.mechanism, question)) is not None:
+        return {"value": None, "unit": "m", **place(centres(method, plot), *links)}
+    found = answer(method.mechanism, motions, question)
     if found is None or not math.isfinite(_number(found.value)):
         return {"value": None, "unit": None if found is None else found.unit}
     vector = {} if found.vector is None else {"vector": _vector(found.vector)}

@@ -19,12 +19,12 @@ from graphkin.mechanism import FRAME, Mechanism
 from graphkin.methods import Method
 from graphkin.methods.equivalent import Contact
 from graphkin.steps import AcrossGuide, Along, Plot, Ray, Touch, replay
-from graphkin.steps.centring import CentreStep, Centring, Far, Join, Kennedy, Pole, Seat, line_of, take
+from graphkin.steps.centring import CLEAR, CentreStep, Centring, Far, Join, Kennedy, Pole, Seat, line_of, take
 
 __all__ = ["centre_name", "centres", "with_centres"]
 
-CLEAR, LEAST = 0.05, 1e-3
-"""Lines that are less than this far from being one are left for a later round; less than the second, for good."""
+WELL_APART = 0.05
+"""Lines that are less than this far from being one are left for a later round."""
 
 Pair = frozenset[str]
 
@@ -46,8 +46,8 @@ def with_centres(method: Method, plot: Plot) -> tuple[Centring, Plot]:
     plot = _moving(method, plot)
     search = _Search(method, plot)
     search.run()
-    together = tuple((a, b) for a, b in search.missing)
-    return Centring(tuple(search.steps), search.links, together), plot
+    points = {link: search.motion(link)[1:] for link in method.mechanism.links}
+    return Centring(tuple(search.steps), search.links, tuple(search.missing), points), plot
 
 
 def centres(method: Method, plot: Plot) -> Centring:
@@ -97,7 +97,7 @@ class _Search:
         self.normals = dict(_normals(self.mechanism))
         left: list[tuple[str, str]] = []
         while any(pair not in left for pair in self.missing):
-            if not any(self._round(clear) for clear in (CLEAR, LEAST)) and not self._pole(left):
+            if not any(self._round(clear) for clear in (WELL_APART, CLEAR)) and not self._pole(left):
                 return
 
     def take(self, pair: Pair, step: CentreStep) -> None:
@@ -166,7 +166,7 @@ class _Search:
         waiting = [pair for pair in self.missing if pair not in left]
         waiting.sort(key=lambda pair: (FRAME not in pair, -self._joined(pair)))
         for pair in waiting:
-            step = Pole(self.named(frozenset(pair)), (self._motion(pair[0]), self._motion(pair[1])))
+            step = Pole(self.named(frozenset(pair)), (self.motion(pair[0]), self.motion(pair[1])))
             with np.errstate(divide="ignore", invalid="ignore"):
                 take(step, self.plot)
             if np.isfinite(self.plot.centres[step.centre]).all():
@@ -180,7 +180,7 @@ class _Search:
         """To how many others two links are joined directly."""
         return sum(not pair_.isdisjoint(pair) for pair_ in self.known)
 
-    def _motion(self, link: str) -> tuple[str, str, str]:
+    def motion(self, link: str) -> tuple[str, str, str]:
         """A link with a point of the mechanism and that point of it in the velocity polygon."""
         if link == FRAME:
             return link, "", ""

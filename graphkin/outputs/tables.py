@@ -75,10 +75,11 @@ def columns(part: Sweep) -> dict[str, np.ndarray]:
 
 def _columns(entry: Series) -> Iterator[tuple[str, np.ndarray]]:
     unit, factor = EDGE.get(entry.unit, (entry.unit, 1.0))
-    yield f"{entry.name} [{unit}]", entry.values * factor
+    if not entry.is_place:
+        yield f"{entry.name} [{unit}]", entry.values * factor
     if entry.vectors is not None:
-        yield f"{entry.name} x [{unit}]", entry.vectors.real
-        yield f"{entry.name} y [{unit}]", entry.vectors.imag
+        yield f"{entry.name} x [{unit}]", entry.vectors.real * factor
+        yield f"{entry.name} y [{unit}]", entry.vectors.imag * factor
 
 
 def csv_lines(course: Course, found: Iterator[Sweep]) -> Iterator[str]:

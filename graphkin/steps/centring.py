@@ -7,6 +7,7 @@ mechanism's size from a point of it: w = 0 is a direction. Lines are the same; a
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import field
 from typing import assert_never
 
 import numpy as np
@@ -18,12 +19,14 @@ from graphkin.steps.plot import Plot
 from graphkin.value import frozen
 
 __all__ = [
-    "CentreStep", "Centring", "Far", "Join", "Kennedy", "Pole", "Seat", "axes_of", "direction_of", "find_centres",
-    "line_of", "place_of", "take",
+    "CLEAR", "CentreStep", "Centring", "Far", "Join", "Kennedy", "Pole", "Seat", "axes_of", "direction_of",
+    "find_centres", "line_of", "place_of", "take",
 ]  # fmt: skip
 
 INFINITE = 1e-9
 """A centre farther off than the mechanism's size divided by this counts as at infinity."""
+CLEAR = 1e-3
+"""Two lines that are less than this far from being one give no centre."""
 STILL = 1e-11
 """Links that move against each other by less than this part of the fastest motion stand still against each other."""
 
@@ -82,18 +85,26 @@ class Centring:
 
     links       the two links of each centre, by its name
     together    pairs of links that do not move against each other: they have no centre
+    points      of each link a point of the mechanism, and that point of the link in the velocity polygon
     """
 
     steps: tuple[CentreStep, ...]
     links: Mapping[str, tuple[str, str]]
     together: tuple[tuple[str, str], ...] = ()
+    points: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
 
 def find_centres(centring: Centring, plot: Plot) -> Plot:
-    """Carry out the steps on a plot with positions (and velocities, where a centre is found by them)."""
+    """Carry out the steps on a plot with positions and velocities, scalars or arrays.
+
+    Where the two lines of a centre, chosen for another position, come to coincide, it is taken from velocities.
+    """
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         for step in centring.steps:
             take(step, plot)
+            if isinstance(step, Kennedy) and np.any(blurred := ~(plot.lean[step.centre] > CLEAR)):
+                first, second = ((link, *centring.points[link]) for link in centring.links[step.centre])
+                plot.centres[step.centre] = np.where(blurred, _pole(plot, first, second), plot.centres[step.centre])
     return plot
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from graphkin.centres import centre_of
 from graphkin.errors import UnknownQuantity, Where
 from graphkin.geometry import Value, dot
 from graphkin.loading.questions import QUANTITIES, misnamed
@@ -25,7 +26,7 @@ class Series:
     name    as `ask` writes it
     unit    SI: "rad", "rad/s", "rad/s^2", "m", "m/s", "m/s^2", "1"
     values  sizes or signed scalars (n,)
-    vectors for velocities and accelerations: (n,) complex, else None
+    vectors for velocities and accelerations, and the place of an instant centre: (n,) complex, else None
     along   for a point that a guide of the frame leads: the direction along which it counts as positive
     """
 
@@ -34,6 +35,11 @@ class Series:
     values: np.ndarray
     vectors: np.ndarray | None = None
     along: complex | None = None
+
+    @property
+    def is_place(self) -> bool:
+        """Whether this is where an instant centre lies; at infinity that is infinite."""
+        return self.unit == "m" and self.vectors is not None
 
     @property
     def signed(self) -> np.ndarray:
@@ -86,7 +92,10 @@ def asked(mechanism: Mechanism, names: Sequence[str] = ()) -> tuple[str, ...]:
     still = motion(mechanism)
     for name in names:
         _refuse_unknown(mechanism, still, name)
-    usual = names or [name for name in mechanism.ask if answer(mechanism, still, name) is not None]
+    usual = names or [
+        name for name in mechanism.ask
+        if answer(mechanism, still, name) is not None or centre_of(mechanism, name) is not None
+    ]  # fmt: skip
     return tuple(dict.fromkeys(usual or _everything(mechanism)))
 
 
@@ -95,7 +104,7 @@ def _refuse_unknown(mechanism: Mechanism, still: Motions, name: str) -> None:
     for part in name.split("/"):
         if (problem := misnamed(mechanism, part, where)) is not None:
             raise problem
-    if answer(mechanism, still, name) is None:
+    if answer(mechanism, still, name) is None and centre_of(mechanism, name) is None:
         raise UnknownQuantity(where, name, ())
 
 

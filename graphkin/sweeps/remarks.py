@@ -106,7 +106,7 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
     """The greatest and the least value of each quantity among the positions of a sweep; accelerations in g, too."""
     for entry in sweep.series:
         values = entry.signed
-        if not np.isfinite(values).any():
+        if entry.is_place or not np.isfinite(values).any():
             continue
         for key, k in (("greatest", int(np.nanargmax(values))), ("least", int(np.nanargmin(values)))):
             place = named(sweep.course, float(sweep.values[k]))

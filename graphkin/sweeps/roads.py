@@ -13,14 +13,17 @@ from typing import Literal
 
 import numpy as np
 
+from graphkin.centres import centres, over
 from graphkin.geometry import Value
-from graphkin.methods import Method, with_other_points
+from graphkin.mechanism import FRAME
+from graphkin.methods import Method, replay_all, with_other_points
+from graphkin.methods.swift import swept
 from graphkin.methods.way import Way, along, stride
 from graphkin.readings import Motions, Readings
 from graphkin.steps import Plot, replay
 from graphkin.value import frozen
 
-__all__ = ["Road", "moving"]
+__all__ = ["Road", "centre_path", "moving"]
 
 Road = Literal["construction", "analysis"]
 
@@ -44,7 +47,7 @@ def _by(method: Method, way: Way, t: np.ndarray, by: Road) -> tuple[Motions, lis
         from graphkin.analytic import motion
 
         return motion(method.mechanism, [np.broadcast_to(value, t.shape) for value in way.values(t)]), []
-    plot = replay(method.acceleration, replay(method.velocity, along(method, way, t)))
+    plot = swept(method, way, t)
     return Readings(method, plot), _by_other_points(method, way, t, plot)
 
 
@@ -167,3 +170,22 @@ class Mended:
     def acceleration_at(self, point: str, link: str) -> Value:
         others = [patch.others.acceleration_at(point, link) for patch in self.patches]
         return self._mend(self.rows.acceleration_at(point, link), others)
+
+
+# --- instant centres --------------------------------------------------------------------------
+
+
+def centre_path(method: Method, way: Way, t: np.ndarray, by: Road, links: tuple[str, str]) -> np.ndarray:
+    """Where the instant centre of two links lies at t (n,) on the way [m]; infinite at infinity."""
+    if by == "construction":
+        found = over(centres(method, replay_all(method)), way, t)
+        return np.array(np.broadcast_to(found.place(*links), t.shape))
+    motions = moving(method, way, t, by)
+    point = method.mechanism.points[0]
+    moves = [0j * t if link == FRAME else motions.velocity_at(point, link) for link in links]
+    turns = [0.0 * t if link == FRAME else motions.omega[link] for link in links]
+    fastest = max(float(np.max(np.abs(omega))) for omega in motions.omega.values())
+    turning = turns[0] - turns[1]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        place = motions.position[point] + 1j * (moves[0] - moves[1]) / turning
+    return np.where(np.abs(turning) > 1e-9 * fastest, place, np.inf)

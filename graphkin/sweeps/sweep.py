@@ -7,12 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.centres import centre_of
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
 from graphkin.methods.way import stride
 from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.quantities import Series, asked, series
-from graphkin.sweeps.roads import Road, moving
+from graphkin.sweeps.roads import Road, centre_path, moving
 from graphkin.value import frozen
 
 __all__ = ["Sweep", "parts", "sweep", "sweep_over"]
@@ -73,8 +74,17 @@ def at(course: Course, names: Sequence[str], t: np.ndarray, by: Road = "construc
 def _at(course: Course, names: Sequence[str], t: np.ndarray, by: Road, turned: _Turned) -> Sweep:
     mechanism = course.method.mechanism
     motions = moving(course.method, course.way, t, by)
-    found = [series(mechanism, motions, name, t.size) for name in names]
+    found = [_centre(course, name, t, by) or series(mechanism, motions, name, t.size) for name in names]
     return Sweep(course, t, np.asarray(course.value(t)), tuple(turned.on(entry, t) for entry in found if entry))
+
+
+def _centre(course: Course, name: str, t: np.ndarray, by: Road) -> Series | None:
+    """Where an instant centre lies; None for other quantities."""
+    links = centre_of(course.method.mechanism, name)
+    if links is None:
+        return None
+    places = centre_path(course.method, course.way, t, by, links)
+    return Series(name, "m", np.abs(places), places)
 
 
 class _Turned:

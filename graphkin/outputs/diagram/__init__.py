@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from graphkin.centres import centre_of
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs import files
 from graphkin.outputs.diagram.curves import curves
@@ -42,12 +43,13 @@ class NotADiagram(GraphkinError):
 def figure(course: Course, names: Sequence[str], lang: Lang = "en", by: Road = "construction") -> Figure:
     """The diagram of quantities over a course, for a notebook or to be saved with `savefig`.
 
-    names  as `sweeps.asked` gives them: `theta 3`, `v E`, `omega 3/omega 2`
+    names  as `sweeps.asked` gives them: `theta 3`, `v E`, `omega 3/omega 2`; instant centres are left out
     lang   where no Chinese font is found, Chinese falls back to English (`write` says so)
     """
     from graphkin.outputs.diagram.draw import draw
 
-    found = curves(course, names, by)
+    mechanism = course.method.mechanism
+    found = curves(course, [name for name in names if centre_of(mechanism, name) is None], by)
     with _settings():
         return draw(found, lang if chinese_font() is not None else "en")
 

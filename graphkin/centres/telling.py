@@ -1,0 +1,102 @@
+"""Instant centres as data and as a table for the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from graphkin.centres.found import Centres
+from graphkin.errors import Lang
+from graphkin.steps import Ray
+from graphkin.steps.centring import CentreStep, Far, Join, Kennedy, Pole, Seat
+
+__all__ = ["as_json", "found_by", "place", "rows", "told"]
+
+Json = dict[str, Any]
+
+
+def as_json(found: Centres) -> Json:
+    """One object: of each centre its links, its place [m] or direction [rad], and how it is found.
+
+    `by` is "hinge", "contact" (wheels that roll on each other), "slide", "velocities", or the two lines: each two
+    centres that it joins, or ["normal"]. Links that do not move against each other have "by": "together" and no place.
+    """
+    mechanism = found.method.mechanism
+    steps = {step.centre: step for step in found.centring.steps}
+    centres: dict[str, Json] = {}
+    for first, second in found.pairs:
+        name = found.name(first, second)
+        entry: Json = {"links": [mechanism.called(first), mechanism.called(second)]}
+        if name in steps:
+            entry |= place(found, first, second) | {"by": found_by(steps[name])}
+        else:
+            entry |= {"by": "together"}
+        centres[name] = entry
+    return {"format": 1, "name": mechanism.name, "centres": centres}
+
+
+def place(found: Centres, first: str, second: str) -> Json:
+    """`at` [m], `direction` [rad] for a centre at infinity, nothing where there is none."""
+    if found.name(first, second) not in found.plot.centres:
+        return {}
+    at = complex(found.place(first, second))
+    if np.isfinite(at):
+        return {"at": [at.real + 0.0, at.imag + 0.0]}
+    return {"direction": float(found.direction(first, second)) + 0.0}
+
+
+def found_by(step: CentreStep) -> str | list[list[str]]:
+    """A rule's name, or the two lines on which a centre lies."""
+    match step:
+        case Seat(_, _, contact):
+            return "hinge" if contact is None else "contact"
+        case Far():
+            return "slide"
+        case Kennedy(_, first, second):
+            return [_line(first), _line(second)]
+        case Pole():
+            return "velocities"
+
+
+def _line(line: Join | Ray) -> list[str]:
+    return [line.first, line.second] if isinstance(line, Join) else ["normal"]
+
+
+WORDS: dict[str, dict[Lang, str]] = {
+    "hinge": {"en": "hinge", "zh": "转动副"},
+    "contact": {"en": "rolling contact", "zh": "纯滚动接触点"},
+    "slide": {"en": "sliding pair", "zh": "移动副"},
+    "velocities": {"en": "velocities", "zh": "由速度求得"},
+    "normal": {"en": "common normal", "zh": "公法线"},
+    "together": {"en": "no motion against each other", "zh": "无相对运动"},
+    "infinity": {"en": "at infinity, {angle}°", "zh": "无穷远，{angle}°"},
+    "centre": {"en": "centre", "zh": "瞬心"},
+    "links": {"en": "links", "zh": "构件"},
+    "place": {"en": "place [mm]", "zh": "位置 [mm]"},
+    "by": {"en": "found by", "zh": "求法"},
+}
+
+
+def rows(found: Centres, lang: Lang) -> Iterator[list[str]]:
+    """The table's rows, the heading first."""
+    yield [WORDS[key][lang] for key in ("centre", "links", "place", "by")]
+    for name, entry in as_json(found)["centres"].items():
+        yield [name, ", ".join(entry["links"]), told(entry, lang), _way(entry["by"], lang)]
+
+
+def told(entry: Json, lang: Lang) -> str:
+    """`(66.404, 182.442)` in mm, or `at infinity, 90°`."""
+    if "at" in entry:
+        x, y = (f"{value * 1000:.6g}" if abs(value) > 1e-12 else "0" for value in entry["at"])
+        return f"({x}, {y})"
+    if "direction" in entry:
+        return WORDS["infinity"][lang].format(angle=f"{np.degrees(entry['direction']):.6g}")
+    return "-"
+
+
+def _way(by: str | list[list[str]], lang: Lang) -> str:
+    if isinstance(by, str):
+        return WORDS[by][lang]
+    return " × ".join(WORDS["normal"][lang] if line == ["normal"] else "".join(line) for line in by)
