@@ -12,7 +12,7 @@ from collections.abc import Collection
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.value import frozen
 
-__all__ = ["Seen", "common_link", "pair", "seen"]
+__all__ = ["Seen", "common_link", "driver_number", "pair", "seen"]
 
 POINT = re.compile(r"[A-Z][0-9]*'*")
 
@@ -72,3 +72,15 @@ def _links(mechanism: Mechanism, site: Seen) -> set[str]:
     """The links a site belongs to: all that have the point, unless it is a point of another link there."""
     owners = mechanism.owners.get(site.point, ())
     return set(owners) if not site.explicit or site.link in owners else {site.link}
+
+
+def driver_number(mechanism: Mechanism, name: str) -> int | None:
+    """The driver that is called so; one that drives a slide also by the two points whose distance that is (`DH`)."""
+    for number, driver in enumerate(mechanism.drivers):
+        if name == driver.name:
+            return number
+    for number, driver in enumerate(mechanism.drivers):
+        slide = next((s for s in mechanism.slides if driver.kind == "slide" and s.name == driver.link), None)
+        if slide is not None and name in (slide.line.origin + slide.point, slide.point + slide.line.origin):
+            return number
+    return None

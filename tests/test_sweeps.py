@@ -59,3 +59,245 @@ def test_both_roads_sweep_random_mechanisms_alike(kind: str):
         tried += 1
         assert both(mechanism) < 1e-9, (kind, seed)
     assert tried
+
+
+# --- the textbook's table -----------------------------------------------------------------------
+
+TABLE_3_1 = """
+0   65.55610 168.93822 0.10107 0.17123 0.28879 -0.10184 0.24770 0.29266  -0.13872
+10  67.46688 172.02730 0.08138 0.20927 0.32391 -0.12272 0.19076 0.11719  -0.10264
+20  69.71252 175.32660 0.05854 0.23859 0.33202 -0.13834 0.14715 -0.01853 -0.07795
+360 65.55610 168.93822 0.10107 0.17123 0.28879 -0.10184 0.24770 0.29267  -0.13872
+"""
+"""As printed, but for theta4 of 0 and 360 degrees and the column of a_E, which are wrong in the book."""
+
+
+def rows(text: str) -> list[list[float]]:
+    return [[float(word) for word in line.split()] for line in text.splitlines() if line[:1].isdigit()]
+
+
+def test_table_3_1():
+    printed, book = rows(run("sweep", "ex3-7", "--table").stdout), rows(TABLE_3_1)
+    assert len(printed) == 37
+    for right in book:
+        found = next(row for row in printed if row[0] == right[0])
+        assert np.allclose(found[1:3], right[1:3], rtol=0, atol=1.1e-4)
+        assert np.allclose(found[3:], right[3:], rtol=0, atol=1.1e-5)
+
+
+# --- change points and stops --------------------------------------------------------------------
+
+CRANKS = """
+[frame]
+A = [0, 0]
+D = [{d}, 0]
+[links.1]
+AB = {a}
+[links.2]
+BC = {b}
+[links.3]
+DC = {c}
+[[driver]]
+vector = "AB"
+angle = 60
+omega = 10
+alpha = 3
+[sketch]
+C = {C}
+"""
+
+
+def four_bar(a: float, b: float, c: float, d: float, C: list[float]) -> Mechanism:  # noqa: N803
+    return loads(CRANKS.format(a=a, b=b, c=c, d=d, C=C), name="bar", file="bar.toml")
+
+
+def test_a_parallelogram_stays_one():
+    """All links pass through one line twice a turn; the coupler never turns."""
+    found = sweep(plan(four_bar(30, 80, 30, 80, [95, 26])), ["0:720:5"], ["theta 2", "omega 2", "omega 3", "alpha 3", "v C"])
+    assert np.allclose(np.sin(found["theta 2"].values), 0, atol=1e-9)
+    assert np.allclose(found["omega 2"].values, 0, atol=1e-9)
+    assert np.allclose(found["omega 3"].values, 10, rtol=1e-9)
+    assert np.allclose(found["alpha 3"].values, 3, rtol=0, atol=2e-7)
+    assert np.allclose(found["v C"].values, 0.3, rtol=1e-9)
+
+
+@pytest.mark.parametrize("by", ["construction", "analysis"])
+@pytest.mark.parametrize(
+    ("lengths", "sketch", "changes"),
+    [((30, 80, 30, 80), [95, 26], 4), ((30, 80, 30, 80), [75, -28], 4), ((30, 30, 80, 80), [40, 60], 4), ((20, 60, 50, 30), [60, 45], 2)],
+)
+def test_change_points_are_gone_through_smoothly(lengths: tuple[float, ...], sketch: list[float], changes: int, by: str):
+    """Speeds are the slopes of angles everywhere, also at the change point itself."""
+    way = course(plan(four_bar(*lengths, sketch)), ["0:360:1"])
+    assert len(way.way.changes) == changes
+    step = 1e-3
+    t = np.concatenate([[way.at(v) + k * step for k in (-2, -1, 0, 1, 2)] for v in np.radians([0.0, 90, 180, 180.3, 270])])
+    found = at(way, ["theta 2", "theta 3", "omega 2", "omega 3"], t, by)
+    for link in "23":
+        angles = found[f"theta {link}"].values.reshape(-1, 5)
+        slope = angles @ np.array([1, -8, 0, 8, -1]) / (12 * step)
+        assert np.allclose(slope * 10, found[f"omega {link}"].values.reshape(-1, 5)[:, 2], rtol=1e-6, atol=1e-6)
+
+
+def test_a_guide_through_its_own_pivot():
+    """Crank and frame equally long: the block passes the pivot, and the bar turns at half the crank's speed."""
+    text = """
+[frame]
+A = [0, 0]
+C = [-50, 0]
+[links.1]
+AB = 50
+[links.2]
+points = ["B"]
+[links.3]
+CE = 120
+[[slide]]
+block = "2"
+point = "B"
+guide = "3"
+through = "C"
+toward = "E"
+[[driver]]
+vector = "AB"
+angle = 30
+omega = 5
+[sketch]
+E = [60, 40]
+"""
+    found = sweep(plan(loads(text, name="g", file="g.toml")), ["0:720:4"], ["omega 3", "theta 3"])
+    assert np.allclose(found["omega 3"].values, 2.5, rtol=1e-9)
+    assert found["theta 3"].values[-1] - found["theta 3"].values[0] == pytest.approx(2 * math.pi)
+
+
+@pytest.mark.parametrize("name", LIMITED)
+def test_the_way_ends_where_the_analysis_ends(name: str):
+    """Just before a stop both roads have a position, just beyond it neither has."""
+    way = course(plan(library.load(name)))
+    assert way.stops
+    for stop in way.stops:
+        out = math.copysign(1e-4 * (way.way.last - way.way.first), stop.at)
+        before, beyond = moving(way.method, way.way, np.array([stop.at - out, stop.at + out]), "analysis").theta.values(), None
+        for angles in before:
+            angles = np.broadcast_to(angles, 2)
+            beyond = bool(np.isnan(angles[1])) if beyond is None else beyond or bool(np.isnan(angles[1]))
+            assert np.isfinite(angles[0])
+        assert beyond
+
+
+def test_angles_go_on_beyond_a_turn_and_never_jump():
+    found = sweep(plan(library.load("p3-23a")), ["0:1080:90"], ["theta 1", "theta 2"])
+    assert np.allclose(np.degrees(found["theta 1"].values), np.arange(0, 1081, 90))
+    assert np.ptp(found["theta 2"].values) < 1
+
+
+def test_positions_whole_turns_away_are_the_same():
+    first = sweep(plan(library.load("fig3-10")), ["-40:200:20"], ["v O'"])
+    later = sweep(plan(library.load("fig3-10")), ["320:560:20"], ["v O'"])
+    assert np.allclose(first["v O'"].values, later["v O'"].values, rtol=1e-9)
+    assert np.allclose(later.values, np.radians(np.arange(320, 561, 20)))
+
+
+# --- several drivers ----------------------------------------------------------------------------
+
+
+def test_drivers_keep_pace():
+    """Scissors: both slides move on together, so that F moves three times as fast along the whole way."""
+    found = sweep(plan(library.load("p3-14")), of=["v F", "v A", "v B"])
+    assert np.allclose(found["v A"].values, 0.002)
+    assert np.allclose(found["v B"].values, 0.002)
+    assert len(found.values) > 10
+
+
+def test_a_driver_can_be_held_elsewhere():
+    free = sweep(plan(library.load("p3-21")), ["0:360:30"], ["s piston"])
+    held = sweep(plan(library.load("p3-21")), ["0:360:30", "DH=70"], ["s piston"])
+    assert np.ptp(held["s piston"].values) > np.ptp(free["s piston"].values)
+
+
+def test_drivers_can_go_together():
+    found = sweep(plan(library.load("p3-22")), ["lift=350:400:10", "tilt=260:290:6"], ["s lift", "s tilt"])
+    assert np.allclose(found["s lift"].values, np.linspace(0.35, 0.40, 6))
+    assert np.allclose(found["s tilt"].values, np.linspace(0.26, 0.29, 6))
+
+
+# --- what is wrong ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("span", ["0:0:1", "0:10:-1", "1:2:3:4", "nonsense", "0:1e9:1", "0:360:1e-9", "nan:1:1", "5 kg:9 kg:1", ""])
+def test_ranges_that_are_none(span: str):
+    refused = run("sweep", "ex3-1", "--driver", span)
+    assert refused.exit_code == 3
+    assert refused.stderr.startswith("--driver")
+    assert "Traceback" not in refused.stderr
+
+
+def test_a_range_beyond_reach_says_how_far_it_goes():
+    with pytest.raises(NoPosition, match=r"-59\.07"):
+        course(plan(library.load("fig3-10")), ["230:290:10"])
+
+
+def test_a_driver_that_is_not_there():
+    with pytest.raises(NoSuchDriver, match="AB"):
+        course(plan(library.load("ex3-1")), ["XY=0:10:1"])
+    with pytest.raises(BadRange):
+        course(plan(library.load("p3-22")), ["lift=350:400:10", "tilt=260:290:10"])
+
+
+@pytest.mark.parametrize("of", ["omega 9", "v Q", "s nothing", "speed of C", "omega 1 / v C"])
+def test_quantities_that_are_none(of: str):
+    refused = run("sweep", "ex3-1", "--of", of)
+    assert refused.exit_code == 3
+    assert refused.stderr.startswith("--of")
+
+
+# --- tables -------------------------------------------------------------------------------------
+
+
+def test_tables_hold_the_same(tmp_path: Path):
+    """CSV, JSON and Parquet of one sweep; CSV read back by the standard reader."""
+    parquet = pytest.importorskip("pyarrow.parquet", reason="needs graphkin[parquet]")
+    names = ["theta 3", "omega 3", "v E", "a_k B3B2", "s ram", "P13"]
+    found = sweep(plan(library.load("ex3-7")), ["0:360:15"], names)
+    for suffix in (".csv", ".json", ".parquet"):
+        done = run("sweep", "ex3-7", "--driver", "0:360:15", "--of", ", ".join(names), "-o", str(tmp_path / f"t{suffix}"))
+        assert done.exit_code == 0, done.stderr
+    text = (tmp_path / "t.csv").read_text("utf-8")
+    head, *lines = csv.reader(io.StringIO(text))
+    table = dict(zip(head, np.array(lines, dtype=float).T, strict=True))
+    assert head[:2] == ["AB [deg]", "theta 3 [deg]"]
+    assert np.allclose(table["AB [deg]"], np.arange(0, 361, 15))
+    assert np.allclose(table["theta 3 [deg]"], np.degrees(found["theta 3"].values))
+    assert np.allclose(table["s ram [mm]"], found["s ram"].values * 1000)
+    assert np.allclose(table["v E x [m/s]"] + 1j * table["v E y [m/s]"], found["v E"].vectors)
+    assert np.allclose(table["P13 x [mm]"], found["P13"].vectors.real * 1000)
+    columns = parquet.read_table(tmp_path / "t.parquet").to_pydict()
+    assert list(columns) == head
+    assert all(np.allclose(columns[name], table[name]) for name in head)
+    data = json.loads((tmp_path / "t.json").read_text("utf-8"))
+    assert data["range"]["full_turn"]
+    assert data["quantities"]["omega 3"]["unit"] == "rad/s"
+    assert np.allclose(data["quantities"]["omega 3"]["values"], found["omega 3"].values)
+    assert np.allclose(data["driver"]["values"], found.values)
+
+
+def test_csv_on_stdout_and_over_an_own_file(tmp_path: Path):
+    out = run("sweep", "ex3-1", "--driver", "0:90:30", "--of", "omega 3", "-o", "-")
+    assert out.stdout.splitlines()[0].startswith("AB [deg],omega 3 [rad/s]")
+    mine = tmp_path / "mine.csv"
+    mine.write_text("my own numbers\n")
+    assert run("sweep", "ex3-1", "-o", str(mine)).exit_code == 3
+    assert mine.read_text() == "my own numbers\n"
+    assert run("sweep", "ex3-1", "-o", str(mine), "--force").exit_code == 0
+    assert run("sweep", "ex3-1", "-o", str(mine)).exit_code == 0
+
+
+def test_a_limited_sweep_says_where_and_why():
+    told = run("sweep", "fig3-10", "--lang", "en").stdout
+    assert "AB moves from -59.0717° to 215.294°" in told
+    assert "links 3 and 4 lie in line" in told
+    assert "构件 3、4 共线" in run("sweep", "fig3-10", "--lang", "zh").stdout
+
+
+def test_by_analysis_prints_the_same():
+    first, second = (run("sweep", "ex3-7", "--table", "--by", by).stdout for by in ("construction", "analysis"))
+    assert first == second

@@ -19,7 +19,7 @@ __all__ = ["main"]
 CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 COMMANDS = {
     "draw": "drawing", "explain": "drawing", "solve": "drawing", "check": "drawing",
-    "sweep": "moving",
+    "sweep": "moving", "find": "moving", "equations": "writing",
     "centres": "centres",
     "structure": "library", "list": "library", "show": "library", "schema": "library",
 }  # fmt: skip

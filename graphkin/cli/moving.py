@@ -1,20 +1,31 @@
-"""`sweep`: a mechanism through a turn, or as far as it gets."""
+"""`sweep` and `find`: a mechanism through a turn, or as far as it gets."""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import click
 
-from graphkin.cli.shared import force_option, lang_option, mechanism_argument, ranges_option, read, speaking
+from graphkin.cli.shared import (
+    PAPERS,
+    by_option,
+    force_option,
+    json_line,
+    lang_option,
+    mechanism_argument,
+    ranges_option,
+    read,
+    speaking,
+)  # fmt: skip
 from graphkin.errors import Lang
 
 if TYPE_CHECKING:
+    from graphkin.sheet import Sheet
     from graphkin.sweeps import Course, Road
 
-__all__ = ["sweep"]
+__all__ = ["find", "sweep"]
 
 LONG = 200_000
 """Positions from which a sweep shows how far it is."""
@@ -25,8 +36,7 @@ LONG = 200_000
 @ranges_option
 @click.option("--of", default="", metavar="QUANTITIES",
               help='Such as "theta 3, v E, a_k B3B2"; else what the file asks.')  # fmt: skip
-@click.option("--by", type=click.Choice(["construction", "analysis"]), default="construction", show_default=True,
-              help="Replay the construction at every position, or solve the loop equations there.")  # fmt: skip
+@by_option
 @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
               help=".csv, .json, .parquet, or a diagram: .svg, .png, .pdf; - for CSV on stdout.")  # fmt: skip
 @click.option("--table", is_flag=True, help="Print as table 3-1 of the textbook: deg and m, five decimals.")
@@ -36,7 +46,7 @@ LONG = 200_000
 @lang_option
 @speaking
 def sweep(
-    mechanism: str, ranges: tuple[str, ...], of: str, by: Literal["construction", "analysis"], output: Path | None,
+    mechanism: str, ranges: tuple[str, ...], of: str, by: Road, output: Path | None,
     table: bool, limits: tuple[str, ...], force: bool, lang: Lang,
 ) -> None:  # fmt: skip
     """Move the mechanism through a turn, or as far as it gets: tables and motion diagrams.
@@ -47,7 +57,7 @@ def sweep(
       graphkin sweep p3-20 --driver 0:360:1 -o needle.csv
       graphkin sweep ex3-7 --of "theta 3, omega 3, alpha 3, s ram, v E, a E" -o diagram.svg
     """
-    from graphkin import api, reports, sweeps
+    from graphkin import api, finding, reports, sweeps
 
     method = api.plan(read(mechanism))
     course = sweeps.course(method, ranges)
@@ -61,6 +71,9 @@ def sweep(
         _write_sweep(output, course, names, by, force, lang)
         for line in sweeps.remarks(course, lang):
             click.echo(line, err=True)
+    for text in limits:
+        for line in finding.lines(finding.limit(course, text, ranges, by), lang):
+            click.echo(line, err=table or output is not None)
 
 
 def _write_sweep(
@@ -85,3 +98,58 @@ def _write_sweep(
     else:
         raise click.UsageError(f"{output}: the file to write must end in .csv, .json, .parquet, .svg, .png or .pdf")
     click.echo(str(output))
+
+
+@click.command()
+@mechanism_argument
+@click.argument("condition")
+@ranges_option
+@click.option("--vary", "dimension", default="", metavar="NAME=FROM:TO:STEP",
+              help="Again for each value of a dimension.")  # fmt: skip
+@by_option
+@click.option("--json", "as_json", is_flag=True, help="One JSON object, SI units and radians.")
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Draw the positions, as SVG.")
+@click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
+@force_option
+@lang_option
+@speaking
+def find(
+    mechanism: str, condition: str, ranges: tuple[str, ...], dimension: str, by: Road, as_json: bool,
+    output: Path | None, paper: str | None, force: bool, lang: Lang,
+) -> None:  # fmt: skip
+    """Find all positions with a property, extremes, strokes, the slowest point of a line, the speed that is wanted.
+
+    CONDITION is `QUANTITY = VALUE` (also < or >), `max QUANTITY`, `min QUANTITY`, `range QUANTITY`,
+    `stroke QUANTITY`, `slowest BC`, or `QUANTITY = VALUE by omega 1`.
+
+    \b
+    Example:
+      graphkin find p3-4a "a_k B3B2 = 0" -o zeros.svg
+      graphkin find ex3-7 "stroke s ram"
+      graphkin find p3-18 "v_x E = 0.5 by omega 1"
+      graphkin find p3-21 "stroke s piston" --vary DH=55:125:5
+    """
+    from graphkin import api, finding
+
+    machine = read(mechanism)
+    if dimension:
+        if output is not None:
+            raise click.UsageError("-o draws the positions of one mechanism; leave out --vary")
+        table = finding.vary(machine, dimension, condition, ranges, by, plan=api.plan)
+        click.echo(json_line(finding.table_json(table)) if as_json else "\n".join(finding.table_lines(table, lang)))
+        return
+    method = api.plan(machine)
+    found = finding.find(method, condition, ranges, by)
+    click.echo(json_line(finding.as_json(found)) if as_json else "\n".join(finding.lines(found, lang)))
+    if output is not None:
+        _draw_found(output, finding.drawn(method, found, lang, paper=paper), force)
+
+
+def _draw_found(output: Path, drawn: tuple[Sheet, int] | None, force: bool) -> None:
+    from graphkin.outputs import svg
+
+    if drawn is None:
+        return
+    sheet, left_out = drawn
+    svg.write(output, svg.svg(sheet), force)
+    click.echo(str(output) + (f"  (+{left_out})" if left_out else ""), err=True)

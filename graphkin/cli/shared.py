@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from graphkin.methods import Method
 
 __all__ = [
-    "PAPERS", "angle_option", "at_option", "coincident_option", "drawn", "force_option", "json_line", "lang_option",
-    "mechanism_argument", "method_option", "ranges_option", "read", "said", "speaking", "user_language",
+    "PAPERS", "angle_option", "at_option", "by_option", "coincident_option", "drawn", "force_option", "json_line",
+    "lang_option", "mechanism_argument", "method_option", "ranges_option", "read", "said", "speaking", "user_language",
 ]  # fmt: skip
 
 PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape")
@@ -59,6 +59,10 @@ method_option = click.option(
 ranges_option = click.option(
     "--driver", "ranges", multiple=True, metavar="[NAME=]FROM:TO:STEP",
     help="Driver values, deg or mm; again for each further driver; NAME=VALUE holds one still.",
+)  # fmt: skip
+by_option = click.option(
+    "--by", type=click.Choice(["construction", "analysis"]), default="construction", show_default=True,
+    help="Replay the construction at every position, or solve the loop equations there.",
 )  # fmt: skip
 force_option = click.option("--force", is_flag=True, help="Replace a file that graphkin did not write.")
 mechanism_argument = click.argument("mechanism", metavar="MECHANISM")

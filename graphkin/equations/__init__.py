@@ -13,8 +13,24 @@ Source: Sun Huan, Theory of Machines, section 3-3, examples 3-5, 3-6 and 3-7.
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from graphkin.equations.document import By, Document
+from graphkin.equations.html import write_html
+from graphkin.equations.tex import write_tex
 from graphkin.equations.text import write_text
 from graphkin.equations.written import document
+from graphkin.outputs.files import beside
 
-__all__ = ["By", "Document", "document", "write_text"]
+__all__ = ["WRITERS", "By", "Document", "document", "write", "write_html", "write_tex", "write_text"]
+
+WRITERS = {".txt": write_text, ".html": write_html, ".tex": write_tex}
+SIGNED = {".txt": "{text}\n(graphkin)\n", ".html": "{text}<!-- graphkin -->\n", ".tex": "{text}% graphkin\n"}
+"""How each kind of file says that graphkin wrote it, so that it may be written anew."""
+
+
+def write(path: Path, document: Document, force: bool = False) -> None:
+    """Write a document by its file's ending. Raises FileInTheWay, NoFolder, CannotWrite."""
+    kind = path.suffix.lower()
+    with beside(path, force, (b"graphkin",)) as draft:
+        draft.write_text(SIGNED[kind].format(text=WRITERS[kind](document)), encoding="utf-8", newline="\n")

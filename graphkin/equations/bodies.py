@@ -11,7 +11,9 @@ import cmath
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import count
 
+from graphkin.analytic import Motion
 from graphkin.equations.ledger import Ledger
 from graphkin.equations.readers import angle_readers, difference
 from graphkin.equations.symbols import NO_ANGLE, Angle, Symbol
@@ -22,6 +24,8 @@ from graphkin.pairs import Slide
 
 __all__ = ["Bodies", "quarters"]
 
+_PLACES = 12
+"""Decimals of a metre to which points of a link at one place agree."""
 _STRAIGHT = 1e-9
 """An angle this near to a multiple of 90 deg is one [rad]."""
 
@@ -47,6 +51,7 @@ class Bodies:
 
     structure: Structure
     ledger: Ledger
+    drawn: Motion
     angles: dict[str, Angle] = field(default_factory=dict)
     base: dict[str, Symbol | None] = field(default_factory=dict)
     drivers: dict[int, Symbol] = field(default_factory=dict)
@@ -68,6 +73,21 @@ class Bodies:
         if body in extra:
             return f"e{extra.index(body) + 1}" if extra.index(body) else "e"
         return self.structure.mechanism.called(body)
+
+    def spot(self, point: str) -> str:
+        """A point's name. The start of a line given by coordinates is the named point there, else O, O', .."""
+        if point[0].isupper():
+            return point
+        found: dict[tuple[str, complex], str] = {}
+        free = (name for k in count() if (name := "O" + "'" * k) not in self.structure.mechanism.points)
+        for body, shape in self.structure.shapes.items():
+            for other in sorted(shape, key=lambda name: not name[0].isupper()):
+                at = body, complex(round(shape[other].real, _PLACES), round(shape[other].imag, _PLACES))
+                if at not in found:
+                    found[at] = other if other[0].isupper() else next(free)
+                if other == point:
+                    return found[at]
+        return point
 
     def _rank(self, body: str) -> tuple[bool, bool, int]:
         """Guides with a direction of their own first, then links with one, in the order of the file."""
@@ -106,16 +126,19 @@ class Bodies:
     def _theta(self, body: str, steady: bool) -> Symbol:
         symbol = self.ledger.fresh("θ", self.called(body), "angle", steady)
         name = link_text(self.called(body))
-        texts = tuple({"en": f"{en} of {name['en']}", "zh": f"{name['zh']} 的{zh}"} for en, zh in _TURNING)
-        return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), angle_readers(self.structure, body))
+        texts: tuple[Mapping[Lang, str], ...] = tuple(
+            {"en": f"{en} of {name['en']}", "zh": f"{name['zh']} 的{zh}"} for en, zh in _TURNING
+        )
+        readers = angle_readers(self.structure, body, self.drawn)
+        return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), readers)
 
     def _phi(self, driver: Driver) -> Symbol:
         names = self.called(driver.link), self.called(driver.from_link)
         low = "".join(names) if all(len(name) == 1 for name in names) else "/".join(names)
         symbol = self.ledger.fresh("φ", low, "angle", driver.acceleration == 0)
-        texts = tuple({"en": f"{en} of link {names[0]} against link {names[1]}",
+        texts: tuple[Mapping[Lang, str], ...] = tuple({"en": f"{en} of link {names[0]} against link {names[1]}",
                        "zh": f"构件 {names[0]} 相对构件 {names[1]} 的{zh}"} for en, zh in _TURNING)  # fmt: skip
-        both = (angle_readers(self.structure, body) for body in (driver.link, driver.from_link))
+        both = (angle_readers(self.structure, body, self.drawn) for body in (driver.link, driver.from_link))
         return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), difference(*both))
 
     def driven(self, body: str, other: str, number: int, driver: Driver, sign: int) -> Angle:

@@ -81,22 +81,24 @@ def _arm(model: Model, body: str, start: str, end: str, low: str) -> Sum:
         return Sum.of(term for arrow in arrows.along(body, start, end) for term in arrow.sum.terms)
     theta = model.bodies.angles[body]
     what: list[dict[Lang, str]] = [
-        {"en": f"of {start}{end} along the direction of link {called}", "zh": f"{start}{end} 沿构件 {called} 方向的分量"},
-        {"en": f"of {start}{end} across it, to its left", "zh": f"{start}{end} 垂直于该方向（逆时针 90°）的分量"},
-    ]
+        {"en": f"part of {start}{end} along the direction of link {called}",
+         "zh": f"{start}{end} 沿构件 {called} 方向的分量"},
+        {"en": f"part of {start}{end} at +90° to link {called}",
+         "zh": f"{start}{end} 在构件 {called} 方向 +90° 上的分量"},
+    ]  # fmt: skip
     a = model.ledger.constant("a", low, what[0], "mm", arm.real)
     b = model.ledger.constant("b", low, what[1], "mm", arm.imag)
     return phasor(one(a), theta) + phasor(one(b), theta.turned(1))
 
 
 def vectors(model: Model, of: Chain) -> tuple[Symbol, Symbol, Symbol]:
-    """Letters for the point's position from the chain's start, its velocity and its acceleration, as complex numbers."""
+    """Letters for the point's position from the chain's start, its velocity, its acceleration: complex numbers."""
 
     def position(motion: Motion) -> Value:
         return motion.position[of.of] - place(model.method.structure, of.start, FRAME, motion)
 
     readers: tuple[Reader, ...] = (position, lambda motion: motion.velocity[of.of], lambda m: m.acceleration[of.of])
-    start = of.start if of.start[0].isupper() else "O"
+    start = model.bodies.spot(of.start)
     what: list[tuple[str, dict[Lang, str]]] = [
         ("l", {"en": f"position of {of.of} from {start}", "zh": f"由 {start} 至 {of.of} 的位置矢量"}),
         ("v", {"en": f"velocity of {of.of}", "zh": f"{of.of} 点的速度"}),

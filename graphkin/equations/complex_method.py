@@ -45,10 +45,9 @@ def write_complex(model: Model, page: Page) -> None:
 
 def ring(model: Model, polygon: Polygon) -> str:
     """The polygon's corners in their order: ABCDA."""
-    left, right = polygon.sides
-    sites = [site for arrow in left for site in (arrow.tail, arrow.head)]
-    sites += [site for arrow in reversed(right) for site in (arrow.head, arrow.tail)]
-    names = [site[0] if site[0][0].isupper() else "O" for site in sites]
+    ways = [(arrow.tail, arrow.head)[:: arrow.sign] for arrow in polygon.walk]
+    sites = [site for way in ways for site in way]
+    names = [model.bodies.spot(point) for point, _ in sites]
     return "".join(name for k, name in enumerate(names) if k == 0 or name != names[k - 1])
 
 
@@ -113,11 +112,13 @@ def _one_rolled(page: Page, pretty: Pretty, task: Task) -> None:
     """The last unknown of a rolling contact."""
     symbol, moving = task.unknowns[0], task.rollings[0].sum
     rows = []
-    for of, wanted in ((moving, symbol), (moving.rate, symbol.rate), (moving.rate.rate, symbol.rate and symbol.rate.rate)):
+    wanted: Symbol | None = symbol
+    for of in (moving, moving.rate, moving.rate.rate):
         assert wanted is not None
         bottom = of.partial(wanted)
         rest = Sum(tuple(term for term in of.terms if not term.has(wanted)))
         rows.append((Letter(wanted), pretty.quotient(-rest, bottom)))
+        wanted = wanted.rate if wanted.kind != "push" else None
     page.say("hence")
     page.show(*rows)
 
@@ -150,8 +151,7 @@ def _points(model: Model, page: Page, pretty: Pretty) -> None:
     for number, point in enumerate(points, start=1):
         found = chain(model, point, "" if len(points) == 1 else str(number))
         page.head("point", name=point)
-        start = found.start if found.start[0].isupper() else "O"
-        page.say("point from", start=start, name=point)
+        page.say("point from", start=model.bodies.spot(found.start), name=point)
         place, velocity, acceleration = (Letter(symbol) for symbol in vectors(model, found))
         page.show((place, pretty.sum(found.sum)))
         page.say("derived")
@@ -161,5 +161,4 @@ def _points(model: Model, page: Page, pretty: Pretty) -> None:
 
 def _whole(pretty: Pretty, of: Sum) -> Node:
     """Real part + i imaginary part."""
-    imag = pretty.sum(of.imag)
-    return Row((bracketed(pretty.sum(of.real)), Op("+"), Row((Word("i"), bracketed(imag)))))
+    return Row((bracketed(pretty.grouped(of.real)), Op("+"), Row((Word("i"), bracketed(pretty.grouped(of.imag))))))

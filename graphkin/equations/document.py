@@ -9,7 +9,7 @@ from graphkin.errors import Lang
 from graphkin.sheet.marks import Mark
 from graphkin.value import frozen
 
-__all__ = ["By", "Block", "Display", "Document", "Figure", "Heading", "Sentence", "Table"]
+__all__ = ["Block", "By", "Display", "Document", "Figure", "Heading", "Sentence", "Table"]
 
 By = Literal["complex", "matrix"]
 Words = tuple[str | Node, ...]

@@ -40,9 +40,9 @@ class Split:
 
     def lever(self, angle: Symbol) -> Sum:
         """U of U e^(iθ): what turns with an angle, unknown displacements left out."""
-        turning = (term for term in self.sum.terms
-                   if term.has(angle) and not any(s == slide for s, _ in term.symbols for slide in self.slides))  # fmt: skip
-        return Sum(tuple(turning)) * phasor(number(1.0), -Angle.of(angle))
+        sliding = [self.slid(slide) for slide in self.slides]
+        turning = tuple(term for term in self.sum.terms if term.has(angle) and term not in sliding)
+        return Sum(turning) * phasor(number(1.0), -Angle.of(angle))
 
     @property
     def turns_with(self) -> bool:

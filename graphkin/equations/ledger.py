@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from typing import Literal, get_args
+
+import numpy as np
 
 from graphkin.analytic import Motion
 from graphkin.equations.symbols import Angle, Kind, Symbol
@@ -12,9 +14,11 @@ from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.value import frozen
 
-__all__ = ["Entry", "Ledger", "Reader", "Unit", "values"]
+__all__ = ["Entry", "Ledger", "Reader", "Unit", "settled", "values"]
 
 Unit = Literal["mm", "deg", "rad/s", "rad/s^2", "m/s", "m/s^2", "mm rad", "1"]
+_NOTHING = 1e-12
+"""Beside the largest of its unit."""
 Reader = Callable[[Motion], Value]
 
 
@@ -78,3 +82,24 @@ def _family(symbol: Symbol) -> tuple[Symbol, ...]:
 def values(ledger: Ledger, motion: Motion) -> dict[Symbol, Value]:
     """Every symbol's value at a motion, in SI units: scalars, or arrays over positions."""
     return {symbol: entry.read(motion) for symbol, entry in ledger.entries.items()}
+
+
+def settled(ledger: Ledger, found: Mapping[Symbol, Value]) -> dict[Symbol, Value]:
+    """Single values without the rounding of what is zero: nothing beside the largest of its unit is 0.
+
+    Velocities are held against ω r, accelerations against ω² r: an α that cancels leaves no other α to compare with.
+    """
+    most = dict.fromkeys(get_args(Unit), 0.0)
+    for symbol, value in found.items():
+        unit = ledger.entries[symbol].unit
+        most[unit] = max(most[unit], float(abs(value)))
+    speed, size = most["rad/s"], most["mm"]
+    most["rad/s^2"] = max(most["rad/s^2"], speed**2)
+    most["m/s"] = max(most["m/s"], speed * size)
+    most["m/s^2"] = max(most["m/s^2"], speed**2 * size)
+    return {symbol: _rounded(value, _NOTHING * most[ledger.entries[symbol].unit]) for symbol, value in found.items()}
+
+
+def _rounded(value: Value, least: float) -> Value:
+    real, imag = (part if abs(part) > least else 0.0 for part in (np.real(value), np.imag(value)))
+    return complex(real, imag) if np.iscomplexobj(value) else real

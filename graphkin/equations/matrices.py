@@ -5,7 +5,8 @@ Source: Sun Huan, Theory of Machines, section 3-3, (3-21) to (3-29). With severa
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -159,7 +160,7 @@ class _Writer:
         sums = [(A, system.a), (B, system.b), (A_RATE, system.rate(system.a)), (B_RATE, system.rate(system.b))]
         for symbol, entries in sums:
             if entries and entries[0]:
-                page.show((Letter(symbol, True), self._numbers(lambda entry: float(entry.at(self._values)), entries)))
+                page.show((Letter(symbol, True), self._numbers(entries)))
         page.say("solution")
         rows = []
         for symbol, order in ((OMEGA, 1), (ALPHA, 2)):
@@ -173,11 +174,14 @@ class _Writer:
     def _values(self) -> dict[Symbol, float]:
         return self.model.values
 
-    @staticmethod
-    def _numbers(read: Callable[[Sum], float], entries: Entries) -> Grid:
-        found = [[read(entry) for entry in row] for row in entries]
-        most = max((abs(value) for row in found for value in row), default=0.0)
-        return Grid(tuple(tuple(written(value, most) for value in row) for row in found))
+    def _numbers(self, entries: Entries) -> Grid:
+        return Grid(tuple(tuple(self._number(entry) for entry in row) for row in entries))
+
+    def _number(self, of: Sum) -> Node:
+        """A sum in figures; what is left of terms that cancel is 0."""
+        plain = Sum(tuple(replace(term, waves=()) for term in of.terms))
+        most = max((abs(float(Sum((term,)).at(self._values))) for term in plain.terms), default=0.0)
+        return written(float(of.at(self._values)), most)
 
 
 def written(value: float, most: float) -> Node:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from graphkin.equations.chains import Chain, asked_points, chain, vectors
 from graphkin.equations.complex_method import complex_sides, listed, ring
 from graphkin.equations.expressions import Sum
 from graphkin.equations.layout import Grid, Letter, Node, Op, Row
-from graphkin.equations.ledger import Entry
+from graphkin.equations.ledger import Entry, Reader
 from graphkin.equations.matrices import matrices
 from graphkin.equations.model import Model
 from graphkin.equations.page import Page
 from graphkin.equations.pretty import ZERO, Pretty
 from graphkin.equations.symbols import Symbol
+from graphkin.errors import Lang
 
 __all__ = ["write_matrix"]
 
@@ -52,13 +55,16 @@ def _points(model: Model, page: Page, pretty: Pretty) -> None:
     for number, point in enumerate(points, start=1):
         found = chain(model, point, "" if len(points) == 1 else str(number))
         page.head("point", name=point)
-        page.say("point from", start=found.start if found.start[0].isupper() else "O", name=point)
+        page.say("point from", start=model.bodies.spot(found.start), name=point)
         _point(model, page, pretty, found)
 
 
 def _point(model: Model, page: Page, pretty: Pretty, found: Chain) -> None:
     """(3-25) to (3-27)."""
-    letters = [_components(model, symbol, axes) for symbol, axes in zip(vectors(model, found), _AXES, strict=True)]
+    whole = vectors(model, found)
+    letters = [_components(model, symbol, axes) for symbol, axes in zip(whole, _AXES, strict=True)]
+    for symbol in whole:  # the vectors are written by their components here
+        del model.ledger.entries[symbol]
     parts = found.sum.real, found.sum.imag
     moving = found.sum.moving
     page.show(*((Letter(letter), pretty.sum(part)) for letter, part in zip(letters[0], parts, strict=True)))
@@ -80,14 +86,16 @@ def _components(model: Model, symbol: Symbol, axis: str) -> tuple[Symbol, Symbol
     for name, turn in (("x", 1.0), ("y", -1j)):
         letter, low = (axis, f"{symbol.low}{name}") if axis else (name, symbol.low)
         made = model.ledger.fresh(letter, low + "'" * symbol.primes)
-        text = {"en": f"{entry.text['en']}, {name}", "zh": f"{entry.text['zh']}（{name} 分量）"}
+        text: dict[Lang, str] = {"en": f"{entry.text['en']}, {name}", "zh": f"{entry.text['zh']}（{name} 分量）"}
 
-        def read(motion, turn=turn):  # type: ignore[no-untyped-def]
-            return (entry.read(motion) * turn).real
-
-        model.ledger.entries[made] = Entry(text, entry.unit, read)  # type: ignore[arg-type]
+        model.ledger.entries[made] = Entry(text, entry.unit, _turned(entry.read, turn))
         found.append(made)
     return found[0], found[1]
+
+
+def _turned(read: Reader, turn: complex) -> Reader:
+    """One component of a vector: the real part once it is turned."""
+    return lambda motion: np.real(read(motion) * turn)
 
 
 def _grid(pretty: Pretty, entries: list[list[Sum]]) -> Grid:

@@ -7,13 +7,14 @@ from collections.abc import Mapping
 from graphkin.analytic import Motion, motion
 from graphkin.equations.bodies import Bodies
 from graphkin.equations.expressions import Sum
-from graphkin.equations.ledger import Ledger, values
+from graphkin.equations.ledger import Ledger, settled, values
 from graphkin.equations.polygons import Arrows, Polygon, closed
 from graphkin.equations.rolling import Rolling, rolling
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.methods import Method
+from graphkin.methods.equivalent import Contact
 from graphkin.methods.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.methods.structure import Hinge
 from graphkin.value import frozen
@@ -68,15 +69,15 @@ class Model:
     @property
     def values(self) -> dict[Symbol, Value]:
         """All letters at the drawn position [SI]."""
-        return values(self.ledger, self.drawn)
+        return settled(self.ledger, values(self.ledger, self.drawn))
 
 
 def model_of(method: Method) -> Model:
     """Write the loops of a planned mechanism. Raises where the drawn position is a dead point."""
     ledger = Ledger()
-    bodies = Bodies(method.structure, ledger)
-    arrows = Arrows(bodies, ledger)
     drawn = motion(method.mechanism)
+    bodies = Bodies(method.structure, ledger, drawn)
+    arrows = Arrows(bodies, ledger)
     drivers = tuple(_driver(bodies, arrows, number) for number in range(len(method.drivers)))
     tasks = tuple(_tasks(method, arrows, drawn))
     return Model(method, ledger, bodies, arrows, tasks, drivers, drawn)
@@ -108,14 +109,15 @@ def _bodies(stage: Stage) -> tuple[str, ...]:
 
 
 def _task(stage: Stage, arrows: Arrows, known: frozenset[str], drawn: Motion) -> Task | None:
+    polygons: tuple[Polygon, ...] = ()
+    contacts: tuple[Contact, ...] = ()
     match stage:
         case Loop():
-            polygons, contacts = (closed(arrows, known, stage.bodies, stage.joints),), ()
+            polygons = (closed(arrows, known, stage.bodies, stage.joints),)
         case Bridge():
-            joints = [Hinge(point) for point in stage.points]
-            polygons, contacts = (closed(arrows, known, (stage.body,), joints),), ()
+            polygons = (closed(arrows, known, (stage.body,), [Hinge(point) for point in stage.points]),)
         case Mesh():
-            polygons, contacts = (), (stage.contact,)
+            contacts = (stage.contact,)
         case Group():
             polygons = tuple(closed(arrows, known, loop.bodies, loop.joints) for loop in stage.loops)
             contacts = stage.contacts
@@ -127,9 +129,11 @@ def _task(stage: Stage, arrows: Arrows, known: frozenset[str], drawn: Motion) ->
 
 def _unknowns(stage: Loop | Bridge | Mesh | Group, arrows: Arrows) -> tuple[Symbol, ...]:
     """Displacements along moving guides, then angles, then displacements on the frame, as the book lists them."""
+    angles: tuple[str, ...] = ()
+    slides: tuple[str, ...] = ()
     match stage:
         case Bridge():
-            angles, slides = (stage.body,), ()
+            angles = (stage.body,)
         case Mesh():
             angles, slides = tuple(filter(None, (stage.angle,))), tuple(filter(None, (stage.slide,)))
         case _:

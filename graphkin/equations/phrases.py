@@ -34,9 +34,9 @@ _PHRASES: dict[str, tuple[str, str]] = {
     # polygons
     "every vector": (
         "Every link is a vector with a length l and a direction θ, counted counter-clockwise from the x axis; a "
-        "displacement s is the length of a vector that changes. i is the imaginary unit; e^(iθ) = cos θ + i sin θ.",
+        "displacement s is the length of a vector that changes. i is the imaginary unit; {euler}.",
         "将各构件表示为杆矢量，其长度为 l，方位角为 θ，由 x 轴起逆时针方向计量为正；滑块位移 s 为长度变化的矢量。"
-        "i 为虚数单位，e^(iθ) = cos θ + i sin θ。",
+        "i 为虚数单位，{euler}。",
     ),
     "drivers": ("Given: the drivers {drivers}.", "已知：原动件的运动 {drivers}。"),
     "driver": ("Given: the driver {drivers}.", "已知：原动件的运动 {drivers}。"),
@@ -110,7 +110,7 @@ _PHRASES: dict[str, tuple[str, str]] = {
         "All polygons together, terms with unknowns on the left:",
         "将各封闭矢量方程在两坐标轴上投影，方程左边仅含未知量项：",
     ),
-    "as matrices": ("in matrices:", "写成矩阵形式："),
+    "as matrices": ("As a matrix equation:", "写成矩阵形式："),
     "matrix A": ("The matrix of the followers' position parameters:", "机构从动件的位置参数矩阵为"),
     "matrix B": ("The column of the driver's position parameters:", "机构原动件的位置参数列阵为"),
     "matrix B many": (

@@ -7,9 +7,8 @@ by as few as there are.
 from __future__ import annotations
 
 import cmath
-import math
 from collections import deque
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from graphkin.equations.bodies import Bodies, quarters
@@ -31,7 +30,7 @@ Site = tuple[str, str]
 
 @frozen
 class Arrow:
-    """One link vector: its length's symbol, its angle, from where to where it points; sign -1 where walked backwards."""
+    """One link vector: its length, its angle, from where to where it points; sign -1 where walked backwards."""
 
     length: Symbol
     angle: Angle
@@ -59,10 +58,15 @@ class Polygon:
     @property
     def sides(self) -> tuple[tuple[Arrow, ...], tuple[Arrow, ...]]:
         """Arrows walked forward, and those walked backward in the order they are met from the start."""
+        walk = self.walk
+        return tuple(a for a in walk if _sign(a) > 0), tuple(a for a in reversed(walk) if _sign(a) < 0)
+
+    @property
+    def walk(self) -> tuple[Arrow, ...]:
+        """Once round, beginning where arrows walked forward begin."""
         signs = [_sign(arrow) for arrow in self.arrows]
         first = next((k for k, sign in enumerate(signs) if sign > 0 and signs[k - 1] < 0), 0)
-        turned = (*self.arrows[first:], *self.arrows[:first])
-        return tuple(a for a in turned if _sign(a) > 0), tuple(a for a in reversed(turned) if _sign(a) < 0)
+        return (*self.arrows[first:], *self.arrows[:first])
 
 
 def _sign(arrow: Arrow) -> float:
@@ -105,8 +109,8 @@ class Arrows:
             start, end, arm = end, start, -arm
             count = None if count is None else (count + 2) % 4
         called = self.bodies.called(body)
-        what: dict[Lang, str] = {"en": f"length {_drawn(start)}{_drawn(end)} of link {called}",
-                                 "zh": f"构件 {called} 的长度 {_drawn(start)}{_drawn(end)}"}  # fmt: skip
+        ends = self.bodies.spot(start) + self.bodies.spot(end)
+        what: dict[Lang, str] = {"en": f"length {ends} of link {called}", "zh": f"构件 {called} 的长度 {ends}"}
         length = self.ledger.constant("l", called, what, "mm", abs(arm))
         angle = Angle((), count) if count is not None else self._offset(body, called, length, arm)
         return Arrow(length, self.bodies.angles[body] + angle, (start, body), (end, body))
@@ -135,9 +139,11 @@ class Arrows:
             steady = driver is not None and self.structure.mechanism.drivers[driver].acceleration == 0
             symbol = self.ledger.fresh("s", self._low(slide), "displacement", steady)
             guide, point = self.bodies.called(slide.guide), slide.point
-            where = {"en": f"of {point} along the guide on link {guide}, from {_drawn(slide.line.origin)}",
-                     "zh": f"{point} 沿构件 {guide} 上导路、自 {_drawn(slide.line.origin)} 起的"}  # fmt: skip
-            texts = tuple({"en": f"{en} {where['en']}", "zh": where["zh"] + zh} for en, zh in _SLIDING)
+            where = {"en": f"of {point} along the guide on link {guide}, from {self.bodies.spot(slide.line.origin)}",
+                     "zh": f"{point} 沿构件 {guide} 上导路、自 {self.bodies.spot(slide.line.origin)} 起的"}  # fmt: skip
+            texts: tuple[Mapping[Lang, str], ...] = tuple(
+                {"en": f"{en} {where['en']}", "zh": where["zh"] + zh} for en, zh in _SLIDING
+            )
             self.ledger.variable(symbol, texts, ("mm", "m/s", "m/s^2"), slide_readers(self.structure, slide))
             self.slides[name] = symbol
         return self.slides[name]
@@ -154,10 +160,6 @@ class Arrows:
 
 _SLIDING = (("displacement", "位移"), ("sliding velocity", "滑动速度"), ("sliding acceleration", "滑动加速度"))
 
-
-def _drawn(point: str) -> str:
-    """A point's name; a point that only stands for the start of a line is its foot O."""
-    return point if point[0].isupper() else "O"
 
 
 def _written(symbol: Symbol) -> str:

@@ -39,6 +39,22 @@ class Pretty:
             return Minus(Row((self._product(common), Paren(self.sum(-inner)))))
         return Row((self._product(common), Paren(self.sum(inner))))
 
+    def grouped(self, of: Sum) -> Node:
+        """Terms of one rate together, as in (3-19): ω2 (a sin θ2 + b cos θ2)."""
+        groups: dict[tuple[tuple[Symbol, int], ...], list[Term]] = {}
+        for term in of.terms:
+            rates = tuple(part for part in term.symbols if part[0].kind in ("rate", "push"))
+            groups.setdefault(rates, []).append(term)
+        found: list[tuple[bool, Node]] = []
+        for rates, terms in groups.items():
+            if not rates or len(terms) == 1:
+                found += [(term.factor < 0, self._product(term)) for term in terms]
+                continue
+            minus = all(term.factor < 0 for term in terms)
+            inner = Sum(tuple(_without(term, Term(-1.0 if minus else 1.0, rates)) for term in terms))
+            found.append((minus, Row((self._product(Term(1.0, rates)), Paren(self.sum(inner))))))
+        return added(sorted(found, key=lambda part: part[0])) if found else ZERO
+
     def quotient(self, top: Sum, bottom: Sum) -> Node:
         """top / bottom; signs above, nothing below where it is 1."""
         if bottom.terms and bottom.terms[0].factor < 0:

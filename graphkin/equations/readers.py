@@ -22,14 +22,14 @@ __all__ = ["angle_readers", "difference", "place", "slide_readers", "turned"]
 Three = tuple[Reader, Reader, Reader]
 
 
-def angle_readers(structure: Structure, body: str) -> Three:
+def angle_readers(structure: Structure, body: str, drawn: Motion) -> Three:
     """θ, ω, α of a body [rad, rad/s, rad/s^2]; of a link of the equivalent, by its two points."""
     if structure.is_pin(body):
         slide = structure.slides[body.removeprefix("pin ")]
-        return turned(angle_readers(structure, slide.guide), cmath.phase(slide.line.direction))
+        return turned(angle_readers(structure, slide.guide, drawn), cmath.phase(slide.line.direction))
     if body.startswith("e "):
         tail, head = structure.bodies[body][:2]
-        return _between(tail, head)
+        return _between(tail, head, drawn)
     return (lambda motion: motion.theta[body], lambda motion: motion.omega[body], lambda motion: motion.alpha[body])
 
 
@@ -48,7 +48,9 @@ def difference(first: Three, second: Three) -> Three:
     return minus(first[0], second[0]), minus(first[1], second[1]), minus(first[2], second[2])
 
 
-def _between(tail: str, head: str) -> Three:
+def _between(tail: str, head: str, drawn: Motion) -> Three:
+    """Of a link of the equivalent: its angle counts on from the drawn position, as rolling wants it."""
+
     def arm(motion: Motion) -> Value:
         return motion.position[head] - motion.position[tail]
 
@@ -58,7 +60,10 @@ def _between(tail: str, head: str) -> Three:
     def alpha(motion: Motion) -> Value:
         return np.imag((motion.acceleration[head] - motion.acceleration[tail]) / arm(motion))
 
-    return lambda motion: np.angle(arm(motion)), omega, alpha
+    def theta(motion: Motion) -> Value:
+        return np.angle(arm(drawn)) + np.angle(arm(motion) / arm(drawn))
+
+    return theta, omega, alpha
 
 
 def place(structure: Structure, point: str, body: str, motion: Motion) -> Value:

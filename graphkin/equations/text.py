@@ -9,7 +9,20 @@ from typing import assert_never
 
 from graphkin.equations.document import Block, Display, Document, Figure, Heading, Sentence, Table
 from graphkin.equations.layout import (
-    Call, Exp, Frac, Grid, Letter, Minus, Node, Num, Op, Paren, Pow, Root, Row, Word,
+    Call,
+    Exp,
+    Frac,
+    Grid,
+    Letter,
+    Minus,
+    Node,
+    Num,
+    Op,
+    Paren,
+    Pow,
+    Root,
+    Row,
+    Word,
 )  # fmt: skip
 from graphkin.equations.symbols import Symbol
 
@@ -26,7 +39,7 @@ def write_text(document: Document) -> str:
     """The whole document, ending in a newline; no line ends in blanks."""
     lines = [document.title, "=" * _width(document.title)]
     for block in document.blocks:
-        lines += ["", *_block(block)]
+        lines += ["", *written] if (written := _block(block)) else []
     return "\n".join(line.rstrip() for line in lines) + "\n"
 
 

@@ -8,8 +8,9 @@ import numpy as np
 
 from graphkin.equations.complex_method import listed, write_complex
 from graphkin.equations.document import By, Document
-from graphkin.equations.layout import Letter, Node
 from graphkin.equations.expressions import Sum, Term
+from graphkin.equations.figure import figure
+from graphkin.equations.layout import Call, Exp, Letter, Node, Op, Row, Word
 from graphkin.equations.ledger import Entry
 from graphkin.equations.matrix_method import write_matrix
 from graphkin.equations.model import Model, model_of
@@ -35,7 +36,8 @@ def document(method: Method, by: By = "complex", lang: Lang = "en") -> Document:
 def written(model: Model, by: By, lang: Lang) -> Document:
     """The document, filling the model's legend."""
     page = Page(lang)
-    page.say("every vector")
+    page.say("every vector", euler=_euler())
+    page.add(figure(model, phrase("figure", lang)))
     _given(model, page)
     if not model.tasks:
         page.say("no loop")
@@ -45,6 +47,12 @@ def written(model: Model, by: By, lang: Lang) -> Document:
     mechanism = model.method.mechanism
     title = f"{mechanism.headline(lang)}{'：' if lang == 'zh' else ': '}{phrase(by, lang)}"
     return Document(title, tuple(page.blocks), by, lang, mechanism.name)
+
+
+def _euler() -> Node:
+    """e^(iθ) = cos θ + i sin θ."""
+    theta, turn = Letter(Symbol("θ", kind="angle")), Word("i")
+    return Row((Exp(Row((turn, theta))), Op("="), Call("cos", (theta,)), Op("+"), turn, Call("sin", (theta,))))
 
 
 def _given(model: Model, page: Page) -> None:
@@ -70,20 +78,17 @@ def _rates(name: Symbol, angle: Angle) -> list[tuple[Symbol, Sum]]:
 
 def _legend(model: Model, lang: Lang) -> list[tuple[str | Node, ...]]:
     """Every letter, what it is, and its value at the drawn position."""
-    most: dict[str, float] = {}
-    for entry in model.ledger.entries.values():
-        most[entry.unit] = max(most.get(entry.unit, 0.0), float(abs(entry.read(model.drawn))))
-    return [(Letter(symbol), entry.text[lang], _value(entry, entry.read(model.drawn), most[entry.unit]))
+    values = model.values
+    return [(Letter(symbol), entry.text[lang], _value(entry, values[symbol]))
             for symbol, entry in model.ledger.entries.items()]  # fmt: skip
 
 
 _FACTORS = {"mm": 1000.0, "deg": 180 / math.pi, "mm rad": 1000.0}
 
 
-def _value(entry: Entry, value: Value, most: float) -> str:
-    """In the unit of the legend; what is nothing beside the largest of its unit is 0."""
-    factor = _FACTORS.get(entry.unit, 1.0)
-    real, imag = (factor * float(part) if abs(part) > 1e-12 * most else 0.0 for part in (np.real(value), np.imag(value)))
+def _value(entry: Entry, value: Value) -> str:
+    """In the unit of the legend."""
+    real, imag = (_FACTORS.get(entry.unit, 1.0) * float(part) for part in (np.real(value), np.imag(value)))
     unit = {"deg": "°", "1": ""}.get(entry.unit, " " + entry.unit.replace("^2", "²").replace(" rad", "·rad"))
     if np.iscomplexobj(value):
         return f"{_digits(real)} {'−' if imag < 0 else '+'} {_digits(abs(imag))} i{unit}"

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
-__all__ = ["BadCondition", "CannotScale", "NegativeSize", "NoDimension", "NoLineOf", "NotScaled", "OtherUnits"]
+__all__ = ["BadCondition", "CannotScale", "NegativeSize", "NoDimension", "NoLineOf", "NoUnitHere", "NotScaled", "OtherUnits"]
 
 
 class BadCondition(GraphkinError):
@@ -62,6 +62,17 @@ class NoLineOf(Choice):
         "en": "{where}: {given!r} is no line of a moving link. Name two points of one link (`slowest BC`), or a link "
         "with two points. {hint}",
         "zh": "{where}：{given!r} 不是某一活动构件上的直线。请写出同一构件上的两点（如 `slowest BC`），或至少有两点的构件。{hint}",
+    }
+
+
+class NoUnitHere(GraphkinError):
+    """A unit after the value of a quotient."""
+
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: a quotient is a plain number, and {given} is none. Leave the unit out.",
+        "zh": "{where}：比值是无量纲的数，而 {given} 不是。请去掉单位。",
     }
 
 

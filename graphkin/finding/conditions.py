@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 from typing import Literal
 
-from graphkin.errors import BadCondition, GraphkinError, NoSuchDriver, Where
+from graphkin.errors import NOWHERE, BadCondition, GraphkinError, NoSuchDriver, NotANumber, NoUnitHere, Where
 from graphkin.loading.names import tidy
 from graphkin.loading.units import Dimension, read_quantity
 from graphkin.mechanism import Mechanism
 from graphkin.value import frozen
 
 __all__ = [
-    "DIMENSIONS", "GRAVITY", "WHERE", "Comparison", "Condition", "Extreme", "Scaling", "Slowest", "limit", "read", "value",
+    "DIMENSIONS", "GRAVITY", "WHERE", "Comparison", "Condition", "Extreme", "Scaling", "Slowest", "limit", "plain",
+    "read", "value",
 ]  # fmt: skip
 
 WHERE = Where("find")
@@ -135,16 +136,18 @@ def value(text: str, unit: str, where: Where = WHERE) -> float:
     """
     try:
         if unit == "1":
+            if isinstance(plain(text), str):
+                raise NoUnitHere(where, text)
             return _bare(text)
         dimension = DIMENSIONS[unit]
         if dimension == "acceleration" and (gravity := _IN_GRAVITY.fullmatch(text)):
             return GRAVITY * _bare(gravity[1])
-        return read_quantity(_plain(text), dimension)
+        return read_quantity(plain(text), dimension)
     except GraphkinError as error:
         raise error.at(where) from None
 
 
-def _plain(text: str) -> float | str:
+def plain(text: str) -> float | str:
     try:
         return float(text)
     except ValueError:
@@ -153,7 +156,7 @@ def _plain(text: str) -> float | str:
 
 def _bare(text: str) -> float:
     """A number without a unit."""
-    number = _plain(text)
+    number = plain(text)
     if isinstance(number, str):
-        raise BadCondition(WHERE, text)
+        raise NotANumber(NOWHERE, text)
     return read_quantity(number, "velocity")

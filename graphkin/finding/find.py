@@ -37,12 +37,14 @@ def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = 
     match wanted:
         case Comparison():
             drawn = checked(method.mechanism, wanted.quantities)
-            return _compared(method, wanted, drawn, ground(course(method, ranges), tuple(ranges), wanted.quantities, by))
+            over = ground(course(method, ranges), tuple(ranges), wanted.quantities, by)
+            return _compared(method, wanted, drawn, over)
         case Extreme():
             drawn = checked(method.mechanism, wanted.quantities)
+            over = ground(course(method, ranges), tuple(ranges), wanted.quantities, by)
             if wanted.which == "stroke" and drawn[0].unit not in ("rad", "m"):
                 raise BadCondition(WHERE, condition)
-            return _extreme(method, wanted, drawn, ground(course(method, ranges), tuple(ranges), wanted.quantities, by))
+            return _extreme(method, wanted, drawn, over)
         case Slowest():
             line_of(method.mechanism, wanted.of)
             at = spots(method, ranges, by)

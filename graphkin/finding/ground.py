@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -11,7 +12,7 @@ from graphkin.finding.found import Kind, Position
 from graphkin.finding.quantities import Reader
 from graphkin.finding.rates import pace_of, rate
 from graphkin.finding.search import Function, differences
-from graphkin.methods.way import stride
+from graphkin.methods.way import look_along, stride
 from graphkin.sweeps import Course, Road, Series
 from graphkin.value import frozen
 
@@ -84,7 +85,6 @@ class Ground:
         """How one quantity changes with t: read off the drawing where it tells it, else by differences."""
         by_differences = differences(self.values(number, size=size), self.step / 2)
         pace, mechanism = pace_of(self.course), self.course.method.mechanism
-        name = self.names[number]
 
         def exact(t: np.ndarray) -> np.ndarray | None:
             motions = self.reader.motions(t)
@@ -97,12 +97,11 @@ class Ground:
             return np.asarray(np.broadcast_to(found, t.shape) * sense)
 
         told = pace is not None and exact(self.places[:1]) is not None
-        known = {"theta", "omega", "s", "x", "y", "v"}
-        if not told or name.split(" ")[0] not in known:
+        if not told:
             return by_differences
 
         def slope(t: np.ndarray) -> np.ndarray:
-            found = exact(t)
+            found = exact(t) if t.size else t
             assert found is not None
             return found
 
@@ -146,6 +145,7 @@ def ground(course: Course, ranges: tuple[str, ...], names: tuple[str, ...], by: 
     """What a course asks for: from the first to the last position, and on to a dead point that is close behind."""
     t = np.unique(course.t)
     low, high = float(t[0]), float(t[-1])
+    course = _looked_far_enough(course, low, high)
     gap = float(np.max(np.diff(t))) * 1.5 if t.size > 1 else math.inf
     before, after = False, False
     if course.dropped.size or not ranges:
@@ -158,3 +158,12 @@ def ground(course: Course, ranges: tuple[str, ...], names: tuple[str, ...], by: 
     if turn and not course.method.structure.contacts and high - low > TURN:
         high = low + TURN
     return Ground(course, by, names, low, high, (before, after))
+
+
+def _looked_far_enough(course: Course, low: float, high: float) -> Course:
+    """The same course on a way that was looked along as far as its positions lie."""
+    way = course.way
+    if way.low <= low and high <= way.high:
+        return course
+    farther = look_along(course.method, way.pace, min(way.low, low), max(way.high, high), (way, 0.0))
+    return replace(course, way=farther)

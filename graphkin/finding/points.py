@@ -11,8 +11,7 @@ from graphkin.errors import CannotScale, NegativeSize, NoLineOf, NoSuchDriver, N
 from graphkin.finding.conditions import WHERE, Scaling, Slowest, value
 from graphkin.finding.found import Position, SlowPoint, Speeds
 from graphkin.finding.quantities import measured
-from graphkin.loading.units import read_quantity
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
 from graphkin.methods.moving import reached
 from graphkin.methods.way import Way
@@ -123,7 +122,7 @@ def scaled(method: Method, wanted: Scaling, at: Spots) -> tuple[Speeds, ...]:
     if target < 0 and entry.vectors is not None and entry.along is None:
         raise NegativeSize(WHERE, wanted.quantity, wanted.value)
     found = []
-    for k, now in enumerate(float(value) for value in entry.signed):
+    for k, now in enumerate(map(float, entry.signed)):
         factor = _factor(now, target, degree)
         if factor is None:
             shown = f"{now:.6g} {entry.unit}" if abs(now) > 1e-12 else f"0 {entry.unit}"

@@ -64,22 +64,22 @@ def rate(mechanism: Mechanism, motions: Motions, entry: Series, pace: Pace) -> V
         return None
     if word == "omega" and of in motions.alpha:
         return (motions.alpha[of] - pace.growth * motions.omega[of]) / pace.speed
-    return _of_speed(mechanism, motions, entry, of, pace) if word == "v" else None
+    return _of_speed(mechanism, motions, entry, of, pace) if word in ("v", "v_x", "v_y") else None
 
 
-def _of_speed(mechanism: Mechanism, motions: Motions, entry: Series, of: str, pace: Pace) -> Value | None:
-    """Of a speed: the part of the vector's change along it."""
-    assert entry.vectors is not None
+def _of_speed(mechanism: Mechanism, motions: Motions, entry: Series, of: str, pace: Pace) -> Value:
+    """Of a speed: the part of the vector's change along it, or along the direction in which it counts."""
     assert pace.growth is not None
     alone = seen(mechanism, of)
     sites = (alone,) if alone is not None else pair(mechanism, of) or ()
     changes = [_change(mechanism, motions, site) for site in sites]
-    change = changes[0] - (changes[1] if len(changes) > 1 else 0) - pace.growth * entry.vectors
-    if entry.along is not None:
-        return dot(entry.along, change) / pace.speed
+    change = changes[0] - (changes[1] if len(changes) > 1 else 0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        along = np.where(entry.vectors == 0, 0, entry.vectors / np.abs(entry.vectors))
-    return dot(along, change) / pace.speed
+        if entry.along is not None or entry.vectors is None:
+            along: Value = entry.along or {"v_x": 1, "v_y": 1j}[entry.name[:3]]
+        else:
+            along = np.where(entry.vectors == 0, 0, entry.vectors / np.abs(entry.vectors))
+    return (dot(along, change) - pace.growth * entry.signed) / pace.speed
 
 
 def _change(mechanism: Mechanism, motions: Motions, site: Seen) -> Value:

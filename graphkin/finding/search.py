@@ -6,6 +6,7 @@ A function here takes many places at once (n,) and gives NaN where there is noth
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 
 import numpy as np
 
@@ -15,11 +16,12 @@ __all__ = ["Curve", "bisected", "crossings", "differences", "followed", "tops", 
 
 Function = Callable[[np.ndarray], np.ndarray]
 
-HALVINGS = 58
+ROUNDS = 70
 BENT = 0.01
 """Between places where a curve bends by more than this part of its range, it is looked at more closely."""
 TOUCH = 1e-10
 """A curve that comes so near to zero, as a part of its size, touches it."""
+EVEN = 501
 STENCIL = np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
 WEIGHTS = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
 
@@ -37,11 +39,13 @@ class Curve:
     function: Function
     slope: Function
 
-    @property
+    @cached_property
     def size(self) -> float:
-        """How large it is, but for a few places where it may grow without limit."""
-        large = np.abs(self.values[np.isfinite(self.values)])
-        return float(np.percentile(large, 90)) if large.size else 0.0
+        """How large it is over most of its length, whatever it does where it may grow without limit."""
+        even = np.searchsorted(self.t, np.linspace(self.t[0], self.t[-1], EVEN))
+        large = np.abs(self.values[np.minimum(even, self.t.size - 1)])
+        large = large[np.isfinite(large)]
+        return float(np.percentile(large, 75)) if large.size else 0.0
 
 
 def followed(function: Function, slope: Function, t: np.ndarray, rounds: int = 3) -> Curve:
@@ -87,16 +91,40 @@ def differences(function: Function, step: float) -> Function:
 
 
 def bisected(function: Function, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """Where the function changes sign between low and high (n,), to the last digits."""
-    low, high = np.array(low, dtype=float), np.array(high, dtype=float)
-    if not low.size:
-        return low
-    before = np.sign(function(low))
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        same = np.sign(function(middle)) == before
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
-    return np.asarray((low + high) / 2)
+    """Where the function changes sign between low and high (n,), to the last digits.
+
+    Halved, or cut by a parabola through the last three places where that is sure to be closer (Chandrupatla 1997).
+    """
+    b, a = np.array(low, dtype=float), np.array(high, dtype=float)
+    if not b.size:
+        return b
+    fb, fa = function(b), function(a)
+    c, fc, part = a, fa, np.full(b.shape, 0.5)
+    for _ in range(ROUNDS):
+        there = a + part * (b - a)
+        value = function(there)
+        same = np.sign(value) == np.sign(fa)
+        c, fc = np.where(same, a, b), np.where(same, fa, fb)
+        b, fb = np.where(same, b, a), np.where(same, fb, fa)
+        a, fa = there, value
+        best = np.where(np.abs(fa) < np.abs(fb), a, b)
+        width = 2 * np.finfo(float).eps * (np.abs(best) + 1e-3)
+        share = width / np.maximum(np.abs(b - a), 1e-300)
+        if np.all((share > 0.5) | (fa == 0) | (fb == 0)):
+            break
+        part = _cut(a, fa, b, fb, c, fc, np.minimum(share, 0.5))
+    return np.asarray(np.where(fa == 0, a, best))
+
+
+def _cut(
+    a: np.ndarray, fa: np.ndarray, b: np.ndarray, fb: np.ndarray, c: np.ndarray, fc: np.ndarray, least: np.ndarray
+) -> np.ndarray:
+    """Which part of the way from a to b to go next."""
+    with np.errstate(all="ignore"):
+        xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
+        sure = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)
+        cut = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+    return np.clip(np.where(sure & np.isfinite(cut), cut, 0.5), least, 1 - least)
 
 
 # --- zeros ------------------------------------------------------------------------------------
@@ -205,8 +233,9 @@ def vanishing(t: np.ndarray, vectors: np.ndarray, function: Function) -> tuple[n
 
     low, high = t[k - 1], t[k + 1]
     found = bisected(part, low, high) if k.size else low
-    least = _sectioned(lambda places: np.abs(function(places)), -1.0, low, high)
-    better = np.abs(function(least)) < np.abs(function(found)) * (1 - 1e-6) - 1e-13 * np.nanmax(size, initial=0.0)
-    found = np.where(better, least, found)
     scale = float(np.percentile(size[np.isfinite(size)], 90)) if np.isfinite(size).any() else 0.0
+    doubtful = np.flatnonzero(np.abs(function(found)) > 1e-9 * scale) if k.size else k
+    least = _sectioned(lambda places: np.abs(function(places)), -1.0, low[doubtful], high[doubtful])
+    better = np.abs(function(least)) < np.abs(function(found[doubtful])) if doubtful.size else doubtful > 0
+    found[doubtful[better]] = least[better]
     return found[np.abs(function(found)) <= 1e-9 * scale], found

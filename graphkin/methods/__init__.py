@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from graphkin.errors import HigherClass
 from graphkin.geometry import Value
@@ -23,6 +24,9 @@ from graphkin.methods.stages import Bridge, Group, Stage, stages
 from graphkin.methods.structure import Structure
 from graphkin.steps import Construction, Facts, Fit, Meet, Plot, Roll, Site, Swing, replay
 from graphkin.value import frozen
+
+if TYPE_CHECKING:
+    from graphkin.methods.swift import Shelf
 
 __all__ = ["Method", "plan", "replay_all", "with_other_points"]
 
@@ -63,6 +67,13 @@ class Method:
     def size(self) -> float:
         """The longest reach of a link [m]: what small parts are measured by."""
         return max(abs(z) for shape in self.structure.shapes.values() for z in shape.values()) or 1.0
+
+    @cached_property
+    def shelf(self) -> Shelf:
+        """Where the program for many positions is kept."""
+        from graphkin.methods.swift import Shelf
+
+        return Shelf()
 
     @property
     def doubtful(self) -> bool:
@@ -157,6 +168,10 @@ def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
     if values is None:
         plot = replay(method.position, Plot(method.facts(), method.near))
     else:
+        from graphkin.methods.swift import swiftly
+
+        if (found := swiftly(method, values)) is not None:
+            return found
         from graphkin.methods.moving import moved_to
 
         plot = moved_to(method, values)

@@ -10,6 +10,7 @@ import numpy as np
 
 from graphkin.errors import NotReached
 from graphkin.geometry import Value
+from graphkin.methods.swift import in_parts
 from graphkin.methods.way import Event, Way, along, crossings, event_at, key_of, look_along, stride
 from graphkin.steps import Fit, Plot, replay
 
@@ -100,7 +101,7 @@ def _moved_on(method: Method, values: Sequence[Value]) -> Plot:
     along_it = np.tensordot(line, change, 1) / max(float(line @ line), np.finfo(float).tiny)
     if np.allclose(np.multiply.outer(line, along_it), change, rtol=0, atol=1e-12):
         way = look_along(method, tuple(line), float(min(along_it.min(), 0.0)), float(max(along_it.max(), 0.0)))
-        return along(method, way, np.where(way.leads_to(along_it), along_it, np.nan)[()])
+        return in_parts(method, way, np.where(way.leads_to(along_it), along_it, np.nan)[()])
     return _fanned(method, values)
 
 

@@ -167,7 +167,8 @@ def stride(method: Method, pace: Sequence[float], deg: float, part: float) -> fl
 def _scouted(method: Method, way: Way, end: float) -> Way:
     """The way with what lies between the drawn position and `end` on it."""
     begin, step = 0.0, stride(method, way.pace, LOOK_DEG, LOOK_PART)
-    while abs(end - begin) > 1e-6 * step:
+    side = 1.0 if end > 0 else -1.0
+    while side * (end - begin) > 1e-6 * step:
         count = int(np.ceil(abs(end - begin) / step)) + 2
         t = np.linspace(begin, end, count)
         event = _next_event(method, way, t)
@@ -176,7 +177,7 @@ def _scouted(method: Method, way: Way, end: float) -> Way:
         if not event.choices:
             return replace(way, stops=(*way.stops, event))
         way = replace(way, changes=(*way.changes, event))
-        begin = event.at + float(np.sign(end)) * 1e-3 * step
+        begin = event.at + side * 1e-3 * step
     return way
 
 
@@ -274,17 +275,30 @@ def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -
 
 def _closer(method: Method, way: Way, step: Crossing, begin: float, end: float) -> tuple[float, bool] | None:
     """Look closer between two positions: (where, whether it goes through), None where nothing happens."""
+    parted: float | None = None
     for _ in range(ROUNDS):
         t = np.linspace(begin, end, FINE)
         sine, miss = _angle(method, step, along(method, way, t), t.shape)
-        apart = ~np.isfinite(sine) | (miss > 0)
-        if apart.any():
-            return _edge(method, way, step, t, int(np.flatnonzero(apart)[0])), False
-        k = int(np.argmin(sine))
+        apart = np.flatnonzero(~np.isfinite(sine) | (miss > 0))
+        if apart.size and parted is None:
+            parted = _edge(method, way, step, t, int(apart[0]))
+        k = _lowest(sine[: apart[0]] if apart.size else sine)
+        if k is None:
+            return (parted, False) if parted is not None else None
         begin, end = float(t[max(k - 1, 0)]), float(t[min(k + 1, FINE - 1)])
     if sine[k] > TOUCHING_SINE:
-        return None
+        return (parted, False) if parted is not None else None
     return _centred(method, way, step, float(t[k])), _kind(step) not in ("parallel", "fit")
+
+
+def _lowest(sine: np.ndarray) -> int | None:
+    """The first dip of the sine; without parting behind it, its least value. None where it falls until loci part."""
+    whole = sine.size == FINE
+    if sine.size > 2:
+        dips = np.flatnonzero((sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:])) + 1
+        if dips.size:
+            return int(dips[np.argmin(sine[dips])])
+    return int(np.argmin(sine)) if whole else None
 
 
 def _centred(method: Method, way: Way, step: Crossing, at: float) -> float:

@@ -15,6 +15,7 @@ from graphkin.mechanism import Driver
 from graphkin.methods import Method
 from graphkin.methods.moving import reached
 from graphkin.methods.way import Event, Way, look_along
+from graphkin.naming import driver_number
 from graphkin.value import frozen
 
 __all__ = ["Course", "course"]
@@ -137,8 +138,11 @@ def _over(
 
 def _ends(method: Method, driver: Driver, start: float, wanted: tuple[float, ...]) -> tuple[float, float]:
     """How far to look: a turn to either side, or as far as a slide of the mechanism's size may go; farther if asked."""
-    far = TURN if driver.kind != "slide" else 2 * method.size
-    return min((start - far, *wanted[:2])), max((start + far, *wanted[:2]))
+    if driver.kind == "slide":
+        usual = start - 2 * method.size, start + 2 * method.size
+    else:
+        usual = min(start - TURN, 0.0), max(start + TURN, TURN)
+    return min((usual[0], *wanted[:2])), max((usual[1], *wanted[:2]))
 
 
 def _turned_back(method: Method, way: Way, driver: Driver, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -235,10 +239,10 @@ def _given(method: Method, ranges: Sequence[str]) -> dict[int, tuple[float, ...]
 
 
 def _number(method: Method, name: str, text: str) -> int:
-    names = [driver.name for driver in method.drivers]
-    if name not in names:
-        raise NoSuchDriver(WHERE, name, tuple(names))
-    return names.index(name)
+    number = driver_number(method.mechanism, name)
+    if number is None:
+        raise NoSuchDriver(WHERE, name, tuple(driver.name for driver in method.drivers))
+    return number
 
 
 def _unnamed(method: Method, found: dict[int, tuple[float, ...]], text: str) -> int:

@@ -1,0 +1,32 @@
+"""Positions that were found, drawn side by side."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from graphkin.errors import Lang
+from graphkin.finding.found import Found
+from graphkin.finding.wording import caption
+from graphkin.methods import Method
+from graphkin.methods.moving import moved_to
+
+if TYPE_CHECKING:
+    from graphkin.sheet import Sheet
+
+__all__ = ["drawn"]
+
+
+def drawn(method: Method, found: Found, lang: Lang = "en", *, paper: str | None = None) -> tuple[Sheet, int] | None:
+    """The sheet, and how many positions found no room on it; None where no position was found that can be drawn.
+
+    Raises UnknownPaper; DeadPoint or NotReached for a position that can be told but not drawn.
+    """
+    from graphkin.sheet.gallery_sheet import MOST, side_by_side
+
+    positions = found.shown or ((found.nearest,) if found.nearest is not None else ())
+    if not positions:
+        return None
+    shown = positions[:MOST]
+    plots = [moved_to(method, position.drivers) for position in shown]
+    sheet = side_by_side(method, plots, [caption(found, position) for position in shown], lang, paper=paper)
+    return sheet, len(positions) - len(shown)

@@ -1,0 +1,84 @@
+"""Many positions at once, by a program made of the method's steps; what makes no program is replayed as ever."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from graphkin.geometry import Value
+from graphkin.methods.way import Way, along
+from graphkin.steps import Plot, replay
+from graphkin.steps.replayed import TABLES
+
+if TYPE_CHECKING:
+    from graphkin.methods import Method
+    from graphkin.steps.program import Program
+
+__all__ = ["MANY", "PART", "Shelf", "in_parts", "swept", "swiftly"]
+
+MANY = 64
+"""From so many positions on a program is worth being made: a few such sweeps take as long as making it."""
+PART = 4096
+"""Positions that are fitted at once."""
+
+
+class Shelf:
+    """Where a method keeps its program, once it is made. It travels empty to other processes, for code can't."""
+
+    def __init__(self) -> None:
+        self._made: Program | None = None
+        self._tried = False
+
+    def __reduce__(self) -> tuple[type[Shelf], tuple[()]]:
+        return Shelf, ()
+
+    def program(self, method: Method) -> Program | None:
+        """The program; None where positions hang on one another, or where a step can't be written down."""
+        if not self._tried:
+            self._made = None if method.moves_on else _program(method)
+            self._tried = True
+        return self._made
+
+
+def _program(method: Method) -> Program | None:
+    from graphkin.steps.entries import CannotRecord
+    from graphkin.steps.program import program
+
+    try:
+        return program(method.constructions, method.facts(None))
+    except CannotRecord:
+        return None
+
+
+def swiftly(method: Method, values: Sequence[Value], sides: Mapping[int, Value] | None = None) -> Plot | None:
+    """All three constructions at driver values, scalar or (n,) each; None where they are few, or no program does it."""
+    shapes = {np.shape(value) for value in values} - {()}
+    if len(shapes) != 1 or len(shape := shapes.pop()) != 1 or shape[0] < MANY:
+        return None
+    made = method.shelf.program(method)
+    return None if made is None else made.run(values, sides)
+
+
+def in_parts(method: Method, way: Way, t: Value) -> Plot:
+    """The positions at t on the way by plain replay; many in parts, so that what they need stays in the cache."""
+    if np.ndim(t) != 1 or t.size <= PART:
+        return along(method, way, t)
+    plots = [along(method, way, part) for part in np.array_split(t, -(-t.size // PART))]
+    whole = Plot(method.facts(way.values(t)), way.near(t))
+    for table in TABLES:
+        for name in getattr(plots[0], table):
+            getattr(whole, table)[name] = _joined([getattr(plot, table)[name] for plot in plots])
+    return whole
+
+
+def _joined(values: Sequence[Value]) -> Value:
+    """One array of many; what is a scalar in one part is the same in all."""
+    return np.concatenate(values) if np.ndim(values[0]) else values[0]
+
+
+def swept(method: Method, way: Way, t: np.ndarray) -> Plot:
+    """All three constructions at t (n,) on the way, each choice on the side that is right there."""
+    found = swiftly(method, way.values(t), way.crossings(t)) if way.nodes is None else None
+    return found or replay(method.acceleration, replay(method.velocity, in_parts(method, way, t)))
