@@ -234,3 +234,50 @@ def test_drivers_are_counted():
     result = run("draw", "mine.toml")
     assert result.exit_code == 3
     assert "2 degrees" in result.stderr
+
+
+# --- find, equations, centres -------------------------------------------------------------------
+
+
+def test_find_draws_what_it_finds():
+    done = run("find", "p3-4a", "a_k B3B2 = 0", "-o", "zeros.svg")
+    assert done.exit_code == 0
+    assert [line.split()[2] for line in done.stdout.splitlines()[1:]] == ["90", "202.024", "270", "337.976"]
+    assert all(f"({letter}) AB = " in Path("zeros.svg").read_text("utf-8") for letter in "abcd")
+
+
+@pytest.mark.parametrize("condition", ["nonsense", "v Q = 0", "max", "v C = 3 kg", "omega 3 = ", "slowest 9", ""])
+def test_find_refuses_what_is_no_condition(condition: str):
+    for lang in ("en", "zh"):
+        done = run("find", "p3-13", condition, "--lang", lang)
+        assert done.exit_code == 3, done.stdout
+        assert len(done.stderr.strip().splitlines()) == 1
+
+
+def test_find_varies_a_dimension():
+    rows = json.loads(run("find", "p3-21", "stroke s piston", "--vary", "DH=55:125:35", "--json").stdout)["rows"]
+    assert [round(row["value"] * 1000, 9) for row in rows] == [55, 90, 125]
+    strokes = [row["found"]["range"] * 1000 for row in rows]
+    assert strokes == pytest.approx([84.0883, 77.6603, 43.3246], abs=1e-4)
+
+
+@pytest.mark.parametrize("kind", [".txt", ".html", ".tex"])
+def test_equations_are_written(kind: str):
+    for _ in range(2):
+        assert run("equations", "ex3-5", "--method", "matrix", "-o", f"out{kind}").exit_code == 0
+    assert run("equations", "ex3-5", "-o", "out.doc").exit_code == 2
+    Path(f"mine{kind}").write_text("mine")
+    assert run("equations", "ex3-5", "-o", f"mine{kind}").exit_code == 3
+    assert Path(f"mine{kind}").read_text() == "mine"
+
+
+def test_centres_as_json_lines():
+    mechanism("[frame\n", "broken.toml")
+    done = run("centres", "--json", "fig3-4", "broken.toml", "p3-11b")
+    assert done.exit_code == 3
+    first, second, third = (json.loads(line) for line in done.stdout.splitlines())
+    assert first["centres"]["P13"]["at"] == pytest.approx([0.066404, 0.182442], abs=1e-6)
+    assert first["centres"]["P13"]["by"] == [["P12", "P23"], ["P14", "P34"]]
+    assert "broken.toml" in second["error"]
+    assert third["centres"]["P14"]["by"] == "slide"
+    assert "direction" in third["centres"]["P13"]
