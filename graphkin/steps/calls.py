@@ -1,0 +1,153 @@
+"""A ledger written out as a Python function of NumPy calls, `multiply(r3, k7, r0)`, one an entry."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from graphkin.geometry import Value
+from graphkin.steps.entries import GIVEN, NUMBER, RISKY, SIDE, Entry
+from graphkin.steps.ledger import Ledger
+from graphkin.value import frozen
+
+__all__ = ["Calls", "Watch", "written_out"]
+
+Watch = Callable[[np.ndarray], None]
+"""Is shown what each risky entry gives."""
+
+
+@frozen
+class Line:
+    """One call, and the register or row that it writes into."""
+
+    call: str
+    into: str
+    risky: bool
+
+
+@frozen
+class Calls:
+    """What is left of a ledger.
+
+    lines      calls in their order
+    constants  numbers by their names in the calls
+    rows       which row of the result an entry is, by its place; the first `sines` of them are sines
+    given, registers  how many there are
+    """
+
+    lines: tuple[Line, ...]
+    constants: Mapping[str, np.ndarray]
+    rows: Mapping[int, int]
+    sines: int
+    given: int
+    registers: int
+
+    @cached_property
+    def run(self) -> Callable[[Sequence[Value], Iterable[np.ndarray], Iterable[np.ndarray]], None]:
+        """`run(given, rows, registers)`."""
+        return self._made("given, rows, registers", "")
+
+    @cached_property
+    def run_watched(self) -> Callable[[Sequence[Value], Iterable[np.ndarray], Iterable[np.ndarray], Watch], None]:
+        """`run_watched(given, rows, registers, watch)`: the same, and shows what each risky entry gives."""
+        return self._made("given, rows, registers, watch", "; watch({})")
+
+    def _made(self, parameters: str, after: str) -> Callable[..., None]:
+        body = [_unpacked("x", self.given, "given"), _unpacked("y", len(self.rows), "rows")]
+        body.append(_unpacked("r", self.registers, "registers"))
+        body += [line.call + (after.format(line.into) if line.risky else "") for line in self.lines]
+        functions = {line.call.partition("(")[0] for line in self.lines}
+        names: dict[str, Any] = {name: getattr(np, name) for name in functions} | dict(self.constants)
+        exec(f"def run({parameters}):\n " + "\n ".join(body), names)
+        made: Callable[..., None] = names["run"]
+        return made
+
+
+def _unpacked(letter: str, count: int, name: str) -> str:
+    return "".join(f"{letter}{k}," for k in range(count)) + f" = {name}" if count else "pass"
+
+
+def written_out(ledger: Ledger, given: int, sines: Iterable[int], shown: Iterable[int]) -> Calls:
+    """Of the entries those that are shown, those they are made of, and those that may fail; the rest is left out."""
+    sines = [place for place in dict.fromkeys(sines) if _works(ledger.entries[place])]
+    results = dict.fromkeys([*sines, *(place for place in shown if _works(ledger.entries[place]))])
+    rows = {place: row for row, place in enumerate(results)}
+    writer = _Writer(ledger, rows)
+    for place in _needed(ledger, rows):
+        writer.write(place)
+    return Calls(tuple(writer.lines), writer.constants, rows, len(sines), given, writer.registers)
+
+
+def _works(entry: Entry) -> bool:
+    return entry.does not in (NUMBER, GIVEN, SIDE)
+
+
+def _needed(ledger: Ledger, rows: Iterable[int]) -> list[int]:
+    """Places of operations to be done, in their order."""
+    waiting = [*rows, *(place for place, entry in enumerate(ledger.entries) if entry.does in RISKY)]
+    found: set[int] = set()
+    while waiting:
+        place = waiting.pop()
+        if place not in found and _works(ledger.entries[place]):
+            found.add(place)
+            waiting += _operation(ledger.entries, place).of
+    return sorted(found)
+
+
+def _operation(entries: Sequence[Entry], place: int) -> Entry:
+    """What is to be done: the negative of a difference is a difference, too."""
+    entry = entries[place]
+    if entry.does == "negative" and (inside := entries[entry.of[0]]).does == "subtract":
+        return Entry("subtract", inside.of[::-1])
+    return entry
+
+
+class _Writer:
+    """Writes calls, and deals out registers: one is free again after the last call that needs what is in it."""
+
+    def __init__(self, ledger: Ledger, rows: Mapping[int, int]) -> None:
+        self.entries, self.rows = ledger.entries, rows
+        # NumPy takes an array of no dimensions quicker than a float
+        self.constants: dict[str, np.ndarray] = {"one": np.array(1.0)}
+        self.last = {of: place for place in _needed(ledger, rows) for of in _operation(self.entries, place).of}
+        self.names: dict[int, str] = {}
+        self.lines: list[Line] = []
+        self.free: list[str] = []
+        self.registers = 0
+
+    def write(self, place: int) -> None:
+        entry = _operation(self.entries, place)
+        operands = [self._name(of) for of in entry.of]
+        self.free += {name for of, name in zip(entry.of, operands) if self.last[of] == place and name[0] == "r"}
+        into = self.names[place] = f"y{self.rows[place]}" if place in self.rows else self._register()
+        if place not in self.last and into[0] == "r":
+            self.free.append(into)
+        self.lines.append(Line(_call(entry, operands, into), into, entry.does in RISKY))
+
+    def _name(self, place: int) -> str:
+        entry = self.entries[place]
+        if entry.does in (GIVEN, SIDE):
+            return f"x{int(entry.number)}"
+        if entry.does == NUMBER:
+            self.constants[f"k{place}"] = np.array(entry.number)
+            return f"k{place}"
+        return self.names[place]
+
+    def _register(self) -> str:
+        if self.free:
+            return self.free.pop()
+        self.registers += 1
+        return f"r{self.registers - 1}"
+
+
+def _call(entry: Entry, operands: Sequence[str], into: str) -> str:
+    if entry.does == "reciprocal":  # NumPy's own reciprocal is not vectorised
+        return f"divide(one, {operands[0]}, {into})"
+    if entry.does == "multiply" and operands[0] == operands[1]:
+        return f"square({operands[0]}, {into})"
+    if entry.does == "maximum":  # the one that wants its result named; the others take it quicker by place
+        into = f"out={into}"
+    return f"{entry.does}({', '.join(operands)}, {into})"

@@ -1,0 +1,96 @@
+"""Entries of a ledger: real operations, each entered once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import NamedTuple
+
+__all__ = ["GIVEN", "NUMBER", "RISKY", "SIDE", "CannotRecord", "Entries", "Entry"]
+
+NUMBER, GIVEN, SIDE = "number", "given", "side"
+RISKY = ("reciprocal", "sqrt")
+"""What has no finite value for some numbers."""
+
+WITH_NUMBERS: Mapping[str, Callable[..., float]] = {
+    "add": lambda a, b: a + b,
+    "subtract": lambda a, b: a - b,
+    "multiply": lambda a, b: a * b,
+    "maximum": max,
+    "arctan2": math.atan2,
+    "negative": lambda a: -a,
+    "absolute": abs,
+    "sign": lambda a: float((a > 0) - (a < 0)),
+    "reciprocal": lambda a: 1 / a,
+    "sqrt": math.sqrt,
+    "cos": math.cos,
+    "sin": math.sin,
+}
+
+
+class CannotRecord(Exception):
+    """A construction does what the ledger has no word for; it is replayed as ever."""
+
+
+class Entry(NamedTuple):
+    """A line of the ledger.
+
+    does    "number", "given", "side", or the NumPy function
+    of      places of the entries it is done with
+    number  the number; which of what is given it is
+    """
+
+    does: str
+    of: tuple[int, ...] = ()
+    number: float = 0.0
+
+
+class Entries:
+    """Entries in the order in which they can be carried out; spoken of by their places."""
+
+    def __init__(self) -> None:
+        self.entries: list[Entry] = []
+        self._places: dict[Entry, int] = {}
+
+    def number(self, value: float) -> int:
+        return self._entered(Entry(NUMBER, number=float(value)))
+
+    def given(self, which: int) -> int:
+        return self._entered(Entry(GIVEN, number=which))
+
+    def side(self, which: int) -> int:
+        """Given, too, and always 1 or -1."""
+        return self._entered(Entry(SIDE, number=which))
+
+    def number_at(self, place: int) -> float | None:
+        """The number at a place, None where another kind of entry stands."""
+        entry = self.entries[place]
+        return entry.number if entry.does == NUMBER else None
+
+    def _entered(self, entry: Entry) -> int:
+        place = self._places.setdefault(entry, len(self.entries))
+        if place == len(self.entries):
+            self.entries.append(entry)
+        return place
+
+    def _done(self, does: str, *of: int) -> int:
+        """A function of entries: a number where all of them are."""
+        numbers = [self.number_at(place) for place in of]
+        if None in numbers:
+            return self._entered(Entry(does, of))
+        try:
+            return self.number(WITH_NUMBERS[does](*numbers))
+        except (ValueError, ZeroDivisionError) as error:
+            raise CannotRecord(f"{does} of {numbers}") from error
+
+    def _inside(self, place: int, does: str) -> int | None:
+        """What a function is of, where this very function stands at the place."""
+        entry = self.entries[place]
+        return entry.of[0] if entry.does == does else None
+
+    def _beside(self, does: str, one: int, whole: int) -> int | None:
+        """The other one of two that were added or multiplied; None where `whole` is nothing like that."""
+        entry = self.entries[whole]
+        if entry.does != does or one not in entry.of:
+            return None
+        return entry.of[1 - entry.of.index(one)]

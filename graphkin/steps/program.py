@@ -1,0 +1,206 @@
+"""A replay made into a program: one NumPy call after another, on all positions at once.
+
+    steps -- recorder.record --> ledger -- calls.written_out --> Calls -- Program.run --> Replayed, a plot
+
+The ledger's entries become calls of NumPy functions that write into registers, which are used again as soon as nothing
+needs what is in them, or into the rows of the result. Nothing is allocated on the way, and registers stay in the
+processor's cache, for positions are done in chunks. The steps remain the one place that says what is drawn.
+
+Where a division or a root fails, and at dead points, plain replay has its own ways (0, NaN, or infinite). The processor
+notes that something failed somewhere; then the program is run again to see at which positions, and these are replayed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from graphkin.geometry import Value
+from graphkin.steps.calls import Calls, written_out
+from graphkin.steps.entries import NUMBER
+from graphkin.steps.kinds import Construction
+from graphkin.steps.ledger import Ledger
+from graphkin.steps.pencil import replay
+from graphkin.steps.plot import Facts, Plot
+from graphkin.steps.recorder import Written, record
+from graphkin.steps.replayed import TABLES, Column, Numbers, Replayed, Vector
+from graphkin.value import frozen
+
+__all__ = ["Program", "program"]
+
+CHUNK = 8192
+"""Positions done at once."""
+FLAT_SINE = 1e-5
+"""Crossings under a smaller angle are dead points but for rounding: such positions are replayed plainly."""
+
+PLANES = ("position", "velocity", "acceleration")
+"""Tables of vectors; the others are of numbers."""
+
+Registers = list[np.ndarray]
+
+
+def program(constructions: Sequence[Construction], facts: Facts) -> Program:
+    """The program of a method's three constructions. Raises CannotRecord where they can't be written down."""
+    recording = record(constructions, facts)
+    ledger = recording.ledger
+    tables: dict[str, Mapping[Any, Value]] = {name: getattr(recording.plot, name) for name in TABLES}
+    sines = [value.real_at for value in tables["sines"].values() if isinstance(value, Written)]
+    shown = [place for table in tables.values() for value in table.values() for place in _places(value, ledger)]
+    calls = written_out(ledger, len(facts.values) + len(recording.sides), sines, shown)
+    columns = {
+        name: {key: _found(value, ledger, calls, name in PLANES) for key, value in table.items()}
+        for name, table in tables.items()
+    }
+    return Program(tuple(constructions), facts, recording.sides, calls, columns, [])
+
+
+def _places(value: Value, ledger: Ledger) -> tuple[int, ...]:
+    """Where what is shown stands in the ledger; a negative is shown by what it is the negative of."""
+    if not isinstance(value, Written):
+        return ()
+    return tuple(ledger.unsigned(place)[0] for place in (value.real_at, value.imag_at))
+
+
+def _found(value: Value, ledger: Ledger, calls: Calls, vector: bool) -> Column | Vector:
+    """Where a quantity of the plot is found after a run."""
+    if isinstance(value, Written):
+        x, y = (_column(*ledger.unsigned(place), ledger, calls) for place in (value.real_at, value.imag_at))
+    else:
+        x, y = (Column(number=float(part)) for part in (np.real(value), np.imag(value)))
+    return Vector(x, y) if vector else x
+
+
+def _column(place: int, sign: int, ledger: Ledger, calls: Calls) -> Column:
+    entry = ledger.entries[place]
+    if place in calls.rows:
+        return Column(row=calls.rows[place], sign=sign)
+    if entry.does == NUMBER:
+        return Column(number=sign * entry.number)
+    return Column(given=int(entry.number), sign=sign)
+
+
+@frozen
+class Program:
+    """Three constructions as one list of calls, for any values of the drivers and any sides of the crossings.
+
+    facts    with the drivers at any values
+    sides    the side of each choice that the steps have
+    columns  where each quantity of a plot is found, by table and name
+    spare    registers that no run has in hand: a run takes a set from here, or new ones, so runs never share any
+    """
+
+    constructions: tuple[Construction, ...]
+    facts: Facts
+    sides: Mapping[int, int]
+    calls: Calls
+    columns: Mapping[str, Mapping[Any, Column | Vector]]
+    spare: list[Registers]
+
+    def run(self, values: Sequence[Value], sides: Mapping[int, Value] | None = None) -> Plot:
+        """The plot at driver values, and crossings taken on given sides: each scalar or (n,), one at least (n,)."""
+        taken = self.sides if sides is None else {**self.sides, **sides}
+        given = tuple(np.array(value, dtype=float) for value in (*values, *taken.values()))
+        block = np.empty((len(self.calls.rows), max(value.size for value in given)))
+        failed = self._filled(block, given)
+        plot = Replayed.of(self.facts, self.columns, Numbers(block, given))
+        # not least > .. : NaN, too
+        if failed or not np.minimum.reduce(block[: self.calls.sines], axis=None, initial=1.0) > FLAT_SINE:
+            return self._mended(plot, self._doubtful(block, given, failed), taken)
+        return plot
+
+    # --- running ------------------------------------------------------------------------------
+
+    def _filled(self, block: np.ndarray, given: Sequence[np.ndarray]) -> bool:
+        """Fill the block; whether a division or a root failed anywhere."""
+        failures: list[str] = []
+
+        def note(failure: str, _: int) -> None:
+            failures.append(failure)
+
+        with np.errstate(call=note, divide="call", invalid="call", over="ignore", under="ignore"):
+            for _, parts, rows, registers in self._chunks(block, given):
+                self.calls.run(parts, rows, registers)
+        return bool(failures)
+
+    def _chunks(
+        self, block: np.ndarray, given: Sequence[np.ndarray]
+    ) -> Iterator[tuple[slice, Sequence[np.ndarray], np.ndarray, Registers]]:
+        """Where a chunk lies, and what it is done with: what is given, rows of the result, registers."""
+        count = block.shape[1]
+        registers = self._borrowed(min(count, CHUNK))
+        if count <= CHUNK:
+            yield slice(0, count), given, block, registers
+        else:
+            for begin in range(0, count, CHUNK):
+                here = slice(begin, min(begin + CHUNK, count))
+                size = here.stop - begin
+                parts = [value[here] if value.ndim else value for value in given]
+                yield here, parts, block[:, here], registers if size == CHUNK else [r[:size] for r in registers]
+        self.spare.append(registers)
+
+    def _borrowed(self, size: int) -> Registers:
+        try:
+            registers = self.spare.pop()
+        except IndexError:
+            registers = []
+        if len(registers) and registers[0].size == size:
+            return registers
+        return list(np.empty((max(self.calls.registers, 1), size)))[: self.calls.registers]
+
+    # --- positions that fail ------------------------------------------------------------------
+
+    def _doubtful(self, block: np.ndarray, given: Sequence[np.ndarray], failed: bool) -> np.ndarray:
+        """Positions at which something failed, or that are dead points: their numbers (m,)."""
+        sound: np.ndarray = np.all(block[: self.calls.sines] > FLAT_SINE, axis=0)
+        if failed:
+            with np.errstate(all="ignore"):
+                for here, parts, rows, registers in self._chunks(block, given):
+                    self.calls.run_watched(parts, rows, registers, _Watched(sound[here]))
+        return np.flatnonzero(~sound)
+
+    def _mended(self, plot: Plot, doubtful: np.ndarray, sides: Mapping[int, Value]) -> Plot:
+        """The plot with doubtful positions replayed plainly."""
+        if not doubtful.size:
+            return plot
+        parts = np.array_split(doubtful, -(-doubtful.size // CHUNK))
+        plain = [self._replayed(part, plot.facts.values, sides) for part in parts]
+        count = max(np.size(value) for value in (*plot.facts.values, *sides.values()))
+        whole = Plot(plot.facts)
+        for name in TABLES:
+            table: dict[Any, Value] = getattr(whole, name)
+            for key, value in getattr(plot, name).items():
+                table[key] = _patched(value, count, parts, [getattr(found, name)[key] for found in plain])
+        return whole
+
+    def _replayed(self, here: np.ndarray, values: Sequence[Value], sides: Mapping[int, Value]) -> Plot:
+        """Plain replay at some positions."""
+        values = tuple(value[here] if np.ndim(value) else value for value in values)
+        sides = {choice: side[here] if np.ndim(side) else side for choice, side in sides.items()}
+        plot = Plot(replace(self.facts, values=values))
+        for construction in self.constructions:
+            replay(construction, plot, sides if construction.plane == "position" else None)
+        return plot
+
+
+class _Watched:
+    """Strikes out positions at which something is not finite."""
+
+    def __init__(self, sound: np.ndarray) -> None:
+        self.sound = sound
+
+    def __call__(self, found: np.ndarray) -> None:
+        np.logical_and(self.sound, np.isfinite(found), out=self.sound)
+
+
+def _patched(value: Value, count: int, parts: Sequence[np.ndarray], plain: Sequence[Value]) -> Value:
+    """A quantity with other values at some positions; a scalar remains one where they are no other."""
+    if not np.ndim(value):
+        if all(np.all(np.equal(found, value)) for found in plain):
+            return value
+        value = np.full(count, value)
+    for here, found in zip(parts, plain, strict=True):
+        value[here] = found
+    return value

@@ -1,0 +1,256 @@
+"""What the pencil did, written down: a replay with quantities that only keep a ledger.
+
+`record` replays constructions once. Where plain replay has numbers, this one has `Written` quantities: complex numbers
+whose two parts are places in a ledger. Whatever is done with them, by operators or by NumPy, is entered there. So the
+steps stay the one place that says how a mechanism is drawn; `program` reads the ledger.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from types import FunctionType
+from typing import Any, ClassVar
+
+import numpy as np
+
+from graphkin import geometry
+from graphkin.geometry import Value
+from graphkin.steps import pencil
+from graphkin.steps.entries import CannotRecord
+from graphkin.steps.kinds import Construction, Meet, Swing
+from graphkin.steps.ledger import Ledger
+from graphkin.steps.plot import Facts, Plot
+from graphkin.value import frozen
+
+__all__ = ["Recording", "Written", "record"]
+
+
+@frozen
+class Recording:
+    """A replay written down.
+
+    plot   its plot: every value a number, or `Written`
+    sides  of the crossings that may be taken either way, as the steps have them, by number of the choice; the ledger is
+           given the drivers' values, then a side of each of these
+    """
+
+    ledger: Ledger
+    plot: Plot
+    sides: Mapping[int, int]
+
+
+def record(constructions: Sequence[Construction], facts: Facts) -> Recording:
+    """Replay position, velocity and acceleration once, for all values of the drivers and all sides of the crossings.
+
+    The drivers' rates and accelerations are numbers: what stands still costs nothing. Raises CannotRecord.
+    """
+    ledger = Ledger()
+    count = len(facts.values)
+    values = tuple(Written(ledger, ledger.given(k)) for k in range(count))
+    meant = {
+        step.choice: step.side
+        for step in constructions[0].steps
+        if isinstance(step, Meet | Swing) and step.choice is not None
+    }
+    sides = {choice: Written(ledger, ledger.side(count + k)) for k, choice in enumerate(meant)}
+    plot = Plot(replace(facts, values=values))
+    for construction in constructions:
+        _replay(construction, plot, sides if construction.plane == "position" else None)
+    return Recording(ledger, plot, meant)
+
+
+# --- a quantity that keeps a ledger -----------------------------------------------------------
+
+
+class Written:
+    """A complex number of which only is known how it comes about: places of its real and its imaginary part."""
+
+    __slots__ = ("imag_at", "ledger", "real_at")
+    __hash__ = None  # type: ignore[assignment]
+
+    def __init__(self, ledger: Ledger, real_at: int, imag_at: int | None = None) -> None:
+        self.ledger, self.real_at = ledger, real_at
+        self.imag_at = ledger.number(0.0) if imag_at is None else imag_at
+
+    def _lifted(self, value: Value) -> Written:
+        """A number as a quantity of the same ledger."""
+        if isinstance(value, Written):
+            return value
+        if np.ndim(value):
+            raise CannotRecord("an array")
+        number = complex(value)
+        return Written(self.ledger, self.ledger.number(number.real), self.ledger.number(number.imag))
+
+    @property
+    def real(self) -> Written:
+        return Written(self.ledger, self.real_at)
+
+    @property
+    def imag(self) -> Written:
+        return Written(self.ledger, self.imag_at)
+
+    @property
+    def _is_real(self) -> bool:
+        return self.ledger.number_at(self.imag_at) == 0
+
+    def __add__(self, other: Value) -> Written:
+        do, more = self.ledger.add, self._lifted(other)
+        return Written(self.ledger, do(self.real_at, more.real_at), do(self.imag_at, more.imag_at))
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Value) -> Written:
+        do, less = self.ledger.subtract, self._lifted(other)
+        return Written(self.ledger, do(self.real_at, less.real_at), do(self.imag_at, less.imag_at))
+
+    def __rsub__(self, other: Value) -> Written:
+        return self._lifted(other) - self
+
+    def __neg__(self) -> Written:
+        return Written(self.ledger, self.ledger.negative(self.real_at), self.ledger.negative(self.imag_at))
+
+    def __mul__(self, other: Value) -> Written:
+        ledger, times = self.ledger, self._lifted(other)
+        (a, b), (c, d) = (self.real_at, self.imag_at), (times.real_at, times.imag_at)
+        return Written(
+            ledger,
+            ledger.subtract(ledger.multiply(a, c), ledger.multiply(b, d)),
+            ledger.add(ledger.multiply(a, d), ledger.multiply(b, c)),
+        )
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Value) -> Written:
+        ledger, by = self.ledger, self._lifted(other)
+        if by._is_real:
+            return Written(ledger, ledger.divide(self.real_at, by.real_at), ledger.divide(self.imag_at, by.real_at))
+        square = (by * by.conjugate()).real_at
+        whole = self * by.conjugate()
+        return Written(ledger, ledger.divide(whole.real_at, square), ledger.divide(whole.imag_at, square))
+
+    def __rtruediv__(self, other: Value) -> Written:
+        return self._lifted(other) / self
+
+    def __pow__(self, power: int) -> Written:
+        if power != 2:
+            raise CannotRecord(f"the power {power}")
+        return self * self
+
+    def conjugate(self) -> Written:
+        return Written(self.ledger, self.real_at, self.ledger.negative(self.imag_at))
+
+    def know_length(self, length: Value) -> None:
+        """How long it is, where that was laid off."""
+        self.ledger.know_length(self.real_at, self.imag_at, self._lifted(length).real_at)
+
+    # --- by NumPy -----------------------------------------------------------------------------
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Value, **more: Any) -> Written:
+        do = self.UFUNCS.get(ufunc.__name__)
+        if do is None or method != "__call__" or more:
+            raise CannotRecord(ufunc.__name__)
+        return do(*map(self._lifted, inputs))
+
+    def __array_function__(self, function: Any, types: Any, inputs: Sequence[Value], more: Any) -> Written:
+        if function is not np.angle or more or len(inputs) > 1:
+            raise CannotRecord(function.__name__)
+        return Written(self.ledger, self.ledger.angle(self.real_at, self.imag_at))
+
+    def __array__(self, *_: Any, **__: Any) -> np.ndarray:
+        raise CannotRecord("an array of it")
+
+    def __bool__(self) -> bool:
+        raise CannotRecord("a decision")
+
+    def _refused(self, other: Value) -> bool:
+        raise CannotRecord("a comparison")
+
+    __lt__ = __le__ = __gt__ = __ge__ = __eq__ = __ne__ = _refused
+
+    def _length(self) -> Written:
+        return Written(self.ledger, self.ledger.length(self.real_at, self.imag_at))
+
+    __abs__ = _length
+
+    def _exponential(self) -> Written:
+        if self.ledger.number_at(self.real_at) != 0:
+            raise CannotRecord("exp of other than i times an angle")
+        return Written(self.ledger, *self.ledger.turned(self.imag_at))
+
+    def _real_only(self) -> int:
+        if not self._is_real:
+            raise CannotRecord("a vector where a number is wanted")
+        return self.real_at
+
+    def _sqrt(self) -> Written:
+        return Written(self.ledger, self.ledger.sqrt(self._real_only()))
+
+    def _sign(self) -> Written:
+        return Written(self.ledger, self.ledger.sign(self._real_only()))
+
+    def _maximum(self, other: Written) -> Written:
+        return Written(self.ledger, self.ledger.maximum(self._real_only(), other._real_only()))
+
+    UFUNCS: ClassVar[Mapping[str, Callable[..., Written]]] = {
+        "add": __add__,
+        "subtract": __sub__,
+        "multiply": __mul__,
+        "divide": __truediv__,
+        "negative": __neg__,
+        "conjugate": conjugate,
+        "absolute": _length,
+        "exp": _exponential,
+        "sqrt": _sqrt,
+        "sign": _sign,
+        "maximum": _maximum,
+    }
+
+
+# --- replay, with crossings that can be written down ------------------------------------------
+
+
+def _leg(hypotenuse: Value, other: Value) -> Value:
+    """`geometry.leg` as a plain root.
+
+    What that makes of squares below 0 is left to it: their roots fail, and whoever carries the ledger out does such
+    positions by plain replay.
+    """
+    if isinstance(hypotenuse, Written) or isinstance(other, Written):
+        return np.sqrt((hypotenuse - other) * (hypotenuse + other))
+    return geometry.leg(hypotenuse, other)
+
+
+def _meet_line_circle(p: Value, u: Value, c: Value, r: Value, side: Value) -> tuple[Value, Value, Value]:
+    """The same crossing; the compass has laid its distance from the centre off, and it need not be measured again."""
+    found: tuple[Value, Value, Value] = _GEOMETRY["meet_line_circle"](p, u, c, r, side)
+    _know_length(found[0] - c, r)
+    return found
+
+
+def _meet_circles(c1: Value, r1: Value, c2: Value, r2: Value, side: Value) -> tuple[Value, Value, Value]:
+    found: tuple[Value, Value, Value] = _GEOMETRY["meet_circles"](c1, r1, c2, r2, side)
+    _know_length(found[0] - c1, r1)
+    _know_length(found[0] - c2, r2)
+    return found
+
+
+def _know_length(arm: Value, length: Value) -> None:
+    if isinstance(arm, Written):
+        arm.know_length(length)
+
+
+def _again(module: Any, **other: Any) -> dict[str, Any]:
+    """The names of a module, its functions once more: they call some other ones. The module itself is left alone."""
+    names = dict(vars(module))
+    for name, found in vars(module).items():
+        if isinstance(found, FunctionType) and found.__module__ == module.__name__:
+            names[name] = again = FunctionType(found.__code__, names, name, found.__defaults__, found.__closure__)
+            again.__kwdefaults__ = found.__kwdefaults__
+    names.update(other)
+    return names
+
+
+_GEOMETRY = _again(geometry, leg=_leg)
+_PENCIL = _again(pencil, leg=_leg, meet_circles=_meet_circles, meet_line_circle=_meet_line_circle)
+_replay: Callable[..., Plot] = _PENCIL["replay"]

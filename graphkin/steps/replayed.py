@@ -1,0 +1,123 @@
+"""A plot over many positions whose tables are filled when they are read."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator, Mapping, MutableMapping
+from dataclasses import fields, replace
+from typing import Any
+
+import numpy as np
+
+from graphkin.geometry import Value
+from graphkin.steps.plot import Facts, Plot
+from graphkin.value import frozen
+
+__all__ = ["TABLES", "Column", "Numbers", "Replayed", "Vector"]
+
+TABLES = tuple(field.name for field in fields(Plot) if field.name not in ("facts", "near"))
+
+
+@frozen
+class Column:
+    """Where one real quantity, or its negative, is found: a row of the block, one of what was given, else a number."""
+
+    row: int | None = None
+    given: int | None = None
+    number: float = 0.0
+    sign: int = 1
+
+
+@frozen
+class Vector:
+    """A complex quantity."""
+
+    x: Column
+    y: Column
+
+
+@frozen
+class Numbers:
+    """What a program gives: a block (rows, n), beside what it was given, scalars () or (n,)."""
+
+    block: np.ndarray
+    given: tuple[np.ndarray, ...]
+
+    def read(self, column: Column | Vector) -> Value:
+        """A scalar, or an array of its own (n,)."""
+        if isinstance(column, Column):
+            found = self._row(column)
+            return np.multiply(column.sign, found) if np.ndim(found) else column.sign * found
+        x, y = self._row(column.x), self._row(column.y)
+        if not np.ndim(x) and not np.ndim(y):
+            return complex(column.x.sign * x, column.y.sign * y)
+        vector = np.empty(self.block.shape[1], dtype=complex)
+        np.multiply(column.x.sign, x, out=vector.real)
+        np.multiply(column.y.sign, y, out=vector.imag)
+        return vector
+
+    def _row(self, column: Column) -> Value:
+        if column.row is not None:
+            return self.block[column.row]
+        return column.number if column.given is None else self.given[column.given][()]
+
+
+class Table(MutableMapping[Any, Value]):
+    """Quantities by name, each made when it is first read."""
+
+    def __init__(self, columns: Mapping[Any, Column | Vector], numbers: Numbers) -> None:
+        self.columns: dict[Any, Column | Vector | None] = {**columns}
+        self.numbers = numbers
+        self.read: dict[Any, Value] = {}
+
+    def __getitem__(self, name: Hashable) -> Value:
+        if name not in self.read and (column := self.columns[name]) is not None:
+            return self.read.setdefault(name, self.numbers.read(column))
+        return self.read[name]
+
+    def __setitem__(self, name: Hashable, value: Value) -> None:
+        self.columns.setdefault(name, None)
+        self.read[name] = value
+
+    def __delitem__(self, name: Hashable) -> None:
+        del self.columns[name]
+        self.read.pop(name, None)
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self.columns)
+
+    def __len__(self) -> int:
+        return len(self.columns)
+
+    def __repr__(self) -> str:
+        return repr(dict(self))
+
+
+class Replayed(Plot):
+    """A finished plot; of what it holds, only what is read is put into arrays by itself."""
+
+    @classmethod
+    def of(
+        cls, standing: Facts, columns: Mapping[str, Mapping[Any, Column | Vector]], numbers: Numbers
+    ) -> Replayed:
+        """The plot of what a program gives.
+
+        standing  facts with the drivers at other values
+        columns   where each quantity is found, by table and name
+        """
+        plot = cls.__new__(cls)
+        plot.__dict__ |= {"near": {}, "_standing": standing, "_columns": columns, "_numbers": numbers}
+        return plot
+
+    def __getattr__(self, name: str) -> Any:
+        """Tables and facts, which a plot has as attributes, when they are first asked for."""
+        known = self.__dict__
+        if "_numbers" not in known or name not in ("facts", *TABLES):
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        numbers: Numbers = known["_numbers"]
+        found: Any
+        if name == "facts":
+            standing: Facts = known["_standing"]
+            found = replace(standing, values=tuple(value[()] for value in numbers.given[: len(standing.values)]))
+        else:
+            found = Table(known["_columns"][name], numbers)
+        return known.setdefault(name, found)

@@ -1,0 +1,424 @@
+"""The program made of the steps, beside plain replay: the same plot at every position, reached or not."""
+
+from __future__ import annotations
+
+import pickle
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+import pytest
+from random_mechanisms import (
+    DYADS,
+    cam,
+    chain,
+    coupler_angle,
+    cylinder,
+    dyad,
+    epicyclic,
+    geared_five_bar,
+    relative_angle,
+    rolling,
+    six_bar,
+    triad,
+)
+
+from graphkin import library
+from graphkin.errors import GraphkinError
+from graphkin.mechanism import Mechanism
+from graphkin.methods import Method, plan, replay_all
+from graphkin.methods.swift import MANY, swept
+from graphkin.methods.way import look_along
+from graphkin.steps import Fit, Plot, Roll, Simultaneous, replay
+from graphkin.steps.calls import written_out
+from graphkin.steps.entries import CannotRecord
+from graphkin.steps.ledger import Ledger
+from graphkin.steps.program import CHUNK, Program, program
+from graphkin.steps.replayed import TABLES
+
+COUNT = 721
+OPEN_SINE = 0.1
+"""Crossings that are flatter lose digits."""
+FLATTER = {"velocity": 2, "omega": 2, "s_rate": 2, "acceleration": 3, "alpha": 3, "s_acceleration": 3}
+"""By which power of the sine; all others by the first."""
+NUDGE = 1e-13
+"""What drivers are moved by to see how much a position lets rounding grow [rad, of the mechanism's size]."""
+
+MAKERS: dict[str, Callable[[int], Mechanism]] = {
+    **{kind: partial(dyad, kind) for kind in DYADS},
+    "cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain, "cam": cam, "six": six_bar,
+}  # fmt: skip
+MOVING_ON = {"triad": triad, "geared": geared_five_bar, "epicyclic": epicyclic, "rolling": rolling}
+
+
+def made(method: Method) -> Program | None:
+    return method.shelf.program(method)
+
+
+def records(method: Method) -> Program:
+    """The program of a method that must have one."""
+    found = made(method)
+    assert found is not None, method.mechanism.name
+    return found
+
+
+def plainly(method: Method, values: Sequence[Any], sides: dict[int, Any] | None = None) -> Plot:
+    plot = replay(method.position, Plot(method.facts(values)), sides)
+    plot.taken = sides  # type: ignore[attr-defined]
+    return replay(method.acceleration, replay(method.velocity, plot))
+
+
+def around(method: Method, count: int = COUNT) -> list[np.ndarray]:
+    """All drivers moving at once, far beyond what is reached: whole turns, and slides by the mechanism's size."""
+    values = []
+    for k, (start, driver) in enumerate(zip(method.facts().values, method.drivers, strict=True), 1):
+        ways = (-0.7 * method.size, 0.9 * method.size) if driver.kind == "slide" else (-2 * np.pi * k, 2 * np.pi)
+        values.append(start + np.linspace(*ways, count))
+    return values
+
+
+def rows(value: Any, count: int) -> np.ndarray:
+    return np.broadcast_to(value, (count,))
+
+
+def hold_alike(method: Method, found: Plot, plain: Plot, count: int) -> int:
+    """Every table the same, to twelve digits of the largest of its kind at each position; at how many positions.
+
+    Where a crossing is flat, rounding moves it by its inverse sine, and with it the lines of the polygons, whose own
+    crossings are as flat: `FLATTER`. Where several are, the two may be as far apart as plain replay moves when its drivers
+    do, by far less than anyone could tell.
+    """
+    with np.errstate(divide="ignore"):
+        flat = np.fmax(1.0, OPEN_SINE / least_sines(plain, count))
+    flat[np.isinf(flat)] = 1.0  # replayed plainly
+    sizes, near = sizes_of(method, plain, count), [besides(method, plain, change) for change in (-NUDGE, NUDGE)]
+    for table in TABLES:
+        assert list(getattr(found, table)) == list(getattr(plain, table)), table
+        for name, value in getattr(plain, table).items():
+            one, other = rows(getattr(found, table)[name], count), rows(value, count)
+            assert np.array_equal(np.isfinite(one), np.isfinite(other)), (table, name)
+            moved = [apart(table, rows(getattr(plot, table)[name], count), other) for plot in near]
+            allowed = 1e-12 * sizes.get(table, np.ones(count)) * flat ** FLATTER.get(table, 1) + np.fmax.reduce([*moved, np.zeros(count)])
+            there = np.isfinite(other)
+            assert np.all(apart(table, one, other)[there] <= allowed[there]), (table, name)
+    return int(np.count_nonzero(flat == 1.0))
+
+
+def least_sines(plot: Plot, count: int) -> np.ndarray:
+    return np.minimum.reduce([np.ones(count), *(rows(sine, count) for sine in plot.sines.values())])
+
+
+def besides(method: Method, plain: Plot, change: float) -> Plot:
+    """Plain replay with its drivers moved a little."""
+    values = [value + change * (method.size if driver.kind == "slide" else 1.0)
+              for value, driver in zip(plain.facts.values, method.drivers, strict=True)]  # fmt: skip
+    return plainly(method, values, plain.taken)  # type: ignore[attr-defined]
+
+
+def apart(table: str, one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    with np.errstate(invalid="ignore"):
+        far = np.abs(one - other)
+        return np.abs((far + np.pi) % (2 * np.pi) - np.pi) if table == "theta" else far
+
+
+def sizes_of(method: Method, plain: Plot, count: int) -> dict[str, np.ndarray]:
+    """At each position, the size of what is in a table (n,)."""
+    length, one = method.size, np.ones(count)
+
+    def most(table: str) -> np.ndarray:
+        return np.fmax.reduce([0 * one, *(np.abs(rows(value, count)) for value in getattr(plain, table).values())])
+
+    places = np.fmax(most("position"), length)
+    speeds = np.fmax.reduce([most("velocity"), most("s_rate"), length * most("omega")])
+    changes = [most("acceleration"), most("s_acceleration"), length * most("alpha"), length * most("omega") ** 2]
+    rates = np.fmax.reduce(changes)
+    return {
+        "position": places, "s": places, "misses": places, "theta": one, "sines": one,
+        "velocity": speeds, "s_rate": speeds, "omega": speeds / length,
+        "acceleration": rates, "s_acceleration": rates, "alpha": rates / length,
+    }  # fmt: skip
+
+
+# --- the same plot ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_library_alike(name: str):
+    method = plan(library.load(name))
+    if method.moves_on:
+        assert made(method) is None
+        return
+    values = around(method)
+    assert hold_alike(method, records(method).run(values), plainly(method, values), COUNT)
+
+
+@pytest.mark.parametrize("kind", MAKERS)
+def test_random_mechanisms_alike(kind: str):
+    tried = 0
+    for seed in range(40):
+        try:
+            method = plan(MAKERS[kind](seed))
+        except GraphkinError:
+            continue
+        if not method.moves_on:
+            values = around(method, 181)
+            tried += hold_alike(method, records(method).run(values), plainly(method, values), 181)
+    assert tried > 1000
+
+
+@pytest.mark.parametrize("kind", MOVING_ON)
+def test_what_moves_on_is_not_made_into_a_program(kind: str):
+    method = plan(MOVING_ON[kind](3))
+    assert any(isinstance(step, Fit | Roll | Simultaneous) for step in method.position.steps)
+    assert made(method) is None
+
+
+@pytest.mark.parametrize("kind", ["RRR", "RPR", "cylinder"])
+def test_one_driver_standing(kind: str):
+    """A driver that is one number, or one of no dimensions, stands for all positions."""
+    method = plan(MAKERS[kind](2))
+    moving = around(method)[0]
+    still = [float(value) for value in method.facts().values[1:]]
+    plain = plainly(method, [moving, *still])
+    assert still
+    for values in (still, [np.array(value) for value in still], [np.full(COUNT, value) for value in still]):
+        assert hold_alike(method, records(method).run([moving, *values]), plain, COUNT)
+
+
+def test_other_sides():
+    """Crossings taken on the other side, everywhere or from some position on."""
+    method = plan(library.load("ex3-5"))
+    (choice,) = records(method).sides
+    values = around(method)
+    later = np.where(np.arange(COUNT) > 200, -1, 1) * records(method).sides[choice]
+    for side in (-1, 1, later):
+        found, plain = records(method).run(values, {choice: side}), plainly(method, values, {choice: side})
+        assert hold_alike(method, found, plain, COUNT)
+
+
+def test_more_than_a_chunk():
+    method = plan(library.load("ex3-7"))
+    count = 2 * CHUNK + 77
+    values = around(method, count)
+    assert hold_alike(method, records(method).run(values), plainly(method, values), count) > CHUNK
+
+
+def test_failing_positions_are_those_of_plain_replay():
+    """Beyond a dead point, and at one, not a digit differs."""
+    method = plan(library.load("fig3-6"))
+    values = around(method)
+    found, plain = records(method).run(values), plainly(method, values)
+    bad = ~np.isfinite(least_sines(plain, COUNT))
+    assert bad.any()
+    assert not bad.all()
+    for table in TABLES:
+        for name, value in getattr(plain, table).items():
+            one = rows(getattr(found, table)[name], COUNT)[bad]
+            assert np.array_equal(one, rows(value, COUNT)[bad], equal_nan=True), (table, name)
+
+
+def test_along_a_way_through_change_points():
+    """The side that is right before a change point and behind it, and what is left at the very point."""
+    changed = 0
+    for name in library.names():
+        method = plan(library.load(name))
+        if method.moves_on:
+            continue
+        pace = [1.0, *[0.0] * (len(method.drivers) - 1)]
+        far = 2 * np.pi if method.drivers[0].kind != "slide" else method.size
+        way = look_along(method, pace, -far, far)
+        t = np.linspace(0.999 * way.first, 0.999 * way.last, COUNT)
+        plain = plainly(method, way.values(t), way.crossings(t))
+        assert hold_alike(method, swept(method, way, t), plain, COUNT), name
+        changed += len(way.changes)
+    assert changed
+
+
+# --- whole calls ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("shape", [(MANY - 1,), (MANY,), (16, 20)])
+def test_any_shape(shape: tuple[int, ...]):
+    """Few positions, many, and arrays of more dimensions."""
+    method = plan(library.load("ex3-1"))
+    angles = method.facts().values[0] + np.linspace(0, 1, int(np.prod(shape))).reshape(shape)
+    found, plain = replay_all(method, [angles]), plainly(method, [angles])
+    assert np.shape(found.omega["3"]) == shape
+    assert np.allclose(found.omega["3"], plain.omega["3"], rtol=1e-12, atol=0)
+    assert isinstance(found.position, dict) == (shape != (MANY,))
+
+
+def test_what_can_not_be_recorded_is_replayed(monkeypatch: pytest.MonkeyPatch):
+    def refuse(*_: Any) -> None:
+        raise CannotRecord("a step")
+
+    method = plan(library.load("ex3-1"))
+    values = around(method)
+    monkeypatch.setattr("graphkin.steps.program.record", refuse)
+    found, plain = replay_all(method, values), plainly(method, values)
+    assert made(method) is None
+    assert np.array_equal(found.acceleration["b3'"], plain.acceleration["b3'"])
+
+
+def test_no_number_at_all():
+    """Angles that are no numbers give none, as plainly; what stands still remains where it is."""
+    method = plan(library.load("ex3-5"))
+    values = around(method)
+    values[0][300:400] = np.nan
+    assert hold_alike(method, records(method).run(values), plainly(method, values), COUNT)
+
+
+def test_runs_share_nothing():
+    """What is done with one plot, or with the angles, changes no other."""
+    method = plan(library.load("ex3-5"))
+    values = around(method)
+    first, second, plain = (*(replay_all(method, values) for _ in range(2)), plainly(method, values))
+    values[0][:] = 0.0
+    for table in TABLES:
+        for name in getattr(first, table):
+            value = getattr(first, table)[name]
+            if np.ndim(value):
+                value[:] = -1.0
+                getattr(first, table)[name] = value + 1
+    plain.facts = second.facts
+    assert hold_alike(method, second, plain, COUNT)
+    assert second.facts.values[0][-1] != 0
+
+
+def test_threads():
+    """Two at once, on one method, give what one gives."""
+    method = plan(library.load("ex3-7"))
+    courses = [[value + shift for value in around(method, 3 * CHUNK)] for shift in (0.0, 0.1)]
+    alone = [replay_all(method, course).acceleration["e'"] for course in courses]
+    wrong: list[int] = []
+
+    def work(k: int) -> None:
+        for _ in range(20):
+            if not np.array_equal(replay_all(method, courses[k]).acceleration["e'"], alone[k], equal_nan=True):
+                wrong.append(k)
+
+    threads = [threading.Thread(target=work, args=(k,)) for k in (0, 1)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong
+
+
+def test_methods_and_plots_travel():
+    method = plan(library.load("ex3-7"))
+    values = around(method)
+    plot = replay_all(method, values)
+    again, there = pickle.loads(pickle.dumps((method, plot)))
+    assert again == method
+    assert np.array_equal(replay_all(again, values).alpha["3"], plot.alpha["3"], equal_nan=True)
+    assert np.array_equal(there.alpha["3"], plot.alpha["3"], equal_nan=True)
+    assert there.position.keys() == plot.position.keys()
+
+
+def test_plots_are_replaced_and_added_to_as_any_plot():
+    method = plan(library.load("ex3-7"))
+    plot = replay_all(method, around(method))
+    other = replace(plot, alpha={})
+    assert other.alpha == {}
+    assert np.array_equal(other.omega["3"], plot.omega["3"], equal_nan=True)
+    plot.sines["position", "another"] = 1.0
+    assert plot.sines.pop(("position", "another")) == 1.0
+    assert ("position", "another") not in plot.sines
+    with pytest.raises(AttributeError):
+        plot.momentum  # noqa: B018
+    with pytest.raises(KeyError):
+        plot.omega["another"]
+
+
+# --- the ledger -------------------------------------------------------------------------------
+
+
+def carried_out(ledger: Ledger, places: Sequence[int], *given: np.ndarray) -> list[np.ndarray]:
+    """What entries come to."""
+    calls = written_out(ledger, len(given), (), places)
+    block = np.empty((len(calls.rows), given[0].size))
+    calls.run(given, block, [np.empty(given[0].size) for _ in range(calls.registers)])
+    return [block[calls.rows[place]] for place in places]
+
+
+def test_cosine_and_sine_by_one_tangent():
+    """To 4e-16, near and at multiples of a quarter turn and far out as well."""
+    near = np.add.outer(np.arange(-40, 41) * np.pi / 2, np.linspace(-1e-8, 1e-8, 11)).ravel()
+    angle = np.concatenate([near, np.linspace(-1000, 1000, 100_003), [0.0, 1e-300, 12345678.9]])
+    ledger = Ledger()
+    cos, sin = carried_out(ledger, ledger.turned(ledger.given(0)), angle)
+    assert np.max(np.abs(cos - np.cos(angle))) <= 4e-16
+    assert np.max(np.abs(sin - np.sin(angle))) <= 4e-16
+
+
+X, Y, SIDE = 0, 1, 2
+ALGEBRA: list[tuple[str, Callable[..., int], Callable[..., int]]] = [
+    ("x + 0", lambda do, x, y, s: do.add(x, do.number(0)), lambda do, x, y, s: x),
+    ("x - x", lambda do, x, y, s: do.subtract(x, x), lambda do, x, y, s: do.number(0)),
+    ("x - (-y)", lambda do, x, y, s: do.subtract(x, do.negative(y)), lambda do, x, y, s: do.add(y, x)),
+    ("-x + y", lambda do, x, y, s: do.add(do.negative(x), y), lambda do, x, y, s: do.subtract(y, x)),
+    ("y - x", lambda do, x, y, s: do.subtract(y, x), lambda do, x, y, s: do.negative(do.subtract(x, y))),
+    ("x + y - x", lambda do, x, y, s: do.subtract(do.add(x, y), x), lambda do, x, y, s: y),
+    ("x - (y + x)", lambda do, x, y, s: do.subtract(x, do.add(y, x)), lambda do, x, y, s: do.negative(y)),
+    ("2 (3 x)", lambda do, x, y, s: do.multiply(do.number(2), do.multiply(x, do.number(3))),
+     lambda do, x, y, s: do.multiply(do.number(6), x)),
+    ("-x y", lambda do, x, y, s: do.multiply(do.negative(x), y), lambda do, x, y, s: do.negative(do.multiply(x, y))),
+    ("y x / y", lambda do, x, y, s: do.divide(do.multiply(x, y), y), lambda do, x, y, s: x),
+    ("sqrt x squared", lambda do, x, y, s: do.multiply(do.sqrt(x), do.sqrt(x)), lambda do, x, y, s: x),
+    ("side side", lambda do, x, y, s: do.multiply(s, s), lambda do, x, y, s: do.number(1)),
+    ("side (side x)", lambda do, x, y, s: do.multiply(s, do.multiply(x, s)), lambda do, x, y, s: x),
+    ("1 / (side x)", lambda do, x, y, s: do.reciprocal(do.multiply(x, s)),
+     lambda do, x, y, s: do.multiply(s, do.reciprocal(x))),
+    ("|side x|", lambda do, x, y, s: do.absolute(do.multiply(s, x)), lambda do, x, y, s: do.absolute(x)),
+    ("|side x|^2", lambda do, x, y, s: do.length(do.multiply(s, x), do.number(0)), lambda do, x, y, s: do.absolute(x)),
+    ("cos of a measured angle", lambda do, x, y, s: do.turned(do.angle(x, y))[0],
+     lambda do, x, y, s: do.divide(x, do.length(x, y))),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("found", "meant"), [row[1:] for row in ALGEBRA], ids=[row[0] for row in ALGEBRA])
+def test_algebra(found: Callable[..., int], meant: Callable[..., int]):
+    """What is one and the same is entered once, and it is the same for numbers, too."""
+    ledger = Ledger()
+    given = ledger.given(X), ledger.given(Y), ledger.side(SIDE)
+    assert found(ledger, *given) == meant(ledger, *given)
+
+
+def test_a_known_length_is_not_measured():
+    ledger = Ledger()
+    x, y, radius = ledger.given(X), ledger.given(Y), ledger.number(3.0)
+    ledger.know_length(x, y, radius)
+    assert ledger.length(ledger.negative(y), x) == radius
+    assert ledger.number_at(ledger.add(ledger.multiply(x, x), ledger.multiply(y, y))) == 9.0
+
+
+@pytest.mark.parametrize(
+    "do",
+    [
+        lambda value: value < 1, bool, np.asarray, lambda value: np.where(value, 1, 2), lambda value: value**3,
+        lambda value: np.exp(value), lambda value: value + np.zeros(3), lambda value: np.sqrt(1j * value),
+    ],
+)  # fmt: skip
+def test_what_a_ledger_has_no_word_for(do: Callable[[Any], Any]):
+    from graphkin.steps.recorder import Written
+
+    ledger = Ledger()
+    with pytest.raises(CannotRecord):
+        do(Written(ledger, ledger.given(0)))
+
+
+def test_numbers_that_fail_are_refused():
+    ledger = Ledger()
+    for do in (lambda: ledger.reciprocal(ledger.number(0)), lambda: ledger.sqrt(ledger.number(-1))):
+        with pytest.raises(CannotRecord):
+            do()
+
+
+def test_a_program_is_made_once():
+    method = plan(library.load("ex3-1"))
+    assert made(method) is made(method)
+    assert program(method.constructions, method.facts()) is not made(method)
