@@ -108,8 +108,11 @@ def test_no_scanned_value_lies_beyond_the_extremes(kind: str, seed: int) -> None
                 best = np.nanmax(beside) if position.kind == "max" else np.nanmin(beside)
                 assert beside[1] == pytest.approx(position.values[0], rel=1e-7, abs=margin)
                 assert best == pytest.approx(beside[1], rel=1e-9, abs=margin)
-            elif position.kind == "pole":
+            elif position.kind == "pole" and t[0] < position.t < t[-1]:
                 assert np.nanmax(np.abs(beside)) > np.percentile(np.abs(there), 90), over.names[number]
+            elif position.kind == "pole":
+                toward = np.abs(there if position.t >= t[-1] else there[::-1])
+                assert toward[-1] > toward[-6], over.names[number]
 
 
 @pytest.mark.parametrize("seed", SEEDS)
