@@ -1,0 +1,162 @@
+"""Instant centres against the velocities of the analysis, Kennedy's theorem, and what follows from centres alone."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+import random_mechanisms
+from random_mechanisms import DYADS, dyad
+
+from graphkin import library
+from graphkin.analytic import Motion, motion
+from graphkin.api import plan
+from graphkin.centres import ByCentres, Centres, centre_of, centres
+from graphkin.errors import GraphkinError
+from graphkin.mechanism import FRAME, Mechanism
+from graphkin.methods import replay_all
+from graphkin.readings import answer
+from graphkin.steps.centring import Kennedy, Pole
+from graphkin.sweeps import sweep
+
+KINDS = (
+    *DYADS, "cylinder", "relative_angle", "coupler_angle", "chain", "triad", "six_bar", "geared_five_bar", "epicyclic",
+    "rolling", "cam",
+)  # fmt: skip
+
+
+def found(mechanism: Mechanism) -> Centres:
+    method = plan(mechanism)
+    return centres(method, replay_all(method))
+
+
+def moves(exact: Motion, link: str, place: complex) -> tuple[complex, float]:
+    """Velocity of the place of a link, and its rotation, by the analysis."""
+    if link == FRAME:
+        return 0j, 0.0
+    point, omega = next(iter(exact.mechanism.links[link].points)), float(exact.omega[link])
+    return complex(exact.velocity[point]) + 1j * omega * (place - complex(exact.position[point])), omega
+
+
+def hold(here: Centres, exact: Motion) -> int:
+    """Every centre is where the two links have one velocity; at infinity, across their relative velocity."""
+    mechanism = exact.mechanism
+    origin = complex(exact.position[mechanism.points[0]])
+    size = max(abs(complex(p) - origin) for p in exact.position.values())
+    fastest = max(abs(float(w)) for w in exact.omega.values()) or 1.0
+    speed = max(abs(complex(v)) for v in exact.velocity.values()) or 1.0
+    for first, second in here.centring.links.values():
+        (v, omega), (other, turn) = moves(exact, first, origin), moves(exact, second, origin)
+        gap, turning = v - other, omega - turn
+        if abs(turning) < 1e-10 * max(fastest, speed / size):
+            if abs(gap) < 1e-10 * speed:
+                continue  # at rest against each other just now: any place will do, and the lines give that of the limit
+            assert np.isinf(here.place(first, second))
+            assert abs(np.sin(np.angle(1j * gap) - here.direction(first, second))) < 1e-9
+        else:
+            right = origin + 1j * gap / turning
+            far = max(size, abs(right - origin) ** 2 / size)
+            assert abs(here.place(first, second) - right) < 1e-9 * far, (first, second)
+    for first, second in here.centring.together:
+        (v, omega), (other, turn) = moves(exact, first, origin), moves(exact, second, origin)
+        assert abs(v - other) < 1e-9 * speed
+        assert abs(omega - turn) < 1e-9 * max(fastest, speed / size)
+    return len(here.centring.links)
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_centres_of_the_library(name: str):
+    mechanism = library.load(name)
+    count = len(mechanism.links)
+    here = found(mechanism)
+    assert hold(here, motion(mechanism)) + len(here.centring.together) == count * (count - 1) // 2
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_centres_of_random_mechanisms(kind: str):
+    tried = 0
+    for seed in range(40):
+        mechanism = getattr(random_mechanisms, kind)(seed) if hasattr(random_mechanisms, kind) else dyad(kind, seed)
+        try:
+            here = found(mechanism)
+        except GraphkinError:
+            continue
+        tried += 1
+        hold(here, motion(mechanism))
+    assert tried > 20
+
+
+@pytest.mark.parametrize("name", ["fig3-4", "ex3-7", "ex3-2", "ex3-3", "p3-8", "p3-14", "p3-15", "p3-22", "s4-ex5"])
+def test_three_centres_of_three_links_lie_on_a_line(name: str):
+    here = found(library.load(name))
+    for three in combinations(here.method.mechanism.links, 3):
+        names = [here.name(*two) for two in combinations(three, 2)]
+        if all(one in here.plot.centres for one in names):
+            matrix = np.array([here.plot.centres[one] / np.linalg.norm(here.plot.centres[one]) for one in names])
+            assert abs(np.linalg.det(matrix)) < 1e-10, names
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_each_centre_is_found_from_centres_found_before(name: str):
+    known: set[str] = set()
+    for step in found(library.load(name)).centring.steps:
+        if isinstance(step, Kennedy):
+            for line in (step.first, step.second):
+                assert {getattr(line, "first", None), getattr(line, "second", None)} - {None} <= known
+        known.add(step.centre)
+
+
+def test_one_freedom_needs_no_velocities():
+    """Class III mechanisms of the source, too, are found by Kennedy's lines alone."""
+    for name in ("ex3-2", "p3-15", "p3-17", "s3-sieve", "ex3-7", "p3-20"):
+        assert not any(isinstance(step, Pole) for step in found(library.load(name)).centring.steps)
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_velocities_from_centres_alone(name: str):
+    mechanism = library.load(name)
+    by, exact = ByCentres(found(mechanism)), motion(mechanism)
+    fastest = max(abs(float(exact.omega[link])) for link in mechanism.moving)
+    speed = max(abs(complex(v)) for v in exact.velocity.values()) or 1.0
+    for link in mechanism.moving:
+        assert float(by.omega[link]) == pytest.approx(float(exact.omega[link]), rel=1e-9, abs=1e-9 * fastest)
+    for point in mechanism.points:
+        assert abs(by.velocity_at(point, mechanism.owners[point][-1]) - exact.velocity[point]) < 1e-9 * speed
+
+
+ANSWERS = [
+    ("fig3-4", "omega 4", 4.281881), ("fig3-4", "v E", 0.27782), ("p3-12", "omega 1 / omega 3", 0.534962),
+    ("p3-13", "v C", 0.40098), ("p3-14", "v F / v A", 3.0), ("p3-15", "v C", 1.22039), ("s3-1-17", "v C", 0.91562),
+    ("s3-1-18a", "omega 2", -2.0), ("s3-1-18b", "omega 2", 1.428571), ("s3-cam", "v B", 0.09616),
+    ("fig3-5", "v K", 0.16576), ("ex3-2", "v C", 0.35460), ("s4-ex8", "v D", 0.5),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "question", "value"), ANSWERS)
+def test_exercises_from_centres_alone(name: str, question: str, value: float):
+    mechanism = library.load(name)
+    told = answer(mechanism, ByCentres(found(mechanism)), question)
+    assert told is not None
+    assert float(told.value) == pytest.approx(value, rel=1e-6, abs=6e-6)
+
+
+def test_names_of_centres():
+    mechanism = library.load("p3-14")
+    assert centre_of(mechanism, "P31") == ("3", "1")
+    assert centre_of(mechanism, "P37") == ("3", FRAME)
+    assert centre_of(mechanism, "P3,7") == ("3", FRAME)
+    for text in ("P", "P3", "P33", "P39", "Q13", "omega 3", "P134"):
+        assert centre_of(mechanism, text) is None
+
+
+@pytest.mark.parametrize("name", ["fig3-4", "fig3-10", "ex3-7", "p3-15", "p3-12", "p3-8"])
+def test_centres_over_a_sweep_by_both_roads(name: str):
+    """Also where the two lines that were chosen at the drawn position come to coincide."""
+    method = plan(library.load(name))
+    names = [f"P{a},{b}" for a, b in combinations(map(method.mechanism.called, method.mechanism.links), 2)]
+    one, other = (sweep(method, of=names, by=by) for by in ("construction", "analysis"))
+    size = method.size
+    for first, second in zip(one.series, other.series, strict=True):
+        near = np.isfinite(second.vectors) & (np.abs(second.vectors) < 20 * size)
+        assert np.allclose(first.vectors[near], second.vectors[near], rtol=0, atol=1e-7 * size), first.name
