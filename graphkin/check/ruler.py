@@ -7,8 +7,10 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import Literal
 
-from graphkin.analytic import motion
+from graphkin.analytic import Motion, motion
+from graphkin.check.centre_measure import CENTRES, parted, seen_arrows, seen_centres, ways_to_move
 from graphkin.check.drawing import UNITS, DrawingFile, Fault, mechanism_of, numbers, plane_of, read, scales_of
 from graphkin.check.widened import Widened, widened
 from graphkin.errors import BadDrawing, Where
@@ -30,7 +32,7 @@ class Measured:
     unit_per_mm   scale of its plane, in `unit` per mm
     """
 
-    plane: Plane
+    plane: Plane | Literal["centres"]
     name: str
     kind: str
     drawn: complex
@@ -71,10 +73,13 @@ def measure(path: str | Path, tolerance_mm: float = 0.01) -> Report:
     drawing = read(Path(path))
     mechanism = mechanism_of(drawing)
     solved = motion(mechanism, numbers(drawing, "drivers", len(mechanism.drivers)))
-    exact = widened(mechanism, solved, drawing)
+    planes, centres = parted(drawing)
+    exact = widened(mechanism, solved, planes)
     scales = scales_of(drawing)
-    entries = [*_vectors(drawing, mechanism, exact, scales), *_points(drawing, mechanism, exact, scales)]
-    faults = (*drawing.faults, *_changed(drawing, scales), *_loose_ends(drawing, tolerance_mm))
+    entries = [*_vectors(planes, mechanism, exact, scales), *_points(planes, mechanism, exact, scales)]
+    if centres.points or centres.vectors:
+        entries += _centres(planes, centres, mechanism, solved, scales)
+    faults = (*drawing.faults, *_changed(drawing, scales), *_loose_ends(planes, tolerance_mm))
     return Report(drawing.file, tuple(entries), faults)
 
 
@@ -136,6 +141,26 @@ def _exact_point(mechanism: Mechanism, exact: Widened, plane: Plane, of: str) ->
         return complex(exact.position[site.point])
     at = exact.velocity_at if plane == "velocity" else exact.acceleration_at
     return complex(at(site.point, site.link))
+
+
+def _centres(
+    planes: DrawingFile, centres: DrawingFile, mechanism: Mechanism, solved: Motion, scales: Mapping[Plane, float]
+) -> Iterator[Measured]:
+    """Marks of instant centres with the mechanism's points, and arrows towards centres that have no mark."""
+    if "position" not in scales:
+        raise BadDrawing(Where(centres.file), "value", "scales.length")
+    scale, exact = scales["position"], ways_to_move(mechanism, solved)
+    marks = list(seen_centres(centres, mechanism, exact, scale))
+    pairs = [(mark.drawn, mark.exact) for mark in marks]
+    for attributes, place in planes.points:
+        of = attributes.get("data-of", "")
+        if attributes.get("data-plane") == "position" and of in solved.position:
+            pairs.append((place, complex(solved.position[of]) / scale))
+    origin = _origin(pairs)
+    for mark in marks:
+        yield Measured(CENTRES, mark.name, mark.kind, mark.drawn - origin, mark.exact, scale, "m")
+    for arrow in seen_arrows(centres, mechanism, exact, scale, origin):
+        yield Measured(CENTRES, arrow.name, arrow.kind, arrow.drawn, arrow.exact, scale, "m")
 
 
 def _origin(pairs: list[tuple[complex, complex]]) -> complex:

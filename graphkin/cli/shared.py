@@ -21,8 +21,9 @@ if TYPE_CHECKING:
     from graphkin.methods import Method
 
 __all__ = [
-    "PAPERS", "angle_option", "at_option", "by_option", "coincident_option", "drawn", "force_option", "json_line",
-    "lang_option", "mechanism_argument", "method_option", "ranges_option", "read", "said", "speaking", "user_language",
+    "PAPERS", "angle_option", "at_option", "at_values", "by_option", "coincident_option", "drawn", "force_option",
+    "json_line", "lang_option", "mechanism_argument", "method_option", "ranges_option", "read", "said", "speaking",
+    "user_language",
 ]  # fmt: skip
 
 PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape")

@@ -76,7 +76,7 @@ class _Search:
     steps: list[CentreStep] = field(default_factory=list)
     links: dict[str, tuple[str, str]] = field(default_factory=dict)
     known: dict[Pair, str] = field(default_factory=dict)
-    normals: dict[Pair, Ray] = field(default_factory=dict)
+    normals: dict[Pair, list[Ray]] = field(default_factory=dict)
 
     @property
     def mechanism(self) -> Mechanism:
@@ -94,7 +94,8 @@ class _Search:
         for pair, step in self._by_definition():
             if pair not in self.known:
                 self.take(pair, step)
-        self.normals = dict(_normals(self.mechanism))
+        for pair, normal in _normals(self.mechanism):
+            self.normals.setdefault(pair, []).append(normal)
         left: list[tuple[str, str]] = []
         while any(pair not in left for pair in self.missing):
             if not any(self._round(clear) for clear in (WELL_APART, CLEAR)) and not self._pole(left):
@@ -151,8 +152,7 @@ class _Search:
 
     def _lines(self, pair: Pair) -> Iterator[Join | Ray]:
         """Every line on which a centre lies."""
-        if pair in self.normals:
-            yield self.normals[pair]
+        yield from self.normals.get(pair, ())
         first, second = sorted(pair, key=lambda link: _by_number(self.mechanism.called(link)))
         for third in self.names:
             one, other = self.known.get(frozenset((first, third))), self.known.get(frozenset((third, second)))

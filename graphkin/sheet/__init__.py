@@ -3,7 +3,7 @@
 `sheet(method, plot)` turns the points of a replay into marks (`marks`): the mechanism with its signs
 (`mechanism_figure`, `symbols`), the polygons (`polygons`), tables and title, each figure in a room of the
 smallest paper that holds all (`layout`), and labels where nothing else lies (`labels`). What file it goes
-into is `graphkin.outputs`' business.
+into is `graphkin.outputs`' business. `centre_sheet` is the sheet of instant centres, made of the `centre_*` modules.
 """
 
 from __future__ import annotations

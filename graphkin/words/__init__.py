@@ -8,7 +8,8 @@ Every figure is taken from the plot, that is from the drawing; nothing here solv
 Module order: `figures`, `names`, `phrases` (all sentences, both languages side by side), `entries`, `layout`,
 `reading` (the mechanism's side), `plane` (a polygon's side), then one reader a subject: `given`, `position`,
 `sizes`, `equations`, `rotation`, `polygons`. A new step kind fails the type check in each reader of steps
-until it has its words; a new size, in `sizes`; a new direction, in `plane`.
+until it has its words; a new size, in `sizes`; a new direction, in `plane`. `centre_explained` words the instant
+centres, from `centre_phrases`, `centre_steps` (how each is found), `centre_levers`, `centre_drivers`, `centre_uses`.
 """
 
 from __future__ import annotations

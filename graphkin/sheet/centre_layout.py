@@ -1,0 +1,179 @@
+"""Which paper, at which scale, and where the figure, the circle diagram and the table stand on it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+
+from graphkin.centres import Centres
+from graphkin.errors import Lang
+from graphkin.sheet.centre_circle import circle_size
+from graphkin.sheet.centre_figure import mechanism_places, plain_mechanism
+from graphkin.sheet.centre_places import spots
+from graphkin.sheet.centre_table import CentreTable, centre_table
+from graphkin.sheet.labels import Room
+from graphkin.sheet.layout import HEAD, papers_for
+from graphkin.sheet.marks import Place
+from graphkin.sheet.obstacles import bounds
+from graphkin.sheet.paper import Paper
+from graphkin.sheet.scales import finest
+from graphkin.sheet.titleblock import strip_heights
+from graphkin.sheet.window import Window
+from graphkin.value import frozen
+
+__all__ = ["CentreLayout", "Measures", "layouts"]
+
+_TRIAL = 80.0
+"""Size of the mechanism when it is drawn to see how far its signs reach [mm]."""
+_LETTERS = 7.0
+"""What labels and arrows need around the figure [mm]."""
+_LARGE_ENOUGH = 50.0
+"""The mechanism is to be so large, where its centres do not want otherwise [mm]."""
+_NEAR = (2.0, 1.3, 0.9, 0.6, 0.3, 0.0)
+"""Centres so many times the mechanism's size away are looked for room for."""
+_FIT = 20.0
+"""The same, where all centres are to be on the sheet."""
+_TITLE, _BAR = 70.0, 10.0
+"""Width of the title block; height of the check bar under the table [mm]."""
+
+
+@frozen
+class Measures:
+    """What does not depend on the paper: places, and how far signs reach beyond them."""
+
+    found: Centres
+
+    @cached_property
+    def places(self) -> list[complex]:
+        return mechanism_places(self.found)
+
+    @cached_property
+    def corners(self) -> tuple[complex, complex]:
+        return _corners(self.places)
+
+    @property
+    def size(self) -> complex:
+        low, high = self.corners
+        return high - low
+
+    @property
+    def extent(self) -> float:
+        """The mechanism's larger side [m]."""
+        return max(self.size.real, self.size.imag) or 1.0
+
+    @cached_property
+    def finite(self) -> list[complex]:
+        """Centres that are not at infinity, the nearest first [m]."""
+        places = [spot.place for spot in spots(self.found) if spot.place is not None]
+        return sorted(places, key=lambda place: (self.off(place), place.real, place.imag))
+
+    def off(self, place: complex) -> float:
+        """How far outside the mechanism a place lies, in its larger sides."""
+        low, high = self.corners
+        x = max(low.real - place.real, place.real - high.real, 0.0)
+        y = max(low.imag - place.imag, place.imag - high.imag, 0.0)
+        return max(x, y) / self.extent
+
+    @cached_property
+    def reach(self) -> tuple[float, float, float, float]:
+        """What signs and letters take beyond the points: left, top, right, bottom [mm]."""
+        low, high = self.corners
+        trial = finest(self.size, complex(_TRIAL, _TRIAL))
+        left, top, right, bottom = bounds(plain_mechanism(self.found, Window(0j, trial)).marks)
+        return (
+            max(0.0, low.real / trial - left) + _LETTERS, max(0.0, -high.imag / trial - top) + _LETTERS,
+            max(0.0, right - high.real / trial) + _LETTERS, max(0.0, bottom + low.imag / trial) + _LETTERS,
+        )  # fmt: skip
+
+    def box(self, near: float) -> tuple[complex, complex]:
+        """What holds the mechanism and the centres near it."""
+        return _corners([*self.places, *(place for place in self.finite if self.off(place) <= near)])
+
+
+def _corners(places: Sequence[complex]) -> tuple[complex, complex]:
+    """Lower left and upper right of what holds all these places."""
+    xs, ys = [z.real for z in places] or [0.0], [z.imag for z in places] or [0.0]
+    return complex(min(xs), min(ys)), complex(max(xs), max(ys))
+
+
+@frozen
+class CentreLayout:
+    """A paper divided, the figure's scale [m/mm] and its origin on paper; how many centres lie in its room."""
+
+    paper: Paper
+    field: Room
+    circle: Room
+    strip: Room
+    table: CentreTable
+    scale: float
+    origin: Place
+    shown: int
+    large: float
+
+    @property
+    def worth(self) -> float:
+        """Centres on the sheet count, and that the mechanism is not small; larger paper only where it helps."""
+        small = max(0.0, _LARGE_ENOUGH - self.large)
+        area = self.paper.width * self.paper.height
+        return 16 * self.shown + min(self.large, 100) / 8 - 3 * small - 10 * (area > 80_000) - 40 * self.table.lost
+
+
+def layouts(found: Centres, paper: str | None, lang: Lang, fit: bool) -> list[CentreLayout]:
+    """Every way to lay the sheet out, the best first."""
+    measures = Measures(found)
+    every = [way for one in papers_for(paper) for way in _on(measures, one, lang, fit)]
+    return sorted(every, key=lambda way: -way.worth)
+
+
+def _on(measures: Measures, paper: Paper, lang: Lang, fit: bool) -> Iterator[CentreLayout]:
+    """On one paper, with more or less room for centres outside the mechanism."""
+    field, circle, strip, table = _divided(measures.found, paper, lang)
+    left, top, right, bottom = measures.reach
+    room = complex(field.right - field.left - left - right, field.bottom - field.top - HEAD - top - bottom)
+    if min(room.real, room.imag) < 15:
+        return
+    scales = set()
+    for near in (_FIT,) if fit else _NEAR:
+        low, high = measures.box(near)
+        scales.add(_scale(measures, high - low, room, fit))
+    for scale in sorted(scales):
+        low, high, shown = _held(measures, room * scale)
+        x = (field.left + field.right + left - right - (high - low).real / scale) / 2
+        y = (field.top + HEAD + field.bottom + top - bottom + (high - low).imag / scale) / 2
+        origin = complex(x, y) - low.conjugate() / scale
+        large = measures.extent / scale
+        yield CentreLayout(paper, field, circle, strip, table, scale, origin, shown, large)
+
+
+def _scale(measures: Measures, size: complex, room: complex, fit: bool) -> float:
+    """The finest at which all fits; the file's own, where the mechanism (to fit: all of it) fits at that."""
+    chosen, given = finest(size, room), measures.found.method.mechanism.scales.get("length")
+    if given is None or given < finest(size if fit else measures.size, room):
+        return chosen
+    return given
+
+
+def _held(measures: Measures, room: complex) -> tuple[complex, complex, int]:
+    """The mechanism and as many centres as a room holds [m], the nearest first; how many they are."""
+    held, shown = list(measures.places), 0
+    for place in measures.finite:
+        low, high = _corners([*held, place])
+        size = high - low
+        if size.real <= room.real * (1 + 1e-9) and size.imag <= room.imag * (1 + 1e-9):
+            held.append(place)
+            shown += 1
+    return *_corners(held), shown
+
+
+def _divided(found: Centres, paper: Paper, lang: Lang) -> tuple[Room, Room, Room, CentreTable]:
+    """Strip at the foot; the circle diagram at the right, or under the figure on upright paper."""
+    left, top, right = paper.margin, paper.margin, paper.width - paper.margin
+    bottom = paper.height - paper.margin
+    table = centre_table(found, lang, right - left - _TITLE, 0.4 * paper.height)
+    high = max(strip_heights([])[paper.name], table.height + 1 + _BAR)
+    strip, size = Room(left, bottom - high, right, bottom), circle_size(found)
+    if paper.landscape:
+        edge = right - size.real
+        return Room(left, top, edge, strip.top), Room(edge, top, right, strip.top), strip, table
+    edge = strip.top - size.imag
+    return Room(left, top, right, edge), Room(left, edge, right, strip.top), strip, table

@@ -1,0 +1,177 @@
+"""Instant centres seen on paper: which lie on it, which beyond its edge, which at infinity, and on which lines.
+
+Source: Sun Huan, 机械原理, section 3-2.2.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator
+from functools import cached_property
+
+import numpy as np
+
+from graphkin.centres import Centres
+from graphkin.sheet.labels import Room
+from graphkin.sheet.lettering import Label, quantity_label
+from graphkin.sheet.marks import Place
+from graphkin.sheet.window import Window
+from graphkin.steps import Ray
+from graphkin.steps.centring import CentreStep, Join, Kennedy, direction_of, place_of
+from graphkin.value import frozen
+
+__all__ = ["Laid", "Line", "OnPaper", "Spot", "centre_label", "clipped", "spots"]
+
+SAME = 0.05
+"""Places closer than this are one on paper [mm]."""
+
+
+@frozen
+class Spot:
+    """A centre at one position: the step that finds it (the first is 1) and where it is.
+
+    place   [m]; None at infinity. direction  where a centre at infinity lies, a unit vector; 0 for others
+    """
+
+    name: str
+    number: int
+    step: CentreStep
+    place: complex | None
+    direction: complex = 0j
+
+
+def spots(found: Centres) -> list[Spot]:
+    """All centres in the order in which they are found."""
+    return [_spot(found, step, number) for number, step in enumerate(found.centring.steps, start=1)]
+
+
+def _spot(found: Centres, step: CentreStep, number: int) -> Spot:
+    place = complex(place_of(found.plot, step.centre))
+    if cmath.isfinite(place):
+        return Spot(step.centre, number, step, place)
+    return Spot(step.centre, number, step, None, cmath.rect(1, float(direction_of(found.plot, step.centre))))
+
+
+def centre_label(name: str) -> Label:
+    """`P13` with its numbers as a subscript."""
+    return quantity_label("P", name[1:])
+
+
+@frozen
+class Line:
+    """A line on paper: a place on it and its unit direction, and the places of centres on it."""
+
+    at: Place
+    way: complex
+    stops: tuple[Place, ...]
+
+    def along(self, place: Place) -> float:
+        """How far along the line a place lies [mm]."""
+        return ((place - self.at) * self.way.conjugate()).real
+
+    def point(self, t: float) -> Place:
+        return self.at + t * self.way
+
+
+@frozen
+class OnPaper:
+    """The centres through a window on the mechanism, in a room of the paper."""
+
+    found: Centres
+    window: Window
+    room: Room
+
+    @cached_property
+    def spots(self) -> list[Spot]:
+        return spots(self.found)
+
+    @cached_property
+    def by_name(self) -> dict[str, Spot]:
+        return {spot.name: spot for spot in self.spots}
+
+    def at(self, spot: Spot) -> Place:
+        """Where a centre that is not at infinity lies, on the paper or beyond it."""
+        assert spot.place is not None
+        return self.window(spot.place)
+
+    def shown(self, spot: Spot) -> bool:
+        """Whether a centre lies in the room."""
+        return spot.place is not None and inside(self.room, self.at(spot))
+
+    def lines(self, spot: Spot) -> Iterator[tuple[Join | Ray, Line]]:
+        """The lines that give a centre, but for the line at infinity."""
+        if isinstance(spot.step, Kennedy):
+            for line in (spot.step.first, spot.step.second):
+                if (seen := self._line(line, spot)) is not None:
+                    yield line, seen
+
+    def _line(self, line: Join | Ray, spot: Spot) -> Line | None:
+        own = () if spot.place is None else (self.at(spot),)
+        if isinstance(line, Ray):
+            start = self.window(complex(self.found.plot.position[line.through]))
+            way = self.window.turned(complex(self.found.plot.direction(line.direction)))
+            return Line(start, way / abs(way), (start, *self._contact(spot), *own))
+        ends = [self.by_name[line.first], self.by_name[line.second]]
+        places = [self.at(end) for end in ends if end.place is not None]
+        if not places:
+            return None
+        if len(places) == 2:
+            way = places[1] - places[0]
+        else:
+            way = self.window.turned(next(end.direction for end in ends if end.place is None))
+        near = min(places, key=lambda place: abs(place - middle(self.room)))
+        return Line(near, way / abs(way), (*places, *own))
+
+    def _contact(self, spot: Spot) -> Iterator[Place]:
+        """Where the two profiles touch that have this normal."""
+        position, machine = self.found.plot.position, self.found.method.mechanism
+        for cam in machine.cams:
+            if {*cam.links} == {*self.found.centring.links[spot.name]}:
+                straight = next((p.line for p in cam.profiles if p.line is not None), None)
+                (one, radius), *others = [(position[p.centre], p.radius) for p in cam.profiles if p.centre is not None]
+                if straight is not None:
+                    way = straight.direction * np.exp(1j * self.found.plot.theta.get(straight.link, 0.0))
+                    off = position[straight.origin] - one
+                    yield self.window(complex(one + off - way * np.real(off * np.conj(way))))
+                else:
+                    other, less = others[0]
+                    side = -1 if cam.internal and radius < less else 1
+                    yield self.window(complex(one + side * radius * (other - one) / np.abs(other - one)))
+
+
+# --- rooms ------------------------------------------------------------------------------------
+
+
+@frozen
+class Laid:
+    """A stretch of a line that is drawn, from start to end [mm along it]."""
+
+    line: Line
+    start: float
+    end: float
+
+    @property
+    def ends(self) -> tuple[Place, Place]:
+        return self.line.point(self.start), self.line.point(self.end)
+
+
+def inside(room: Room, place: Place) -> bool:
+    return room.left <= place.real <= room.right and room.top <= place.imag <= room.bottom
+
+
+def middle(room: Room) -> Place:
+    return complex(room.left + room.right, room.top + room.bottom) / 2
+
+
+def clipped(line: Line, room: Room) -> tuple[float, float] | None:
+    """From where to where a line runs in a room [mm along it]; None where it does not cross it."""
+    low, high = -np.inf, np.inf
+    sides = ((line.at.real, line.way.real, room.left, room.right), (line.at.imag, line.way.imag, room.top, room.bottom))
+    for at, way, least, most in sides:
+        if abs(way) < 1e-12:
+            if not least <= at <= most:
+                return None
+            continue
+        first, second = sorted(((least - at) / way, (most - at) / way))
+        low, high = max(low, first), min(high, second)
+    return (float(low), float(high)) if low < high else None

@@ -1,0 +1,179 @@
+"""Instant centres in words: every formula is worked out from the figures it prints, and the answers are right."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import numpy as np
+import pytest
+
+from graphkin import library, loading, motion
+from graphkin.analytic import Motion
+from graphkin.centres import Centres, centres
+from graphkin.mechanism import Mechanism
+from graphkin.methods import plan, replay_all
+from graphkin.readings import answer
+from graphkin.words import names
+from graphkin.words.centre_explained import centre_entries, explain_centres
+from graphkin.words.entries import Calculation, Sentence
+
+GEARED_MOTOR = """
+[frame]
+name = "0"
+A = [0, 0]
+D = [80, 0]
+
+[links.1]
+AB = 30
+
+[links."2'"]
+BC = 70
+
+[links.rocker]
+CD = 50
+
+[[driver]]
+vector = "BC"
+from = "BA"
+angle = -150
+omega = 4
+
+[sketch]
+B = [5, 29]
+C = [70, 48]
+"""
+"""Driven in the joint between two moving links."""
+PARALLEL = """
+[frame]
+name = "4"
+A = [0, 0]
+D = [60, 0]
+
+[links.1]
+AB = 30
+
+[links.2]
+BC = 60
+points = ["B", "C"]
+
+[links.3]
+DC = 30
+
+[[driver]]
+vector = "AB"
+angle = 75
+omega = "30 rpm"
+
+[sketch]
+B = [8, 29]
+C = [68, 29]
+"""
+"""A parallelogram: the coupler does not turn, its centre is at infinity."""
+STILL = PARALLEL.replace('omega = "30 rpm"', "omega = 0")
+WRITTEN = {"geared motor": GEARED_MOTOR, "parallel": PARALLEL}
+
+
+@cache
+def mechanism(name: str) -> Mechanism:
+    return loading.loads(WRITTEN[name], name=name) if name in WRITTEN else library.load(name)
+
+
+@cache
+def found(name: str) -> Centres:
+    method = plan(mechanism(name))
+    return centres(method, replay_all(method))
+
+
+@cache
+def exact(name: str) -> Motion:
+    return motion(mechanism(name))
+
+
+def calculations(name: str, scale: float | None = None) -> list[Calculation]:
+    return [entry for entry in centre_entries(found(name), "en", scale) if isinstance(entry, Calculation)]
+
+
+EVERY = [*library.names(), *WRITTEN]
+
+
+@pytest.mark.parametrize("scale", [None, 0.0005, 0.00123])
+@pytest.mark.parametrize("name", EVERY)
+def test_every_value_comes_from_the_figures_before_it(name: str, scale: float | None):
+    for entry in calculations(name, scale):
+        if entry.numbers:
+            assert re.fullmatch(r"[\d.×/() e−]+", entry.numbers)
+            value = eval(entry.numbers.replace("×", "*").replace("−", "-"))
+            assert entry.value == float(f"{value:.4g}")
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_rotations_are_right_in_size_and_sense(name: str):
+    told = {entry.name: entry for entry in calculations(name)}
+    fastest = max(abs(float(omega)) for omega in exact(name).omega.values())
+    for link in mechanism(name).moving:
+        entry, omega = told.get(names.of_link("ω", mechanism(name).called(link))), float(exact(name).omega[link])
+        if entry is not None:
+            assert entry.value == pytest.approx(abs(omega), rel=5e-3, abs=1e-9 * fastest + 1e-12)
+            if entry.value:
+                assert entry.note.startswith("counter-clockwise" if omega > 0 else "clockwise")
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_every_velocity_asked_for_is_answered(name: str):
+    told = {entry.name: entry for entry in calculations(name)}
+    given = " ".join(e.text for e in centre_entries(found(name), "en") if isinstance(e, Sentence) if "Given" in e.text)
+    for question in mechanism(name).ask:
+        right = answer(mechanism(name), exact(name), question)
+        quantity, _, of = question.partition(" ")
+        if "/" in question:
+            assert float(right.value) == pytest.approx(calculations(name)[-1].value, rel=5e-3)
+        elif quantity == "v":
+            entry = told[f"v_{names.point(of)}"]
+            assert entry.value == pytest.approx(float(right.value), rel=5e-3, abs=1e-9)
+            if entry.value:
+                angle = np.degrees(np.angle(complex(right.vector)))
+                off = (float(re.search(r"([\d.]+)°$", entry.note)[1]) - angle) % 360
+                assert min(off, 360 - off) < 0.3
+        elif quantity == "omega":
+            rate = names.of_link("ω", mechanism(name).called(of))
+            assert rate in told or f"{rate} = " in given
+
+
+@pytest.mark.parametrize("name", library.names())
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_every_centre_is_told_once_with_links_that_give_it(name: str, lang):
+    text = explain_centres(found(name), lang)
+    count = len(mechanism(name).links)
+    assert any(f"= {count * (count - 1) // 2}" in line for line in text)
+    for centre, links in found(name).centring.links.items():
+        own = names.point(centre)
+        lines = [line.strip() for line in text if re.match(rf"{re.escape(own)}(:|：| )", line.strip())]
+        assert len(lines) == 1
+        for group in re.findall(r"[(（，](?:links|构件) ([^()（）]+)[)）]", lines[0]):
+            three = re.split(r", |、", group)
+            assert len(three) == 3
+            assert {names.point(mechanism(name).called(link)) for link in links} <= set(three)
+
+
+def test_figure_3_4_as_the_book_does_it():
+    """omega_4 = omega_2 P12P24 / P14P24, v_E = omega_3 P13E mu_l."""
+    lines = explain_centres(found("fig3-4"), "en")
+    assert any(line.strip().startswith("ω4 = ω2 P12P24 / P14P24 = 10 × ") for line in lines)
+    assert any(line.strip().startswith("v_E = ω3 P13E μ_l = ") for line in lines)
+
+
+def test_translations_and_relative_drivers_are_told():
+    coupler = next(entry for entry in calculations("parallel") if entry.name == "v_2")
+    assert coupler.value == pytest.approx(0.03 * np.pi, rel=1e-3)
+    assert any("parallel" in line for line in explain_centres(found("parallel"), "en"))
+    first = calculations("geared motor")[0]
+    assert first.formulas == ("ω_2′,1 P01 P1,2′ / P0,2′ P01",)
+
+
+def test_nothing_is_said_of_speeds_where_no_driver_moves():
+    method = plan(loading.loads(STILL, name="still"))
+    still = centres(method, replay_all(method))
+    text = "\n".join(explain_centres(still, "en"))
+    assert "No driver moves" in text
+    assert len(still.centring.links) == 6
