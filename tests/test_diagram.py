@@ -15,8 +15,10 @@ import pytest
 
 import graphkin
 from graphkin import loading, sweeps
+from graphkin.centres import centre_of
 from graphkin.errors import Lang, NoFolder
-from graphkin.outputs import diagram, fonts
+from graphkin.outputs import diagram
+from graphkin.outputs.diagram import fonts
 from graphkin.outputs.diagram.curves import Curves, curves, span
 from graphkin.outputs.diagram.panels import division, label_of, panels, unit_of
 from graphkin.outputs.files import FileInTheWay
@@ -33,7 +35,8 @@ chinese = pytest.mark.skipif(fonts.chinese_font() is None, reason="no Chinese fo
 @cache
 def moved(name: str, ranges: tuple[str, ...] = (), of: str = "") -> tuple[Course, tuple[str, ...]]:
     method = graphkin.plan(graphkin.load(name))
-    return sweeps.course(method, ranges), sweeps.asked(method.mechanism, sweeps.split(of))
+    names = sweeps.asked(method.mechanism, sweeps.split(of))
+    return sweeps.course(method, ranges), tuple(n for n in names if centre_of(method.mechanism, n) is None)
 
 
 @cache

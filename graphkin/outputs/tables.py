@@ -114,7 +114,7 @@ def json_text(course: Course, found: Iterator[Sweep]) -> str:
             "low": None if course.full_turn else low,
             "high": None if course.full_turn else high,
             "stops": [_event(course, stop) for stop in course.stops],
-            "change_points": [_event(course, change) for change in course.way.changes],
+            "change_points": [_event(course, change) for change in course.changes],
             "not_reached": [float(value) for value in course.dropped],
         },
         "quantities": {

@@ -73,6 +73,13 @@ class Course:
         return tuple(sorted(self.way.stops, key=lambda stop: float(self.value(stop.at))))
 
     @property
+    def changes(self) -> tuple[Event, ...]:
+        """Change points among the positions, in the order of the swept driver's values."""
+        margin = 1e-9 * (self.way.high - self.way.low)
+        low, high = float(self.t.min()) - margin, float(self.t.max()) + margin
+        return tuple(sorted((c for c in self.way.changes if low <= c.at <= high), key=lambda change: change.at))
+
+    @property
     def full_turn(self) -> bool:
         """Whether the swept driver goes all round."""
         return self.angular and not self.way.stops

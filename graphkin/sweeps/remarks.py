@@ -24,6 +24,7 @@ WORDS: dict[str, dict[Lang, str]] = {
         "zh": "{driver} 的运动范围为 {low} 至 {high}。",
     },
     "stop": {"en": "It stops at {at}: {why}.", "zh": "在 {at} 处停止：{why}。"},
+    "dead": {"en": "dead point, {why}", "zh": "死点，{why}"},
     "open": {"en": "Looked at as far as {at}; it may go on.", "zh": "只考察到 {at}，其后可能仍可运动。"},
     "change": {
         "en": "Change point at {at}: {why}. The motion goes through it smoothly; a real mechanism needs a guide there.",
@@ -37,19 +38,22 @@ WORDS: dict[str, dict[Lang, str]] = {
         "en": "The other drivers move with it, in proportion to their speeds.",
         "zh": "其余原动件按各自速度的比例同时运动。",
     },
-    "in line": {"en": "links {links} lie in line there (dead point)", "zh": "构件 {links} 共线（死点）"},
+    "in line": {"en": "links {links} lie in line there", "zh": "构件 {links} 共线"},
     "right angle": {
-        "en": "links {links}: the link stands at right angles to the guide there (dead point)",
-        "zh": "构件 {links}：连杆垂直于导路（死点）",
+        "en": "links {links}: the link stands at right angles to the guide there",
+        "zh": "构件 {links}：连杆垂直于导路",
     },
     "tangent": {"en": "links {links}: the guide reaches no farther", "zh": "构件 {links}：导路已到极限位置"},
     "parallel": {"en": "links {links}: their lines become parallel there", "zh": "构件 {links} 的作图线趋于平行"},
     "fit": {
-        "en": "the group of links {links} cannot be moved farther (dead point)",
-        "zh": "构件 {links} 所成的杆组到达极限位置（死点）",
+        "en": "the group of links {links} cannot be moved farther",
+        "zh": "构件 {links} 所成的杆组到达极限位置",
     },
-    "greatest": {"en": "greatest {name} = {value} at {at}", "zh": "{name} 的最大值 = {value}，在 {at} 处"},
-    "least": {"en": "least {name} = {value} at {at}", "zh": "{name} 的最小值 = {value}，在 {at} 处"},
+    "greatest": {
+        "en": "greatest of the rows: {name} = {value} at {at}",
+        "zh": "表中最大值：{name} = {value}，在 {at} 处",
+    },
+    "least": {"en": "least of the rows: {name} = {value} at {at}", "zh": "表中最小值：{name} = {value}，在 {at} 处"},
 }  # fmt: skip
 
 EDGE = {"rad": ("°", 180 / math.pi), "m": (" mm", 1000.0), "1": ("", 1.0)}
@@ -84,9 +88,12 @@ def remarks(course: Course, lang: Lang) -> Iterator[str]:
         low, high = (shown(value, unit) for value in course.reach)
         yield WORDS["range"][lang].format(driver=course.driver.name, low=low, high=high)
         for stop in course.stops:
-            yield WORDS["stop"][lang].format(at=at(course, stop.at), why=told(stop, lang))
+            why = told(stop, lang)
+            if stop.kind not in ("tangent", "parallel"):
+                why = WORDS["dead"][lang].format(why=why)
+            yield WORDS["stop"][lang].format(at=at(course, stop.at), why=why)
         yield from _open_ends(course, lang)
-    for change in sorted(course.way.changes, key=lambda change: change.at):
+    for change in course.changes:
         yield WORDS["change"][lang].format(at=at(course, change.at), why=told(change, lang))
     if course.dropped.size:
         yield WORDS["dropped"][lang].format(count=course.dropped.size)

@@ -108,7 +108,5 @@ def event_line(found: Curves, event: Event, lang: Lang) -> str:
     why, stop, colon = told(event, lang), "." if lang == "en" else "。", ": " if lang == "en" else "："
     mark = event_mark(event, lang)
     mark = mark[0].upper() + mark[1:]
-    for word in (" (dead point)", "（死点）"):
-        why = why.removesuffix(word)
     return f"{mark}{' at ' if lang == 'en' else ' '}{place_of(found, event.at)}{colon}{writable(why)}{stop}"
 
