@@ -129,7 +129,7 @@ def test_a_parallelogram_stays_one():
 def test_change_points_are_gone_through_smoothly(lengths: tuple[float, ...], sketch: list[float], changes: int, by: str):
     """Speeds are the slopes of angles everywhere, also at the change point itself."""
     way = course(plan(four_bar(*lengths, sketch)), ["0:360:1"])
-    assert len(way.way.changes) == changes
+    assert len(way.way.changes) == changes  # a turn to either side
     step = 1e-3
     t = np.concatenate([[way.at(v) + k * step for k in (-2, -1, 0, 1, 2)] for v in np.radians([0.0, 90, 180, 180.3, 270])])
     found = at(way, ["theta 2", "theta 3", "omega 2", "omega 3"], t, by)
