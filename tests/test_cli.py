@@ -281,3 +281,45 @@ def test_centres_as_json_lines():
     assert "broken.toml" in second["error"]
     assert third["centres"]["P14"]["by"] == "slide"
     assert "direction" in third["centres"]["P13"]
+
+
+def test_centres_are_drawn_and_measured():
+    assert run("centres", "fig3-4", "-o", "c.svg").exit_code == 0
+    assert run("check", "c.svg").exit_code == 0
+    Path("c.svg").write_text(Path("c.svg").read_text("utf-8").replace('data-name="P13" data-of="P13"', 'data-name="P24" data-of="P24"'))
+    assert run("check", "c.svg").exit_code == 1
+    assert run("centres", "ex3-7", "--steps", "steps").exit_code == 0
+    assert len(list(Path("steps").glob("*.svg"))) == 15
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["fig3-4", "--about", "3"], ["fig3-4", "--about", "3", "--bobillier", "E"], ["fig3-6", "--centrodes", "3,1"],
+        ["fig3-6", "--centrodes", "3,1", "--animate"], ["fig3-10", "--path", "P13"], ["p3-11b", "--fit"],
+    ],
+)  # fmt: skip
+def test_what_lies_around_a_centre_is_drawn_and_told(words: list[str]):
+    for lang in ("en", "zh"):
+        done = run("centres", *words, "-o", "out.svg", "--force", "--lang", lang)
+        assert done.exit_code == 0, done.stderr
+        assert Path("out.svg").read_text("utf-8").startswith("<?xml")
+        assert run("centres", *[word for word in words if word not in ("--animate", "--fit")], "--lang", lang).stdout
+
+
+def test_a_pole_of_two_velocities():
+    assert "(71.43, -142.9) mm" in run("centres", "--velocities", "A 0,0 1,0.5; B 100,0 1,-0.2").stdout
+    assert "omega = 0" in run("centres", "--velocities", "A 0,0 1,0; B 0,100 1,0").stdout
+    for wrong in ("A 0,0 1,0; B 100,0 2,0", "A 0,0 1,0", "A 0,0 1,0; B 0,0 1,0", "nonsense"):
+        refused = run("centres", "--velocities", wrong)
+        assert refused.exit_code == 3
+        assert refused.stderr.startswith("--velocities")
+
+
+@pytest.mark.parametrize(
+    "words", [["--about", "9"], ["--about", "1"], ["--about", "3", "--bobillier", "Z"], ["--centrodes", "3,9"], ["--path", "P39"]]
+)
+def test_centres_that_are_not_there(words: list[str]):
+    refused = run("centres", "fig3-4", *words)
+    assert refused.exit_code == 3, refused.stdout
+    assert len(refused.stderr.strip().splitlines()) == 1

@@ -1,6 +1,7 @@
 """Instant centres: where they are, how they are found, what they tell."""
 
-from graphkin.centres.found import Centres, centre_of, centres, over
+from graphkin.centres.centrode_places import over
+from graphkin.centres.found import Centres, centre_of, centres
 from graphkin.centres.telling import as_json, place, rows, told
 from graphkin.centres.uses import ByCentres
 

@@ -10,12 +10,11 @@ from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
 from graphkin.methods.centres import centre_name, with_centres
-from graphkin.methods.way import Way, along
-from graphkin.steps import Plot, replay
-from graphkin.steps.centring import Centring, direction_of, find_centres, place_of
+from graphkin.steps import Plot
+from graphkin.steps.centring import Centring, direction_of, place_of
 from graphkin.value import frozen
 
-__all__ = ["Centres", "centre_of", "centres", "over"]
+__all__ = ["Centres", "centre_of", "centres"]
 
 
 @frozen
@@ -60,12 +59,6 @@ class Centres:
 def centres(method: Method, plot: Plot) -> Centres:
     """The instant centres at the position of a plot in which all three planes are drawn."""
     return Centres(method, *with_centres(method, plot))
-
-
-def over(found: Centres, way: Way, t: np.ndarray) -> Centres:
-    """The same centres at other positions t (n,) on a way, by the same steps."""
-    plot = replay(found.method.velocity, along(found.method, way, t))
-    return Centres(found.method, found.centring, find_centres(found.centring, plot))
 
 
 def centre_of(mechanism: Mechanism, text: str) -> tuple[str, str] | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -16,18 +17,36 @@ from graphkin.cli.shared import (
     force_option,
     json_line,
     lang_option,
+    ranges_option,
     read,
     said,
-)  # fmt: skip
-from graphkin.errors import GraphkinError, Lang
+)
+from graphkin.errors import GraphkinError, Lang, UnknownPoint, Where
+from graphkin.value import frozen
+
+if TYPE_CHECKING:
+    from graphkin.centres import Centres
+    from graphkin.centres.centrodes import Centrodes
+    from graphkin.sheet import Sheet
 
 __all__ = ["centres"]
 
 
 @click.command()
-@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1, required=True)
+@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1)
 @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="SVG to write; - for stdout.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
+@click.option("--about", "link", default="", metavar="LINK",
+              help="A link about its pole: velocities, acceleration pole, inflection circle, curvature.")  # fmt: skip
+@click.option("--bobillier", "point", default="", metavar="POINT",
+              help="With --about: the centre of curvature of a point's path, by Bobillier's construction.")  # fmt: skip
+@click.option("--centrodes", "pair", default="", metavar="LINK,LINK",
+              help="The centrode of the first link rolling on that of the second; --steps: frames.")  # fmt: skip
+@click.option("--path", "centre", default="", metavar="CENTRE", help="The path of a centre such as P13.")
+@click.option("--velocities", default="", metavar="TEXT",
+              help='The pole of two velocities: "A 0,0 1,0.5; B 100,0 1,-0.2" (mm, m/s).')  # fmt: skip
+@click.option("--animate", is_flag=True, help="With --centrodes: one SVG that moves.")
+@ranges_option
 @click.option("--fit", is_flag=True, help="A smaller scale, so that centres far off come onto the sheet.")
 @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line, metres and radians.")
@@ -35,37 +54,98 @@ __all__ = ["centres"]
 @angle_option
 @at_option
 @lang_option
-def centres(
-    mechanisms: tuple[str, ...], output: Path | None, steps: Path | None, fit: bool, paper: str | None, as_json: bool,
-    force: bool, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
-) -> None:  # fmt: skip
+def centres(mechanisms: tuple[str, ...], lang: Lang, **options: Any) -> None:
     """Find all instant centres, by definition and by Kennedy's lines: listed, explained, drawn.
 
     \b
     Example:
       graphkin centres fig3-4 -o centres.svg --lang zh
       graphkin centres ex3-7 --steps steps
+      graphkin centres fig3-4 --about 3 -o coupler.svg
+      graphkin centres fig3-6 --centrodes 3,1 -o rolling.svg --animate
       graphkin centres --json *.toml > centres.jsonl
     """
-    if len(mechanisms) > 1 and (output or steps):
-        raise click.UsageError("-o and --steps draw one mechanism")
-    if output is not None and output.suffix.lower() != ".svg" and str(output) != "-":
-        raise click.UsageError(f"{output}: the file to write must end in .svg")
-    if output or steps:
+    asked = _Asked(lang=lang, **options)
+    if asked.velocities:
         with said(lang):
-            _draw(mechanisms[0], output, steps, fit, paper, force, angles, displacements, lang)
+            _of_two_velocities(asked)
         return
+    if not mechanisms:
+        raise click.UsageError("a MECHANISM is missing, or --velocities")
+    if len(mechanisms) > 1 and asked.draws:
+        raise click.UsageError("-o and --steps draw one mechanism")
+    if asked.output is not None and asked.output.suffix.lower() != ".svg" and str(asked.output) != "-":
+        raise click.UsageError(f"{asked.output}: the file to write must end in .svg")
+    if asked.draws:
+        with said(lang):
+            _write(asked, mechanisms[0])
+        return
+    _tell_all(asked, mechanisms)
+
+
+@frozen
+class _Asked:
+    """The options of the command."""
+
+    output: Path | None
+    steps: Path | None
+    link: str
+    point: str
+    pair: str
+    centre: str
+    velocities: str
+    animate: bool
+    ranges: tuple[str, ...]
+    fit: bool
+    paper: str | None
+    as_json: bool
+    force: bool
+    angles: tuple[float, ...]
+    displacements: tuple[float, ...]
+    lang: Lang
+
+    @property
+    def draws(self) -> bool:
+        return self.output is not None or self.steps is not None
+
+    def found(self, source: str) -> Centres:
+        from graphkin import api
+        from graphkin.centres import centres as find
+
+        method = api.plan(read(source))
+        return find(method, api.replay(method, at_values(method, self.angles, self.displacements)))
+
+    def curves(self, found: Centres) -> Centrodes:
+        """The centrodes, or the path of a centre, that is asked for."""
+        from graphkin import sweeps
+        from graphkin.centres.centrodes import centrodes, path, whole
+
+        course = sweeps.course(found.method, self.ranges)
+        span = None if self.ranges else whole(course)
+        if self.centre:
+            return path(found, self.centre, course, span)
+        first, comma, second = self.pair.partition(",")
+        if not comma:
+            raise click.UsageError("--centrodes takes two links: --centrodes 3,1")
+        return centrodes(found, first.strip(), second.strip(), course, span)
+
+
+# --- words ------------------------------------------------------------------------------------
+
+
+def _tell_all(asked: _Asked, mechanisms: tuple[str, ...]) -> None:
+    """Every mechanism; one that cannot be solved stops none of the others."""
     failed = False
     for k, source in enumerate(mechanisms):
         try:
-            lines = list(_told(source, as_json, angles, displacements, lang))
-            click.echo("\n".join(([""] if k and not as_json else []) + lines))
+            lines = list(_told(asked, source))
+            click.echo("\n".join(([""] if k and not asked.as_json else []) + lines))
         except BrokenPipeError:
             raise
         except (GraphkinError, OSError) as error:
             failed = True
-            message = error.message(lang) if isinstance(error, GraphkinError) else str(error)
-            if as_json:
+            message = error.message(asked.lang) if isinstance(error, GraphkinError) else str(error)
+            if asked.as_json:
                 name = Path(source).stem if source != "-" else "stdin"
                 click.echo(json_line({"format": 1, "name": name, "error": message}))
             else:
@@ -74,49 +154,131 @@ def centres(
         sys.exit(3)
 
 
-def _told(
-    source: str, as_json: bool, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang
-) -> Iterator[str]:
-    from graphkin import api, reports
+def _told(asked: _Asked, source: str) -> Iterator[str]:
     from graphkin import centres as finding
+
+    found = asked.found(source)
+    if asked.link:
+        yield from _about(asked, found)
+    elif asked.pair or asked.centre:
+        from graphkin.centres.about_data import centrodes_json
+
+        yield json_line(centrodes_json(asked.curves(found)))
+    elif asked.as_json:
+        yield json_line(finding.as_json(found))
+    else:
+        yield from _listed(asked, found)
+
+
+def _listed(asked: _Asked, found: Centres) -> Iterator[str]:
+    from graphkin import reports
+    from graphkin.centres import rows
     from graphkin.words.centre_explained import explain_centres
 
-    method = api.plan(read(source))
-    found = finding.centres(method, api.replay(method, at_values(method, angles, displacements)))
-    if as_json:
-        yield json_line(finding.as_json(found))
-        return
-    yield f"{method.mechanism.name}  {method.mechanism.headline(lang)}"
-    yield from reports.table(list(finding.rows(found, lang)))
+    mechanism = found.method.mechanism
+    yield f"{mechanism.name}  {mechanism.headline(asked.lang)}"
+    yield from reports.table(list(rows(found, asked.lang)))
     yield ""
-    yield from explain_centres(found, lang)
+    yield from explain_centres(found, asked.lang)
 
 
-def _draw(
-    source: str, output: Path | None, steps: Path | None, fit: bool, paper: str | None, force: bool,
-    angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
-) -> None:  # fmt: skip
-    from graphkin import api
-    from graphkin.centres import centres as find
+def _about(asked: _Asked, found: Centres) -> Iterator[str]:
+    from graphkin.centres.about import about
+    from graphkin.centres.about_bobillier import bobillier
+    from graphkin.centres.about_data import about_json
+    from graphkin.centres.about_words import about_words
+
+    seen = about(found, asked.link)
+    if asked.as_json:
+        yield json_line(about_json(seen))
+        return
+    yield from about_words(seen, asked.lang)
+    if asked.point:
+        yield ""
+        yield from bobillier(seen, _point(found, asked.point)).words(asked.lang)
+
+
+def _point(found: Centres, name: str) -> str:
+    points = found.method.mechanism.points
+    if name not in points:
+        raise UnknownPoint(Where("--bobillier"), name, points)
+    return name
+
+
+def _of_two_velocities(asked: _Asked) -> None:
+    from graphkin.centres.ways import from_text
+
+    found = from_text(asked.velocities)
+    click.echo("\n".join(found.words(asked.lang)))
+
+
+# --- drawings ---------------------------------------------------------------------------------
+
+
+def _write(asked: _Asked, source: str) -> None:
+    """The sheet, and one sheet a step; all are made before the first is written."""
     from graphkin.outputs import svg
-    from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets
 
-    method = api.plan(read(source))
-    found = find(method, api.replay(method, at_values(method, angles, displacements)))
-    pages: list[tuple[Path, str]] = []
-    if output is not None:
-        pages.append((output, svg.svg(centre_sheet(found, paper=paper, lang=lang, fit=fit))))
-    if steps is not None:
-        pages += [
-            (steps / f"{method.mechanism.name}-centres-{k:02d}.svg", svg.svg(page))
-            for k, page in enumerate(centre_step_sheets(found, paper=paper, lang=lang, fit=fit), 1)
-        ]
-    if str(output) == "-":
+    found = asked.found(source)
+    pages = list(_pages(asked, found))
+    if str(asked.output) == "-":
         click.echo(pages.pop(0)[1], nl=False)
-    if steps is not None:
-        steps.mkdir(parents=True, exist_ok=True)
+    if asked.steps is not None:
+        asked.steps.mkdir(parents=True, exist_ok=True)
     for path, _ in pages:
-        svg.refuse(path, force)
+        svg.refuse(path, asked.force)
     for path, text in pages:
-        svg.write(path, text, force)
-        click.echo(str(path), err=str(output) == "-")
+        svg.write(path, text, asked.force)
+        click.echo(str(path), err=str(asked.output) == "-")
+
+
+def _pages(asked: _Asked, found: Centres) -> Iterator[tuple[Path, str]]:
+    from graphkin.outputs import svg
+
+    if asked.pair or asked.centre:
+        yield from _rolling(asked, found)
+        return
+    whole, steps, kind = _sheets(asked, found)
+    if asked.output is not None:
+        yield asked.output, svg.svg(whole)
+    if asked.steps is not None:
+        for k, page in enumerate(steps, 1):
+            yield asked.steps / f"{found.method.mechanism.name}-{kind}-{k:02d}.svg", svg.svg(page)
+
+
+def _sheets(asked: _Asked, found: Centres) -> tuple[Sheet, Iterator[Sheet], str]:
+    """The sheet that is asked for, one for each step, and what they are called."""
+    if not asked.link:
+        from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets
+
+        whole = centre_sheet(found, paper=asked.paper, lang=asked.lang, fit=asked.fit)
+        return whole, centre_step_sheets(found, paper=asked.paper, lang=asked.lang, fit=asked.fit), "centres"
+    from graphkin.centres.about import about
+
+    seen = about(found, asked.link)
+    if not asked.point:
+        from graphkin.sheet.about_sheet import about_sheet
+
+        sheet = about_sheet(seen, paper=asked.paper, lang=asked.lang)
+        return sheet, iter((sheet,)), f"about-{asked.link}"
+    from graphkin.centres.about_bobillier import bobillier
+    from graphkin.sheet.about_bobillier_sheet import bobillier_sheet, bobillier_step_sheets
+
+    drawn = bobillier(seen, _point(found, asked.point))
+    whole = bobillier_sheet(seen, drawn, paper=asked.paper, lang=asked.lang)
+    return whole, bobillier_step_sheets(seen, drawn, paper=asked.paper, lang=asked.lang), f"bobillier-{asked.point}"
+
+
+def _rolling(asked: _Asked, found: Centres) -> Iterator[tuple[Path, str]]:
+    from graphkin.outputs import svg
+    from graphkin.sheet.centrode_frames import centrode_animation, centrode_frames
+    from graphkin.sheet.centrode_sheet import centrode_sheet
+
+    curves = asked.curves(found)
+    frames = list(centrode_frames(curves, paper=asked.paper, lang=asked.lang)) if asked.animate or asked.steps else []
+    if asked.output is not None:
+        still = svg.svg(centrode_sheet(curves, paper=asked.paper, lang=asked.lang)) if not asked.animate else ""
+        yield asked.output, still or centrode_animation(frames)
+    if asked.steps is not None:
+        for k, frame in enumerate(frames, 1):
+            yield asked.steps / f"{found.method.mechanism.name}-centrodes-{k:02d}.svg", svg.svg(frame)

@@ -46,8 +46,7 @@ def with_centres(method: Method, plot: Plot) -> tuple[Centring, Plot]:
     plot = _moving(method, plot)
     search = _Search(method, plot)
     search.run()
-    points = {link: search.motion(link)[1:] for link in method.mechanism.links}
-    return Centring(tuple(search.steps), search.links, tuple(search.missing), points), plot
+    return Centring(tuple(search.steps), search.links, tuple(search.missing)), plot
 
 
 def centres(method: Method, plot: Plot) -> Centring:

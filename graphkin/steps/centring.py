@@ -7,7 +7,6 @@ mechanism's size from a point of it: w = 0 is a direction. Lines are the same; a
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
 from typing import assert_never
 
 import numpy as np
@@ -20,7 +19,7 @@ from graphkin.value import frozen
 
 __all__ = [
     "CLEAR", "CentreStep", "Centring", "Far", "Join", "Kennedy", "Pole", "Seat", "axes_of", "direction_of",
-    "find_centres", "line_of", "place_of", "take",
+    "line_of", "place_of", "take",
 ]  # fmt: skip
 
 INFINITE = 1e-9
@@ -85,27 +84,11 @@ class Centring:
 
     links       the two links of each centre, by its name
     together    pairs of links that do not move against each other: they have no centre
-    points      of each link a point of the mechanism, and that point of the link in the velocity polygon
     """
 
     steps: tuple[CentreStep, ...]
     links: Mapping[str, tuple[str, str]]
     together: tuple[tuple[str, str], ...] = ()
-    points: Mapping[str, tuple[str, str]] = field(default_factory=dict)
-
-
-def find_centres(centring: Centring, plot: Plot) -> Plot:
-    """Carry out the steps on a plot with positions and velocities, scalars or arrays.
-
-    Where the two lines of a centre, chosen for another position, come to coincide, it is taken from velocities.
-    """
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        for step in centring.steps:
-            take(step, plot)
-            if isinstance(step, Kennedy) and np.any(blurred := ~(plot.lean[step.centre] > CLEAR)):
-                first, second = ((link, *centring.points[link]) for link in centring.links[step.centre])
-                plot.centres[step.centre] = np.where(blurred, _pole(plot, first, second), plot.centres[step.centre])
-    return plot
 
 
 def take(step: CentreStep, plot: Plot) -> None:
@@ -195,7 +178,7 @@ def _pole(plot: Plot, first: tuple[str, str, str], second: tuple[str, str, str])
     """
     speeds, turns = zip(*(_motion_of(plot, *entry) for entry in (first, second)), strict=True)
     moving, turning = speeds[0] - speeds[1], turns[0] - turns[1]
-    fastest = max(float(np.nanmax(np.abs(v))) for v in (*plot.omega.values(), 1e-300))
+    fastest = np.max(np.abs(np.array(np.broadcast_arrays(*plot.omega.values(), *turns))), axis=0) + np.abs(moving)
     turning = np.where(np.abs(turning) <= STILL * fastest, 0.0, turning)
     moving = np.where((np.abs(moving) <= STILL * fastest) & (turning == 0), 0.0, moving)
     x, y = np.real(1j * moving), np.imag(1j * moving)

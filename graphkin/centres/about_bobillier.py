@@ -1,0 +1,293 @@
+"""Bobillier's construction: from two guided points of a link, the centre of curvature of any third point's path.
+
+The pole tangent makes with one ray of the pole the angle that the other ray makes with the collineation axis. So the
+axis of two other points is the known one turned as their rays are turned: an angle is carried over, and lines cross.
+Points and lines are homogeneous, so a guided point whose centre lies at infinity (a slider) is no exception.
+Source: theory of machines, Euler-Savary and Bobillier.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from itertools import permutations
+from typing import assert_never
+
+import numpy as np
+
+from graphkin.centres.about import About
+from graphkin.errors import Lang
+from graphkin.errors.centring import NoBobillier
+from graphkin.geometry import Value, cross
+from graphkin.mechanism import FRAME
+from graphkin.steps.centring import INFINITE, Far, Seat
+from graphkin.value import frozen
+
+__all__ = ["Bobillier", "Crossing", "Guided", "Through", "Turned", "bobillier", "guided", "replayed"]
+
+CLEAR = 1e-3
+"""The sine of the angle two rays of the pole must make at least."""
+
+
+@frozen
+class Through:
+    """A line through two points; a parallel, if one of them is at infinity."""
+
+    name: str
+    first: str
+    second: str
+
+
+@frozen
+class Crossing:
+    """The point on two lines."""
+
+    name: str
+    first: str
+    second: str
+
+
+@frozen
+class Turned:
+    """The line through a point that makes with `line` the angle which `end` makes with `start`."""
+
+    name: str
+    about: str
+    line: str
+    start: str
+    end: str
+
+
+Step = Through | Crossing | Turned
+
+
+@frozen
+class Guided:
+    """A point of the link whose path's centre of curvature is known: a pivot, or at infinity across a guide.
+
+    centre  homogeneous (3,) [m]; written  the centre's letter
+    measured  the centre was found from velocity and acceleration, nothing guides the point itself
+    pivoted  the centre is a point of the mechanism
+    """
+
+    point: str
+    written: str
+    place: complex
+    centre: tuple[float, float, float]
+    measured: bool = False
+    pivoted: bool = False
+
+
+@frozen
+class Bobillier:
+    """The steps, what they start from (points, homogeneous [m]), and the letters of what they give.
+
+    point, answer  the point and its centre of curvature; pole, crossings: the letters of P, and of Q and the second Q
+    """
+
+    steps: tuple[Step, ...]
+    known: Mapping[str, tuple[float, float, float]]
+    guides: tuple[Guided, Guided]
+    point: str
+    pole: str
+    crossings: tuple[str, str]
+    answer: str
+
+    @property
+    def drawn(self) -> dict[str, np.ndarray]:
+        """Every point and line."""
+        return replayed(self.steps, self.known)
+
+    @property
+    def centre(self) -> complex:
+        """The centre of curvature [m]; infinite where the path is straight."""
+        x, y, w = self.drawn[self.answer]
+        far = abs(w) <= INFINITE * np.hypot(x, y)
+        return complex(np.inf) if far else complex(x, y) / float(w)
+
+    def words(self, lang: Lang) -> list[str]:
+        """A sentence each step."""
+        from graphkin.centres.about_words import bobillier_words
+
+        return bobillier_words(self, lang)
+
+
+def replayed(steps: tuple[Step, ...], known: Mapping[str, Value]) -> dict[str, np.ndarray]:
+    """What the pencil does, on points (3,); every point and line of length 1."""
+    found = {name: _balanced(np.asarray(value, dtype=float)) for name, value in known.items()}
+    for step in steps:
+        match step:
+            case Through(name, first, second) | Crossing(name, first, second):
+                found[name] = _balanced(np.cross(found[first], found[second]))
+            case Turned(name, about, line, start, end):
+                turn = _direction(found[end]) / _direction(found[start])
+                along = _direction(found[line]) * turn
+                found[name] = _balanced(np.cross(found[about], [along.real, along.imag, 0.0]))
+            case _:
+                assert_never(step)
+    return found
+
+
+def _balanced(found: np.ndarray) -> np.ndarray:
+    length = np.linalg.norm(found)
+    return found / length if length > 0 else np.full(3, np.nan)
+
+
+def _direction(line: np.ndarray) -> complex:
+    """Along a line (unit vector)."""
+    along = complex(-line[1], line[0])
+    return along / abs(along)
+
+
+# --- which points are guided ------------------------------------------------------------------
+
+
+def guided(seen: About) -> list[Guided]:
+    """Points of the link that a pivoted link, a fixed guide or a wheel on a fixed track leads; then measured ones."""
+    found = {entry.point: entry for entry in (*_led(seen), *_measured(seen))}
+    return sorted(found.values(), key=lambda entry: entry.measured)
+
+
+def _led(seen: About) -> Iterator[Guided]:
+    machine, position = seen.found.method.mechanism, seen.plot.position
+    for link, written, centre in _leads(seen):
+        for point in machine.links[link].points:
+            if link != seen.link and point in machine.links[seen.link].points and point in position:
+                yield Guided(point, written or f"{point}0", complex(position[point]), centre, pivoted=bool(written))
+    for slide in machine.slides:
+        if slide.guide == FRAME and slide.point in machine.links[seen.link].points:
+            across = 1j * complex(seen.plot.guide_direction(slide.name))
+            centre = across.real, across.imag, 0.0
+            yield Guided(slide.point, f"{slide.point}0", complex(position[slide.point]), centre)
+
+
+def _leads(seen: About) -> Iterator[tuple[str, str, tuple[float, float, float]]]:
+    """Links that turn about a fixed point, or slide along a fixed line: link, the centre's letter, the centre."""
+    plot, centring = seen.plot, seen.found.centring
+    for step in centring.steps:
+        links = centring.links[step.centre]
+        if FRAME not in links:
+            continue
+        link = next(name for name in links if name != FRAME)
+        if isinstance(step, Seat) and step.contact is None and step.point in plot.position:
+            pivot = complex(plot.position[step.point])
+            yield link, step.point, (pivot.real, pivot.imag, 1.0)
+        elif isinstance(step, Far):
+            across = 1j * complex(plot.guide_direction(step.slide))
+            yield link, "", (across.real, across.imag, 0.0)
+
+
+def _measured(seen: About) -> Iterator[Guided]:
+    """The link's other points, their centres from velocity and acceleration."""
+    machine = seen.found.method.mechanism
+    led = {entry.point for entry in _led(seen)}
+    for point in machine.links[seen.link].points:
+        if point in led or point not in seen.plot.position:
+            continue
+        carried = seen.carried(complex(seen.plot.position[point]))
+        across = 1j * carried.velocity
+        centre = (across.real, across.imag, 0.0) if np.isinf(carried.centre) else _finite(carried.centre)
+        yield Guided(point, f"{point}0", carried.place, centre, measured=True)
+
+
+def _finite(place: complex) -> tuple[float, float, float]:
+    return place.real, place.imag, 1.0
+
+
+# --- the construction -------------------------------------------------------------------------
+
+
+def bobillier(seen: About, point: str | complex) -> Bobillier:
+    """The construction for a point of the mechanism, or for a place [m] of the link's plane.
+
+    Raises NoBobillier where the pole is a fixed point or at infinity, where the link is at rest or the point at the
+    pole, and where the guided points lie on one ray.
+    """
+    letters = _Letters(seen)
+    place = complex(seen.plot.position[point]) if isinstance(point, str) else complex(point)
+    letter = point if isinstance(point, str) else letters.free("C")
+    _refuse(seen, place)
+    first, second = (replace(entry, written=letters.of_centre(entry)) for entry in _pair(seen, place))
+    known = {entry.point: _finite(entry.place) for entry in (first, second)} | {letter: _finite(place)}
+    known |= {first.written: first.centre, second.written: second.centre}
+    pole, q, qc, answer = (letters.free(name) for name in ("P", "Q", f"Q{letter}", f"K{letter}"))
+    steps = tuple(_steps(first, second, letter, pole, (q, qc), answer))
+    return Bobillier(steps, known, (first, second), letter, pole, (q, qc), answer)
+
+
+@frozen
+class _Letters:
+    """Letters that no point of the mechanism has."""
+
+    seen: About
+
+    def free(self, letter: str) -> str:
+        """The letter, or with primes."""
+        while letter in self.seen.found.method.mechanism.owners:
+            letter += "'"
+        return letter
+
+    def of_centre(self, entry: Guided) -> str:
+        """A pivot keeps its own letter."""
+        return entry.written if entry.pivoted else self.free(entry.written)
+
+
+def _refuse(seen: About, place: complex) -> None:
+    reason = ""
+    if seen.diameter is None:
+        reason = "translation" if seen.moves else "rest"
+    elif not seen.diameter:
+        reason = "pivot"
+    elif abs(place - seen.pole) <= INFINITE * seen.size:
+        reason = "cusp"
+    if reason:
+        raise NoBobillier(seen.found.method.mechanism.where("links", seen.link), seen.called, reason)
+
+
+def _pair(seen: About, place: complex) -> tuple[Guided, Guided]:
+    """Two guided points on different rays, the first on another ray than the point; guides before measured ones."""
+    near = INFINITE * seen.size
+    able = [entry for entry in guided(seen) if abs(entry.place - seen.pole) > near or not entry.measured]
+    best: tuple[tuple[bool, float], tuple[Guided, Guided]] | None = None
+    for first, second in permutations(able, 2):
+        clear = _clear(seen, first, second, place)
+        worth = not (first.measured or second.measured), round(min(clear, 0.3), 6)
+        if clear > CLEAR and (best is None or worth > best[0]):
+            best = worth, (first, second)
+    if best is None:
+        raise NoBobillier(seen.found.method.mechanism.where("links", seen.link), seen.called, "line")
+    return best[1]
+
+
+def _clear(seen: About, first: Guided, second: Guided, place: complex) -> float:
+    """How far the rays are from being one, and the first point from the pole, where its lines would say nothing."""
+    out = (place - seen.pole) / abs(place - seen.pole)
+    rays = abs(cross(_ray(first), _ray(second))), abs(cross(_ray(first), out))
+    return float(min(*rays, abs(first.place - seen.pole) / seen.size))
+
+
+def _ray(entry: Guided) -> complex:
+    """The direction of the ray through a guided point and its centre."""
+    x, y, w = entry.centre
+    along = complex(x, y) - w * entry.place
+    return along / abs(along)
+
+
+def _steps(
+    first: Guided, second: Guided, c: str, pole: str, crossings: tuple[str, str], answer: str
+) -> Iterator[Step]:
+    a, b, a0, b0 = first.point, second.point, first.written, second.written
+    q, qc = crossings
+    yield Through("ray a", a, a0)
+    yield Through("ray b", b, b0)
+    yield Crossing(pole, "ray a", "ray b")
+    yield Through("line ab", a, b)
+    yield Through("line a0b0", a0, b0)
+    yield Crossing(q, "line ab", "line a0b0")
+    yield Through("axis", pole, q)
+    yield Through("ray c", pole, c)
+    yield Turned("axis c", pole, "axis", "ray b", "ray c")
+    yield Through("line ac", a, c)
+    yield Crossing(qc, "line ac", "axis c")
+    yield Through("line a0qc", a0, qc)
+    yield Crossing(answer, "line a0qc", "ray c")

@@ -1,0 +1,257 @@
+"""A link about its pole, drawn: velocities, poles, inflection and return circles, centres of curvature."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from graphkin.centres.about import About, Circle, Line
+from graphkin.errors import Lang
+from graphkin.mechanism import FRAME
+from graphkin.sheet import Sheet
+from graphkin.sheet.about_page import (
+    Page,
+    circle,
+    clipped,
+    drawn_values,
+    enlarged,
+    finished,
+    mechanism_on,
+    page,
+    within,
+)
+from graphkin.sheet.labels import Room, Wanted
+from graphkin.sheet.lettering import Label, joined, plain, quantity_label
+from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
+from graphkin.sheet.paper import PenName
+from graphkin.sheet.scales import finest
+from graphkin.sheet.symbols import arrow_head
+from graphkin.sheet.window import Figure
+from graphkin.steps import Plane
+from graphkin.value import frozen
+
+__all__ = ["about_sheet"]
+
+_POLE, _MOST = 2.6, 1.5
+"""So many times larger the figure may become for the pole; and then for circles and centres of curvature."""
+_LONGEST = 28.0
+"""The longest velocity arrow [mm]."""
+_FIELD = 17.0
+"""How far the arrows of the field stand apart [mm]."""
+_LIGHT = 0.5
+"""The field's arrows are so much shorter than the scale says, not to cover one another."""
+_AXIS = 38.0
+"""Half of the pole tangent, and of the normal [mm]."""
+_TOWARDS = 30.0
+"""How far a ray goes to a pole that is not on the paper [mm]."""
+
+Entry = Mark | Wanted
+
+HEADING: dict[Lang, str] = {"en": "Link {link} about its instant centre", "zh": "构件 {link} 绕瞬心的运动"}
+INFLECTION: dict[Lang, str] = {"en": "inflection circle", "zh": "拐点圆"}
+INFLECTION_LINE: dict[Lang, str] = {"en": "inflection circle (a line)", "zh": "拐点圆（退化为直线）"}
+RETURN: dict[Lang, str] = {"en": "return circle", "zh": "回转圆"}
+
+
+def about_sheet(seen: About, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
+    """Draw a link about its pole, to scale; what lies too far off is shown by its direction.
+
+    Raises UnknownPaper.
+    """
+    method, plot = seen.found.method, seen.plot
+    values = enlarged(enlarged(drawn_values(method, plot), [seen.pole], _POLE), _wanted_places(seen), _MOST)
+    on = page(method, [plot], values, paper)
+    drawing = _Drawing(seen, on, lang)
+    figure = Figure()
+    for part in (drawing.circles(), drawing.axes(), drawing.rays(), drawing.field()):
+        _add(figure, part)
+    machine = mechanism_on(method, plot, on.window)
+    figure.marks += machine.marks
+    figure.wanted += machine.wanted
+    for part in (drawing.velocities(), drawing.poles(), drawing.centres()):
+        _add(figure, part)
+    more: dict[Plane, float] = {"velocity": drawing.pace} if seen.moves else {}
+    return finished(on, method, plot, HEADING[lang].format(link=seen.called), figure, lang, more)
+
+
+def _add(figure: Figure, part: Iterator[Entry]) -> None:
+    for entry in part:
+        if isinstance(entry, Wanted):
+            figure.wanted.append(entry)
+        else:
+            figure.marks.append(entry)
+
+
+def _wanted_places(seen: About) -> Iterator[complex]:
+    """What the figure would like to show beside the mechanism [m]."""
+    if seen.acceleration_pole is not None:
+        yield seen.acceleration_pole
+    yield from (carried.centre for carried in seen.points.values())
+    for round_about in (seen.inflection, seen.returning):
+        if isinstance(round_about, Circle):
+            yield from (round_about.centre + round_about.radius * side for side in (1, 1j, -1, -1j))
+
+
+@frozen
+class _Drawing:
+    """A link on a page: its parts, marks and labels in the order of painting."""
+
+    seen: About
+    on: Page
+    lang: Lang
+
+    @property
+    def pace(self) -> float:
+        """Scale of the velocity arrows [(m/s)/mm]."""
+        fastest = max((abs(carried.velocity) for carried in self.seen.points.values()), default=0.0)
+        fastest = fastest or abs(self.seen.base[1]) or abs(self.seen.omega) * self.seen.size
+        return finest(complex(fastest, 0), complex(_LONGEST, _LONGEST))
+
+    @property
+    def name(self) -> Label:
+        """The pole's letters, P₁₃."""
+        return quantity_label("P", self.seen.found.name(FRAME, self.seen.link)[1:])
+
+    def circles(self) -> Iterator[Entry]:
+        """Inflection and return circle; the inflection pole W."""
+        seen, window, room = self.seen, self.on.window, self.on.room
+        if isinstance(seen.inflection, Line):
+            foot, along = window(seen.inflection.through), window.turned(seen.inflection.direction)
+            reach = abs(complex(room.right - room.left, room.bottom - room.top)) + abs(foot - _middle(room))
+            yield from self._named([foot - reach * along, foot + reach * along], "thin", INFLECTION_LINE)
+        if not seen.diameter or seen.returning is None or not isinstance(seen.inflection, Circle):
+            return
+        for drawn, pen, words in ((seen.inflection, "thin", INFLECTION), (seen.returning, "dashed", RETURN)):
+            places = circle(window(drawn.centre), drawn.radius / window.scale, room)
+            yield from self._named(places, pen, words)  # type: ignore[arg-type]
+        yield from self._spot(seen.pole + seen.diameter, plain("W", italic=True), 0.6)
+
+    def _named(self, places: list[Place], pen: PenName, words: Mapping[Lang, str]) -> Iterator[Entry]:
+        strokes = list(clipped(places, self.on.room, pen))
+        yield from strokes
+        if strokes:
+            longest = max(strokes, key=lambda stroke: len(stroke.places))
+            count = len(longest.places)
+            start, end = longest.places[max(count // 3 - 1, 0)], longest.places[max(count // 3, 1)]
+            yield Wanted(plain(words[self.lang]), start, end if abs(end - start) > 8 else None, gap=0.6, spare=False)
+
+    def axes(self) -> Iterator[Entry]:
+        """Pole tangent t and normal n."""
+        seen, pole = self.seen, self.seen.pole
+        if seen.tangent is None or seen.normal is None or not within(self.on.window(pole), self.on.room):
+            return
+        for letter, direction in (("t", seen.tangent), ("n", seen.normal)):
+            start, way = self.on.window(pole), self.on.window.turned(direction)
+            for stroke in clipped([start - _AXIS * way, start + _AXIS * way], self.on.room, "centre"):
+                yield stroke
+                yield Wanted(plain(letter, italic=True), stroke.places[-1], gap=0.6, away=way)
+
+    def rays(self) -> Iterator[Entry]:
+        """From each point to the pole; towards a pole that is not on the paper, with an arrow."""
+        seen, window, room = self.seen, self.on.window, self.on.room
+        if not seen.moves:
+            return
+        here = not cmath.isinf(seen.pole) and within(window(seen.pole), room)
+        for carried in seen.points.values():
+            at = window(carried.place)
+            way = window.turned(seen.towards if cmath.isinf(seen.pole) else seen.pole - carried.place)
+            if here:
+                yield from clipped([at, window(seen.pole)], room, "construction")
+            elif abs(way) > 0:
+                tip = at + way / abs(way) * _TOWARDS
+                yield Stroke((at, tip), "construction")
+                yield arrow_head(tip, way / abs(way), None)
+        if not here:
+            label = (*self.name, *plain(" → ∞" if cmath.isinf(seen.pole) else self._far(seen.pole)))
+            yield Wanted(label, tip, gap=1.0, away=way / abs(way))
+
+    @staticmethod
+    def _far(place: complex) -> str:
+        return f" ({1e3 * place.real:.4g}, {1e3 * place.imag:.4g})"
+
+    def field(self) -> Iterator[Entry]:
+        """A light field of velocities over the link's plane, about its points and its pole."""
+        seen, window, room = self.seen, self.on.window, self.on.room
+        if not seen.moves:
+            return
+        places = [window(carried.place) for carried in seen.points.values()]
+        if not cmath.isinf(seen.pole) and within(window(seen.pole), room):
+            places.append(window(seen.pole))
+        for at in _lattice(places, room):
+            velocity = seen.carried(_back(self.on, at)).velocity
+            arrow = window.turned(velocity / self.pace) * _LIGHT
+            if 1.0 < abs(arrow) <= _FIELD and within(at + arrow, room) and all(abs(at - p) > 5 for p in places):
+                yield Stroke((at, at + arrow), "leader")
+                yield from _head(at + arrow, arrow / abs(arrow))
+
+    def velocities(self) -> Iterator[Entry]:
+        """The velocity of each point, to the scale of velocities."""
+        for name, carried in self.seen.points.items():
+            arrow = self.on.window.turned(carried.velocity / self.pace)
+            if abs(arrow) < 0.3:
+                continue
+            start = self.on.window(carried.place)
+            along = arrow / abs(arrow)
+            yield Stroke((start, start + arrow - 0.5 * along), "vector")
+            yield arrow_head(start + arrow, along, None)
+            yield Wanted(quantity_label("v", name), start, start + arrow, gap=0.7)
+
+    def poles(self) -> Iterator[Entry]:
+        """P and J; at one place they share a label."""
+        seen = self.seen
+        pole, other = seen.pole, seen.acceleration_pole
+        label, letter = self.name, plain("J", italic=True)
+        if other is not None and cmath.isfinite(pole) and abs(self.on.window(pole) - self.on.window(other)) < 0.2:
+            label, other = joined([label, letter]), None
+        if cmath.isfinite(pole):
+            yield from self._spot(pole, label, 1.0, "paper")
+        if other is not None:
+            yield from self._spot(other, letter, 1.0, "paper")
+
+    def centres(self) -> Iterator[Entry]:
+        """Centres of curvature, and the radius from each point; a mark where one is a pivot already drawn."""
+        seen, window, room = self.seen, self.on.window, self.on.room
+        taken: list[complex] = []
+        for name, carried in seen.points.items():
+            if not cmath.isfinite(carried.centre) or abs(carried.centre - carried.place) < 1e-9 * seen.size:
+                continue
+            at = window(carried.centre)
+            yield from clipped([window(carried.place), at], room, "dashed")
+            if within(at, room) and all(abs(at - other) > 0.3 for other in taken):
+                taken.append(at)
+                yield from self._spot(carried.centre, quantity_label("K", name), 0.6)
+
+    def _spot(self, place: complex, label: Label, radius: float, fill: Fill = "ink") -> Iterator[Entry]:
+        at = self.on.window(place)
+        if within(at, self.on.room):
+            yield Disc(at, radius, "vector", fill)
+            yield Wanted(label, at, gap=radius + 0.2)
+
+
+def _middle(room: Room) -> Place:
+    return complex(room.left + room.right, room.top + room.bottom) / 2
+
+
+def _back(on: Page, at: Place) -> complex:
+    """From paper to SI."""
+    return ((at - on.window.origin) * on.window.scale).conjugate()
+
+
+def _lattice(places: list[Place], room: Room) -> Iterator[Place]:
+    """Places on paper at even distances, about those given, inside the room."""
+    if not places:
+        return
+    left, right = min(p.real for p in places) - _FIELD, max(p.real for p in places) + _FIELD
+    top, bottom = min(p.imag for p in places) - _FIELD, max(p.imag for p in places) + _FIELD
+    for x in np.arange(left, right + 1e-9, _FIELD):
+        for y in np.arange(top, bottom + 1e-9, _FIELD):
+            if within(complex(x, y), room):
+                yield complex(x, y)
+
+
+def _head(tip: Place, along: complex) -> Iterator[Mark]:
+    """A small open arrow head."""
+    side = 0.45j * along
+    yield Stroke((tip - 1.3 * along + side, tip, tip - 1.3 * along - side), "leader")

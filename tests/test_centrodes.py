@@ -1,0 +1,357 @@
+"""Centrodes roll on each other, are right at every position, and are cut where they run to infinity."""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from random_mechanisms import (
+    DYADS,
+    cam,
+    chain,
+    cylinder,
+    dyad,
+    epicyclic,
+    geared_five_bar,
+    relative_angle,
+    rolling,
+    six_bar,
+    triad,
+)
+
+from graphkin import library
+from graphkin.analytic import motion
+from graphkin.centres import Centres, centres
+from graphkin.centres.centrode_places import at_many, carried_to
+from graphkin.centres.centrodes import Centrodes, arc_length, centrodes, path, whole
+from graphkin.errors import GraphkinError, UnknownLink
+from graphkin.errors.centring import NoCentrode, UnknownCentre
+from graphkin.mechanism import FRAME, Mechanism
+from graphkin.methods import plan, replay_all
+from graphkin.outputs.svg import svg
+from graphkin.sheet.centrode_frames import centrode_animation, centrode_frames
+from graphkin.sheet.centrode_sheet import centrode_sheet
+from graphkin.sheet.marks import Stroke
+from graphkin.steps import Plot
+from graphkin.steps.centring import INFINITE, Kennedy, axes_of
+from graphkin.sweeps import Course, course
+
+
+def moved(mechanism: Mechanism) -> tuple[Centres, Course]:
+    method = plan(mechanism)
+    return centres(method, replay_all(method)), course(method)
+
+
+def rolled(name: str, first: str, second: str) -> Centrodes:
+    found, way = moved(library.load(name))
+    return centrodes(found, first, second, way, whole(way))
+
+
+def all_of(found: Centres, way: Course) -> list[Centrodes]:
+    curves = []
+    for first, second in found.pairs:
+        try:
+            curves.append(centrodes(found, first, second, way, whole(way)))
+        except NoCentrode:
+            continue
+    return curves
+
+
+RANDOM = [(kind, seed) for kind in (*DYADS, "chain") for seed in range(3)]
+
+
+def some(kind: str, seed: int) -> tuple[Centres, Course] | None:
+    try:
+        return moved(chain(seed) if kind == "chain" else dyad(kind, seed))
+    except GraphkinError:
+        return None
+
+
+def hold_rolling(curves: Centrodes) -> None:
+    """Equal arc lengths between positions; one tangent at the centre, by differences of each curve for itself."""
+    size = axes_of(curves.found.plot)[1]
+    for k, piece in enumerate(curves.pieces):
+        fixed, moving = curves.lengths(k)
+        assert abs(fixed[-1] - moving[-1]) < 1e-6 * max(fixed[-1], 1e-3 * size), curves.name
+        assert np.all(np.abs(fixed - moving) < 1e-6 * (fixed[-1] + 1e-3 * size))
+        turns = [curves.standing(link, piece.t)[1] for link in curves.axes]
+        ways = [turn[1::2] * (places[2::2] - places[:-2:2]) for turn, places in zip(turns, piece.places, strict=True)]
+        long = np.abs(ways[0]) > 1e-4 * size
+        both = np.angle(ways[1][long] / ways[0][long])
+        # Chords of two curves of different curvature differ in direction by less than their bend squared.
+        assert np.all(np.abs(both) < 0.02), curves.name
+        assert np.median(np.abs(both)) < 2e-3 if both.size else True
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_centrodes_of_the_library_roll(name: str):
+    found, way = moved(library.load(name))
+    for curves in all_of(found, way):
+        hold_rolling(curves)
+
+
+@pytest.mark.parametrize(("kind", "seed"), RANDOM)
+def test_random_centrodes_roll(kind: str, seed: int):
+    if (made := some(kind, seed)) is not None:
+        for curves in all_of(*made)[:6]:
+            hold_rolling(curves)
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_every_position_against_the_analysis(name: str):
+    """Where Kennedy's lines run together, too."""
+    hold_every_position(library.load(name))
+
+
+MAKERS = {"chain": chain, "triad": triad, "six": six_bar, "geared": geared_five_bar, "epicyclic": epicyclic,
+          "rolling": rolling, "cam": cam, "cylinder": cylinder, "relative": relative_angle}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", [*MAKERS, *DYADS])
+def test_every_random_position_against_the_analysis(kind: str):
+    tried = 0
+    for seed in range(4):
+        try:
+            mechanism = MAKERS[kind](seed) if kind in MAKERS else dyad(kind, seed)
+            found = plan(mechanism)
+            replay_all(found)
+        except GraphkinError:
+            continue
+        tried += 1
+        hold_every_position(mechanism)
+    assert tried
+
+
+def test_where_lines_coincide():
+    """Positions sought out at which the two lines of a centre are one: Kennedy says nothing there."""
+    sought = 0
+    for name in library.names():
+        mechanism = library.load(name)
+        found, way = moved(mechanism)
+        low, high = whole(way)
+        t = np.linspace(low + 0.03 * (high - low), high - 0.03 * (high - low), 721)
+        one = [at for step in found.centring.steps if isinstance(step, Kennedy) for at in _leanest(found, way, step, t)]
+        if one:
+            sought += len(one)
+            hold_every_position(mechanism, np.array(one))
+    assert sought > 10
+
+
+def _leanest(found: Centres, way: Course, step: Kennedy, t: np.ndarray) -> list[float]:
+    """Where the lines of a centre come to be one within 1e-8."""
+    least = []
+    for _ in range(9):
+        lean = np.broadcast_to(at_many(found, way.way, t).lean[step.centre], t.shape)
+        k = int(np.nanargmin(lean)) if np.isfinite(lean).any() else 0
+        least = [float(t[k])] if lean[k] < 1e-8 else []
+        t = np.linspace(t[max(k - 1, 0)], t[min(k + 1, t.size - 1)], 41)
+    return least
+
+
+def hold_every_position(mechanism: Mechanism, t: np.ndarray | None = None) -> None:
+    """Each centre at many positions is the one by the analysis' velocities, as homogeneous coordinates."""
+    found, way = moved(mechanism)
+    low, high = whole(way)
+    t = np.linspace(low + 0.03 * (high - low), high - 0.03 * (high - low), 149) if t is None else t
+    plot, (origin, size) = at_many(found, way.way, t), axes_of(found.plot)
+    paced = tuple(replace(d, rate=p) for d, p in zip(mechanism.drivers, way.way.pace, strict=True))
+    exact = motion(replace(mechanism, drivers=paced), [np.broadcast_to(value, t.shape) for value in way.way.values(t)])
+    pace = np.max(np.broadcast_arrays(*(np.abs(value) for value in exact.omega.values())), axis=0)
+    drawn = np.all([np.broadcast_to(np.isfinite(value), t.shape) for value in plot.velocity.values()], axis=0)
+    assert drawn.mean() > 0.5
+    for first, second in found.pairs:
+        parts = []
+        for link in (first, second):
+            point = next(iter(mechanism.links[link].points), None)
+            if link == FRAME or point is None:
+                parts.append((0j, 0.0))
+                continue
+            velocity = exact.velocity_at(point, link) + 1j * exact.omega[link] * (origin - exact.position[point])
+            parts.append((velocity / size, exact.omega[link]))
+        across, turning = 1j * (parts[0][0] - parts[1][0]), parts[0][1] - parts[1][1]
+        wanted = np.array(np.broadcast_arrays(np.real(across), np.imag(across), turning, t))[:3]
+        strength = np.linalg.norm(wanted, axis=0)
+        seen = np.broadcast_to(plot.centres[found.name(first, second)].reshape(3, -1), wanted.shape)
+        seen = seen / np.linalg.norm(seen, axis=0)
+        clear = drawn & np.isfinite(strength) & (np.nan_to_num(strength) > 1e-3 * pace)
+        assert np.isfinite(seen[:, clear]).all(), (first, second)
+        apart = np.linalg.norm(np.cross(seen[:, clear], (wanted / np.fmax(strength, 1e-300))[:, clear], axis=0), axis=0)
+        assert np.all(apart < 1e-8), (first, second, float(apart.max()))
+
+
+def radii(curve: np.ndarray) -> tuple[complex, float]:
+    """The circle through a curve that is one: its centre and radius, by least squares; asserts that it is one."""
+    rows = np.stack([curve.real, curve.imag, np.ones(curve.size)], axis=1)
+    x, y, rest = np.linalg.lstsq(rows, np.abs(curve) ** 2, rcond=None)[0]
+    centre = complex(x, y) / 2
+    radius = float(np.sqrt(rest + abs(centre) ** 2))
+    assert np.all(np.abs(np.abs(curve - centre) - radius) < 1e-9 * radius)
+    return centre, radius
+
+
+def test_cardan_circles():
+    """The trammel's link of 400 mm rolls with a circle of radius 200 inside one of 400 mm."""
+    curves = rolled("s4-ex3", "1", "0")
+    (piece,) = curves.pieces
+    assert radii(piece.places[0])[1] == pytest.approx(0.4, rel=1e-9)
+    assert radii(piece.places[1])[1] == pytest.approx(0.2, rel=1e-9)
+
+
+@pytest.mark.parametrize(("first", "second", "radius", "other"), [("2", "3", 0.02, 0.07), ("1", "2", 0.03, 0.02)])
+def test_centrodes_of_gears_are_their_pitch_circles(first: str, second: str, radius: float, other: float):
+    curves = rolled("s4-ex4", first, second)
+    (piece,) = curves.pieces
+    assert radii(piece.places[1])[1] == pytest.approx(radius, rel=1e-9)
+    assert radii(piece.places[0])[1] == pytest.approx(other, rel=1e-9)
+
+
+def test_a_hinge_is_a_point_and_a_slide_has_none():
+    assert rolled("fig3-4", "2", "3").is_point
+    assert not rolled("fig3-4", "2", "4").is_point
+    found, way = moved(library.load("ex3-7"))
+    for links in (("2", "3"), ("3", "3")):
+        with pytest.raises(NoCentrode):
+            centrodes(found, *links, way)
+    with pytest.raises(UnknownLink):
+        centrodes(found, "3", "x", way)
+    with pytest.raises(UnknownCentre):
+        path(found, "P99", way)
+
+
+def test_cut_at_infinity_and_closed():
+    """The crank-rocker's coupler turns parallel twice: two pieces, none with a jump; crank and rocker close."""
+    curves = rolled("fig3-4", "3", "1")
+    size = axes_of(curves.found.plot)[1]
+    assert len(curves.pieces) == 2
+    for piece in curves.pieces:
+        assert np.max(np.abs(np.diff(piece.places[0]))) < 2 * size
+        ends = np.abs(piece.places[0][[0, -1]])
+        assert np.all(ends > 15 * size)
+        assert not piece.closed
+    assert [piece.closed for piece in rolled("fig3-4", "2", "4").pieces] == [True]
+
+
+def test_lengths_to_the_fourth_order():
+    """A circle of radius 1: a quarter of it from twenty chords."""
+    from graphkin.centres.centrode_sampling import Piece
+
+    t = np.linspace(0, np.pi / 2, 41)
+    assert arc_length(Piece(t, np.exp(1j * t)[None]))[-1] == pytest.approx(np.pi / 2, rel=1e-7)
+
+
+def test_path_of_the_suspension_pole():
+    """Figure 3-10: the path holds the drawn position's centre, and each place is where AB and DC meet."""
+    found, way = moved(library.load("fig3-10"))
+    curves = path(found, "P13", way, whole(way))
+    assert curves.axes == (FRAME,)
+    places = np.concatenate(curves.fixed)
+    assert np.min(np.abs(places - complex(found.place(FRAME, "3")))) < 0.05
+    for piece in curves.pieces:
+        moved_ = at_many(found, way.way, piece.t)
+        for one, other in (("A", "B"), ("D", "C")):
+            arm, away = moved_.position[other] - moved_.position[one], piece.places[0] - moved_.position[one]
+            assert np.all(np.abs(np.imag(np.conj(arm) * away)) < 1e-9 * np.abs(arm) * (0.1 + np.abs(away)))
+
+
+def test_class_three_far_from_the_drawn_position():
+    """A triad, whose poles come from velocities at some positions."""
+    found, way = moved(triad(1))
+    for curves in all_of(found, way)[:5]:
+        hold_rolling(curves)
+
+
+# --- sheets -----------------------------------------------------------------------------------
+
+SHEETS = [("fig3-6", "3", "1"), ("fig3-4", "3", "1"), ("s4-ex3", "1", "0"), ("s4-ex4", "2", "3"), ("ex3-7", "2", "4")]
+
+
+@pytest.mark.parametrize(("name", "first", "second"), SHEETS)
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_sheets(name: str, first: str, second: str, lang: str):
+    sheet = centrode_sheet(rolled(name, first, second), lang=lang)  # type: ignore[arg-type]
+    text = svg(sheet)
+    assert ("定瞬心线" if lang == "zh" else "fixed centrode") in text or second not in ("0", "1", "3")
+    edge = sheet.paper.margin - 1e-6
+    for mark in sheet.marks:
+        if isinstance(mark, Stroke):
+            for place in mark.places:
+                assert edge <= place.real <= sheet.paper.width - edge
+                assert edge <= place.imag <= sheet.paper.height - edge
+    assert text == svg(centrode_sheet(rolled(name, first, second), lang=lang))  # type: ignore[arg-type]
+
+
+def test_drawn_curves_touch_at_the_centre():
+    """Measured on paper: the fixed and the moving curve come to the centre's mark."""
+    curves = rolled("fig3-6", "3", "1")
+    sheet = centrode_sheet(curves)
+    place = sheet.origins["position"] + complex(curves.found.place(FRAME, "3")).conjugate() / sheet.scales["position"]
+    for pen in ("visible", "dashed"):
+        strokes = [mark for mark in sheet.marks if isinstance(mark, Stroke) and mark.pen == pen and len(mark.places) > 20]
+        assert strokes
+        assert min(_distance(place, stroke.places) for stroke in strokes) < 0.02
+
+
+def _distance(place: complex, places: tuple[complex, ...]) -> float:
+    starts, ends = np.array(places[:-1]), np.array(places[1:])
+    way = ends - starts
+    share = np.clip(np.real(np.conj(way) * (place - starts)) / np.abs(way) ** 2, 0, 1)
+    return float(np.min(np.abs(starts + share * way - place)))
+
+
+def test_animation_shows_one_frame_at_a_time():
+    frames = list(centrode_frames(rolled("fig3-6", "3", "1"), 12))
+    text = centrode_animation(frames, 6)
+    root = ET.fromstring(text)
+    groups = [child for child in root if child.tag.endswith("}g")]
+    assert len(groups) == len(frames)
+    assert [group.get("visibility") for group in groups] == ["visible"] + ["hidden"] * 11
+    for moment in (0.01, 0.3, 0.77, 0.99):
+        shown = [k for k, group in enumerate(groups) if _state(group[0], moment) == "visible"]
+        assert shown == [int(moment * 12)]
+    assert len(text) < 12 * len(svg(frames[0])) / 2
+    assert re.search(r'dur="6s"', text)
+
+
+def _state(animate: ET.Element, moment: float) -> str:
+    keys = [float(key) for key in animate.attrib["keyTimes"].split(";")]
+    return animate.attrib["values"].split(";")[sum(key <= moment for key in keys) - 1]
+
+
+def test_infinite_is_what_centring_says():
+    """Nothing in a piece is as far off as what counts as infinite."""
+    curves = rolled("p3-13", "3", library.load("p3-13").frame)
+    for piece in curves.pieces:
+        assert np.max(np.abs(piece.places)) < axes_of(curves.found.plot)[1] / INFINITE
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_no_slip_by_differences(name: str):
+    """The centre goes along both curves with one velocity: each curve's own, by differences over five positions."""
+    found, way = moved(library.load(name))
+    size, step = axes_of(found.plot)[1], 1e-4
+    weights = np.array([1, -8, 0, 8, -1]) / (12 * step)
+    for curves in all_of(found, way):
+        for piece in curves.pieces:
+            if piece.t[-1] - piece.t[0] < 100 * step:
+                continue  # differences would reach beyond it
+            t = piece.t[0] + (piece.t[-1] - piece.t[0]) * np.linspace(0.12, 0.88, 9)
+            plot = at_many(found, way.way, (t[:, None] + step * np.arange(-2, 3)).ravel())
+            centre = _places(found, plot, curves)
+            velocities = []
+            for link in curves.axes:
+                origin, turn = carried_to(found, plot, link)
+                own = np.broadcast_to((centre - origin) / turn, centre.shape).reshape(-1, 5)
+                velocities.append(np.broadcast_to(turn, centre.shape).reshape(-1, 5)[:, 2] * (own @ weights))
+            near = (np.abs(centre.reshape(-1, 5)) < 3 * size).all(axis=1) & (np.abs(velocities[0]) < 20 * size)
+            slip = np.abs(velocities[0] - velocities[1])[near]
+            assert np.all(slip < 1e-6 * (size + np.abs(velocities[0][near]))), (curves.name, slip)
+
+
+def _places(found: Centres, plot: Plot, curves: Centrodes) -> np.ndarray:
+    origin, size = axes_of(plot)
+    count = max(np.size(value) for value in plot.facts.values)
+    x, y, w = np.broadcast_to(plot.centres[curves.name].reshape(3, -1), (3, count))
+    return origin + size * (x + 1j * y) / w
