@@ -2,7 +2,10 @@
 
 from graphkin.centres.centrode_places import over
 from graphkin.centres.found import Centres, centre_of, centres
-from graphkin.centres.telling import as_json, place, rows, told
-from graphkin.centres.uses import ByCentres
+from graphkin.centres.telling import advantage_lines, as_json, place, rows, told
+from graphkin.centres.uses import ByCentres, advantages
 
-__all__ = ["ByCentres", "Centres", "as_json", "centre_of", "centres", "over", "place", "rows", "told"]
+__all__ = [
+    "ByCentres", "Centres", "advantage_lines", "advantages", "as_json", "centre_of", "centres", "over", "place", "rows",
+    "told",
+]  # fmt: skip

@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 
 from graphkin.centres.found import Centres
+from graphkin.centres.uses import ByCentres, advantages
 from graphkin.errors import Lang
 from graphkin.steps import Ray
 from graphkin.steps.centring import CentreStep, Far, Join, Kennedy, Pole, Seat
 
-__all__ = ["as_json", "found_by", "place", "rows", "told"]
+__all__ = ["advantage_lines", "as_json", "found_by", "place", "rows", "told"]
 
 Json = dict[str, Any]
 
@@ -72,6 +73,11 @@ WORDS: dict[str, dict[Lang, str]] = {
     "normal": {"en": "common normal", "zh": "公法线"},
     "together": {"en": "no motion against each other", "zh": "无相对运动"},
     "infinity": {"en": "at infinity, {angle}°", "zh": "无穷远，{angle}°"},
+    "advantage": {
+        "en": "Mechanical advantage without losses, torque on link {out} by torque on link {driver}: "
+        "ω{driver}/ω{out} = {value}",
+        "zh": "不计损耗时的机械增益：构件 {out} 与构件 {driver} 的力矩之比 ω{driver}/ω{out} = {value}",
+    },
     "centre": {"en": "centre", "zh": "瞬心"},
     "links": {"en": "links", "zh": "构件"},
     "place": {"en": "place [mm]", "zh": "位置 [mm]"},
@@ -100,3 +106,12 @@ def _way(by: str | list[list[str]], lang: Lang) -> str:
     if isinstance(by, str):
         return WORDS[by][lang]
     return " × ".join(WORDS["normal"][lang] if line == ["normal"] else "".join(line) for line in by)
+
+
+def advantage_lines(found: Centres, lang: Lang) -> Iterator[str]:
+    """How many times the driver's torque a link gives, by the ratios of the centres' distances."""
+    by, mechanism = ByCentres(found), found.method.mechanism
+    driver = next((d for d in mechanism.drivers if d.rate), mechanism.drivers[0])
+    for link, value in advantages(by).items():
+        names = {"out": mechanism.called(link), "driver": mechanism.called(driver.link)}
+        yield "  " + WORDS["advantage"][lang].format(value=f"{value:.4g}", **names)

@@ -18,7 +18,7 @@ from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.steps.centring import axes_of
 from graphkin.value import frozen
 
-__all__ = ["ByCentres"]
+__all__ = ["ByCentres", "advantages"]
 
 
 @frozen
@@ -114,6 +114,22 @@ class ByCentres:
         """omega of the first link by that of the second, positive for one sense (3-6)."""
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.divide(self._motions[first][2], self._motions[second][2])
+
+
+def advantages(by: ByCentres) -> dict[str, float]:
+    """Mechanical advantage of each link that turns with a frame hinge: its torque by the driver's, without losses.
+
+    Power in is power out, so it is omega of the driver by omega of the link: P1j Pij / P1i Pij turned over. Empty
+    where the driver does not turn.
+    """
+    mechanism = by.mechanism
+    driver = next((d for d in mechanism.drivers if d.rate), mechanism.drivers[0])
+    if driver.kind == "slide" or driver.from_link != FRAME or not np.isfinite(by.omega[driver.link]):
+        return {}
+    hinged = {link for hinge in mechanism.hinges if FRAME in hinge.links for link in hinge.links} - {FRAME, driver.link}
+    least = 1e-9 * abs(driver.rate or 1.0)
+    turning = [link for link in mechanism.moving if link in hinged and abs(by.omega[link]) > least]
+    return {link: float(by.ratio(driver.link, link)) for link in turning}
 
 
 def _share(known: Value, own: Value, common: Value) -> Value:

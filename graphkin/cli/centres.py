@@ -172,7 +172,7 @@ def _told(asked: _Asked, source: str) -> Iterator[str]:
 
 def _listed(asked: _Asked, found: Centres) -> Iterator[str]:
     from graphkin import reports
-    from graphkin.centres import rows
+    from graphkin.centres import advantage_lines, rows
     from graphkin.words.centre_explained import explain_centres
 
     mechanism = found.method.mechanism
@@ -180,6 +180,7 @@ def _listed(asked: _Asked, found: Centres) -> Iterator[str]:
     yield from reports.table(list(rows(found, asked.lang)))
     yield ""
     yield from explain_centres(found, asked.lang)
+    yield from advantage_lines(found, asked.lang)
 
 
 def _about(asked: _Asked, found: Centres) -> Iterator[str]:
