@@ -87,8 +87,10 @@ def _sketched_angle(structure: Structure, base: str) -> float | None:
         told = [p for p in structure.bodies[body] if p in places]
         if turn.base == base and len(told) > 1 and not turn.drivers:
             shape = structure.shapes[body]
-            arm, drawn = shape[told[1]] - shape[told[0]], places[told[1]] - places[told[0]]
-            return float(np.angle(drawn / arm)) - turn.constant
+            far = max(told, key=lambda point: abs(shape[point] - shape[told[0]]))
+            arm, drawn = shape[far] - shape[told[0]], places[far] - places[told[0]]
+            if abs(arm) > 0:
+                return float(np.angle(drawn / arm)) - turn.constant
     return None
 
 

@@ -48,6 +48,17 @@ def group(polygon: Polygon, stage: Group, found: Ternary | None) -> None:
         if not base_of(polygon, body):
             drive(polygon, _slid_from(polygon, body), body)
         fill(polygon, body)
+    if found is None:
+        for loop in stage.loops:
+            _coincide(polygon, loop)
+
+
+def _coincide(polygon: Polygon, loop: Loop) -> None:
+    """Both points at which links move past a moving one: the acceleration's Coriolis term is read between them."""
+    for hop in way_round(polygon.structure, loop)[1]:
+        if not isinstance(hop, Lever) and FRAME not in (hop.seen_from.link, hop.of.link):
+            reach(polygon, hop.seen_from)
+            reach(polygon, hop.of)
 
 
 def _slid_from(polygon: Polygon, body: str) -> str:
@@ -138,6 +149,9 @@ def _direction_of(size: Size, leg: Leg) -> Direction:
 def _measure_leg(polygon: Polygon, leg: Leg) -> None:
     """With the ternary link known, its end's arrow gives what the leg itself does."""
     hop = leg.unknown
+    for earlier in leg.hops[: leg.hops.index(hop)]:
+        if not polygon.known(earlier.of):
+            add_up(polygon, earlier.of, polygon.side(earlier.seen_from, (earlier,)))
     for later in reversed(leg.hops[leg.hops.index(hop) + 1 :]):
         for term in reversed(polygon.terms(later, last=False)):
             polygon.parts.append(LayOff(term, term.head, term.tail, backwards=True))

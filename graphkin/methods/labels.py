@@ -30,6 +30,8 @@ class Labels:
             if point not in self.coincident:
                 return point
             link = self.coincident[point]
+        elif self.structure.is_pin(site.link):
+            return f"{point}@{site.link.removeprefix('pin ')}"  # a pin in a slot is a body beside its link
         else:
             link = self.structure.home(site.link)
         return self.numbered(point, link)

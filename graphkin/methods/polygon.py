@@ -176,7 +176,8 @@ class Polygon:
         if self.plane == "velocity" or hop.seen_from.link == FRAME:
             return [("", size, line)]
         tail, head = self.velocity(hop.seen_from), self.velocity(hop.of)
-        link = self.structure.home(hop.seen_from.link)
+        pin = self.structure.is_pin(hop.seen_from.link)  # it turns with its slot
+        link = self.structure.slides[hop.slide].guide if pin else hop.seen_from.link
         return [("k", Coriolis(link, tail, head), Quarter(link, tail, head)), ("r", size, line)]
 
     def twist(self, hop: Twist) -> list[Piece]:
