@@ -2,28 +2,51 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import click
 
-from graphkin.cli.shared import lang_option, mechanism_argument, read, speaking
+from graphkin.cli.shared import force_option, lang_option, mechanism_argument, read, speaking
 from graphkin.errors import Lang
 
 __all__ = ["list_", "schema", "show", "structure"]
 
 
 @click.command("list")
+@click.option("--kinds", is_flag=True, help="The kinds of four-bar, slider-crank and guide-bar linkages.")
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="With --kinds: sketches, as SVG.")
+@force_option
 @lang_option
 @speaking
-def list_(lang: Lang) -> None:
-    """List the mechanisms of the library.
+def list_(kinds: bool, output: Path | None, force: bool, lang: Lang) -> None:
+    """List the mechanisms of the library, or the kinds of linkages.
 
     \b
     Example:
       graphkin list --lang zh
+      graphkin list --kinds -o kinds.svg
     """
+    if kinds:
+        _kinds(output, force, lang)
+        return
+    if output is not None:
+        raise click.UsageError("-o draws the kinds of linkages: --kinds")
     from graphkin import library
 
     for name, title in library.titles(lang).items():
         click.echo(f"{name:<12}{title}")
+
+
+def _kinds(output: Path | None, force: bool, lang: Lang) -> None:
+    from graphkin.linkages import family_lines
+
+    click.echo("\n".join(family_lines(lang)))
+    if output is not None:
+        from graphkin.outputs import svg
+        from graphkin.sheet.linkage_family import family_sheet
+
+        svg.write(output, svg.svg(family_sheet(lang)), force)
+        click.echo(str(output), err=True)
 
 
 @click.command()

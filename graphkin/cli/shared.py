@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 __all__ = [
     "PAPERS", "angle_option", "at_option", "at_values", "by_option", "coincident_option", "drawn", "force_option",
-    "json_line", "lang_option", "mechanism_argument", "method_option", "ranges_option", "read", "said", "speaking",
-    "user_language",
+    "json_line", "lang_option", "mechanism_argument", "method_option", "plain", "ranges_option", "read", "said",
+    "speaking", "user_language",
 ]  # fmt: skip
 
 PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape")
@@ -135,3 +135,11 @@ def at_values(method: Method, angles: Sequence[float], displacements: Sequence[f
 def json_line(value: object) -> str:
     """One line of JSON for programs."""
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+def plain(text: str) -> float | str:
+    """A number, where a text is one; else the text, which may carry a unit."""
+    try:
+        return float(text)
+    except ValueError:
+        return text

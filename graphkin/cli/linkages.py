@@ -1,0 +1,112 @@
+"""`linkage`: what a four-bar, slider-crank or guide-bar linkage is and does."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from graphkin.cli.shared import PAPERS, force_option, json_line, lang_option, read, speaking
+from graphkin.errors import GraphkinError, Lang, Where
+
+if TYPE_CHECKING:
+    from graphkin.linkages import Report
+
+__all__ = ["linkage"]
+
+LENGTHS = {"fourbar": 4, "slider": 3, "guide": 3}
+"""How many lengths each kind of linkage has."""
+
+
+@click.command()
+@click.argument("mechanism", metavar="[MECHANISM]", required=False)
+@click.option("--fourbar", nargs=4, metavar="CRANK COUPLER ROCKER FRAME", help="A four-bar by its lengths, mm.")
+@click.option("--slider", nargs=3, metavar="CRANK ROD OFFSET", help="A slider-crank by its lengths, mm.")
+@click.option("--guide", nargs=3, metavar="CRANK FRAME OFFSET", help="A guide bar by its lengths, mm.")
+@click.option("--driver", "by", default="crank", metavar="WORD",
+              help="With lengths: driven at the crank, coupler, rocker, slider or bar.")  # fmt: skip
+@click.option("--fix", default="", metavar="LINK", help="Print the mechanism with another link as frame, as TOML.")
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Draw the limits, as SVG.")
+@click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a linkage, metres and radians.")
+@force_option
+@lang_option
+@speaking
+def linkage(
+    mechanism: str | None, fourbar: tuple[str, ...], slider: tuple[str, ...], guide: tuple[str, ...], by: str, fix: str,
+    output: Path | None, paper: str | None, as_json: bool, force: bool, lang: Lang,
+) -> None:  # fmt: skip
+    """Tell a linkage's kind, limits, quick return, transmission angles and dead points, for each one in MECHANISM.
+
+    \b
+    Example:
+      graphkin linkage s2-2 -o limits.svg
+      graphkin linkage --fourbar 15 48 55 45
+      graphkin linkage --slider 20 65 15 --json
+      graphkin linkage ex3-5 --fix 2 > inverted.toml
+    """
+    given = {name: sizes for name, sizes in (("fourbar", fourbar), ("slider", slider), ("guide", guide)) if sizes}
+    if len(given) + (mechanism is not None) != 1:
+        raise click.UsageError("give a MECHANISM, or one of --fourbar, --slider, --guide")
+    if fix:
+        click.echo(_held(mechanism, given, by, fix), nl=False)
+        return
+    told = list(_of_lengths(given, by, lang) if given else _of_mechanism(mechanism or "", lang))
+    for k, (report, lines) in enumerate(told):
+        from graphkin.linkages import as_json as data
+
+        click.echo(json_line(data(report)) if as_json else "\n".join(([""] if k else []) + lines))
+    if output is not None:
+        _draw(output, told[0][0], mechanism, paper, force, lang)
+
+
+def _of_lengths(given: dict[str, tuple[str, ...]], by: str, lang: Lang) -> Iterator[tuple[Report, list[str]]]:
+    from graphkin import linkages
+
+    ((kind, sizes),) = given.items()
+    report = linkages.report(linkages.from_lengths(kind, *_metres(kind, sizes), driver=by))
+    yield report, list(linkages.lines(report, lang))
+
+
+def _metres(kind: str, sizes: tuple[str, ...]) -> list[float]:
+    from graphkin.cli.shared import plain
+    from graphkin.loading.units import read_quantity
+
+    try:
+        return [read_quantity(plain(size), "length") for size in sizes]
+    except GraphkinError as error:
+        raise error.at(Where(f"--{kind}")) from None
+
+
+def _of_mechanism(source: str, lang: Lang) -> Iterator[tuple[Report, list[str]]]:
+    from graphkin import linkages
+
+    machine = read(source)
+    for found in linkages.some_found_in(machine):
+        report = linkages.reported(found)
+        yield report, list(linkages.found_lines(found, report, lang))
+
+
+def _held(mechanism: str | None, given: dict[str, tuple[str, ...]], by: str, link: str) -> str:
+    """Another link as frame, as TOML."""
+    from graphkin import linkages
+    from graphkin.loading import loads
+
+    if mechanism is not None:
+        return linkages.inverted(read(mechanism), link)
+    ((kind, sizes),) = given.items()
+    text = linkages.as_mechanism(linkages.from_lengths(kind, *_metres(kind, sizes), driver=by))
+    return linkages.inverted(loads(text, name=kind, file=f"{kind}.toml"), link)
+
+
+def _draw(output: Path, report: Report, mechanism: str | None, paper: str | None, force: bool, lang: Lang) -> None:
+    from graphkin.outputs import svg
+    from graphkin.sheet.linkage_sheet import limit_sheet
+
+    if output.suffix.lower() != ".svg":
+        raise click.UsageError(f"{output}: the file to write must end in .svg")
+    title = read(mechanism).headline(lang) if mechanism not in (None, "-") else ""
+    svg.write(output, svg.svg(limit_sheet(report, lang, paper=paper, title=title)), force)
+    click.echo(str(output), err=True)

@@ -1,0 +1,312 @@
+"""A designed linkage on paper: the construction in thin lines, the positions asked for, and the linkage found.
+
+Each step of the construction is drawn by what it does; a line reaches as far as the points that lie on it, a circle is
+whole, and its number is that of its stage, the numbered sentence of the solution.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from typing import assert_never
+
+from graphkin.design import Board, Family, Solution
+from graphkin.design.steps import (
+    Bisector,
+    CircleAbout,
+    CircleThrough,
+    LayOff,
+    MarkOn,
+    Measure,
+    MeasureAngle,
+    Meet,
+    Normal,
+    Parallel,
+    Place,
+    Reckon,
+    Slanted,
+    Step,
+    Through,
+    Turned,
+)
+from graphkin.sheet.about_page import Page, clipped, within
+from graphkin.sheet.labels import Wanted
+from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
+from graphkin.sheet.marks import Arc, Disc, Mark, Stroke
+from graphkin.sheet.paper import PenName
+from graphkin.sheet.window import Figure
+from graphkin.value import frozen
+
+__all__ = ["DesignFigure"]
+
+_BEYOND = 5.0
+"""How far a construction line goes on past its points [mm]."""
+_NEAR = 0.25
+"""Points nearer than this on paper are one [mm]."""
+_DOT = 0.45
+_PENS: Mapping[str, PenName] = {"admissible": "thin", "FG": "dashed", "minor": "dashed"}
+_ARC = 13.0
+"""Radius of the arcs that show angles [mm]."""
+_PART = math.radians(14)
+"""Half of a drawn arc of a compass."""
+
+Entry = Mark | Wanted
+
+
+@frozen
+class DesignFigure:
+    """A solution on a page."""
+
+    solution: Solution
+    on: Page
+    families: tuple[Family, ...] = ()
+
+    @cached_property
+    def board(self) -> Board:
+        return self.solution.board()
+
+    def figure(self) -> Figure:
+        """Construction and positions; marks carry the number of their stage."""
+        figure = Figure()
+        for entry in self._entries():
+            if isinstance(entry, Wanted):
+                figure.wanted.append(entry)
+            else:
+                figure.marks.append(entry)
+        return figure
+
+    def _entries(self) -> Iterator[Entry]:
+        for number_, stage in enumerate(self.solution.construction.stages, start=1):
+            for step in stage.steps:
+                yield from self._drawn(step, number_)
+        yield from self._positions()
+        yield from self._points()
+        yield from self._angles()
+
+    # --- steps -----------------------------------------------------------------------------------
+
+    def _drawn(self, step: Step, stage: int) -> Iterator[Entry]:
+        match step:
+            case LayOff(point, about):
+                yield from self._line([about, point], "construction", stage)
+            case Slanted() | Through() | Normal() | Parallel() | Bisector():
+                yield from self._ruled(step, stage)
+            case CircleThrough():
+                yield from self._locus(stage) if step.circle == "locus" else self._spanned(step, stage)
+            case CircleAbout():
+                yield from self._compass(step, stage)
+            case Turned(point, of, about):
+                yield from self._turned(point, of, about, stage)
+            case Measure(_, first, second):
+                yield from self._line([first, second], "construction", stage)
+            case Place() | Reckon() | MarkOn() | Meet() | MeasureAngle():
+                pass
+            case _:
+                assert_never(step)
+
+    def _line(self, names: list[str], pen: PenName, stage: int) -> Iterator[Entry]:
+        places = [self.on.window(self.board.points[name]) for name in names]
+        if abs(places[0] - places[-1]) > _NEAR:
+            yield Stroke(tuple(places), pen, step=stage)
+
+    def _ruled(self, step: Slanted | Through | Normal | Parallel | Bisector, stage: int) -> Iterator[Entry]:
+        """A line from the first to the last of the points that lie on it, and a little beyond."""
+        start, along = self.board.lines[step.line]
+        size = self._size
+        known = {*self._named(step), *(self._met_on(step.line) or self._lying_on(step))}
+        ways = [(along.conjugate() * (self.board.points[name] - start)).real for name in known]
+        if isinstance(step, Bisector):
+            half = abs(self.board.points[step.first] - self.board.points[step.second]) / 2
+            ways += [0.0, 0.6 * half, -0.6 * half]
+        if not ways or max(ways) - min(ways) < 1e-9 * size:
+            here = ways[0] if ways else 0.0
+            ways = [here - 0.2 * size, here + 0.2 * size]
+        reach = _BEYOND * self.on.window.scale
+        ends = [self.on.window(start + along * way) for way in (min(ways) - reach, max(ways) + reach)]
+        pen: PenName = "centre" if isinstance(step, Bisector) else "construction"
+        for stroke in clipped(ends, self.on.room, pen):
+            yield Stroke(stroke.places, stroke.pen, step=stage)
+
+    @staticmethod
+    def _named(step: Slanted | Through | Normal | Parallel | Bisector) -> tuple[str, ...]:
+        match step:
+            case Slanted(at=at) | Normal(at=at):
+                return (at,)
+            case Through(_, first, second):
+                return first, second
+            case _:
+                return ()
+
+    def _lying_on(self, step: Step) -> list[str]:
+        """Points chosen on a bisector."""
+        if not isinstance(step, Bisector):
+            return []
+        start, along = self.board.lines[step.line]
+        placed = (
+            one.point for stage in self.solution.construction.stages for one in stage.steps if isinstance(one, Place)
+        )  # fmt: skip
+        return [p for p in placed if abs((along.conjugate() * (self.board.points[p] - start)).imag) < 1e-6 * self._size]
+
+    def _met_on(self, name: str) -> list[str]:
+        """Points found on a line or a circle."""
+        return [
+            step.point for stage in self.solution.construction.stages for step in stage.steps
+            if isinstance(step, Meet) and name in (step.first, step.second)
+        ]  # fmt: skip
+
+    def _locus(self, stage: int) -> Iterator[Entry]:
+        """The circle of crank centres: full where A may lie, dashed elsewhere; F and G end the arc between them."""
+        centre, radius = self.board.circles["locus"]
+        family = min(self.families, key=lambda one: abs(one.centre - centre))
+        for arc in family.arcs:
+            yield from self._swept(centre, radius, (arc.start, arc.end), _PENS[arc.name], stage)
+        parted = [arc for arc in family.arcs if arc.name == "FG"]
+        for turn in {end for arc in parted for end in (arc.start, arc.end)}:
+            yield from self._parting(centre + cmath.rect(radius, turn), stage)
+
+    def _parting(self, at: complex, stage: int) -> Iterator[Entry]:
+        """F on the line C1D, or under C1; else G. Neither where it is a point of the linkage or of the construction."""
+        first = self.board.points["C1"]
+        way = self.board.points["D"] - first if "D" in self.board.points else 1j
+        off = (way.conjugate() * (at - first)).imag / abs(way)
+        place = self.on.window(at)
+        taken = any(abs(self.on.window(z) - place) < _NEAR for z in self.board.points.values())
+        if not taken and within(place, self.on.room):
+            yield Disc(place, _DOT, "thin", "ink", step=stage)
+            letter = "F" if abs(off) < 1e-6 * abs(at - first) else "G"
+            yield Wanted(point_label(letter), place, gap=0.9, step=stage, spare=True)
+
+    def _spanned(self, step: CircleThrough, stage: int) -> Iterator[Entry]:
+        """A circle through three points, from the first to the last and a little beyond."""
+        centre, radius = self.board.circles[step.circle]
+        turns = sorted(cmath.phase(self.board.points[name] - centre) for name in step.points)
+        gaps = [(turns[(k + 1) % 3] - turns[k]) % math.tau for k in range(3)]
+        widest = max(range(3), key=lambda k: gaps[k])
+        start = turns[(widest + 1) % 3]
+        ends = start - _PART, start + math.tau - gaps[widest] + _PART
+        yield from self._swept(centre, radius, ends, "thin", stage)
+
+    def _swept(
+        self, centre: complex, radius: float, ends: tuple[float, float], pen: PenName, stage: int
+    ) -> Iterator[Entry]:
+        """An arc as a polyline, as far as the paper goes."""
+        count = max(24, math.ceil((ends[1] - ends[0]) * 60))
+        turns = (ends[0] + (ends[1] - ends[0]) * k / count for k in range(count + 1))
+        places = [self.on.window(centre + cmath.rect(radius, turn)) for turn in turns]
+        for stroke in clipped(places, self.on.room, pen):
+            yield Stroke(stroke.places, stroke.pen, step=stage)
+
+    def _compass(self, step: CircleAbout, stage: int) -> Iterator[Entry]:
+        """A short arc at each point found with it."""
+        centre, radius = self.board.circles[step.circle]
+        for name in self._met_on(step.circle):
+            turn = cmath.phase(self.board.points[name] - centre)
+            part = min(_PART, 9.0 * self.on.window.scale / radius)
+            yield from self._swept(centre, radius, (turn - part, turn + part), "thin", stage)
+
+    def _turned(self, point: str, of: str, about: str, stage: int) -> Iterator[Entry]:
+        centre, old, new = (self.on.window(self.board.points[name]) for name in (about, of, point))
+        start = cmath.phase(old - centre)
+        sweep = cmath.phase((new - centre) / (old - centre))
+        yield Arc(centre, abs(old - centre), start, sweep, "dashed", step=stage)
+        yield Stroke((centre, new), "construction", step=stage)
+
+    # --- positions, points, angles -----------------------------------------------------------------
+
+    @property
+    def _size(self) -> float:
+        places = list(self.board.points.values())
+        return max(abs(p - q) for p in places for q in places)
+
+    @property
+    def _last(self) -> int:
+        return len(self.solution.construction.stages)
+
+    def _positions(self) -> Iterator[Entry]:
+        """The linkage at its limits, or at the positions asked for, in thin lines."""
+        order = "ABCD" if "D" in self.solution.limits[0] else "ABC"
+        for places in self.solution.limits:
+            bars = tuple(self.on.window(places[name]) for name in order)
+            yield Stroke(bars, "thin", step=self._last)
+            for name in order[1:-1] if order == "ABCD" else order[1:]:
+                yield Disc(self.on.window(places[name]), 0.8, "thin", "paper", step=self._last)
+
+    def _points(self) -> Iterator[Entry]:
+        """Points of the construction with their letters; those of the linkage itself are lettered with it."""
+        for name in self.board.points.keys() & self.solution.places.keys():
+            at = self.on.window(self.board.points[name])
+            yield Disc(at, _DOT, "thin", "ink", step=self.born(name))
+        shown = {name: self.on.window(z) for name, z in self._lettered().items()}
+        hinges = [self.on.window(z) for places in self.solution.limits for z in places.values()]
+        used: list[complex] = [self.on.window(z) for z in self.solution.places.values()]
+        for name, at in shown.items():
+            if any(abs(at - other) < _NEAR for other in used) or not within(at, self.on.room):
+                continue
+            used.append(at)
+            same = [other for other, z in shown.items() if abs(z - at) < _NEAR]
+            if all(abs(at - other) > _NEAR for other in hinges):
+                yield Disc(at, _DOT, "thin", "ink", step=self.born(name))
+            yield Wanted(joined([point_label(one) for one in same]), at, gap=0.9, step=self.born(name))
+
+    def also(self, name: str) -> list[str]:
+        """Points of the construction where a point of the linkage lies: B is at B3."""
+        at = self.solution.places.get(name)
+        if at is None:
+            return []
+        return [other for other, z in self._lettered().items() if abs(z - at) < _NEAR * self.on.window.scale]
+
+    def _lettered(self) -> Mapping[str, complex]:
+        """The construction's points, and B and C of the positions where it has none."""
+        found = {name: z for name, z in self.board.points.items() if name != "X"}
+        for k, places in enumerate(self.solution.limits, start=1):
+            for name in self._moving:
+                if f"{name}1" not in self.board.points:
+                    found[f"{name}{k}"] = places[name]
+        return {name: z for name, z in found.items() if name not in self.solution.places}
+
+    @property
+    def _moving(self) -> list[str]:
+        """B and C, where they are not pivots."""
+        first = self.solution.limits[0]
+        return [name for name in "BC" if name in first and any(p[name] != first[name] for p in self.solution.limits)]
+
+    def born(self, name: str) -> int:
+        """The stage that makes a point."""
+        for number_, stage in enumerate(self.solution.construction.stages, start=1):
+            for step in stage.steps:
+                if getattr(step, "point", "") == name or getattr(step, "centre", "") == name:
+                    return number_
+        return self._last
+
+    def _angles(self) -> Iterator[Entry]:
+        """theta at A, and the swing at D (at C for a guide bar), with their values."""
+        at, one = self.board.points, self.solution
+        if one.theta is None or len(one.limits) != 2 or "theta" not in self.board.numbers:
+            return
+        if one.shape == "guide-bar":
+            yield from self._angle(at["C"], at["B1"], at["B2"], "ψ = θ", one.theta, 2)
+            return
+        yield from self._angle(at["A"], at["C1"], at["C2"], "θ", one.theta, self._last)
+        if one.swing is not None and "D" in at:
+            yield from self._angle(at["D"], at["C1"], at["C2"], "ψ", one.swing, 2)
+        if one.stroke is not None:
+            ends = self.on.window(at["C1"]), self.on.window(at["C2"])
+            label = self._valued("H", 1e3 * one.stroke, " mm")
+            yield Wanted(label, ends[0], ends[1], gap=3.4, step=2, spare=True)
+
+    def _angle(
+        self, centre: complex, first: complex, second: complex, letter: str, value: float, stage: int
+    ) -> Iterator[Entry]:
+        at, one, other = (self.on.window(z) for z in (centre, first, second))
+        radius = min(_ARC, 0.6 * min(abs(one - at), abs(other - at)))
+        start = cmath.phase(one - at)
+        sweep = cmath.phase((other - at) / (one - at))
+        yield Arc(at, radius, start, sweep, "thin", step=stage)
+        middle = at + cmath.rect(radius, start + sweep / 2)
+        yield Wanted(self._valued(letter, math.degrees(value), "°"), middle, gap=0.8, away=middle - at, step=stage)
+
+    @staticmethod
+    def _valued(letter: str, value: float, unit: str) -> Label:
+        return (*(Run(c, c.isalpha()) for c in letter), Run(" = "), *number(value, 5), *plain(unit))

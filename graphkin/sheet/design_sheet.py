@@ -1,0 +1,121 @@
+"""The sheet of a design: the construction at true scale, its limit positions, and the linkage that was found.
+
+`design_sheet` draws all, `design_step_sheets` one numbered sentence after the other.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+
+from graphkin import loading, methods
+from graphkin.design import Design, Solution, as_toml
+from graphkin.errors import Lang
+from graphkin.methods import Method
+from graphkin.sheet import Sheet
+from graphkin.sheet.about_page import Page, drawn_values, enlarged, finished, mechanism_on, page
+from graphkin.sheet.design_figure import DesignFigure
+from graphkin.sheet.labels import Wanted
+from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
+from graphkin.sheet.marks import Text
+from graphkin.sheet.paper import LABEL
+from graphkin.steps import Plot
+from graphkin.value import frozen
+
+__all__ = ["design_sheet", "design_step_sheets"]
+
+_COLUMN, _LINE = 42.0, 6.2
+"""Between sizes in the strip [mm]."""
+_MOST = 3.0
+"""So many times larger than the linkage the figure may become, for centres and circles."""
+_HEADING: dict[Lang, str] = {"en": "Design by construction", "zh": "图解设计"}
+
+
+@frozen
+class _Drawn:
+    """The mechanism of a solution, planned and placed."""
+
+    solution: Solution
+    method: Method
+    plot: Plot
+
+    @classmethod
+    def of(cls, design: Design, solution: Solution) -> _Drawn:
+        method = methods.plan(loading.loads(as_toml(solution, design.kind), name="design", file="design.toml"))
+        return cls(solution, method, methods.replay_all(method))
+
+
+def design_sheet(
+    design: Design, *, solution: Solution | None = None, paper: str | None = None, lang: Lang = "en"
+) -> Sheet:
+    """Draw a design that has a solution: the best one, or the one given. Raises NoDesign, UnknownPaper."""
+    from graphkin.design import error
+
+    chosen = solution or design.best
+    if chosen is None:
+        raise error(design) or AssertionError("a design without a best solution has none")
+    drawn = _Drawn.of(design, chosen)
+    on = _page(drawn, paper)
+    construction = DesignFigure(chosen, on, design.families)
+    last = len(chosen.construction.stages) + 1
+    machine = mechanism_on(drawn.method, drawn.plot, on.window)
+    figure = construction.figure()
+    figure.marks += [replace(mark, step=last) for mark in machine.marks]
+    figure.wanted += [_named(replace(want, step=last), construction) for want in machine.wanted]
+    whole = finished(on, drawn.method, drawn.plot, _HEADING[lang], figure, lang)
+    return replace(whole, marks=(*whole.marks, *_result(chosen, on, last)))
+
+
+def _named(want: Wanted, construction: DesignFigure) -> Wanted:
+    """The label of a point of the linkage, with the construction's letters for that place; pivots from the start."""
+    for name in "ABCD":
+        if want.label == point_label(name) and name in construction.board.points:
+            return replace(want, step=construction.born(name))
+        if want.label == point_label(name) and (also := construction.also(name)):
+            return replace(want, label=joined([want.label, *map(point_label, also)]))
+    return want
+
+
+def design_step_sheets(
+    design: Design, *, solution: Solution | None = None, paper: str | None = None, lang: Lang = "en"
+) -> Iterator[Sheet]:
+    """One sheet a numbered sentence that draws something; what it adds is emphasised. The linkage comes last."""
+    whole = design_sheet(design, solution=solution, paper=paper, lang=lang)
+    for step in sorted({mark.step for mark in whole.marks if mark.step is not None}):
+        marks = (mark for mark in whole.marks if mark.step is None or mark.step <= step)
+        yield replace(whole, marks=tuple(replace(m, new=True) if m.step == step else m for m in marks))
+
+
+def _page(drawn: _Drawn, paper: str | None) -> Page:
+    """Room for the linkage at all positions, the construction's points, and its circle if that is not too large."""
+    one = drawn.solution
+    board = one.board()
+    values = drawn_values(drawn.method, drawn.plot)
+    values += [place for places in one.limits for place in places.values()]
+    values = enlarged(values, board.points.values(), _MOST)
+    if "locus" in board.circles:
+        centre, radius = board.circles["locus"]
+        round_about = [centre + radius * way for way in (1, 1j, -1, -1j)]
+        wider = enlarged(values, round_about, _MOST)
+        values = wider if all(place in wider for place in round_about) else values
+    return page(drawn.method, [drawn.plot], values, paper)
+
+
+def _result(one: Solution, on: Page, step: int) -> list[Text]:
+    """l_AB = 20.773 mm, .. in the strip at the foot, on the left of the title block, two to a line."""
+    corner = complex(on.layout.strip.left + 3, on.layout.strip.top + 6)
+    places = (corner + complex(_COLUMN * (k % 2), _LINE * (k // 2)) for k in range(9))
+    return [Text(label, at, LABEL, step) for label, at in zip(_sizes(one), places)]
+
+
+def _sizes(one: Solution) -> Iterator[Label]:
+    named = {"AB": one.a, "BC": one.b, "CD": one.c, ("AC" if one.shape == "guide-bar" else "AD"): one.d}
+    for name, size in named.items():
+        if size is not None:
+            yield (Run("l", True), Run(name, True, "sub"), Run(" = "), *number(1e3 * size, 5), *plain(" mm"))
+    if one.shape == "slider-crank" and one.e is not None:
+        yield (Run("e", True), Run(" = "), *number(1e3 * one.e, 5), *plain(" mm"))
+    if one.gamma_min is not None:
+        gamma = number(math.degrees(one.gamma_min), 5)
+        yield (Run("γ", True), Run("min", False, "sub"), Run(" = "), *gamma, *plain("°"))

@@ -1,0 +1,109 @@
+"""The sheet of a design, measured: it is at scale, letters lie on nothing, steps come one after the other."""
+
+import math
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from test_design import DESIGNS, rad
+
+import graphkin
+from graphkin import loading
+from graphkin.design import as_toml, rocker
+from graphkin.errors import NoDesign
+from graphkin.outputs.svg import svg
+from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
+from graphkin.sheet.lettering import box
+from graphkin.sheet.marks import Stroke, Text
+from graphkin.sheet.obstacles import tree
+
+
+def words(mark):
+    return "".join(run.text for run in mark.label)
+
+
+@pytest.mark.parametrize("name", DESIGNS)
+def test_links_are_drawn_at_scale(name):
+    one = DESIGNS[name].best
+    sheet = design_sheet(DESIGNS[name])
+    scale = sheet.scales["position"]
+    drawn = {mark.link: abs(mark.places[1] - mark.places[0]) * scale
+             for mark in sheet.marks if isinstance(mark, Stroke) and mark.pen == "visible"}  # fmt: skip
+    assert drawn["1"] == pytest.approx(one.a, abs=1e-9)
+    if one.shape != "guide-bar":
+        assert drawn["2"] == pytest.approx(one.b, abs=1e-9)
+    if one.shape == "four-bar":
+        assert drawn["3"] == pytest.approx(one.c, abs=1e-9)
+    thin = [mark for mark in sheet.marks if isinstance(mark, Stroke) and mark.pen == "thin"]
+    for places in one.limits:
+        b = (places["B"] - places["A"]).conjugate() / scale
+        assert any(abs(mark.places[1] - mark.places[0] - b) < 1e-6 for mark in thin), "a position asked for is missing"
+
+
+@pytest.mark.parametrize("name", DESIGNS)
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_letters_lie_on_nothing_and_on_the_paper(name, lang):
+    sheet = design_sheet(DESIGNS[name], lang=lang)
+    texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
+    others = tree(mark for mark in sheet.marks if not isinstance(mark, Text) and getattr(mark, "pen", "") != "leader")
+    low, high = [], []
+    for mark in texts:
+        wide, up, down = box(mark.label, mark.size)
+        low.append((mark.at.real + 0.05, mark.at.imag - up + 0.05))
+        high.append((mark.at.real + wide - 0.05, mark.at.imag + down - 0.05))
+    low, high = np.array(low), np.array(high)
+    assert (low > 10).all()
+    assert (high < (sheet.paper.width - 10, sheet.paper.height - 10)).all()
+    assert [words(texts[k]) for k in set(others.touched(low, high))] == []
+    over = (low[:, None] < high[None]).all(-1) & (high[:, None] > low[None]).all(-1)
+    np.fill_diagonal(over, False)
+    assert not over.any()
+
+
+@pytest.mark.parametrize("name", DESIGNS)
+def test_steps_add_up_to_the_sheet(name):
+    design = DESIGNS[name]
+    whole = design_sheet(design)
+    sheets = list(design_step_sheets(design))
+    assert len(sheets) >= len(design.best.construction.stages) - 2
+    assert [len(s.marks) for s in sheets] == sorted({len(s.marks) for s in sheets})
+    assert len(sheets[-1].marks) == len(whole.marks)
+    assert all(any(mark.new for mark in sheet.marks) for sheet in sheets)
+    assert not any(mark.link for mark in sheets[0].marks if isinstance(mark, Stroke)), "the linkage comes last"
+
+
+def test_the_drawing_of_example_2_3_tells_its_numbers():
+    sheet = design_sheet(DESIGNS["rocker"], lang="zh")
+    told = [words(mark) for mark in sheet.marks if isinstance(mark, Text)]
+    for text in ("θ = 23.478°", "ψ = 40°", "lAB = 20.773 mm", "lBC = 89.96 mm", "F", "G", "P", "O", "C1", "C2"):
+        assert text in told
+    assert sheet.scales["position"] == 0.001
+
+
+@pytest.mark.parametrize("name", DESIGNS)
+def test_sheets_are_written_and_the_linkage_is_drawn(name):
+    design = DESIGNS[name]
+    text = svg(design_sheet(design, lang="zh"))
+    assert ElementTree.fromstring(text.split("\n", 1)[1]).tag.endswith("svg")
+    assert text == svg(design_sheet(design, lang="zh"))
+    mechanism = loading.loads(as_toml(design.best, design.kind))
+    assert len(graphkin.Drawing.of(mechanism).sheet(lang="zh").marks) > 20
+
+
+def test_every_paper_and_size():
+    for size in (1e-3, 1.0, 40.0):
+        for paper in ("A4", "A3-landscape", None):
+            sheet = design_sheet(rocker(0.08 * size, rad(75), 1.15, gamma_min=rad(20)), paper=paper)
+            assert paper in (None, sheet.paper.name)
+            for mark in sheet.marks:
+                places = mark.places if isinstance(mark, Stroke) else ()
+                assert all(9.9 <= z.real <= sheet.paper.width - 9.9 for z in places)
+                assert all(9.9 <= z.imag <= sheet.paper.height - 9.9 for z in places)
+
+
+def test_without_a_solution_there_is_no_sheet():
+    found = rocker(0.080, math.radians(40), 1.3, frame=0.3)
+    with pytest.raises(NoDesign) as caught:
+        design_sheet(found)
+    assert "179.67 mm" in caught.value.message("en")
+    assert "机架" in caught.value.message("zh")
