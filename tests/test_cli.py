@@ -323,3 +323,106 @@ def test_centres_that_are_not_there(words: list[str]):
     refused = run("centres", "fig3-4", *words)
     assert refused.exit_code == 3, refused.stdout
     assert len(refused.stderr.strip().splitlines()) == 1
+
+
+# --- linkage, design ----------------------------------------------------------------------------
+
+
+def degrees(value: float) -> float:
+    return value * 180 / 3.141592653589793
+
+
+def test_linkage_of_the_textbook():
+    """Examples 2.2 and 2.4, by lengths and by the mechanism's file."""
+    for words in (["--fourbar", "15", "48", "55", "45"], ["s2-2"]):
+        found = json.loads(run("linkage", *words, "--json").stdout)
+        assert (found["format"], found["kind"], found["grashof"], found["driver"]) == (1, "crank-rocker", True, "AB")
+        assert degrees(found["swing"]) == pytest.approx(40.535, abs=5e-4)
+        assert degrees(found["theta"]) == pytest.approx(29.859, abs=5e-4)
+        assert found["K"] == pytest.approx(1.3978, abs=1e-4)
+        assert degrees(found["gamma_min"]) == pytest.approx(32.984, abs=5e-4)
+        assert sorted(round(degrees(end["gamma"]), 3) for end in found["critical"]) == [32.984, 70.885]
+        assert found["dead_points"]["AB"] == []
+        assert len(found["dead_points"]["CD"]) == 2
+    for words in (["--slider", "20", "65", "15"], ["s2-4"]):
+        found = json.loads(run("linkage", *words, "--json").stdout)
+        assert found["kind"] == "slider-crank"
+        assert found["stroke"] * 1000 == pytest.approx(41.240, abs=5e-4)
+        assert degrees(found["theta"]) == pytest.approx(9.307, abs=5e-4)
+        assert found["K"] == pytest.approx(1.109, abs=5e-4)
+        assert degrees(found["alpha_max"]) == pytest.approx(32.579, abs=5e-4)
+
+
+def test_linkage_is_drawn_and_told_in_both_languages():
+    for lang, word in (("en", "crank-rocker"), ("zh", "曲柄摇杆机构")):
+        done = run("linkage", "s2-2", "-o", "limits.svg", "--lang", lang)
+        assert done.exit_code == 0
+        assert word in done.stdout
+    assert run("list", "--kinds", "-o", "kinds.svg").exit_code == 0
+
+
+def test_linkage_with_another_link_as_frame():
+    text = run("linkage", "ex3-5", "--fix", "2").stdout
+    Path("held.toml").write_text(text, encoding="utf-8")
+    assert run("draw", "held.toml").exit_code == 0
+    assert run("check", "held.svg").exit_code == 0
+
+
+@pytest.mark.parametrize(
+    "words",
+    [["--fourbar", "15", "48", "55", "450"], ["--fourbar", "1", "2", "x", "4"], ["--slider", "-1", "65", "15"], ["ex3-4", "--fix", "9"],
+     ["--fourbar", "0", "0", "0", "0"], ["--fourbar", "nan", "1", "1", "1"], ["s4-ex4"]],
+)  # fmt: skip
+def test_linkages_that_are_none(words: list[str]):
+    for lang in ("en", "zh"):
+        refused = run("linkage", *words, "--lang", lang)
+        assert refused.exit_code == 3, refused.stdout
+        assert len(refused.stderr.strip().splitlines()) == 1
+    assert run("linkage").exit_code == 2
+
+
+def test_design_of_the_textbook():
+    """Example 2.3, written as a mechanism that draws, and proved by its own report."""
+    words = ["design", "rocker", "--length", "80", "--swing", "40", "--K", "1.3", "--frame", "71"]
+    best = json.loads(run(*words, "--json").stdout)["solutions"][0]
+    assert best["a"] * 1000 == pytest.approx(20.773, abs=5e-4)
+    assert best["b"] * 1000 == pytest.approx(89.960, abs=5e-4)
+    assert run(*words, "-o", "design.svg", "--steps", "steps", "--toml", "found.toml").exit_code == 0
+    assert run("draw", "found.toml").exit_code == 0
+    back = json.loads(run("linkage", "found.toml", "--json").stdout)
+    assert degrees(back["swing"]) == pytest.approx(40, abs=1e-7)
+    assert back["K"] == pytest.approx(1.3, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["slider", "--stroke", "40", "--K", "1.2", "--offset", "15"], ["guide-bar", "--K", "1.5", "--frame", "100"],
+        ["rocker", "--length", "80", "--swing", "40", "--K", "1.3"],
+        ["positions", "--at", "0,50 0", "--at", "25,60 -10", "--at", "50,55 -30", "--coupler", "60"],
+        ["positions", "--at", "0,50 0", "--at", "25,60 -10", "--coupler", "60"],
+        ["angles", "--pair", "0:0", "--pair", "40:30", "--pair", "90:70", "--frame", "100"],
+    ],
+)  # fmt: skip
+def test_designs_are_drawn_and_told(words: list[str]):
+    for lang in ("en", "zh"):
+        done = run("design", *words, "-o", "design.svg", "--lang", lang)
+        assert done.exit_code == 0, done.stderr
+    assert json.loads(run("design", *words, "--json").stdout)["format"] == 1
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["rocker", "--length", "80", "--swing", "40", "--K", "1.3", "--frame", "20"],
+        ["rocker", "--length", "80", "--swing", "40", "--K", "0.9"], ["rocker", "--length", "-8", "--swing", "40", "--K", "1.3"],
+        ["slider", "--stroke", "40", "--K", "nan"], ["slider", "--stroke", "4 kg", "--K", "1.2"],
+        ["positions", "--at", "10,40 60,70"], ["positions", "--at", "nonsense", "--at", "1,2 3,4"],
+        ["angles", "--pair", "3", "--frame", "100"], ["guide-bar", "--K", "1.5"],
+    ],
+)  # fmt: skip
+def test_designs_that_cannot_be(words: list[str]):
+    for lang in ("en", "zh"):
+        refused = run("design", *words, "--lang", lang)
+        assert refused.exit_code == 3, refused.stdout
+        assert len(refused.stderr.strip().splitlines()) == 1

@@ -20,7 +20,7 @@ CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 COMMANDS = {
     "draw": "drawing", "explain": "drawing", "solve": "drawing", "check": "drawing",
     "sweep": "moving", "find": "moving", "equations": "writing",
-    "centres": "centres", "linkage": "linkages",
+    "centres": "centres", "linkage": "linkages", "design": "design",
     "structure": "library", "list": "library", "show": "library", "schema": "library",
 }  # fmt: skip
 """The module of each command."""

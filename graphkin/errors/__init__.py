@@ -9,7 +9,7 @@ about drivers and poses, `motion` about assembly and movement, `asking` about wh
 a line here.
 """
 
-from graphkin.errors.asking import BadRange, NoPosition, NoSuchDriver, UnknownQuantity
+from graphkin.errors.asking import BadPair, BadRange, NoPosition, NoSuchDriver, UnknownQuantity
 from graphkin.errors.base import (
     NOWHERE,
     Choice,
@@ -143,6 +143,7 @@ __all__ = [
     "BadCondition",
     "BadDrawing",
     "BadName",
+    "BadPair",
     "BadRange",
     "BadVelocities",
     "BlockOrPin",

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
-__all__ = ["BadRange", "NoPosition", "NoSuchDriver", "UnknownQuantity"]
+__all__ = ["BadPair", "BadRange", "NoPosition", "NoSuchDriver", "UnknownQuantity"]
 
 
 class BadRange(GraphkinError):
@@ -19,6 +19,18 @@ class BadRange(GraphkinError):
         "different, STEP above 0, at most 1000 turns and 100 million steps; drivers that move together take equally many.",
         "zh": "{where}：{given!r} 不是有效的范围。请写成 起:止:步长（如 0:360:10 或 50 mm:90 mm:5 mm），起止不得相同，步长大于 0，"
         "最多 1000 转、一亿步；同时运动的各原动件步数必须相同。",
+    }
+
+
+class BadPair(GraphkinError):
+    """Two values that belong together, written otherwise."""
+
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given!r} does not read as a pair. Write a point as X,Y (10,40), two points as 'X,Y X,Y', "
+        "two angles as PHI:PSI (40:30).",
+        "zh": "{where}：{given!r} 不是一对数值。点写成 X,Y（如 10,40），两点写成 'X,Y X,Y'，两个角写成 φ:ψ（如 40:30）。",
     }
 
 

@@ -37,7 +37,7 @@ _ITALIC = (
     "278 500 444 667 444 444 389 400 275 400 541"
 )
 _OTHERS = (
-    "ω658,706 α524,525 μ536,502 θ479,491 φ577,553 °400,400 ·250,250 →1000,1000 "
+    "ω658,706 α524,525 μ536,502 θ479,491 φ577,553 ψ626,621 γ442,394 °400,400 ·250,250 →1000,1000 "
     "×564,675 ²300,300 ³300,300 ′219,219 −564,675"
 )
 
@@ -118,7 +118,7 @@ def box(label: Label, size: float) -> tuple[float, float, float]:
 
 def _hangs(label: Label) -> bool:
     """Whether a letter goes below the base line."""
-    return any(c in "gjpqyμφ,;()Q" for run in label for c in run.text)
+    return any(c in "gjpqyμφψγ,;()Q" for run in label for c in run.text)
 
 
 # --- names ------------------------------------------------------------------------------------
