@@ -12,7 +12,8 @@ from graphkin.finding.found import Kind, Position
 from graphkin.finding.quantities import Reader
 from graphkin.finding.rates import pace_of, rate
 from graphkin.finding.search import Function, differences
-from graphkin.methods.way import look_along, stride
+from graphkin.methods.looking import look_along
+from graphkin.methods.way import stride
 from graphkin.sweeps import Course, Road, Series
 from graphkin.value import frozen
 

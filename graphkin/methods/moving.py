@@ -10,8 +10,9 @@ import numpy as np
 
 from graphkin.errors import NotReached
 from graphkin.geometry import Value
+from graphkin.methods.looking import crossings, event_at, key_of, look_along
 from graphkin.methods.swift import in_parts
-from graphkin.methods.way import Event, Way, along, crossings, event_at, key_of, look_along, stride
+from graphkin.methods.way import Event, Way, along, stride
 from graphkin.steps import Fit, Plot, replay
 
 if TYPE_CHECKING:

@@ -7,35 +7,20 @@ smoothly, and from there on the other crossing is the right one. Two lines that 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from graphkin.geometry import Value
-from graphkin.methods.assembly import links_of
-from graphkin.steps import Arc, Fit, Meet, Plot, Swing, replay
+from graphkin.steps import Plot, replay
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
     from graphkin.methods import Method
 
-__all__ = ["Event", "Way", "along", "crossings", "event_at", "key_of", "look_along", "stride"]
-
-LOOK_DEG, LOOK_PART = 0.5, 0.002
-"""How closely the way is looked at [deg, of the mechanism's size]."""
-TOUCH = 1e-11
-"""Circles that miss each other by less than this part of the mechanism's size touch."""
-TOUCHING_SINE = 3e-6
-"""The sine to which two loci come down, as closely as it is looked at, where they touch."""
-LOW_SINE = 0.3
-"""Below this a least angle between two loci is looked at more closely."""
-ROUNDS, FINE = 3, 201
-CENTRING = 1e-3
-"""How far to both sides of a touching it is weighed, as part of how closely the way is looked at."""
-
-Crossing = Meet | Swing | Fit
+__all__ = ["Event", "Way", "along", "stride"]
 
 
 @frozen
@@ -117,207 +102,7 @@ def along(method: Method, way: Way, t: Value) -> Plot:
     return replay(method.position, plot, way.crossings(t))
 
 
-def look_along(
-    method: Method, pace: Sequence[float], low: float, high: float, after: tuple[Way, float] | None = None
-) -> Way:
-    """Look along the way from t = low to t = high (low <= 0 <= high) for stops and change points.
-
-    after   a place on another way, to start from there instead of from the drawn position
-    """
-    from graphkin.methods.moving import with_nodes
-
-    way = _setting_out(method, tuple(float(p) for p in pace), (float(low), float(high)), after)
-    if method.moves_on:
-        return with_nodes(method, way)
-    for end in (high, low):
-        way = _scouted(method, way, end)
-    return way
-
-
-def _setting_out(
-    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[Way, float] | None
-) -> Way:
-    """A way of which only its start is known."""
-    if after is None:
-        start = tuple(float(value) for value in method.facts(None).values)
-        near, sides = dict(method.near), _sides(method)
-    else:
-        before, t = after
-        start = tuple(float(value) for value in before.values(t))
-        near = before.near(t)
-        sides = {choice: int(side) for choice, side in before.crossings(t).items()}
-    nodes = (np.zeros(1), {name: np.full(1, value) for name, value in near.items()})
-    return Way(start, pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)
-
-
-def _sides(method: Method) -> dict[int, int]:
-    steps = method.position.steps
-    return {step.choice: step.side for step in steps if isinstance(step, Meet | Swing) and step.choice is not None}
-
-
 def stride(method: Method, pace: Sequence[float], deg: float, part: float) -> float:
     """How far t goes while no driver goes farther than an angle, or a part of the mechanism's size."""
     units = [method.size * part if driver.kind == "slide" else float(np.radians(deg)) for driver in method.drivers]
     return min((unit / abs(p) for unit, p in zip(units, pace, strict=True) if p), default=1.0)
-
-
-# --- looking ----------------------------------------------------------------------------------
-
-
-def _scouted(method: Method, way: Way, end: float) -> Way:
-    """The way with what lies between the drawn position and `end` on it."""
-    begin, step = 0.0, stride(method, way.pace, LOOK_DEG, LOOK_PART)
-    side = 1.0 if end > 0 else -1.0
-    while side * (end - begin) > 1e-6 * step:
-        count = int(np.ceil(abs(end - begin) / step)) + 2
-        t = np.linspace(begin, end, count)
-        event = _next_event(method, way, t)
-        if event is None:
-            return way
-        if not event.choices:
-            return replace(way, stops=(*way.stops, event))
-        way = replace(way, changes=(*way.changes, event))
-        begin = event.at + side * 1e-3 * step
-    return way
-
-
-def _next_event(method: Method, way: Way, t: np.ndarray) -> Event | None:
-    """The first stop or change point among positions t, in their order."""
-    plot = along(method, way, t)
-    found: list[tuple[float, Crossing, bool]] = []
-    for step in crossings(method):
-        if (met := _first(method, way, t, step, plot)) is not None:
-            found.append((met[0], step, met[1]))
-    if not found:
-        return None
-    nearest = min(abs(place - t[0]) for place, _, _ in found)
-    here = [entry for entry in found if abs(entry[0] - t[0]) < nearest + 1e-3 * abs(t[1] - t[0])]
-    at, step, passes = here[0]
-    choices = tuple(choice for _, other, through in here if through for choice in _choice(other))
-    return event_at(method, step, at, choices if passes else ())
-
-
-def crossings(method: Method) -> Iterator[Crossing]:
-    """The steps of the position that may fail, without special points."""
-    names = {ternary.name for ternary in method.ternaries.values()}
-    for step in method.position.steps:
-        if isinstance(step, Meet | Swing | Fit) and key_of(step) not in names:
-            yield step
-
-
-def key_of(step: Crossing) -> str:
-    """The name under which a plot keeps the angle of a crossing."""
-    return step.point if isinstance(step, Meet) else step.slide if isinstance(step, Swing) else step.name
-
-
-def event_at(method: Method, step: Crossing, at: float, choices: tuple[int, ...]) -> Event:
-    """A stop, or a change point where choices change over, at a crossing."""
-    return Event(at, _kind(step), _called(method, step), choices)
-
-
-def _choice(step: Crossing) -> tuple[int, ...]:
-    return () if isinstance(step, Fit) or step.choice is None else (step.choice,)
-
-
-def _kind(step: Crossing) -> str:
-    match step:
-        case Meet(Arc(), Arc()):
-            return "in line"
-        case Meet(_, Arc()):
-            return "right angle"
-        case Meet():
-            return "parallel"
-        case Swing():
-            return "tangent"
-        case Fit():
-            return "fit"
-
-
-def _called(method: Method, step: Crossing) -> tuple[str, ...]:
-    return tuple(method.mechanism.called(link) for link in links_of(method.structure, step))
-
-
-def _first(method: Method, way: Way, t: np.ndarray, step: Crossing, plot: Plot) -> tuple[float, bool] | None:
-    """Where the two loci of a crossing first touch or part, and whether the mechanism goes through."""
-    sine, miss = _angle(method, step, plot, t.shape)
-    apart = ~np.isfinite(sine) | (miss > 0)
-    low = _lows(sine) & ~apart
-    for k in map(int, np.flatnonzero(low | apart)):
-        around = float(t[max(k - 1, 0)]), float(t[min(k + 1, t.size - 1)])
-        if (found := _closer(method, way, step, *around)) is not None:
-            return found
-        if apart[k]:
-            return float(t[max(k - 1, 0)]), False
-    return None
-
-
-def _lows(sine: np.ndarray) -> np.ndarray:
-    """Local minima of the sine that are worth a closer look."""
-    low = np.zeros(sine.shape, dtype=bool)
-    with np.errstate(invalid="ignore"):
-        low[1:-1] = (sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:]) & (sine[1:-1] < LOW_SINE)
-        low[-1] = sine[-1] < 0.01
-    return low
-
-
-def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
-    """The sine of the angle of a crossing, 0 where its loci touch, and by how much they part [m]."""
-    key = key_of(step)
-    miss = np.array(np.broadcast_to(plot.misses.get(key, -np.inf), shape), dtype=float)
-    sine = np.array(np.broadcast_to(plot.sines["position", key], shape), dtype=float)
-    if isinstance(step, Swing):  # a line through its own pivot gives no angle where the point comes to the pivot
-        sine = np.fmin(sine, np.abs(miss) / method.size)
-    touching = np.abs(miss) <= TOUCH * method.size
-    sine[touching & ~np.isfinite(sine)] = 0.0
-    miss[touching] = 0.0
-    return sine, miss
-
-
-def _closer(method: Method, way: Way, step: Crossing, begin: float, end: float) -> tuple[float, bool] | None:
-    """Look closer between two positions: (where, whether it goes through), None where nothing happens."""
-    parted: float | None = None
-    for _ in range(ROUNDS):
-        t = np.linspace(begin, end, FINE)
-        sine, miss = _angle(method, step, along(method, way, t), t.shape)
-        apart = np.flatnonzero(~np.isfinite(sine) | (miss > 0))
-        if apart.size and parted is None:
-            parted = _edge(method, way, step, t, int(apart[0]))
-        k = _lowest(sine[: apart[0]] if apart.size else sine)
-        if k is None:
-            return (parted, False) if parted is not None else None
-        begin, end = float(t[max(k - 1, 0)]), float(t[min(k + 1, FINE - 1)])
-    if sine[k] > TOUCHING_SINE:
-        return (parted, False) if parted is not None else None
-    return _centred(method, way, step, float(t[k])), _kind(step) not in ("parallel", "fit")
-
-
-def _lowest(sine: np.ndarray) -> int | None:
-    """The first dip of the sine; without parting behind it, its least value. None where it falls until loci part."""
-    whole = sine.size == FINE
-    if sine.size > 2:
-        dips = np.flatnonzero((sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:])) + 1
-        if dips.size:
-            return int(dips[np.argmin(sine[dips])])
-    return int(np.argmin(sine)) if whole else None
-
-
-def _centred(method: Method, way: Way, step: Crossing, at: float) -> float:
-    """Where the sine, which falls and rises in straight lines, comes to 0."""
-    aside = CENTRING * stride(method, way.pace, LOOK_DEG, LOOK_PART)
-    t = at + aside * np.array([-1.0, 1.0])
-    (before, after), _ = _angle(method, step, along(method, way, t), t.shape)
-    return at + aside * float((before - after) / (before + after))
-
-
-def _edge(method: Method, way: Way, step: Crossing, t: np.ndarray, k: int) -> float:
-    """The last position at which the loci still meet, before position k."""
-    if k == 0:
-        return float(t[0])
-    begin, end = float(t[k - 1]), float(t[k])
-    for _ in range(5):
-        t = np.linspace(begin, end, FINE)
-        sine, miss = _angle(method, step, along(method, way, t), t.shape)
-        apart = ~np.isfinite(sine) | (miss > 0)
-        first = int(np.flatnonzero(apart)[0]) if apart.any() else FINE - 1
-        begin, end = float(t[max(first - 1, 0)]), float(t[first])
-    return begin
