@@ -21,7 +21,7 @@ KINDS: dict[str, Callable[[int], Mechanism]] = {
     "chain": made.chain, "six": made.six_bar, "cam": made.cam, "cylinder": made.cylinder,
     "epicyclic": made.epicyclic, "rolling": made.rolling, "coupler": made.coupler_angle,
 }  # fmt: skip
-SEEDS = range(100, 102)
+SEEDS = (100,)
 ROWS = 801
 
 

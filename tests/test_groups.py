@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 import pytest
 import random_mechanisms
@@ -16,7 +18,8 @@ from graphkin.methods import Method, plan, replay_all
 from graphkin.steps import Equation, Simultaneous, Term
 
 KINDS = ("triad", "six_bar", "geared_five_bar", "epicyclic", "rolling", "cam")
-COUNT, BATCH = 2000, 250
+COUNT, BATCH = int(os.environ.get("GRAPHKIN_RANDOM", "800")), 200
+"""Random mechanisms of each kind; more of them with GRAPHKIN_RANDOM=2000 in the environment."""
 
 
 @pytest.mark.parametrize("batch", range(COUNT // BATCH))

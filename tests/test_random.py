@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import os
 import random
 from dataclasses import replace
 
@@ -18,7 +19,8 @@ from graphkin.mechanism import Mechanism
 from graphkin.methods import plan, replay_all
 
 KINDS = (*DYADS, "cylinder", "relative", "coupler", "chain")
-COUNT, BATCH = 2000, 250
+COUNT, BATCH = int(os.environ.get("GRAPHKIN_RANDOM", "800")), 200
+"""Random mechanisms of each kind; more of them with GRAPHKIN_RANDOM=2000 in the environment."""
 OTHERS = {"cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain}
 
 
