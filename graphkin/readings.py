@@ -143,12 +143,18 @@ def answer(mechanism: Mechanism, motions: Motions, question: str) -> Answer | No
         first, second = answer(mechanism, motions, top.strip()), answer(mechanism, motions, bottom.strip())
         if first is None or second is None or first.unit != second.unit:
             return None
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return Answer(np.divide(first.value, second.value), "1")
+        return Answer(_quotient(first.value, second.value), "1")
     words = re.fullmatch(r"(\w+) +(\S+)", question.strip())
     if words is None or words[1] not in UNITS:
         return None
     return _answer(mechanism, motions, words[1], words[2])
+
+
+def _quotient(top: Value, bottom: Value) -> Value:
+    """top / bottom; a bottom that is 0 but for rounding counts as 0."""
+    sizes = [float(np.max(np.abs(value), initial=0.0, where=np.isfinite(value))) for value in (top, bottom)]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.divide(top, np.where(np.abs(bottom) <= 1e-12 * max(sizes), 0.0, bottom))[()]
 
 
 def _answer(mechanism: Mechanism, motions: Motions, quantity: str, of: str) -> Answer | None:

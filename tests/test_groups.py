@@ -178,3 +178,95 @@ def test_the_pole_is_found_last():
     kinds = [type(step).__name__ for step in equation.steps]
     assert kinds == ["Given", "LayOff", "Ray", "Ray", "Meet"]
     assert equation.steps[-1].point == "p"
+
+
+RACK = """
+[frame]
+A = [0, 0]
+[links.3]
+AP = 20
+[links.4]
+TU = 120
+[[slide]]
+name = "table"
+block = "4"
+point = "T"
+tilt = {tilt}
+guide = "frame"
+through = [0, 20]
+angle = {angle}
+[[roll]]
+wheel = "3"
+centre = "A"
+radius = 20
+on = "4"
+through = "T"
+{track}
+side = "{side}"
+[[pose]]
+slide = "table"
+at = {at}
+[[driver]]
+vector = "AP"
+angle = 60
+omega = -6
+"""
+
+
+@pytest.mark.parametrize(
+    ("tilt", "angle", "track", "side", "at", "speed"),
+    [
+        (0, 0, 'toward = "U"', "right", -40, 0.12), (180, 0, 'toward = "U"', "left", 40, 0.12),
+        (0, 180, 'toward = "U"', "left", 40, -0.12), (0, 0, 'from = "TU"\nangle = 180', "left", -40, 0.12),
+    ],
+)  # fmt: skip
+def test_a_rack_in_a_guide_of_its_own(tilt: int, angle: int, track: str, side: str, at: int, speed: float):
+    """The wheel stands above or below as the guide says; the rack moves with the wheel's rim, whichever way it is written."""
+    text = RACK.format(tilt=tilt, angle=angle, track=track, side=side, at=at)
+    method = plan(loads(text, name="rack", file="rack.toml"))
+    plot = replay_all(method)
+    assert compare(method, plot, motion(method.mechanism)) < 1e-12
+    assert float(plot.s_rate["table"]) == pytest.approx(speed)
+    assert float(plot.omega["3"]) == -6
+
+
+CROSSHEAD = """
+[frame]
+A = [0, 0]
+[links.1]
+AB = 30
+[links.2]
+BC = 100
+[links.3]
+CP = 20
+[links.5]
+points = ["C"]
+[[slide]]
+block = "5"
+point = "C"
+guide = "frame"
+through = [0, 10]
+[[roll]]
+wheel = "3"
+centre = "C"
+radius = 20
+on = "frame"
+through = [0, -10]
+[[pose]]
+vector = "CP"
+angle = 60
+[[driver]]
+vector = "AB"
+angle = 60
+omega = -6
+alpha = 2
+[sketch]
+C = [110, 10]
+"""
+
+
+def test_a_wheel_on_a_crosshead_rolls():
+    method = plan(loads(CROSSHEAD, name="crosshead", file="crosshead.toml"))
+    plot = replay_all(method)
+    assert compare(method, plot, motion(method.mechanism)) < 1e-12
+    assert float(plot.omega["3"]) * 0.02 == pytest.approx(-float(plot.s_rate["s0"]))

@@ -108,6 +108,8 @@ def _write(
         steps.mkdir(parents=True, exist_ok=True)
     for path, _ in pages:
         svg.refuse(path, force)
+    if toml is not None:
+        files.refuse(toml, force, (b"graphkin",))
     for path, text in pages:
         svg.write(path, text, force)
         click.echo(str(path), err=True)

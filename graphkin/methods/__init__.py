@@ -104,6 +104,16 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     Raises a `GraphkinError` where the mechanism holds groups or pairs that are not solved, cannot be
     assembled, or has a sketch that does not tell its assemblies apart.
     """
+    try:
+        return _planned(mechanism, coincident, centres)
+    except KeyError as missing:  # contacts whose distance other pairs hold already leave a quantity that nothing gives
+        if not mechanism.rolls:
+            raise
+        links = dict.fromkeys(mechanism.called(link) for roll in mechanism.rolls for link in roll.joins)
+        raise HigherClass(mechanism.where("roll", 0), tuple(links)) from missing
+
+
+def _planned(mechanism: Mechanism, coincident: str, centres: bool) -> Method:
     lower = lower_pairs(mechanism)
     ties = tuple(contacts(mechanism, lower))
     drawn: dict[str, float] = {}

@@ -8,6 +8,7 @@ such a link; the rolling itself, like a gear pair, ties angles together.
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
@@ -51,6 +52,8 @@ class _Build:
         self.parallel(name, flat.line, disc.radius if flat.left else -disc.radius, disc.centre, False)
 
     def roll(self, roll: Roll) -> None:
+        if roll.line is not None and _guided(self.links, self.slides, roll) is not None:
+            return  # a sliding pair holds the centre on its way already
         if roll.line is not None:
             offset = roll.radius if roll.left else -roll.radius
             self.parallel(roll.name, roll.line, offset, roll.centre, roll.named)
@@ -116,10 +119,32 @@ def contacts(mechanism: Mechanism, lower: Mechanism) -> Iterator[Contact]:
         else:
             side = 1.0 if roll.left else -1.0
             angles = ((roll.wheel, roll.radius), (roll.track, -roll.radius))
+            slide, way, along = _guided(dict(mechanism.links), list(mechanism.slides), roll) or (roll.name, 1.0, 1.0)
             yield Contact(
-                roll.name, (roll.track, roll.wheel), ("", roll.centre), (0.0, side * roll.radius), "", angles,
-                roll.name, side,
+                roll.name, (roll.track, roll.wheel), ("", roll.centre), (0.0, along * side * roll.radius), "", angles,
+                slide, way * side,
             )  # fmt: skip
+
+
+def _guided(links: dict[str, Link], slides: list[Slide], roll: Roll) -> tuple[str, float, float] | None:
+    """A sliding pair that moves the wheel's centre along its track already: a rack in a guide, a wheel on a crosshead.
+
+    Its name, what its displacement counts along the track (+1 or -1), and whether its line runs as the track's does.
+    """
+    if roll.named or roll.line is None:
+        return None
+    carriers = {name for name, link in links.items() if roll.centre in link.points}
+    for slide in slides:
+        on_track, on_centre = slide.guide == roll.track, slide.block == roll.track
+        other = slide.block if on_track else slide.guide
+        if slide.block is None or not (on_track or on_centre) or other not in carriers:
+            continue
+        turn = cmath.rect(1.0, 0.0 if on_track else slide.turn)
+        relation = roll.line.direction * turn * slide.line.direction.conjugate()
+        if abs(relation.imag) < 1e-9 * abs(relation):
+            along = 1.0 if relation.real > 0 else -1.0
+            return slide.name, along if on_track else -along, along
+    return None
 
 
 def _circles(

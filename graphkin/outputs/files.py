@@ -22,8 +22,9 @@ class FileInTheWay(GraphkinError):
     path: str
 
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{path} exists and was not written by graphkin. Choose another name, or replace it with --force.",
-        "zh": "{path} 已存在，且不是 graphkin 写的。请换文件名，或用 --force 覆盖。",
+        "en": "{path} exists and is not a file of this kind written by graphkin. Choose another name, or replace it "
+        "with --force.",
+        "zh": "{path} 已存在，且不是 graphkin 写的同类文件。请换文件名，或用 --force 覆盖。",
     }
 
 

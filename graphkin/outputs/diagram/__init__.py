@@ -21,7 +21,7 @@ from graphkin.sweeps import Course, Road
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["FORMATS", "NotADiagram", "figure", "refuse", "write"]
+__all__ = ["FORMATS", "NotADiagram", "NothingToDraw", "figure", "refuse", "write"]
 
 FORMATS = (".svg", ".png", ".pdf")
 MARK = "https://graphkin.invalid/diagram/1"
@@ -40,6 +40,18 @@ class NotADiagram(GraphkinError):
     }
 
 
+class NothingToDraw(GraphkinError):
+    """Only instant centres are asked for, which have no diagram."""
+
+    names: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{names}: the place of an instant centre has no motion diagram. Write .csv, or draw its path: "
+        "`graphkin centres --path`.",
+        "zh": "{names}：瞬心的位置没有运动线图。请写成 .csv，或用 `graphkin centres --path` 画其轨迹。",
+    }
+
+
 def figure(course: Course, names: Sequence[str], lang: Lang = "en", by: Road = "construction") -> Figure:
     """The diagram of quantities over a course, for a notebook or to be saved with `savefig`.
 
@@ -49,7 +61,10 @@ def figure(course: Course, names: Sequence[str], lang: Lang = "en", by: Road = "
     from graphkin.outputs.diagram.draw import draw
 
     mechanism = course.method.mechanism
-    found = curves(course, [name for name in names if centre_of(mechanism, name) is None], by)
+    drawn = [name for name in names if centre_of(mechanism, name) is None]
+    if not drawn:
+        raise NothingToDraw(", ".join(names))
+    found = curves(course, drawn, by)
     with _settings():
         return draw(found, lang if chinese_font() is not None else "en")
 
