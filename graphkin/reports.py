@@ -180,6 +180,12 @@ def book_lines(sweep: Sweep) -> Iterator[str]:
     units = [BOOK_UNITS["rad" if angular else "m"], *(BOOK_UNITS[entry.unit] for entry in entries)]
     values = [_book(entry.signed, entry.unit) for entry in entries]
     first = _book(sweep.values, "rad" if angular else "m")
+    for entry in sweep.series:
+        if not entry.is_place or entry.vectors is None:
+            continue
+        heads += [f"{entry.name}_x", f"{entry.name}_y"]
+        units += [BOOK_UNITS["m"]] * 2
+        values += [entry.vectors.real, entry.vectors.imag]
     rows = [[number(round(float(first[k]), 9)), *(_fixed(float(v[k])) for v in values)] for k in range(sweep.t.size)]
     yield from table([heads, units, *rows])
 

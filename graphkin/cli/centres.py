@@ -21,7 +21,7 @@ from graphkin.cli.shared import (
     read,
     said,
 )
-from graphkin.errors import GraphkinError, Lang, UnknownPoint, Where
+from graphkin.errors import GraphkinError, Lang, UnknownCentre, UnknownPoint, Where
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
@@ -70,6 +70,8 @@ def centres(mechanisms: tuple[str, ...], lang: Lang, **options: Any) -> None:
         with said(lang):
             _of_two_velocities(asked)
         return
+    if asked.animate and not asked.pair:
+        raise click.UsageError("--animate moves centrodes: --centrodes 3,1")
     if not mechanisms:
         raise click.UsageError("a MECHANISM is missing, or --velocities")
     if len(mechanisms) > 1 and asked.draws:
@@ -123,7 +125,10 @@ class _Asked:
         course = sweeps.course(found.method, self.ranges)
         span = None if self.ranges else whole(course)
         if self.centre:
-            return path(found, self.centre, course, span)
+            try:
+                return path(found, self.centre, course, span)
+            except UnknownCentre as error:
+                raise error.at(Where("--path")) from None
         first, comma, second = self.pair.partition(",")
         if not comma:
             raise click.UsageError("--centrodes takes two links: --centrodes 3,1")

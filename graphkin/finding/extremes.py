@@ -85,8 +85,8 @@ def _pole_or(curve: Curve, sign: float, value: float, t: float, kind: Kind) -> t
 
 
 def _ends(ground: Ground, curve: Curve, sign: float) -> list[tuple[float, float, Kind]]:
-    """The ends of what is looked at, where they are not one."""
-    if ground.closed:
+    """The ends of what is looked at, where they are not one; of an angle that goes round they differ by turns."""
+    if ground.closed and not _goes_round(ground):
         return []
     found: list[tuple[float, float, Kind]] = []
     for t, stop, inward in ((ground.low, ground.stopped[0], 1.0), (ground.high, ground.stopped[1], -1.0)):

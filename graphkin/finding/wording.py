@@ -136,7 +136,12 @@ def _values(found: Found, position: Position) -> str:
 
 
 def lines(found: Found, lang: Lang = "en") -> Iterator[str]:
-    """Everything found, for the terminal."""
+    """Everything found, for the terminal; nothing twice."""
+    for line in dict.fromkeys(_lines(found, lang)):
+        yield line.replace(" deg", "°") if lang == "zh" else line
+
+
+def _lines(found: Found, lang: Lang) -> Iterator[str]:
     wanted = found.condition
     yield f"{wanted.text}" + (f"  ({_looked(found, lang)})" if found.looked else "")
     if isinstance(wanted, Slowest):

@@ -10,7 +10,7 @@ import numpy as np
 from graphkin.centres import centre_of
 from graphkin.errors import UnknownQuantity, Where
 from graphkin.geometry import Value, dot
-from graphkin.loading.questions import QUANTITIES, misnamed
+from graphkin.loading.questions import misnamed
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import seen
 from graphkin.readings import Motions, answer
@@ -50,9 +50,8 @@ class Series:
 
 
 def split(text: str) -> list[str]:
-    """The quantities of `--of`: between commas, but `v B@guide,B@block` is one."""
-    starts = "|".join((*QUANTITIES, "P"))
-    return [part.strip() for part in re.split(rf",\s*(?=(?:{starts})\b[ ]|P[\w@,']+\s*(?:,|$))", text) if part.strip()]
+    """The quantities of `--of`: between commas that a new one follows; `v B@guide,B@block` is one."""
+    return [part.strip() for part in re.split(r",\s*(?=[a-z]\w* |P[\w@']+\s*(?:,|$))", text) if part.strip()]
 
 
 def series(mechanism: Mechanism, motions: Motions, name: str, count: int) -> Series | None:
