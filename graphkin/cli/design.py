@@ -129,7 +129,7 @@ def design() -> None:
       graphkin design slider --stroke 40 --K 1.2 --offset 15
       graphkin design guide-bar --K 1.5 --frame 100
       graphkin design positions --at "0,50 0" --at "25,60 -10" --at "50,55 -30" --coupler 60
-      graphkin design angles --pair 0:0 --pair 40:30 --pair 90:70 --frame 100
+      graphkin design angles --pair 40:70 --pair 70:85 --pair 110:110 --frame 100
     """
 
 

@@ -270,6 +270,7 @@ NAMES: dict[str, Both] = {
 
 WORDS: dict[str, Both] = {
     "solution": {"en": "Solution {number}: ", "zh": "解 {number}："},
+    "useless": {"en": "Linkage {number}, which does not do: ", "zh": "机构 {number}（不可用）："},
     "refused": {"en": "No solution: ", "zh": "不是解："},
     "invalid": {"en": "does not do: ", "zh": "不可用："},
     "none": {"en": "There is no solution.", "zh": "无解。"},

@@ -82,7 +82,7 @@ def _lines(design: Design, lang: Lang) -> Iterator[str]:
         numbered = enumerate(sentences(best.construction, best.board(), lang), start=1)
         yield from (f"({number}) {text}" for number, text in numbered)
     for number, one in enumerate(design.solutions, start=1):
-        yield WORDS["solution"][lang].format(number=number) + _lengths(one, lang)
+        yield WORDS["solution" if one.valid else "useless"][lang].format(number=number) + _lengths(one, lang)
         yield from _judged(one, lang)
     for one in design.rejected:
         yield WORDS["refused"][lang] + _lengths(one, lang)
