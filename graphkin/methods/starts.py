@@ -39,7 +39,7 @@ class Starts:
     structure: Structure
 
     def fitted(self, here: Branches, step: Fit, fit: Callable[[Plot], None]) -> Branches:
-        """Each branch with every assembly of the group that fits; where none fits in any, all as the sketch starts."""
+        """Each branch with every assembly of the group that fits; where none does in any, how the last ones tried miss."""
         told = self._told(here, step)
         there = here.taken(np.arange(here.count))
         x, fits = _tried(there, step, np.nan_to_num(told), fit)
@@ -69,7 +69,6 @@ class Starts:
         rng = np.random.default_rng(20)
         spread = rng.uniform(-1, 1, seen.shape)
         turned = np.array([[True]] * len(step.angles) + [[False]] * len(step.slides))
-        seen = told[:, parent]
         near = rng.choice((0.03, 0.3, 1.0), seen.shape)
         x = np.where(
             turned,
