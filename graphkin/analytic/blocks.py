@@ -53,7 +53,7 @@ class Block:
 def blocks_of(closure: Closure) -> tuple[Block, ...]:
     """The blocks in order; all loops as one where equations and unknowns do not match."""
     loops, known = closure.loops, closure.known
-    uses = np.array([moved_by(closure, row) for row in loops.rows]).reshape(-1, len(known.free))
+    uses = moved_by(closure, loops.rows)
     takers = _matched(uses)
     if takers is None:
         whole = np.arange(len(uses)), np.arange(uses.shape[1])
@@ -61,12 +61,11 @@ def blocks_of(closure: Closure) -> tuple[Block, ...]:
     return tuple(_block(closure, rows, np.flatnonzero(np.isin(takers, rows))) for rows in _in_order(uses, takers))
 
 
-def moved_by(closure: Closure, row: Complex) -> Flags:
-    """Which of the unknowns left move what a row gives: (y,)."""
+def moved_by(closure: Closure, rows: Complex) -> Flags:
+    """Which of the unknowns left move what rows (r, m) give: (r, y)."""
     vectors = closure.loops.vectors
-    arrows = np.abs(row) > _NOTHING
-    on = np.abs(vectors.turning[arrows]).sum(axis=0) + np.abs(vectors.stretching[arrows]).sum(axis=0) > 0
-    return np.asarray((np.abs(closure.known.left[on]) > _NOTHING).any(axis=0))
+    on = (np.abs(rows) > _NOTHING) @ (np.abs(vectors.turning) + np.abs(vectors.stretching)) > 0
+    return np.asarray(on.astype(np.float64) @ (np.abs(closure.known.left) > _NOTHING) > 0)
 
 
 def _matched(uses: Flags) -> Indices | None:

@@ -7,6 +7,7 @@ near, there is one way on; else the search starts from many places. The branches
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -74,6 +75,11 @@ class _Walk:
     limit: float
     sure: bool = True
 
+    @cached_property
+    def moved(self) -> Flags:
+        """Which unknowns left move each sketched point: (k, y)."""
+        return moved_by(self.closure, self.judge.rows)
+
     def through(self, blocks: tuple[Block, ...]) -> Real:
         known = self.closure.known
         q = known.unknowns(np.zeros((1, len(known.free))), self.c)
@@ -137,7 +143,7 @@ class _Walk:
 
     def away(self, q: Real, solved: Flags) -> Real:
         """Squared distance of the sketched points that are found from their places [size²]: (b,)."""
-        there = [k for k, row in enumerate(self.judge.rows) if not (moved_by(self.closure, row) & ~solved).any()]
+        there = ~(self.moved & ~solved).any(axis=1)
         places = self.closure.loops.vectors.at(q) @ self.judge.rows[there].T
         return np.asarray((np.abs(places - self.judge.places[there]) ** 2).sum(axis=1))
 
