@@ -48,10 +48,10 @@ class _Seen:
                 self._driven(given, value)
             elif given.kind == "slide":
                 self._pushed(next(joint for joint in self.joints if joint.slide == given.link), value)
-        for pair in self.mechanism.slides:
-            self._aligned(pair)
         for link in self.mechanism.links.values():
             self._fitted(link)
+        for pair in self.mechanism.slides:
+            self._aligned(pair)
 
     def _driven(self, given: Driver | Pose, value: float) -> None:
         if given.from_link in self.angles and given.vector is not None:
