@@ -37,8 +37,8 @@ class Method:
 
     stages  the order of solution: bodies carried along, and loops with two unknown scalars
     coincident  points at which links move past each other, with the link whose point the hinge there is
-    near, drawn angles by link and displacements by slide at the drawn position: where fitting starts, and from
-                where rolling counts
+    near, drawn angles by link and displacements by `slide_key` at the drawn position: where fitting starts,
+                and from where rolling counts
     ternaries   the special point of each Class III group
     """
 

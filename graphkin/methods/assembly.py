@@ -15,7 +15,7 @@ from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
 from graphkin.geometry import Value, cross
 from graphkin.mechanism import FRAME
 from graphkin.methods.structure import Structure
-from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, replay
+from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, replay, slide_key
 from graphkin.value import frozen
 
 __all__ = ["DEAD_SINE", "Assembly", "assemble", "links_of", "refuse_bad_positions"]
@@ -33,7 +33,7 @@ STARTS = 96
 
 @frozen
 class Assembly:
-    """The crossing of each choice, +1 or -1, and angles by base link and displacements by slide as drawn."""
+    """The crossing of each choice, +1 or -1, and angles by base link and displacements by `slide_key` as drawn."""
 
     sides: tuple[int, ...]
     near: Mapping[str, float]
@@ -60,7 +60,7 @@ def assemble(
         raise _refusal(structure, construction, plot)
     best = _nearest(structure, plot, possible)
     drawn = {base: _at(plot.theta[base], best).real for base in structure.bases if base in plot.theta}
-    drawn |= {slide: _at(value, best).real for slide, value in plot.s.items()}
+    drawn |= {slide_key(slide): _at(value, best).real for slide, value in plot.s.items()}
     return Assembly(tuple(int(side) for side in combinations[best]), drawn)
 
 
@@ -75,7 +75,7 @@ def _starts(structure: Structure, fits: list[Fit], count: int) -> dict[str, Valu
             near[base] = (hint or 0.0) + spread
         size = _sketch_size(structure)
         for slide in fit.slides:
-            near[slide] = rng.uniform(-1.5, 1.5, count) * size
+            near[slide_key(slide)] = rng.uniform(-1.5, 1.5, count) * size
     return near
 
 

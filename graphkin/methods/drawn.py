@@ -15,7 +15,7 @@ from graphkin.methods.equivalent import Contact
 from graphkin.methods.position import position
 from graphkin.methods.stages import stages
 from graphkin.methods.structure import Structure
-from graphkin.steps import Construction, Equation, Facts, Meet, Plot, Step, Swing, replay
+from graphkin.steps import Construction, Equation, Facts, Meet, Plot, Step, Swing, replay, slide_key
 
 __all__ = ["as_drawn", "facts_of", "refuse_gears_apart", "with_sides"]
 
@@ -27,7 +27,7 @@ def as_drawn(mechanism: Mechanism, lower: Mechanism) -> tuple[dict[str, float], 
     """
     structure, plot = _standing(mechanism, lower)
     drawn = {link: float(plot.theta[link]) if link in plot.theta else 0.0 for link in structure.bodies}
-    drawn |= {slide: float(value) for slide, value in plot.s.items()}
+    drawn |= {slide_key(slide): float(value) for slide, value in plot.s.items()}
     sketch = {**lower.sketch, **{p: complex(z) for p, z in plot.position.items() if p[0].isupper()}}
     drivers = tuple(_valued(driver, plot, drawn) for driver in mechanism.drivers)
     return drawn, replace(lower, drivers=drivers, sketch=sketch)
@@ -59,7 +59,7 @@ def _standing(mechanism: Mechanism, lower: Mechanism) -> tuple[Structure, Plot]:
 def _valued(driver: Driver, plot: Plot, drawn: Mapping[str, float]) -> Driver:
     """A driver whose value a pose has fixed, with that value."""
     if driver.kind == "slide":
-        return driver if driver.value is not None else replace(driver, value=drawn[driver.link])
+        return driver if driver.value is not None else replace(driver, value=drawn[slide_key(driver.link)])
     if driver.kind == "spin":
         return replace(driver, value=drawn[driver.link])
     if driver.value is not None or driver.vector is None:
