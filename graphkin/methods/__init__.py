@@ -14,13 +14,14 @@ from graphkin.errors import HigherClass
 from graphkin.geometry import Value
 from graphkin.mechanism import Driver, Mechanism
 from graphkin.methods.assembly import assemble, refuse_bad_positions
-from graphkin.methods.drawn import as_drawn, facts_of, refuse_gears_apart, with_sides
+from graphkin.methods.drawn import facts_of, refuse_gears_apart, with_sides
 from graphkin.methods.equivalent import contacts, lower_pairs
 from graphkin.methods.labels import Labels, coincident_points
 from graphkin.methods.motion import motion
 from graphkin.methods.position import position
 from graphkin.methods.special import Ternary, special_points, with_special_points
 from graphkin.methods.stages import Bridge, Group, Stage, stages
+from graphkin.methods.standing import as_drawn
 from graphkin.methods.structure import Structure
 from graphkin.steps import Construction, Facts, Fit, Meet, Plot, Roll, Site, Swing, replay
 from graphkin.value import frozen

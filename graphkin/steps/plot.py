@@ -65,7 +65,7 @@ class Facts:
     rates: tuple[Value, ...]
     accelerations: tuple[Value, ...]
     drawn: Mapping[str, float] = field(default_factory=dict)
-    """Angles by link [rad] and displacements by `slide_key` [m] at the drawn position, where contacts count from them."""
+    """Angles by link [rad] and displacements by `slide_key` [m] as drawn, from where contacts count."""
 
     def relative_angle(self, link: str) -> Value:
         """Angle of a link against its base link [rad]."""
