@@ -19,6 +19,8 @@ __all__ = [
     "NoFolder",
     "NotPlaced",
     "NotReached",
+    "OffTrack",
+    "PosesDiffer",
     "RepeatedDriver",
     "RoadsDiffer",
     "TooFewDrivers",
@@ -94,6 +96,30 @@ class GearsApart(GraphkinError):
         return super()._words(lang) | {"pair": "".join(self.centres)}
 
 
+class OffTrack(GraphkinError):
+    """A wheel whose centre other pairs hold where its rim does not touch its track."""
+
+    where: Where
+    centre: str
+    track: str
+    distance_mm: float
+    wanted_mm: float
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the centre {centre} lies {distance} of the track on link {track}, the radius and `side` want "
+        "{wanted}: {gap_mm:.6g} mm apart. Change `radius` or `side`, or the pairs that hold the centre.",
+        "zh": "{where}：圆心 {centre} 在构件 {track} 的轨道{distance}，而半径和 `side` 要求在{wanted}，相差 {gap_mm:.6g} mm。"
+        "请修改 `radius` 或 `side`，或修改确定圆心位置的运动副。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        sides = {"en": ("{} mm to the left", "{} mm to the right"), "zh": ("左侧 {} mm 处", "右侧 {} mm 处")}[lang]
+        told = {
+            name: sides[value < 0].format(f"{abs(value):.6g}")
+            for name, value in (("distance", self.distance_mm), ("wanted", self.wanted_mm))
+        }
+        return super()._words(lang) | told | {"gap_mm": abs(self.distance_mm - self.wanted_mm)}
+
+
 class NotPlaced(_AboutLinks):
     """A drawn position that neither driver values nor poses fix."""
 
@@ -102,6 +128,35 @@ class NotPlaced(_AboutLinks):
         "(or `at`), or add a [[pose]] for one of them.",
         "zh": "{where}：所画位置中构件 {links} 的位置没有给定。请给出原动件的 `angle`（或 `at`），或为其中之一增加 [[pose]]。",
     }
+
+
+class PosesDiffer(GraphkinError):
+    """A pose that says another thing of the drawn position than drivers, poses and pairs without it do."""
+
+    where: Where
+    line: str
+    said: str
+    holds: str
+    apart: str
+    others: tuple[Where, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this says {line} = {said}, but {others} {line} = {holds}: they differ by {apart}. "
+        "Correct one of them, or remove this [[pose]].",
+        "zh": "{where}：此处给定 {line} = {said}，但{others} {line} = {holds}，二者相差 {apart}。请改正其一，或删去此 [[pose]]。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return super()._words(lang) | {"others": self._others(lang)}
+
+    def _others(self, lang: Lang) -> str:
+        """`by driver.0 (line 12)`; the pairs, where they alone fix it."""
+        if not self.others:
+            return {"en": "by the pairs alone", "zh": "仅由运动副即得"}[lang]
+        numbered = {"en": "{key} (line {line})", "zh": "{key}（第 {line} 行）"}[lang]
+        named = [
+            other.key if other.line is None else numbered.format(key=other.key, line=other.line) for other in self.others
+        ]
+        return {"en": "by {names}", "zh": "由 {names} 得"}[lang].format(names=listed(named, lang))
 
 
 class NotReached(GraphkinError):

@@ -12,13 +12,12 @@ import numpy as np
 
 from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
 from graphkin.geometry import Value, cross
-from graphkin.mechanism import FRAME
 from graphkin.methods.branches import BETWEEN, Branches, DeadEnd, branches, told_slides
 from graphkin.methods.structure import Structure
-from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing
+from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, slide_key
 from graphkin.value import frozen
 
-__all__ = ["DEAD_SINE", "Assembly", "assemble", "links_of", "refuse_bad_positions"]
+__all__ = ["DEAD_SINE", "Assembly", "assemble", "extent", "links_of", "refuse_bad_positions", "refuse_open"]
 
 DEAD_DEG = 0.5
 """Lines that meet under less than this give no usable drawing [deg]."""
@@ -29,7 +28,7 @@ CLOSED = 1e-9
 
 @frozen
 class Assembly:
-    """The crossing of each choice, +1 or -1, and angles by base link and displacements by slide as drawn."""
+    """The crossing of each choice, +1 or -1, and angles by base link and displacements by `slide_key` as drawn."""
 
     sides: tuple[int, ...]
     near: Mapping[str, float]
@@ -49,7 +48,7 @@ def assemble(
     best = _nearest(structure, found)
     plot, sides = found.plot, found.sides[best]
     drawn = {base: _at(plot.theta[base], best).real for base in structure.bases if base in plot.theta}
-    drawn |= {slide: _at(value, best).real for slide, value in plot.s.items()}
+    drawn |= {slide_key(slide): _at(value, best).real for slide, value in plot.s.items()}
     return Assembly(tuple(int(side) for side in sides), drawn)
 
 
@@ -129,8 +128,13 @@ def refuse_bad_positions(structure: Structure, construction: Construction, plot:
         sine = plot.sines["position", key]
         if not np.isfinite(sine) or sine < DEAD_SINE:
             raise _refusal_at(structure, step, key, plot)
+    refuse_open(structure, plot, CLOSED)
+
+
+def refuse_open(structure: Structure, plot: Plot, part: float) -> None:
+    """A link that repeats a constraint must fit it to a part of the mechanism's size."""
     link, gap = _open_link(structure, plot)
-    if gap > CLOSED * _extent(plot):
+    if gap > part * extent(plot):
         mechanism = structure.mechanism
         raise CannotAssemble(mechanism.where("links", link), (mechanism.called(link),), gap * 1000)
 
@@ -161,13 +165,13 @@ def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: 
     where = mechanism.where("links", links[-1]) if links else mechanism.where("links")
     called = tuple(mechanism.called(link) for link in links)
     gap = float(np.nanmin(plot.misses.get(key, np.array(0.0))))
-    if gap > CLOSED * _extent(plot):
+    if gap > CLOSED * extent(plot):
         return CannotAssemble(where, called, gap * 1000)
     sine = np.nan_to_num(np.asarray(plot.sines["position", key], dtype=float))
     return DeadPoint(where, called, float(np.degrees(np.arcsin(min(1.0, float(np.max(sine)))))))
 
 
-def _extent(plot: Plot) -> float:
+def extent(plot: Plot) -> float:
     """How far the placed points lie apart [m]."""
     values = np.concatenate([np.ravel(value) for value in plot.position.values()])
     placed = values[np.isfinite(values)]
@@ -182,7 +186,7 @@ def _open_link(structure: Structure, plot: Plot) -> tuple[str, float]:
     worst = ("", 0.0)
     for link in structure.mechanism.links.values():
         points = list(link.points)
-        if link.name not in plot.theta:
+        if link.name not in plot.theta or link.name in structure.followers:
             continue
         turned = np.exp(1j * plot.theta[link.name])
         for point in points[1:]:
@@ -191,6 +195,9 @@ def _open_link(structure: Structure, plot: Plot) -> tuple[str, float]:
     for slide in structure.slides.values():
         arm = plot.arm(slide.line.origin, slide.point)
         gap = abs(cross(plot.guide_direction(slide.name), arm))
+        if slide.block is not None:  # which may not turn on its guide
+            leaning = plot.theta[slide.block] - plot.theta[slide.guide] - slide.turn
+            gap = max(gap, abs(np.exp(1j * leaning) - 1) * extent(plot))
         worst = max(worst, (structure.home(structure.block(slide)), float(gap)), key=lambda entry: entry[1])
     return worst
 

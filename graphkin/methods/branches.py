@@ -21,7 +21,7 @@ from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.methods.starts import Starts
 from graphkin.methods.structure import Structure
-from graphkin.steps import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, replay
+from graphkin.steps import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, replay, unknowns_of
 
 __all__ = ["BETWEEN", "Block", "Branches", "DeadEnd", "blocks_of", "branches", "told_slides"]
 
@@ -175,7 +175,7 @@ class _Search:
                 return here
 
     def _fitted(self, here: Branches, step: Fit) -> Branches:
-        if all(name in self.known for name in step.angles + step.slides):
+        if all(name in self.known for name in unknowns_of(step)):
             self._drawn(here.plot, [step])
             return here
         return self.starts.fitted(here, step, lambda plot: self._drawn(plot, [step]))

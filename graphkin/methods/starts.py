@@ -15,7 +15,7 @@ import numpy as np
 from graphkin.geometry import Value, dot
 from graphkin.mechanism import FRAME
 from graphkin.methods.structure import Structure
-from graphkin.steps import Arm, Fit, Plot
+from graphkin.steps import Arm, Fit, Plot, unknowns_of
 
 if TYPE_CHECKING:
     from graphkin.methods.branches import Branches
@@ -150,7 +150,7 @@ class Starts:
 def _tried(here: Branches, step: Fit, x: np.ndarray, fit: Callable[[Plot], None]) -> tuple[np.ndarray, np.ndarray]:
     """Fit each branch from its start (n, w), in place: what is found (n, w), and which fit (w,)."""
     plot = here.plot
-    plot.near = {**plot.near, **dict(zip(step.angles + step.slides, x, strict=True))}
+    plot.near = {**plot.near, **dict(zip(unknowns_of(step), x, strict=True))}
     fit(plot)
     found = [*(plot.theta[base] for base in step.angles), *(plot.s[slide] for slide in step.slides)]
     table = np.array([np.broadcast_to(value, here.count) for value in found])

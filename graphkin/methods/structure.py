@@ -72,6 +72,11 @@ class Structure:
         """The body that slides: the block, or the one that stands for the pin."""
         return slide.block if slide.block is not None else f"pin {slide.name}"
 
+    @cached_property
+    def followers(self) -> frozenset[str]:
+        """Lines of centres of gears: they go with two points whose distance other links keep, and keep none."""
+        return frozenset(name for name in self.mechanism.links if name.startswith("e g"))
+
     def is_pin(self, body: str) -> bool:
         return body not in self.mechanism.links
 

@@ -16,6 +16,7 @@ NumPy calls of them, and `program` carries these out; `replayed` is the plot it 
 
 from __future__ import annotations
 
+from graphkin.steps.fitting import unknowns_of
 from graphkin.steps.kinds import (
     Arc,
     Chain,
@@ -45,6 +46,7 @@ from graphkin.steps.plot import (
     Facts,
     Plot,
     TurnOf,
+    slide_key,
 )
 from graphkin.steps.terms import (
     LETTER,
@@ -120,4 +122,6 @@ __all__ = [
     "Turning",
     "Unknown",
     "replay",
+    "slide_key",
+    "unknowns_of",
 ]

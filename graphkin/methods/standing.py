@@ -1,0 +1,214 @@
+"""How a mechanism stands at the drawn position: its poses and its drivers' values, and where rolling counts from.
+
+Nothing rolls there. What repeats what is known already is no error, as long as it says the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations, islice
+
+import numpy as np
+
+from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, Where
+from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.methods.assembly import assemble, extent, refuse_open
+from graphkin.methods.drawn import facts_of, with_sides
+from graphkin.methods.position import position
+from graphkin.methods.stages import stages
+from graphkin.methods.structure import Structure
+from graphkin.steps import Plot, replay, slide_key
+from graphkin.value import frozen
+
+__all__ = ["as_drawn"]
+
+SAME = 1e-6
+"""Values that differ by less say the same [rad, mechanism's size]: figures in files are rounded."""
+TRIES = 64
+"""So many choices of poses to leave out are tried."""
+
+
+@frozen
+class _Given:
+    """A driver's value or a pose: what it fixes, as a driver, and where the file says so."""
+
+    fixes: Driver
+    posed: bool
+    where: Where
+
+
+def as_drawn(mechanism: Mechanism, lower: Mechanism) -> tuple[dict[str, float], Mechanism]:
+    """Angles and displacements at the drawn position, from which rolling counts, and the drivers with all their values.
+
+    Raises NotPlaced where values and poses leave something open, PosesDiffer where they do not fit together.
+    """
+    structure, plot = _standing(mechanism, lower)
+    drawn = {link: float(plot.theta[link]) if link in plot.theta else 0.0 for link in structure.bodies}
+    drawn |= {slide_key(slide): float(value) for slide, value in plot.s.items()}
+    sketch = {**lower.sketch, **{p: complex(z) for p, z in plot.position.items() if p[0].isupper()}}
+    drivers = tuple(_valued(driver, plot, drawn) for driver in mechanism.drivers)
+    driven = replace(lower, drivers=drivers, sketch=sketch)
+    return _counted_on(Structure(driven), drawn), driven
+
+
+def _counted_on(structure: Structure, drawn: dict[str, float]) -> dict[str, float]:
+    """The same with angles that count whole turns as the drivers' values do."""
+    counted = dict(drawn)
+    for body, turn in structure.turns.items():
+        values = sum(sign * (structure.mechanism.drivers[k].value or 0.0) for k, sign in turn.drivers)
+        turns = round((drawn[turn.base] + turn.constant + values - drawn[body]) / (2 * np.pi))
+        counted[body] = drawn[body] + 2 * np.pi * turns
+    return counted
+
+
+def _valued(driver: Driver, plot: Plot, drawn: Mapping[str, float]) -> Driver:
+    """A driver whose value a pose has fixed, with that value."""
+    if driver.kind == "slide":
+        return driver if driver.value is not None else replace(driver, value=drawn[slide_key(driver.link)])
+    if driver.kind == "spin":
+        return replace(driver, value=drawn[driver.link])
+    return driver if driver.value is not None else replace(driver, value=_value(plot, driver))
+
+
+# --- what is given ----------------------------------------------------------------------------
+
+
+def _standing(mechanism: Mechanism, lower: Mechanism) -> tuple[Structure, Plot]:
+    """All that is given taken together; where that does not do, without poses that the rest gives as well.
+
+    Those must say the same as what is then found.
+    """
+    given, refusal, placed = tuple(_given(mechanism)), None, None
+    for needed in _fewer_and_fewer(given):
+        try:
+            structure, plot = _placed(mechanism, lower, needed)
+        except (CannotAssemble, DeadPoint, NotPlaced) as error:
+            refusal = refusal or error
+            continue
+        if all(_holds(plot, each) for each in needed):
+            _refuse_other(structure, plot, given, needed)
+            return structure, plot
+        placed = placed or (structure, plot)
+    if placed is None:
+        assert refusal is not None
+        raise refusal
+    return placed  # by drivers that contradict each other: there are too many of them
+
+
+def _fewer_and_fewer(given: tuple[_Given, ...]) -> Iterator[tuple[_Given, ...]]:
+    """All that is given, then without one pose, the last first, then without two, .."""
+    poses = [each for each in reversed(given) if each.posed]
+    leaving = (left for count in range(len(poses) + 1) for left in combinations(poses, count))
+    for left in islice(leaving, TRIES):
+        yield tuple(each for each in given if each not in left)
+
+
+def _refuse_other(structure: Structure, plot: Plot, given: tuple[_Given, ...], needed: tuple[_Given, ...]) -> None:
+    """A pose that was not needed must hold all the same."""
+    for each in given:
+        if each not in needed and not _holds(plot, each):
+            others = tuple(other.where for other in _beside(structure, each, needed))
+            raise PosesDiffer(each.where, each.fixes.name, *_told(each, _off(plot, each)), others)
+
+
+def _given(mechanism: Mechanism) -> Iterator[_Given]:
+    for k, driver in enumerate(mechanism.drivers):
+        if driver.value is not None and driver.kind != "spin":
+            yield _Given(driver, False, mechanism.where("driver", k))
+    for k, pose in enumerate(mechanism.poses):
+        fixes = Driver(pose.kind, pose.link, pose.vector, pose.from_link, pose.from_vector, pose.value)
+        yield _Given(fixes, True, mechanism.where("pose", k))
+
+
+def _beside(structure: Structure, given: _Given, needed: Sequence[_Given]) -> list[_Given]:
+    """What fixes the same: the values that turn one of the two links against the other, else all that is needed."""
+    fixes, turns = given.fixes, structure.turns
+    if fixes.kind == "slide":
+        return [other for other in needed if other.fixes.link == fixes.link] or list(needed)
+    one, other = turns[fixes.link], turns[fixes.from_link]
+    if one.base != other.base:
+        return list(needed)
+    path = {k for k, _ in one.drivers} ^ {k for k, _ in other.drivers}
+    return [each for k, each in enumerate(needed) if k in path]
+
+
+# --- placing ----------------------------------------------------------------------------------
+
+
+def _placed(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...]) -> tuple[Structure, Plot]:
+    """The mechanism put together by these values."""
+    structure = _with(mechanism, lower, given)
+    if names := _left(structure):
+        raise NotPlaced(mechanism.where("links", names[0]), tuple(mechanism.called(name) for name in names))
+    construction, choices = position(structure, stages(structure)[0])
+    facts = facts_of(structure, None, {})
+    found = assemble(structure, construction, choices, facts, {})
+    plot = replay(with_sides(construction, found.sides), Plot(facts, found.near))
+    refuse_open(structure, plot, SAME)
+    return structure, plot
+
+
+def _with(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...]) -> Structure:
+    """The mechanism with these values; wheels that nothing turns and that show no direction stand at 0."""
+    drivers = tuple(each.fixes for each in given)
+    structure = Structure(replace(lower, drivers=drivers))
+    plain: dict[str, str] = {}
+    for body in structure.bodies:
+        if structure.base(body) != FRAME and _shows_nothing(mechanism, structure, body):
+            plain.setdefault(structure.base(body), body)
+    marked = tuple(Driver("spin", body, value=0.0) for body in plain.values())
+    return Structure(replace(lower, drivers=(*drivers, *marked)))
+
+
+def _shows_nothing(mechanism: Mechanism, structure: Structure, body: str) -> bool:
+    """Whether one cannot see how a wheel stands: it hangs on its centre alone, and has no other point."""
+    wheels = {wheel for gear in mechanism.gears for wheel in gear.joins}
+    wheels |= {wheel for roll in mechanism.rolls for wheel in roll.joins}
+    spun = {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
+    joints = list(structure.joints(body))
+    if body not in wheels | spun or len(joints) > 1:
+        return False
+    places = set(structure.shapes[body].values())
+    return len(places) == 1 or body in spun
+
+
+def _left(structure: Structure) -> tuple[str, ...]:
+    """The links that nothing places, those first whose direction is open."""
+    left = stages(structure)[1]
+    turning = [body for body in left if structure.base(body) != FRAME]
+    homes = dict.fromkeys(structure.home(body) for body in turning or left)
+    return tuple(name for name in homes if " " not in name)
+
+
+# --- comparing --------------------------------------------------------------------------------
+
+
+def _value(plot: Plot, fixes: Driver) -> float:
+    """What a driver's value is in a plot [rad or m]."""
+    if fixes.kind == "slide":
+        return float(plot.s[fixes.link])
+    assert fixes.vector is not None
+    value = float(np.angle(plot.arm(*fixes.vector)))
+    return value - (float(np.angle(plot.arm(*fixes.from_vector))) if fixes.from_vector is not None else 0.0)
+
+
+def _off(plot: Plot, given: _Given) -> float:
+    """How far a plot is beyond what is given [rad or m]."""
+    wanted = given.fixes.value
+    assert wanted is not None
+    off = _value(plot, given.fixes) - wanted
+    return off if given.fixes.kind == "slide" else float(np.angle(np.exp(1j * off)))
+
+
+def _holds(plot: Plot, given: _Given) -> bool:
+    return abs(_off(plot, given)) < (SAME * extent(plot) if given.fixes.kind == "slide" else SAME)
+
+
+def _told(given: _Given, off: float) -> tuple[str, str, str]:
+    """What is said, what holds, and how far they are apart, with units."""
+    said, unit, scale = given.fixes.value or 0.0, "°", 180 / np.pi
+    if given.fixes.kind == "slide":
+        unit, scale = " mm", 1000.0
+    said_text, holds, apart = (f"{value * scale:.6g}{unit}" for value in (said, said + off, abs(off)))
+    return said_text, holds, apart
