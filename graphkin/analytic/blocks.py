@@ -57,8 +57,7 @@ class Block:
 
 def blocks_of(closure: Closure) -> tuple[Block, ...]:
     """The blocks in order; all loops as one where equations and unknowns do not match."""
-    loops, known = closure.loops, closure.known
-    uses = moved_by(closure, loops.rows)
+    uses = moved_by(closure, closure.loops.rows)
     takers = _matched(uses)
     if takers is None:
         whole = np.arange(len(uses)), np.arange(uses.shape[1])

@@ -1,4 +1,4 @@
-"""The assemblies near the sketch, block by block: the ways to close one block branch off each way to close those before.
+"""The assemblies near the sketch, block by block: ways to close one block branch off each way to close those before.
 
 A block starts from the sketch. Where that shows all of the block, and so nearly that no other way to close it can be as
 near, there is one way on; else the search starts from many places. The branches nearest to the sketch are kept.

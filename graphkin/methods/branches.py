@@ -244,7 +244,7 @@ class _Search:
         return _Bound(places, (1e-8 * reach) ** 2)
 
     def _open(self, here: Branches, bound: _Bound) -> np.ndarray:
-        """Whether more distance, by `BETWEEN`, than the points still to be drawn can make good is not lost yet: (w,)."""
+        """Whether no more distance is lost, by `BETWEEN`, than the points still to be drawn can make good: (w,)."""
         lost, sketch, share = np.zeros(here.count), self.structure.mechanism.sketch, 1 - BETWEEN
         spare = bound.rounding
         for point, place in bound.places.items():
