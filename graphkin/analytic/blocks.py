@@ -56,12 +56,11 @@ class Block:
 
 
 def blocks_of(closure: Closure) -> tuple[Block, ...]:
-    """The blocks in order; all loops as one where equations and unknowns do not match."""
+    """The blocks in order; none where equations and unknowns do not match."""
     uses = moved_by(closure, closure.loops.rows)
     takers = _matched(uses)
-    if takers is None:
-        whole = np.arange(len(uses)), np.arange(uses.shape[1])
-        return (_block(closure, *whole),) if uses.size else ()
+    if takers is None or not takers.size:
+        return ()
     return tuple(_block(closure, rows, np.flatnonzero(np.isin(takers, rows))) for rows in _in_order(uses, takers))
 
 

@@ -28,6 +28,8 @@ AT_ONCE = 64
 """Branches fitted at once, to keep arrays short."""
 NEAR = 0.05
 """A start this near to what fits, as part of how far the group is from its dead points, has no other as near."""
+OTHERS = 0.1
+"""Nearer than this, measured alike, there is surely no other assembly of the group."""
 SAME = 1e-6
 """Assemblies of a group whose unknowns differ by less are one [rad, of its size]."""
 
@@ -38,13 +40,17 @@ class Starts:
 
     structure: Structure
 
-    def fitted(self, here: Branches, step: Fit, fit: Callable[[Plot], None]) -> Branches:
-        """Each branch with every assembly of the group that fits; where none fits, how the last ones tried miss."""
+    def fitted(self, here: Branches, step: Fit, fit: Callable[[Plot], None], spare: float) -> Branches:
+        """Each branch with every assembly of the group that fits; where none fits, how the last ones tried miss.
+
+        spare  squared distance that points drawn later may make good [m²]: another assembly of this group may lead
+               to better ones of those
+        """
         told = self._told(here, step)
         there = here.taken(np.arange(here.count))
         x, fits = _tried(there, step, np.nan_to_num(told), fit)
         sine = np.nan_to_num(np.broadcast_to(there.plot.sines["position", step.name], here.count))
-        sure = fits & (self._far(x - told, step) < NEAR * sine)
+        sure = fits & (self._far(x - told, step) < NEAR * sine) & (spare < (OTHERS * sine * self._size(step)) ** 2)
         if sure.all():
             return there
         parents, found = [np.flatnonzero(sure)], [x[:, sure]]
