@@ -24,6 +24,8 @@ from graphkin.mechanism import FRAME, Mechanism
 __all__ = ["Assembled", "Drawn", "assemble", "drawn", "held", "idle"]
 
 _STARTS = 128
+_MANY = 32
+"""Unknowns with which fewer starts are tried, all loops at once; an assembly is rarely found so, only the gap."""
 _MET = 1e-6
 """A loop open by less than this (in units of size) is closed, once Newton has settled: lengths in files are rounded."""
 _SAME = 1e-4
@@ -92,7 +94,7 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
         return Assembled(first[0], 0.0)
     found, ends = _closed(closure, branched(closure, _judge(mechanism, loops), seen, starts, c), c)
     if not len(found):
-        found, ends = _closed(closure, starts, c)
+        found, ends = _closed(closure, starts[:: 1 + len(closure.known.free) // _MANY], c)
     if not len(found):
         return Assembled(None, _smallest_gap(closure, ends, c) * loops.size)
     return Assembled(choose(mechanism, loops, _distinct(found)), 0.0)

@@ -29,21 +29,26 @@ Flags = NDArray[np.bool_]
 class Block:
     """Some loops and the unknowns left (of y) that they give, with all others known.
 
-    part     the loops' own closure: q is (y of the block, angles and lengths that the rest gives its arrows)
-    arrows   the arrows in its loops
+    part     the loops' own closure: q is (y of the block, angles and lengths that the rest gives its arrows); what
+             does not move with y is one arrow a loop
+    moving, still  the arrows in its loops
+    rows     the loops (r, m)
     """
 
     columns: Indices
-    arrows: Indices
+    moving: Indices
+    still: Indices
+    rows: Complex
     part: Closure
     whole: Closure
 
     def given(self, q: Real) -> Real:
-        """What the other unknowns give the arrows, from all unknowns q (b, n): (b, 2m)."""
+        """What the other unknowns give the arrows, from all unknowns q (b, n): angles, then lengths (b, 2m + 2r)."""
         vectors, left = self.whole.loops.vectors, self.whole.known.left[:, self.columns]
         others = q - q[:, self.whole.known.free[self.columns]] @ left.T
-        angles, lengths = others @ vectors.turning[self.arrows].T, others @ vectors.stretching[self.arrows].T
-        return np.hstack([angles, lengths + vectors.base[self.arrows]])
+        angles, lengths = others @ vectors.turning[self.moving].T, others @ vectors.stretching[self.moving].T
+        sums = vectors.at(others)[:, self.still] @ self.rows[:, self.still].T
+        return np.hstack([angles, np.angle(sums), lengths + vectors.base[self.moving], np.abs(sums)])
 
     def at(self, y: Real, given: Real) -> Real:
         """The part's own q from its unknowns (b, k)."""
@@ -51,13 +56,11 @@ class Block:
 
 
 def blocks_of(closure: Closure) -> tuple[Block, ...]:
-    """The blocks in order; all loops as one where equations and unknowns do not match."""
-    loops, known = closure.loops, closure.known
-    uses = moved_by(closure, loops.rows)
+    """The blocks in order; none where equations and unknowns do not match."""
+    uses = moved_by(closure, closure.loops.rows)
     takers = _matched(uses)
-    if takers is None:
-        whole = np.arange(len(uses)), np.arange(uses.shape[1])
-        return (_block(closure, *whole),) if uses.size else ()
+    if takers is None or not takers.size:
+        return ()
     return tuple(_block(closure, rows, np.flatnonzero(np.isin(takers, rows))) for rows in _in_order(uses, takers))
 
 
@@ -107,13 +110,19 @@ def _in_order(uses: Flags, takers: Indices) -> list[Indices]:
 def _block(closure: Closure, rows: Indices, columns: Indices) -> Block:
     """The closure of some loops alone: the other unknowns only turn and stretch their arrows."""
     loops, left = closure.loops, closure.known.left[:, columns]
-    arrows = np.flatnonzero((np.abs(loops.rows[rows]) > _NOTHING).any(axis=0))
-    count, size = len(columns), len(arrows)
-    one, none = np.eye(size), np.zeros((size, size))
-    turning = np.hstack([loops.vectors.turning[arrows] @ left, one, none])
-    stretching = np.hstack([loops.vectors.stretching[arrows] @ left, none, one])
+    there = (np.abs(loops.rows[rows]) > _NOTHING).any(axis=0)
+    turning, stretching = loops.vectors.turning @ left, loops.vectors.stretching @ left
+    moves = (np.abs(turning) + np.abs(stretching) > _NOTHING).any(axis=1)
+    moving, still = np.flatnonzero(there & moves), np.flatnonzero(there & ~moves)
+    count, size = len(columns), len(moving) + len(rows)
+    one, none, idle = np.eye(size), np.zeros((size, size)), np.zeros((len(rows), count))
+    vectors = Vectors(
+        np.hstack([np.vstack([turning[moving], idle]), one, none]),
+        np.hstack([np.vstack([stretching[moving], idle]), none, one]),
+        np.zeros(size),
+    )
     given = np.vstack([np.zeros((count, 2 * size)), np.eye(2 * size)])
     free = np.vstack([np.eye(count), np.zeros((2 * size, count))])
     known = Elimination(given, free, np.arange(count), np.zeros((0, 2 * size)))
-    part = replace(loops, vectors=Vectors(turning, stretching, np.zeros(size)), rows=loops.rows[np.ix_(rows, arrows)])
-    return Block(columns, arrows, Closure(part, given.T, known), closure)
+    part = replace(loops, vectors=vectors, rows=np.hstack([loops.rows[np.ix_(rows, moving)], np.eye(len(rows))]))
+    return Block(columns, moving, still, loops.rows[rows], Closure(part, given.T, known), closure)

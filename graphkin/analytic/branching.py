@@ -1,7 +1,8 @@
-"""The assemblies near the sketch, block by block: the ways to close one block branch off each way to close those before.
+"""The assemblies near the sketch, block by block: ways to close one block branch off each way to close those before.
 
 A block starts from the sketch. Where that shows all of the block, and so nearly that no other way to close it can be as
-near, there is one way on; else the search starts from many places. The branches nearest to the sketch are kept.
+near, there is one way on; else the search starts from many places. The branches nearest to the sketch are kept. Where
+not every block was as sketched, all are searched again for what lies nearer to the sketch as a whole.
 """
 
 from __future__ import annotations
@@ -49,6 +50,8 @@ def branched(closure: Closure, judge: Judge, seen: Real, starts: Real, c: Real) 
     starts  (b, n), the first of them at the sketch
     """
     blocks = blocks_of(closure)
+    if not blocks:
+        return np.zeros((0, len(seen)))
     for width in _WIDTHS:
         walk = _Walk(closure, judge, seen, starts, c, width, np.inf)
         found = walk.through(blocks)
@@ -99,7 +102,7 @@ class _Walk:
         free = self.closure.known.free[block.columns]
         given, told = block.given(q), self.seen[free]
         y, met = self._tried(block, np.repeat(np.nan_to_num(told)[None], len(q), axis=0), given)
-        single = met & self._only(block, y, given, told)
+        single = met & self._only(block, y, given, told) & np.isinf(self.limit)
         if single.all():
             return self._with(block, q, y)
         self.sure = False

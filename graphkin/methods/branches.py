@@ -146,7 +146,7 @@ class _Search:
             if isinstance(block.opening, Fit):
                 here = self._thinned(here, min(width, WIDEST_FITTED), None)
             before = set(here.plot.position)
-            here = self._opened(here, block)
+            here = self._opened(here, block, self._spare(here, bound))
             self._drawn(here.plot, [*block.rest])
             waiting = self._measured(here.plot, waiting)
             closed = self._closed(here, [p for p in here.plot.position if p not in before])
@@ -159,13 +159,13 @@ class _Search:
 
     # --- one block ----------------------------------------------------------------------------
 
-    def _opened(self, here: Branches, block: Block) -> Branches:
+    def _opened(self, here: Branches, block: Block, spare: float) -> Branches:
         """Both ways on at a crossing; of a group every assembly that fits."""
         match block.opening:
             case None:
                 return here
             case Fit():
-                return self._fitted(here, block.opening)
+                return self._fitted(here, block.opening, spare)
             case step:
                 both = np.tile((1, -1), here.count)
                 here = here.taken(np.repeat(np.arange(here.count), 2))
@@ -174,11 +174,11 @@ class _Search:
                 replay(self._part([step]), here.plot, {step.choice: both})
                 return here
 
-    def _fitted(self, here: Branches, step: Fit) -> Branches:
+    def _fitted(self, here: Branches, step: Fit, spare: float) -> Branches:
         if all(name in self.known for name in unknowns_of(step)):
             self._drawn(here.plot, [step])
             return here
-        return self.starts.fitted(here, step, lambda plot: self._drawn(plot, [step]))
+        return self.starts.fitted(here, step, lambda plot: self._drawn(plot, [step]), spare)
 
     def _drawn(self, plot: Plot, steps: Sequence[Step]) -> None:
         if steps:
@@ -244,17 +244,21 @@ class _Search:
         return _Bound(places, (1e-8 * reach) ** 2)
 
     def _open(self, here: Branches, bound: _Bound) -> np.ndarray:
-        """Whether more distance, by `BETWEEN`, than the points still to be drawn can make good is not lost yet: (w,)."""
-        lost, sketch, share = np.zeros(here.count), self.structure.mechanism.sketch, 1 - BETWEEN
-        spare = bound.rounding
+        """Whether no more distance is lost, by `BETWEEN`, than the points still to be drawn can make good: (w,)."""
+        lost, sketch = np.zeros(here.count), self.structure.mechanism.sketch
         for point, place in bound.places.items():
-            error = sketch[point] - place
             if point in here.plot.position:
                 apart = here.plot.position[point] - place
-                lost += share * np.abs(apart) ** 2 - 2 * (np.conj(apart) * error).real
-            else:
-                spare += abs(error) ** 2 / share
-        return np.asarray(lost <= spare)
+                lost += (1 - BETWEEN) * np.abs(apart) ** 2 - 2 * (np.conj(apart) * (sketch[point] - place)).real
+        return np.asarray(lost <= self._spare(here, bound))
+
+    def _spare(self, here: Branches, bound: _Bound | None) -> float:
+        """What the points still to be drawn can make good at most [m²]."""
+        if bound is None:
+            return 0.0
+        sketch = self.structure.mechanism.sketch
+        left = ((point, place) for point, place in bound.places.items() if point not in here.plot.position)
+        return bound.rounding + sum(abs(sketch[point] - place) ** 2 / (1 - BETWEEN) for point, place in left)
 
 
 def _late(block: Block) -> list[Measure]:

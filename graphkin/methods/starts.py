@@ -28,6 +28,8 @@ AT_ONCE = 64
 """Branches fitted at once, to keep arrays short."""
 NEAR = 0.05
 """A start this near to what fits, as part of how far the group is from its dead points, has no other as near."""
+OTHERS = 0.1
+"""Nearer than this, measured alike, there is surely no other assembly of the group."""
 SAME = 1e-6
 """Assemblies of a group whose unknowns differ by less are one [rad, of its size]."""
 
@@ -38,13 +40,17 @@ class Starts:
 
     structure: Structure
 
-    def fitted(self, here: Branches, step: Fit, fit: Callable[[Plot], None]) -> Branches:
-        """Each branch with every assembly of the group that fits; where none does in any, how the last ones tried miss."""
+    def fitted(self, here: Branches, step: Fit, fit: Callable[[Plot], None], spare: float) -> Branches:
+        """Each branch with every assembly of the group that fits; where none fits, how the last ones tried miss.
+
+        spare  squared distance that points drawn later may make good [m²]: another assembly of this group may lead
+               to better ones of those
+        """
         told = self._told(here, step)
         there = here.taken(np.arange(here.count))
         x, fits = _tried(there, step, np.nan_to_num(told), fit)
         sine = np.nan_to_num(np.broadcast_to(there.plot.sines["position", step.name], here.count))
-        sure = fits & (self._far(x - told, step) < NEAR * sine)
+        sure = fits & (self._far(x - told, step) < NEAR * sine) & (spare < (OTHERS * sine * self._size(step)) ** 2)
         if sure.all():
             return there
         parents, found = [np.flatnonzero(sure)], [x[:, sure]]
@@ -79,11 +85,11 @@ class Starts:
         return np.asarray(x)
 
     def _far(self, apart: np.ndarray, step: Fit) -> np.ndarray:
-        """The largest of some differences of unknowns (n, w), angles between -180 and 180 deg [rad, group's size]: (w,)."""
+        """The largest of some differences of unknowns (n, w), angles modulo a turn [rad, group's size]: (w,)."""
         turned = len(step.angles)
         with np.errstate(invalid="ignore"):
             angles = np.abs(np.angle(np.exp(1j * apart[:turned])))
-        return np.max(np.vstack([angles, np.abs(apart[turned:]) / self._size(step)]), axis=0)
+        return np.asarray(np.max(np.vstack([angles, np.abs(apart[turned:]) / self._size(step)]), axis=0))
 
     def _different(self, parent: np.ndarray, x: np.ndarray, step: Fit) -> np.ndarray:
         """The first of each assembly (n, w) of each branch (w,), in the order found."""
@@ -110,14 +116,14 @@ class Starts:
             if turn.base != base:
                 continue
             shape = self.structure.shapes[body]
-            told = [point for point in self.structure.bodies[body] if self._place(plot, point) is not None]
+            places = ((point, self._place(plot, point)) for point in self.structure.bodies[body])
+            told: dict[str, Value] = {point: place for point, place in places if place is not None}
             if len(told) < 2:
                 continue
-            near = told[0]
+            near = next(iter(told))
             far = max(told, key=lambda point: abs(shape[point] - shape[near]))
             if (arm := shape[far] - shape[near]) != 0:
-                arrow = self._place(plot, far) - self._place(plot, near)
-                return np.angle(arrow / arm) - plot.facts.relative_angle(body)
+                return np.angle((told[far] - told[near]) / arm) - plot.facts.relative_angle(body)
         return None
 
     def _displacement(self, plot: Plot, slide: str, angles: dict[str, Value | None]) -> Value | None:
