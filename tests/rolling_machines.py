@@ -292,7 +292,7 @@ def belt(seed: int) -> str:
         rod = file.link()
         file.join(centre, rod)
         if kind == "rod":
-            crank, _, pin = file.crank()
+            _, _, pin = file.crank()
             file.links[rod][pin] = file.at(pin)
         else:
             block = file.link()
@@ -329,7 +329,7 @@ def wheel_on_wheel(seed: int) -> str:
     """A wheel on the rim of another that turns about a fixed or moving pivot, held by a rod, or on an arm."""
     file = File.new(f"wheels {seed}")
     rng = file.rng
-    crank, a, b = file.crank()
+    _, a, b = file.crank()
     drum, wheel = file.link(), file.link()
     hub = file.point(file.place(), "frame", drum) if rng.random() < 0.5 else b
     file.join(hub, drum)

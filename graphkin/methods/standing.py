@@ -175,10 +175,9 @@ def _shows_nothing(mechanism: Mechanism, structure: Structure, body: str) -> boo
 
 def _left(structure: Structure) -> tuple[str, ...]:
     """The links that nothing places, those first whose direction is open."""
-    left = stages(structure)[1]
+    left = [body for body in stages(structure)[1] if not structure.is_pin(body)]
     turning = [body for body in left if structure.base(body) != FRAME]
-    homes = dict.fromkeys(structure.home(body) for body in turning or left)
-    return tuple(name for name in homes if " " not in name)
+    return tuple(name for name in turning or left if " " not in name)
 
 
 # --- comparing --------------------------------------------------------------------------------
