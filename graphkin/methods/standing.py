@@ -165,12 +165,9 @@ def _shows_nothing(mechanism: Mechanism, structure: Structure, body: str) -> boo
     """Whether one cannot see how a wheel stands: it hangs on its centre alone, and has no other point."""
     wheels = {wheel for gear in mechanism.gears for wheel in gear.joins}
     wheels |= {wheel for roll in mechanism.rolls for wheel in roll.joins}
-    spun = {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
-    joints = list(structure.joints(body))
-    if body not in wheels | spun or len(joints) > 1:
-        return False
-    places = set(structure.shapes[body].values())
-    return len(places) == 1 or body in spun
+    wheels |= {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
+    hinges = list(structure.joints(body))
+    return body in wheels and len(hinges) < 2 and len(set(structure.shapes[body].values())) == 1
 
 
 def _left(structure: Structure) -> tuple[str, ...]:
