@@ -453,7 +453,7 @@ def crosshead(seed: int) -> str:
     """A wheel about a crosshead's pin on a line along the guide; the crank or the crosshead is driven."""
     file = File.new(f"crosshead {seed}")
     rng, along = file.rng, cmath.rect(1, file.rng.uniform(-3, 3))
-    crank, a, b = file.crank(driven=False)
+    _, a, b = file.crank(driven=False)
     rod, head = file.link(), file.link()
     file.join(b, rod)
     pin = file.point(file.at(b) + file.away(80, 120), rod, head)
