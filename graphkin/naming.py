@@ -12,7 +12,10 @@ from collections.abc import Collection
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.value import frozen
 
-__all__ = ["Seen", "common_link", "driver_number", "pair", "seen"]
+__all__ = ["PairName", "Seen", "common_link", "driver_number", "named", "pair", "seen"]
+
+PairName = tuple[str, int | str]
+"""A pair by its table in the file and its number there; a hinge by its point, a link by its name."""
 
 POINT = re.compile(r"[A-Z][0-9]*'*")
 
@@ -84,3 +87,17 @@ def driver_number(mechanism: Mechanism, name: str) -> int | None:
         if slide is not None and name in (slide.line.origin + slide.point, slide.point + slide.line.origin):
             return number
     return None
+
+
+def named(mechanism: Mechanism, pair: PairName) -> tuple[str, str]:
+    """What kind a pair is and what it is called, for `errors.called_pair`: its own name, its point, or its two links."""
+    table, k = pair
+    if isinstance(k, str):
+        return table, k
+    if table == "slide":
+        slide = mechanism.slides[k]
+        return ("slide", slide.name) if slide.named else ("guide", slide.point)
+    if table == "roll" and mechanism.rolls[k].named:
+        return table, mechanism.rolls[k].name
+    joins = {"gear": mechanism.gears, "roll": mechanism.rolls, "cam": mechanism.cams}[table][k].joins
+    return table, "–".join(mechanism.called(link) for link in joins)

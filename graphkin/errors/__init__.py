@@ -101,10 +101,12 @@ from graphkin.errors.motion import (
     NoFolder,
     NotPlaced,
     NotReached,
+    NotRepeated,
     RepeatedDriver,
     RoadsDiffer,
     TooFewDrivers,
     TooManyDrivers,
+    called_pair,
     listed,
 )
 from graphkin.errors.pairs import (
@@ -209,6 +211,7 @@ __all__ = [
     "NotOneOf",
     "NotPlaced",
     "NotReached",
+    "NotRepeated",
     "NotScaled",
     "NotUtf8",
     "OneCondition",
@@ -251,5 +254,6 @@ __all__ = [
     "WrongCount",
     "WrongNumber",
     "WrongType",
+    "called_pair",
     "listed",
 ]

@@ -13,6 +13,7 @@ from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.methods.assembly import assemble
 from graphkin.methods.equivalent import Contact
 from graphkin.methods.position import position
+from graphkin.methods.repeated import SetAside, as_aside, still_repeated
 from graphkin.methods.stages import stages
 from graphkin.methods.structure import Structure
 from graphkin.steps import Construction, Equation, Facts, Meet, Plot, Step, Swing, replay
@@ -20,12 +21,14 @@ from graphkin.steps import Construction, Equation, Facts, Meet, Plot, Step, Swin
 __all__ = ["as_drawn", "facts_of", "refuse_gears_apart", "with_sides"]
 
 
-def as_drawn(mechanism: Mechanism, lower: Mechanism) -> tuple[dict[str, float], Mechanism]:
+def as_drawn(
+    mechanism: Mechanism, lower: Mechanism, aside: tuple[SetAside, ...] = ()
+) -> tuple[dict[str, float], Mechanism]:
     """Angles and displacements at the drawn position, from which rolling counts, and the drivers with all their values.
 
     There the poses hold, and nothing rolls; a wheel that no pose and no other link turns stands at 0.
     """
-    structure, plot = _standing(mechanism, lower)
+    structure, plot = _standing(mechanism, lower, aside)
     drawn = {link: float(plot.theta[link]) if link in plot.theta else 0.0 for link in structure.bodies}
     drawn |= {slide: float(value) for slide, value in plot.s.items()}
     sketch = {**lower.sketch, **{p: complex(z) for p, z in plot.position.items() if p[0].isupper()}}
@@ -33,7 +36,7 @@ def as_drawn(mechanism: Mechanism, lower: Mechanism) -> tuple[dict[str, float], 
     return drawn, replace(lower, drivers=drivers, sketch=sketch)
 
 
-def _standing(mechanism: Mechanism, lower: Mechanism) -> tuple[Structure, Plot]:
+def _standing(mechanism: Mechanism, lower: Mechanism, aside: tuple[SetAside, ...]) -> tuple[Structure, Plot]:
     """The mechanism with its poses for drivers, beside those drivers whose values are given."""
     posed = tuple(
         Driver(pose.kind, pose.link, pose.vector, pose.from_link, pose.from_vector, pose.value)
@@ -41,11 +44,13 @@ def _standing(mechanism: Mechanism, lower: Mechanism) -> tuple[Structure, Plot]:
     )
     given = tuple(driver for driver in mechanism.drivers if driver.value is not None and driver.kind != "spin")
     structure = Structure(replace(lower, drivers=(*given, *posed)))
+    repeating = as_aside(still_repeated(mechanism, structure, aside))
+    structure = replace(structure, aside=repeating)
     left = stages(structure)[1]
     wheels = {wheel for gear in mechanism.gears for wheel in gear.joins}
     wheels |= {wheel for roll in mechanism.rolls for wheel in roll.joins}
     marked = tuple(Driver("spin", body, value=0.0) for body in left if body in wheels and body != FRAME)
-    structure = Structure(replace(lower, drivers=(*given, *posed, *marked)))
+    structure = Structure(replace(lower, drivers=(*given, *posed, *marked)), aside=repeating)
     order, left = stages(structure)
     names = tuple(dict.fromkeys(structure.home(body) for body in left))
     if names:

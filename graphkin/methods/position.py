@@ -262,7 +262,7 @@ def touching(structure: Structure) -> Iterator[tuple[str, Contact]]:
 
 
 def in_step(contact: Contact) -> InStep:
-    return InStep(contact.name, contact.angles, contact.slide, contact.on_slide)
+    return InStep(contact.name, contact.angles, contact.slide, contact.on_slide, contact.way)
 
 
 def _closure(structure: Structure, loop: Loop) -> Closure:
