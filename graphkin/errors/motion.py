@@ -20,6 +20,7 @@ __all__ = [
     "NotPlaced",
     "NotReached",
     "NotRepeated",
+    "PosesDiffer",
     "RepeatedDriver",
     "RoadsDiffer",
     "TooFewDrivers",
@@ -144,6 +145,35 @@ class NotPlaced(_AboutLinks):
         "(or `at`), or add a [[pose]] for one of them.",
         "zh": "{where}：所画位置中构件 {links} 的位置没有给定。请给出原动件的 `angle`（或 `at`），或为其中之一增加 [[pose]]。",
     }
+
+
+class PosesDiffer(GraphkinError):
+    """A pose that says another thing of the drawn position than drivers, poses and pairs without it do."""
+
+    where: Where
+    line: str
+    said: str
+    holds: str
+    apart: str
+    others: tuple[Where, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this says {line} = {said}, but {others} {line} = {holds}: they differ by {apart}. "
+        "Correct one of them, or remove this [[pose]].",
+        "zh": "{where}：此处给定 {line} = {said}，但{others} {line} = {holds}，二者相差 {apart}。请改正其一，或删去此 [[pose]]。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return super()._words(lang) | {"others": self._others(lang)}
+
+    def _others(self, lang: Lang) -> str:
+        """`by driver.0 (line 12)`; the pairs, where they alone fix it."""
+        if not self.others:
+            return {"en": "by the pairs alone", "zh": "仅由运动副即得"}[lang]
+        numbered = {"en": "{key} (line {line})", "zh": "{key}（第 {line} 行）"}[lang]
+        named = [
+            other.key if other.line is None else numbered.format(key=other.key, line=other.line) for other in self.others
+        ]
+        return {"en": "by {names}", "zh": "由 {names} 得"}[lang].format(names=listed(named, lang))
 
 
 class NotReached(GraphkinError):

@@ -16,7 +16,7 @@ from graphkin.geometry import Value
 from graphkin.mechanism import Driver, Mechanism
 from graphkin.methods.assembly import assemble, refuse_bad_positions
 from graphkin.methods.bypass import with_ways
-from graphkin.methods.drawn import as_drawn, facts_of, refuse_gears_apart, with_sides
+from graphkin.methods.drawn import facts_of, refuse_gears_apart, with_sides
 from graphkin.methods.equivalent import contacts, lower_pairs
 from graphkin.methods.labels import Labels, coincident_points
 from graphkin.methods.motion import motion
@@ -24,6 +24,7 @@ from graphkin.methods.position import position
 from graphkin.methods.repeated import SetAside, as_aside, repeated
 from graphkin.methods.special import Ternary, special_points, with_special_points
 from graphkin.methods.stages import Bridge, Group, Stage, stages
+from graphkin.methods.standing import as_drawn
 from graphkin.methods.structure import Structure
 from graphkin.steps import Construction, Facts, Fit, Meet, Plot, Roll, Site, Swing, replay
 from graphkin.value import frozen
@@ -40,8 +41,8 @@ class Method:
 
     stages  the order of solution: bodies carried along, and loops with two unknown scalars
     coincident  points at which links move past each other, with the link whose point the hinge there is
-    near, drawn angles by link and displacements by slide at the drawn position: where fitting starts, and from
-                where rolling counts
+    near, drawn angles by link and displacements by `slide_key` at the drawn position: where fitting starts,
+                and from where rolling counts
     ternaries   the special point of each Class III group
     aside       the constraints that repeat others (虚约束)
     """

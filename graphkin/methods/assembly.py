@@ -15,10 +15,10 @@ from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
 from graphkin.geometry import Value, cross
 from graphkin.mechanism import FRAME
 from graphkin.methods.structure import Structure
-from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, replay
+from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, replay, slide_key
 from graphkin.value import frozen
 
-__all__ = ["DEAD_SINE", "Assembly", "assemble", "links_of", "refuse_bad_positions"]
+__all__ = ["DEAD_SINE", "Assembly", "assemble", "extent", "links_of", "refuse_bad_positions", "refuse_open"]
 
 DEAD_DEG = 0.5
 """Lines that meet under less than this give no usable drawing [deg]."""
@@ -33,7 +33,7 @@ STARTS = 96
 
 @frozen
 class Assembly:
-    """The crossing of each choice, +1 or -1, and angles by base link and displacements by slide as drawn."""
+    """The crossing of each choice, +1 or -1, and angles by base link and displacements by `slide_key` as drawn."""
 
     sides: tuple[int, ...]
     near: Mapping[str, float]
@@ -60,7 +60,7 @@ def assemble(
         raise _refusal(structure, construction, plot)
     best = _nearest(structure, plot, possible)
     drawn = {base: _at(plot.theta[base], best).real for base in structure.bases if base in plot.theta}
-    drawn |= {slide: _at(value, best).real for slide, value in plot.s.items()}
+    drawn |= {slide_key(slide): _at(value, best).real for slide, value in plot.s.items()}
     return Assembly(tuple(int(side) for side in combinations[best]), drawn)
 
 
@@ -75,7 +75,7 @@ def _starts(structure: Structure, fits: list[Fit], count: int) -> dict[str, Valu
             near[base] = (hint or 0.0) + spread
         size = _sketch_size(structure)
         for slide in fit.slides:
-            near[slide] = rng.uniform(-1.5, 1.5, count) * size
+            near[slide_key(slide)] = rng.uniform(-1.5, 1.5, count) * size
     return near
 
 
@@ -191,8 +191,13 @@ def refuse_bad_positions(structure: Structure, construction: Construction, plot:
         sine = plot.sines["position", key]
         if not np.isfinite(sine) or sine < DEAD_SINE:
             raise _refusal_at(structure, step, key, plot)
+    refuse_open(structure, plot, CLOSED)
+
+
+def refuse_open(structure: Structure, plot: Plot, part: float) -> None:
+    """A link that repeats a constraint must fit it to a part of the mechanism's size."""
     link, gap = _open_link(structure, plot)
-    if gap > CLOSED * _extent(plot):
+    if gap > part * extent(plot):
         mechanism = structure.mechanism
         raise CannotAssemble(mechanism.where("links", link), (mechanism.called(link),), gap * 1000)
 
@@ -221,13 +226,13 @@ def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: 
     where = mechanism.where("links", links[-1]) if links else mechanism.where("links")
     called = tuple(mechanism.called(link) for link in links)
     gap = float(np.nanmin(plot.misses.get(key, np.array(0.0))))
-    if gap > CLOSED * _extent(plot):
+    if gap > CLOSED * extent(plot):
         return CannotAssemble(where, called, gap * 1000)
     sine = np.nan_to_num(np.asarray(plot.sines["position", key], dtype=float))
     return DeadPoint(where, called, float(np.degrees(np.arcsin(min(1.0, float(np.max(sine)))))))
 
 
-def _extent(plot: Plot) -> float:
+def extent(plot: Plot) -> float:
     """How far the placed points lie apart [m]."""
     values = np.concatenate([np.ravel(value) for value in plot.position.values()])
     placed = values[np.isfinite(values)]

@@ -13,7 +13,7 @@ from graphkin.geometry import Value
 from graphkin.methods.looking import crossings, event_at, key_of, look_along
 from graphkin.methods.swift import in_parts
 from graphkin.methods.way import Event, Way, along, stride
-from graphkin.steps import Fit, Plot, replay
+from graphkin.steps import Fit, Plot, replay, slide_key
 
 if TYPE_CHECKING:
     from graphkin.methods import Method
@@ -132,7 +132,11 @@ def _fanned(method: Method, values: Sequence[Value]) -> Plot:
 
 
 def _turned(method: Method, plot: Plot) -> dict[str, Value]:
-    return {base: plot.theta[base] for base in method.structure.bases} | dict(plot.s)
+    return {base: plot.theta[base] for base in method.structure.bases} | _keyed(plot.s)
+
+
+def _keyed(displacements: Mapping[str, Value]) -> dict[str, Value]:
+    return {slide_key(slide): value for slide, value in displacements.items()}
 
 
 def _surprise(now: Mapping[str, Value], guess: Mapping[str, Value], bases: Sequence[str]) -> float:
@@ -193,7 +197,7 @@ class _Walk:
         facts = replace(self.method.facts(self.way.values(t)), rates=self.way.pace)
         plot = replay(self.method.velocity, replay(self.method.position, Plot(facts, near), sides))
         now = {name: float(value) for name, value in _turned(self.method, plot).items()}
-        rates = {**plot.omega, **plot.s_rate}
+        rates = {**plot.omega, **_keyed(plot.s_rate)}
         return now, {name: float(rates[name]) for name in now}, plot.senses
 
     def _taken(self, ahead: float, sides: Mapping[int, int]) -> bool:

@@ -79,9 +79,11 @@ def as_aside(found: Iterable[SetAside]) -> Aside:
     )
 
 
-def still_repeated(mechanism: Mechanism, structure: Structure, found: Sequence[SetAside]) -> tuple[SetAside, ...]:
+def still_repeated(structure: Structure, found: Sequence[SetAside]) -> tuple[SetAside, ...]:
     """Those that repeat others even where wheels may slip and the drawn position's drivers and poses hold."""
-    restraints = Restraints(structure, structure.mechanism.drivers)
+    if not found:
+        return ()
+    restraints = Restraints(structure, tuple(d for d in structure.mechanism.drivers if d.kind != "spin"))
     return _over(restraints.rows(_drawn(restraints)[0]), found)
 
 

@@ -12,13 +12,14 @@ Assur group of Class III or higher, or a gear train whose planets and arm hang o
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import combinations
 
 from graphkin.mechanism import FRAME
 from graphkin.methods.equivalent import Contact
 from graphkin.methods.structure import Hinge, Joint, Sliding, Structure
+from graphkin.steps import slide_key
 from graphkin.value import frozen
 
 __all__ = ["Bridge", "Carry", "Group", "Loop", "Mesh", "Stage", "stages"]
@@ -183,18 +184,23 @@ def _group(known: _Known) -> Group | None:
     """The smallest set of loops and contacts with as many unknowns as equations."""
     loops = _bases(sorted(_loops(known, MOST), key=lambda loop: _rank(known, loop)))
     parts: list[tuple[Loop | Contact, frozenset[str], int]] = [
-        (loop, frozenset(loop.angles + loop.slides), 2) for loop in loops
+        (loop, _keys(loop.angles, loop.slides), 2) for loop in loops
     ]
     for contact in known.structure.tying:
         angles, slides = _open(known, contact)
         if angles or slides:
-            parts.append((contact, frozenset([*angles, *slides]), 1))
+            parts.append((contact, _keys(angles, slides), 1))
     for count in range(1, len(parts) + 1):
         for chosen in combinations(parts, count):
             unknown = frozenset[str]().union(*(names for _, names, _ in chosen))
             if len(unknown) == sum(equations for *_, equations in chosen):
                 return _as_group(known, [part for part, *_ in chosen], unknown)
     return None
+
+
+def _keys(angles: Iterable[str], slides: Iterable[str]) -> frozenset[str]:
+    """Unknown scalars in one set, though a file may call a link and a slide alike."""
+    return frozenset([*angles, *map(slide_key, slides)])
 
 
 def _bases(loops: list[Loop]) -> list[Loop]:
@@ -218,7 +224,7 @@ def _as_group(known: _Known, parts: list[Loop | Contact], unknown: frozenset[str
     contacts = tuple(part for part in parts if isinstance(part, Contact))
     structure = known.structure
     bodies = tuple(dict.fromkeys(body for loop in loops for body in loop.bodies))
-    slides = tuple(name for name in structure.slides if name in unknown)
+    slides = tuple(name for name in structure.slides if slide_key(name) in unknown)
     angles = tuple(body for body in structure.bodies if body in unknown)
     return Group(bodies, loops, contacts, angles, slides)
 

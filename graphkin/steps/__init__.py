@@ -45,6 +45,7 @@ from graphkin.steps.plot import (
     Facts,
     Plot,
     TurnOf,
+    slide_key,
 )
 from graphkin.steps.terms import (
     LETTER,
@@ -120,4 +121,5 @@ __all__ = [
     "Turning",
     "Unknown",
     "replay",
+    "slide_key",
 ]

@@ -1,6 +1,6 @@
 """What is found by calculation: rolling contacts, links tried until they fit, chains of arrows closed at once.
 
-A `Row` is one linear condition: known + sum of coefficient * unknown = 0, by base link or slide. A complex row
+A `Row` is one linear condition: known + sum of coefficient * unknown = 0, by base link or `slide_key`. A complex row
 stands for two.
 """
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from graphkin.geometry import Value
 from graphkin.steps.kinds import Chain, Closure, Fit, InStep, Roll, Simultaneous, Unknown
-from graphkin.steps.plot import Plot
+from graphkin.steps.plot import Plot, slide_key
 from graphkin.steps.terms import Arm, Plane, Slid
 
 __all__ = ["fit", "roll", "solve_together"]
@@ -46,7 +46,7 @@ def _displacements(plot: Plot, plane: Plane) -> dict[str, Value]:
 
 
 def _in_step(contact: InStep, plot: Plot, plane: Plane, angles: set[str], slides: set[str]) -> Row:
-    """A contact's coefficient for each unknown, by base link or slide, and the sum of the rest."""
+    """A contact's coefficient for each unknown, by base link or `slide_key`, and the sum of the rest."""
     coefficients: dict[str, Value] = {}
     known: Value = 0.0
     for link, coefficient in contact.angles:
@@ -56,9 +56,9 @@ def _in_step(contact: InStep, plot: Plot, plane: Plane, angles: set[str], slides
         known = known + coefficient * _turned(link, plot, plane, base in angles)
     for slide, share in contact.way or ((contact.slide, 1.0),) * bool(contact.slide):
         coefficient = contact.on_slide * share
-        drawn = plot.facts.drawn[slide] if plane == "position" else 0.0
+        drawn = plot.facts.drawn[slide_key(slide)] if plane == "position" else 0.0
         if slide in slides:
-            coefficients[slide] = coefficients.get(slide, 0.0) + coefficient
+            coefficients[slide_key(slide)] = coefficients.get(slide_key(slide), 0.0) + coefficient
             known = known - coefficient * drawn
         else:
             known = known + coefficient * (_displacements(plot, plane)[slide] - drawn)
@@ -88,11 +88,16 @@ def fit(step: Fit, plot: Plot) -> None:
     _keep_what_fits(step, plot, x, size, units)
 
 
+def _unknowns(step: Fit | Simultaneous) -> tuple[str, ...]:
+    """What is to be found, as rows name it."""
+    return step.angles + tuple(map(slide_key, step.slides))
+
+
 def _first_trial(step: Fit, plot: Plot) -> np.ndarray:
     """The unknowns at the position close by (n,), over positions."""
     known = (*plot.position.values(), *plot.theta.values(), *plot.s.values(), *plot.near.values())
     shape = np.broadcast_shapes(*(np.shape(value) for value in known))
-    return np.array([np.broadcast_to(plot.near[name], shape) for name in step.angles + step.slides], dtype=float)
+    return np.array([np.broadcast_to(plot.near[name], shape) for name in _unknowns(step)], dtype=float)
 
 
 def _reach(step: Fit, plot: Plot) -> float:
@@ -145,7 +150,7 @@ def _gaps(step: Fit, plot: Plot, shape: tuple[int, ...], size: float) -> tuple[n
     for contact in step.contacts:
         gap, _ = _in_step(contact, plot, "position", set(), set())
         rows.append((gap, _in_step(contact, plot, "position", set(step.angles), set(step.slides))[1]))
-    known, slope = _system(rows, step.angles + step.slides, shape)
+    known, slope = _system(rows, _unknowns(step), shape)
     return known / size, slope / size
 
 
@@ -158,7 +163,7 @@ def _closure(closure: Closure, plot: Plot) -> Row:
         gap = gap + arrow
         slopes[base] = slopes.get(base, 0.0) + 1j * arrow
         if isinstance(part, Slid):
-            slopes[part.slide] = part.sign * plot.guide_direction(part.slide)
+            slopes[slide_key(part.slide)] = part.sign * plot.guide_direction(part.slide)
     return gap, slopes
 
 
@@ -177,11 +182,10 @@ def _stretch(part: Arm | Slid, plot: Plot) -> tuple[str, Value]:
 
 def solve_together(step: Simultaneous, plot: Plot, plane: Plane) -> None:
     """The unknown rates of a group, from all its chains of arrows at once."""
-    names = step.angles + step.slides
     shape = np.broadcast_shapes(*(np.shape(v) for v in (*plot.position.values(), *plot.theta.values())))
     rows = [row for chain in step.chains for row in _two(*_chain(chain, plot, plane))]
     rows += [_in_step(contact, plot, plane, set(step.angles), set(step.slides)) for contact in step.contacts]
-    known, matrix = _system(rows, names, shape)
+    known, matrix = _system(rows, _unknowns(step), shape)
     found = _solve(matrix, -known)
     for k, base in enumerate(step.angles):
         plot.settle("omega" if plane == "velocity" else "alpha", base, found[k][()])
@@ -201,9 +205,9 @@ def _chain(chain: Chain, plot: Plot, plane: Plane) -> Row:
 
 
 def _unknown(unknown: Unknown, plot: Plot, plane: Plane) -> tuple[str, Value, Value]:
-    """The slide or base link, its arrow at 1, and what the link turns against its base link, as an arrow."""
+    """The `slide_key` or base link, its arrow at 1, and what the link turns against its base link, as an arrow."""
     if unknown.slide:
-        return unknown.slide, unknown.sign * plot.guide_direction(unknown.slide), 0.0
+        return slide_key(unknown.slide), unknown.sign * plot.guide_direction(unknown.slide), 0.0
     arrow = unknown.sign * 1j * plot.arm(unknown.tail, unknown.head)
     more = arrow * plot.facts.relative_rate(unknown.link, _order(plane))
     return plot.facts.turns[unknown.link].base, arrow, more

@@ -30,7 +30,12 @@ from graphkin.steps.terms import (
 )
 from graphkin.value import frozen
 
-__all__ = ["Facts", "Plot", "TurnOf"]
+__all__ = ["Facts", "Plot", "TurnOf", "slide_key"]
+
+
+def slide_key(slide: str) -> str:
+    """A slide in tables that hold displacements beside angles by link: a file may call a link and a slide alike."""
+    return f"s {slide}"
 
 
 @frozen
@@ -60,7 +65,7 @@ class Facts:
     rates: tuple[Value, ...]
     accelerations: tuple[Value, ...]
     drawn: Mapping[str, float] = field(default_factory=dict)
-    """Angles of links [rad] and displacements of slides [m] at the drawn position, where contacts count from them."""
+    """Angles by link [rad] and displacements by `slide_key` [m] as drawn, from where contacts count."""
 
     def relative_angle(self, link: str) -> Value:
         """Angle of a link against its base link [rad]."""
@@ -86,7 +91,7 @@ class Plot:
     centres      instant centres in homogeneous coordinates (3,) or (3, n), see `centring`; lean: how far the two
                  lines that give one are from being the same line, 0 to 1
     senses       +1 or -1: on which side of its change points a group lies that is found by fitting
-    near         angles by base link and displacements by slide of a position close by: what is fitted starts
+    near         angles by base link and displacements by `slide_key` of a position close by: what is fitted starts
                  there, and angles are counted on from there
     """
 

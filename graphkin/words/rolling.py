@@ -9,7 +9,7 @@ from math import degrees
 from graphkin.mechanism import FRAME
 from graphkin.methods.equivalent import Contact
 from graphkin.methods.position import touching
-from graphkin.steps import InStep, Measure, Roll, Touch
+from graphkin.steps import InStep, Measure, Roll, Touch, slide_key
 from graphkin.words import names
 from graphkin.words.entries import Calculation, Entry, Sentence
 from graphkin.words.figures import number
@@ -183,7 +183,7 @@ def turned(reading: Reading, contact: InStep) -> Relation:
     def value(link: str) -> float:
         return degrees(float(plot.theta[link]) - drawn.get(link, 0.0))
 
-    moved = float(plot.s[found.slide]) - drawn[found.slide] if found.slide else 0.0
+    moved = float(plot.s[found.slide]) - drawn[slide_key(found.slide)] if found.slide else 0.0
     slid = _slid(reading, "Δs", contact)
     return Relation(reading, found, lambda link: reading.rate("Δθ", link), value, slid, moved, "57.3")
 
