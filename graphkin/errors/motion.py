@@ -20,6 +20,7 @@ __all__ = [
     "NotPlaced",
     "NotReached",
     "NotRepeated",
+    "OffTrack",
     "PosesDiffer",
     "RepeatedDriver",
     "RoadsDiffer",
@@ -135,6 +136,30 @@ class NotRepeated(GraphkinError):
         held = listed((called_pair(*each, lang) for each in self.held), lang)
         unit = "°" if (lang, self.unit) == ("zh", "deg") else self.unit
         return super()._words(lang) | {"pair": called_pair(*self.pair, lang), "held": held, "unit": unit}
+
+
+class OffTrack(GraphkinError):
+    """A wheel whose centre other pairs hold where its rim does not touch its track."""
+
+    where: Where
+    centre: str
+    track: str
+    distance_mm: float
+    wanted_mm: float
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the centre {centre} lies {distance} of the track on link {track}, the radius and `side` want "
+        "{wanted}: {gap_mm:.6g} mm apart. Change `radius` or `side`, or the pairs that hold the centre.",
+        "zh": "{where}：圆心 {centre} 在构件 {track} 的轨道{distance}，而半径和 `side` 要求在{wanted}，相差 {gap_mm:.6g} mm。"
+        "请修改 `radius` 或 `side`，或修改确定圆心位置的运动副。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        sides = {"en": ("{} mm to the left", "{} mm to the right"), "zh": ("左侧 {} mm 处", "右侧 {} mm 处")}[lang]
+        told = {
+            name: sides[value < 0].format(f"{abs(value):.6g}")
+            for name, value in (("distance", self.distance_mm), ("wanted", self.wanted_mm))
+        }
+        return super()._words(lang) | told | {"gap_mm": abs(self.distance_mm - self.wanted_mm)}
 
 
 class NotPlaced(_AboutLinks):

@@ -16,14 +16,14 @@ from graphkin.geometry import Value
 from graphkin.mechanism import Driver, Mechanism
 from graphkin.methods.assembly import assemble, refuse_bad_positions
 from graphkin.methods.bypass import with_ways
-from graphkin.methods.drawn import facts_of, refuse_gears_apart, with_sides
+from graphkin.methods.drawn import facts_of, refuse_contacts_apart, with_sides
 from graphkin.methods.equivalent import contacts, lower_pairs
 from graphkin.methods.labels import Labels, coincident_points
 from graphkin.methods.motion import motion
 from graphkin.methods.position import position
 from graphkin.methods.repeated import SetAside, as_aside, repeated
 from graphkin.methods.special import Ternary, special_points, with_special_points
-from graphkin.methods.stages import Bridge, Group, Stage, stages
+from graphkin.methods.stages import Bridge, Group, Loop, Mesh, Stage, stages
 from graphkin.methods.standing import as_drawn
 from graphkin.methods.structure import Structure
 from graphkin.steps import Construction, Facts, Fit, Meet, Plot, Roll, Site, Swing, replay
@@ -111,16 +111,6 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     Raises a `GraphkinError` where the mechanism holds groups or pairs that are not solved, cannot be
     assembled, or has a sketch that does not tell its assemblies apart.
     """
-    try:
-        return _planned(mechanism, coincident, centres)
-    except KeyError as missing:  # contacts whose distance other pairs hold already leave a quantity that nothing gives
-        if not mechanism.rolls or True:
-            raise
-        links = dict.fromkeys(mechanism.called(link) for roll in mechanism.rolls for link in roll.joins)
-        raise HigherClass(mechanism.where("roll", 0), tuple(links)) from missing
-
-
-def _planned(mechanism: Mechanism, coincident: str, centres: bool) -> Method:
     lower = lower_pairs(mechanism)
     ties = tuple(contacts(mechanism, lower))
     aside = repeated(mechanism, Structure(lower, ties))
@@ -135,7 +125,7 @@ def _planned(mechanism: Mechanism, coincident: str, centres: bool) -> Method:
     found = assemble(structure, construction, choices, facts, drawn)
     construction = with_sides(construction, found.sides)
     plot = replay(construction, Plot(facts, found.near))
-    refuse_gears_apart(mechanism, ties, plot)
+    refuse_contacts_apart(mechanism, ties, plot)
     return _method(mechanism, structure, order, construction, plot, found.near, drawn, aside)
 
 
@@ -175,9 +165,24 @@ def _order(structure: Structure) -> tuple[Stage, ...]:
     """The order of solution; refuses a mechanism some of whose links it does not reach."""
     order, left = stages(structure)
     if left:
-        names = list(dict.fromkeys(structure.home(body) for body in left))
+        homes = dict.fromkeys(structure.home(body) for body in left)
+        names = [name for name in homes if name in structure.mechanism.links and " " not in name]
         raise HigherClass(structure.mechanism.where("links", names[0]), tuple(names))
+    _refuse_held_twice(structure, order)
     return order
+
+
+def _refuse_held_twice(structure: Structure, order: tuple[Stage, ...]) -> None:
+    """A wheel whose centre other pairs keep on its path leaves no equation that gives how far it is."""
+    given = set(structure.slides_driven) | structure.aside.slides
+    for stage in order:
+        given |= {stage.slide} if isinstance(stage, Mesh) else set()
+        given |= set(stage.slides) if isinstance(stage, Loop | Group) else set()
+        meeting = stage.contacts if isinstance(stage, Group) else (stage.contact,) if isinstance(stage, Mesh) else ()
+        for contact in meeting:
+            if contact.slide and contact.slide not in given:
+                links = tuple(structure.mechanism.called(wheel) for wheel in contact.wheels)
+                raise HigherClass(structure.mechanism.where("links", contact.wheels[1]), links)
 
 
 def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
@@ -198,6 +203,7 @@ def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
 
         plot = moved_to(method, values)
     refuse_bad_positions(method.structure, method.position, plot)
+    refuse_contacts_apart(method.mechanism, method.structure.contacts, plot)
     replay(method.velocity, plot)
     return replay(method.acceleration, plot)
 

@@ -247,7 +247,7 @@ def _open_link(structure: Structure, plot: Plot) -> tuple[str, float]:
     worst = ("", 0.0)
     for link in structure.mechanism.links.values():
         points = list(link.points)
-        if link.name not in plot.theta:
+        if link.name not in plot.theta or link.name in structure.followers:
             continue
         turned = np.exp(1j * plot.theta[link.name])
         for point in points[1:]:

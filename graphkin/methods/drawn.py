@@ -5,23 +5,46 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from graphkin.errors import GearsApart
-from graphkin.geometry import Value
+import numpy as np
+
+from graphkin.errors import GearsApart, OffTrack
+from graphkin.geometry import Value, cross
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.methods.equivalent import Contact
 from graphkin.methods.structure import Structure
+from graphkin.pairs import Line
 from graphkin.steps import Construction, Equation, Facts, Meet, Plot, Step, Swing
 
-__all__ = ["facts_of", "refuse_gears_apart", "with_sides"]
+__all__ = ["facts_of", "refuse_contacts_apart", "with_sides"]
+
+ROUNDED = 1e-6
+"""Lengths in files are rounded: this part of a length is no gap."""
 
 
-def refuse_gears_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot: Plot) -> None:
-    """The centres of a gear pair stand where the other links put them; their radii must fit that."""
-    for k, tie in enumerate(ties[: len(mechanism.gears)]):
-        distance, wanted = float(abs(plot.arm(*tie.centres))), abs(sum(tie.radii))
-        if abs(distance - wanted) > 1e-6 * max(distance, wanted):
-            where = mechanism.where("gear", k, "radii")
-            raise GearsApart(where, tie.centres, distance * 1000, wanted * 1000)
+def refuse_contacts_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot: Plot) -> None:
+    """Centres that other pairs hold must stand as the radii want: apart as far, or as far beside the track.
+
+    At a single position; those of arrays pass.
+    """
+    if any(np.ndim(value) for value in plot.position.values()):
+        return
+    gears = len(mechanism.gears)
+    for k, tie in enumerate(ties):
+        where = mechanism.where("gear", k, "radii") if k < gears else mechanism.where("roll", k - gears, "radius")
+        if not tie.slide:
+            distance, wanted = float(abs(plot.arm(*tie.centres))), abs(sum(tie.radii))
+            if abs(distance - wanted) > ROUNDED * max(distance, wanted):
+                raise GearsApart(where, tie.centres, distance * 1000, wanted * 1000)
+        elif mechanism.slides and (roll := mechanism.rolls[k - gears]).line is not None:
+            distance, wanted = _beside(roll.line, roll.centre, plot), roll.radius if roll.left else -roll.radius
+            if abs(distance - wanted) > ROUNDED * roll.radius:
+                raise OffTrack(where, roll.centre, mechanism.called(roll.track), distance * 1000, wanted * 1000)
+
+
+def _beside(line: Line, point: str, plot: Plot) -> float:
+    """How far a point lies to the left of a line [m]."""
+    along = line.direction * np.exp(1j * plot.theta[line.link])
+    return float(cross(along, plot.arm(line.origin, point)))
 
 
 def facts_of(structure: Structure, values: Sequence[Value] | None, drawn: Mapping[str, float]) -> Facts:

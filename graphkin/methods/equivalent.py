@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from graphkin.mechanism import FRAME, Link, Mechanism
-from graphkin.pairs import Cam, Line, Profile, Roll, Slide
+from graphkin.pairs import Cam, Gear, Line, Profile, Roll, Slide
 from graphkin.value import frozen
 
 __all__ = ["Contact", "contacts", "lower_pairs"]
@@ -26,6 +26,8 @@ def lower_pairs(mechanism: Mechanism) -> Mechanism:
         build.cam(f"c{k}", cam)
     for roll in mechanism.rolls:
         build.roll(roll)
+    for k, gear in enumerate(mechanism.gears):
+        build.gear(f"g{k}", gear)
     return replace(mechanism, links=build.links, slides=tuple(build.slides), cams=(), rolls=(), gears=())
 
 
@@ -62,6 +64,11 @@ class _Build:
         if arm_of(self.links, roll.track_centre, roll.centre) is None:
             length = abs(roll.track_radius - roll.radius) if roll.internal else roll.track_radius + roll.radius
             self.join(roll.name, roll.track_centre, roll.centre, length)
+
+    def gear(self, name: str, gear: Gear) -> None:
+        """The line of centres, where several links together keep its length."""
+        if arm_of(self.links, *gear.centres) is None:
+            self.join(name, *gear.centres, abs(gear.radii[0] - gear.radii[1]) if gear.internal else sum(gear.radii))
 
     def join(self, name: str, first: str, second: str, length: float) -> None:
         """A link of the equivalent, between two centres."""

@@ -6,7 +6,7 @@ points of a sliding pair, (3-3) and (3-4); velocity and acceleration image.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from graphkin.mechanism import FRAME
 from graphkin.methods.groups import chain, group, walk
@@ -14,6 +14,7 @@ from graphkin.methods.hops import halves, way_round
 from graphkin.methods.images import drive, fill, reach
 from graphkin.methods.labels import Labels
 from graphkin.methods.polygon import Polygon
+from graphkin.methods.position import touching
 from graphkin.methods.rolling import mesh
 from graphkin.methods.special import Ternary
 from graphkin.methods.stages import Bridge, Carry, Group, Loop, Mesh, Stage
@@ -46,10 +47,18 @@ def _with_pole(
     prime = "'" if plane == "acceleration" else ""
     polygon = Polygon(structure, labels, plane, pole + prime, velocity)
     polygon.new(polygon.pole, "pole")
-    polygon.reserved = {point[0].lower() + point[1:] + prime for point in structure.owners}
+    polygon.reserved = {name[0].lower() + name[1:] + prime for name in _written(structure, labels)}
     fixed = tuple(polygon.fixed(point) for point in structure.bodies[FRAME] if point[0].isupper())
     polygon.parts.append(Given(polygon.pole, fixed))
     return polygon
+
+
+def _written(structure: Structure, labels: Labels) -> Iterator[str]:
+    """Every point as it may be written: those at which links roll or slide on each other with the links' numbers."""
+    yield from structure.owners
+    links = structure.mechanism.links
+    yield from (labels.numbered(point, link) for point in labels.coincident for link in links)
+    yield from (labels.numbered(letter, link) for letter, contact in touching(structure) for link in contact.wheels)
 
 
 def _draw(polygon: Polygon, stage: Stage, ternaries: Mapping[Group, Ternary]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import count
 
 from graphkin.mechanism import FRAME
 from graphkin.methods.closing import close
@@ -256,8 +257,9 @@ def _found_otherwise(order: tuple[Stage, ...]) -> set[str]:
 
 
 def touching(structure: Structure) -> Iterator[tuple[str, Contact]]:
-    """Each rolling contact with a letter of its own: K, L, .. or what the mechanism leaves free."""
-    letters = (letter for letter in "KLMNQRHJVWXYZ" if letter not in structure.owners)
+    """Each rolling contact with a letter of its own: K, L, .., K', L', .. or what the mechanism leaves free."""
+    every = (letter + "'" * primes for primes in count() for letter in "KLMNQRHJVWXYZ")
+    letters = (letter for letter in every if letter not in structure.owners)
     return zip(letters, structure.contacts, strict=False)
 
 

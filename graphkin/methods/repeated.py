@@ -234,7 +234,8 @@ class _Search:
         """Links that only hang on hinges, undriven, the last first."""
         structure, m = self.structure, self.mechanism
         busy = {name for slide in structure.mechanism.slides for name in (slide.guide, slide.block)}
-        busy |= {body for contact in structure.contacts for body, _ in contact.angles} | {FRAME}
+        busy |= {body for contact in structure.contacts for body, _ in contact.angles}
+        busy |= {FRAME, *structure.followers}
         busy |= {name for each in (*m.drivers, *m.poses) for name in (each.link, each.from_link)}
         pinned = {slide.point for slide in structure.mechanism.slides if slide.block is None}
         for link in reversed(structure.mechanism.links.values()):
@@ -252,7 +253,7 @@ class _Search:
         for k, roll in enumerate(self.mechanism.rolls):
             if roll.name == name:
                 return "roll", k
-        return "cam", int(name.removeprefix("c"))
+        return ("gear" if name[0] == "g" else "cam"), int(name[1:])
 
     def _hinges(self, link: str, joints: Iterable[str]) -> tuple[Row, ...]:
         rows = []

@@ -101,8 +101,18 @@ class Restraints:
             hub, *others = [body for body in owners if not self.structure.is_pin(body)]
             for body in others:
                 (one, slope), (other, more) = self.place(hub, point, q), self.place(body, point, q)
+                gap, slopes = one - other, slope - more
+                if body in self.structure.followers and point != next(iter(self.structure.bodies[body])):
+                    yield Row("hinge", point, body), *self._towards(body, gap, slopes, q)
+                    continue
                 for part in (np.real, np.imag):
-                    yield Row("hinge", point, body), float(part(one - other)), part(slope - more)
+                    yield Row("hinge", point, body), float(part(gap)), part(slopes)
+
+    def _towards(self, body: str, gap: complex, slopes: Gradient, q: Array) -> tuple[float, Array]:
+        """A line of centres points at its second centre, however far that is."""
+        angle, turn = self._angle(body, q)
+        back = cmath.rect(1.0, -angle)
+        return (gap * back).imag, (slopes * back - 1j * gap * back * turn).imag
 
     def place(self, body: str, point: str, q: Array) -> tuple[complex, Gradient]:
         """A point of a body, in units of size, and how it follows q."""

@@ -232,6 +232,8 @@ def _as_group(known: _Known, parts: list[Loop | Contact], unknown: frozenset[str
 def _loops(known: _Known, most: int) -> Iterator[Loop]:
     """Every way from known to known with two unknown scalars, or with up to `most`."""
     for body in known.unknown:
+        if body in known.structure.followers:
+            continue
         for joint, others in known.structure.joints(body):
             if known.joint(joint, others):
                 yield from _walk(known, (body,), (joint,), most)
@@ -254,7 +256,7 @@ def _walk(
                 yield Loop(bodies, (*joints, joint), angles, slides)
             continue
         for other in others:
-            if other not in bodies and other not in known.bodies:
+            if other not in bodies and other not in known.bodies | known.structure.followers:
                 yield from _walk(known, (*bodies, other), (*joints, joint), most)
 
 

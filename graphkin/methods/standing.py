@@ -154,7 +154,8 @@ def _with(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], rep
 
 def _shows_nothing(mechanism: Mechanism, structure: Structure, body: str) -> bool:
     """Whether one cannot see how a wheel stands: it hangs on its centre alone, and has no other point."""
-    wheels = {wheel for pair in (*mechanism.gears, *mechanism.rolls) for wheel in pair.joins}
+    wheels = {wheel for gear in mechanism.gears for wheel in gear.joins}
+    wheels |= {wheel for roll in mechanism.rolls for wheel in roll.joins}
     spun = {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
     joints = list(structure.joints(body))
     if body not in wheels | spun or len(joints) > 1:
@@ -167,7 +168,8 @@ def _left(structure: Structure) -> tuple[str, ...]:
     """The links that nothing places, those first whose direction is open."""
     left = stages(structure)[1]
     turning = [body for body in left if structure.base(body) != FRAME]
-    return tuple(dict.fromkeys(structure.home(body) for body in turning or left))
+    homes = dict.fromkeys(structure.home(body) for body in turning or left)
+    return tuple(name for name in homes if " " not in name)
 
 
 # --- comparing --------------------------------------------------------------------------------

@@ -96,6 +96,11 @@ class Structure:
         """The body that slides: the block, or the one that stands for the pin."""
         return slide.block if slide.block is not None else f"pin {slide.name}"
 
+    @cached_property
+    def followers(self) -> frozenset[str]:
+        """Lines of centres of gears: they go with two points whose distance other links keep, and keep none."""
+        return frozenset(name for name in self.mechanism.links if name.startswith("e g"))
+
     def is_pin(self, body: str) -> bool:
         return body not in self.mechanism.links
 
@@ -148,7 +153,7 @@ class Structure:
     def surplus(self) -> int:
         """Drivers beyond the degrees of freedom by the formula F = 3 n - 2 p."""
         hinges = sum(len(bodies) - 1 for bodies in self.owners.values())
-        freedoms = 3 * (len(self.bodies) - 1) - 2 * (hinges + len(self.joining)) - len(self.tying)
+        freedoms = 3 * (len(self.bodies) - 1) - 2 * (hinges + len(self.joining)) - len(self.tying) + len(self.followers)
         return len(self.mechanism.drivers) - freedoms
 
     # --- links that hold their angles to one another ------------------------------------------

@@ -71,6 +71,16 @@ CONTACT_PHRASES: Mapping[str, dict[Lang, str]] = {
         "{length}.",
         "轮 {wheel} 在构件 {link} 的直线{face} 上滚动：轮心 {centre} 沿其平行线移动，距离为 {length}。",
     ),
+    "wheel held at line": both(
+        "Wheel {wheel} rolls on the line{face} of link {link}: a sliding pair keeps its centre {centre} at the "
+        "distance {length} from it.",
+        "轮 {wheel} 在构件 {link} 的直线{face} 上滚动：移动副使轮心 {centre} 到该直线的距离保持为 {length}。",
+    ),
+    "line of centres": both(
+        "Wheels {wheels} are in mesh: other links keep the distance of their centres, {length}. The line of centres "
+        "turns as well; it is called {link}.",
+        "轮 {wheels} 啮合，中心距 {length} 由其他构件保持。其连心线也在转动，记为 {link}。",
+    ),
     "path of": both("the path of {name}", "点 {name} 的轨迹线"),
     "abreast": both(
         "On {path}, {mark} is the point abreast of {origin}.",

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import assert_never
 
+import numpy as np
+
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, Line
+from graphkin.pairs import Cam, Gear, Line
 from graphkin.pairs import Roll as RollingPair
 from graphkin.steps import (
     Arc,
@@ -40,9 +42,13 @@ def equivalents(reading: Reading) -> Iterator[Entry]:
     for roll in reading.mechanism.rolls:
         if roll.line is not None:
             yield Sentence(_on_line(reading, roll, roll.line))
-            yield from _path(reading, roll.name)
+            if roll.name in reading.contact_slides:
+                yield from _path(reading, roll.name)
         elif f"e {roll.name}" in reading.method.structure.bodies:
             yield Sentence(_on_circle(reading, roll))
+    for k, gear in enumerate(reading.mechanism.gears):
+        if f"e g{k}" in reading.method.structure.bodies:
+            yield Sentence(_line_of_centres(reading, gear, f"e g{k}"))
 
 
 def _cam(reading: Reading, k: int, cam: Cam) -> str:
@@ -64,7 +70,7 @@ def _cam(reading: Reading, k: int, cam: Cam) -> str:
     assert disc.centre is not None
     words = {
         "centre": names.point(disc.centre),
-        "face": _face(reading, flat.line, f"c{k}"),
+        "face": _face(reading, flat.line),
         "link": reading.link(flat.line.link),
     }
     if not disc.radius:
@@ -73,10 +79,11 @@ def _cam(reading: Reading, k: int, cam: Cam) -> str:
 
 
 def _on_line(reading: Reading, roll: RollingPair, line: Line) -> str:
+    held = roll.name not in reading.contact_slides  # by a sliding pair
     return reading.say(
-        "wheel on line",
+        "wheel held at line" if held else "wheel on line",
         wheel=reading.link(roll.wheel),
-        face=_face(reading, line, roll.name),
+        face=_face(reading, line),
         link=reading.link(line.link),
         centre=names.point(roll.centre),
         length=_radius(roll.radius),
@@ -96,6 +103,15 @@ def _on_circle(reading: Reading, roll: RollingPair) -> str:
     )
 
 
+def _line_of_centres(reading: Reading, gear: Gear, link: str) -> str:
+    return reading.say(
+        "line of centres",
+        wheels=reading.listed([reading.link(wheel) for wheel in gear.links]),
+        length=_distance(gear.centres, gear.radii, gear.internal),
+        link=names.point(link),
+    )
+
+
 def _distance(centres: tuple[str, str], radii: tuple[float, float], internal: bool) -> str:
     """`O1O2 = 35 + 18 = 53 mm`; of circles that touch inside, the difference of the radii."""
     greater, less = sorted((1000 * radius for radius in radii), reverse=True) if internal else [1000 * r for r in radii]
@@ -107,10 +123,11 @@ def _radius(radius: float) -> str:
     return f"r = {number(radius * 1000)} mm"
 
 
-def _face(reading: Reading, line: Line, slide: str) -> str:
+def _face(reading: Reading, line: Line) -> str:
     """Two points of a moving line where such are named."""
-    along = reading.points_along(slide) if line.link != FRAME else None
-    return f" {names.pair(*along)}" if along else ""
+    along = line.direction * np.exp(1j * reading.plot.theta[line.link])
+    on_it = reading.points_parallel(line.link, along) if line.link != FRAME else None
+    return f" {names.pair(*on_it)}" if on_it else ""
 
 
 def _path(reading: Reading, name: str) -> Iterator[Entry]:

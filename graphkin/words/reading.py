@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import combinations
 
 from graphkin.errors import Lang
-from graphkin.geometry import cross, dot
+from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.methods import Method
 from graphkin.methods.motion import Labels
@@ -131,8 +131,11 @@ class Reading:
 
     def points_along(self, slide: str) -> tuple[str, str] | None:
         """Two points of the guide whose line is parallel to the slide's."""
-        pair, along = self.method.structure.slides[slide], self.plot.guide_direction(slide)
-        points = [p for p in self.method.structure.bodies[pair.guide] if p[0].isupper()]
+        return self.points_parallel(self.method.structure.slides[slide].guide, self.plot.guide_direction(slide))
+
+    def points_parallel(self, link: str, along: Value) -> tuple[str, str] | None:
+        """Two points of a link whose line is parallel to a direction."""
+        points = [p for p in self.method.structure.bodies[link] if p[0].isupper()]
         for first, second in combinations(points, 2):
             arm = self.plot.arm(first, second)
             if abs(cross(along, arm)) <= self.noise < abs(arm):
