@@ -134,6 +134,8 @@ class _Drawing:
 
     def mesh(self, stage: Mesh) -> None:
         """A rolling contact; its own point is drawn where both wheels have their places."""
+        if stage.contact.slide in self.structure.aside.slides and not stage.contact.way:
+            self.measure_slide(stage.contact.slide)
         self.parts.append(Roll(in_step(stage.contact), stage.angle, stage.slide))
         self.angles |= {stage.angle} - {""}
 
