@@ -238,7 +238,7 @@ def position(structure: Structure, order: tuple[Stage, ...]) -> tuple[Constructi
     for letter, contact in touching(structure):
         drawing.touch(letter, contact)
     measured = {part.of for part in drawing.parts if isinstance(part, Measure) and part.quantity == "s"}
-    for slide in structure.slides:
+    for slide in structure.measured:
         if slide not in measured | known and slide not in structure.slides_driven and not drawing._swung(slide):
             drawing.measure_slide(slide)
     nodes = {point: Node(point, point, Site(point, structure.owners[point][0])) for point in drawing.points}

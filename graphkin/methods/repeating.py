@@ -13,10 +13,8 @@ __all__ = ["measure_all_slides", "measure_slide"]
 
 def measure_all_slides(polygon: Polygon) -> None:
     """Every sliding pair and every wheel on a line whose motion along it no step has given yet."""
-    rolling = {contact.slide for contact in polygon.structure.contacts}
-    for name, pair in polygon.structure.slides.items():
-        if name in rolling or not pair.line.origin.endswith(" origin"):
-            measure_slide(polygon, name)
+    for name in polygon.structure.measured:
+        measure_slide(polygon, name)
 
 
 def measure_slide(polygon: Polygon, name: str) -> None:

@@ -149,6 +149,13 @@ class Structure:
         pair = self.slides[slide]
         return pair.line.origin if body == pair.guide else pair.point
 
+    @cached_property
+    def measured(self) -> tuple[str, ...]:
+        """The slides whose displacements are of use: all but those that stand for cams and join nothing."""
+        rolling = {contact.slide for contact in self.contacts}
+        own = {name for name, slide in self.slides.items() if not slide.line.origin.endswith(" origin")}
+        return tuple(name for name in self.slides if name in own | rolling or name not in self.aside.slides)
+
     @property
     def surplus(self) -> int:
         """Drivers beyond the degrees of freedom by the formula F = 3 n - 2 p."""
