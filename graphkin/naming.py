@@ -10,6 +10,7 @@ import re
 from collections.abc import Collection
 
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.pairs import Cam, Gear, Roll
 from graphkin.value import frozen
 
 __all__ = ["PairName", "Seen", "common_link", "driver_number", "named", "pair", "seen"]
@@ -90,7 +91,7 @@ def driver_number(mechanism: Mechanism, name: str) -> int | None:
 
 
 def named(mechanism: Mechanism, pair: PairName) -> tuple[str, str]:
-    """What kind a pair is and what it is called, for `errors.called_pair`: its own name, its point, or its two links."""
+    """Kind and name of a pair, for `errors.called_pair`: the name it has, its point, or its two links."""
     table, k = pair
     if isinstance(k, str):
         return table, k
@@ -99,5 +100,6 @@ def named(mechanism: Mechanism, pair: PairName) -> tuple[str, str]:
         return ("slide", slide.name) if slide.named else ("guide", slide.point)
     if table == "roll" and mechanism.rolls[k].named:
         return table, mechanism.rolls[k].name
-    joins = {"gear": mechanism.gears, "roll": mechanism.rolls, "cam": mechanism.cams}[table][k].joins
-    return table, "–".join(mechanism.called(link) for link in joins)
+    pairs: dict[str, tuple[Gear, ...] | tuple[Roll, ...] | tuple[Cam, ...]]
+    pairs = {"gear": mechanism.gears, "roll": mechanism.rolls, "cam": mechanism.cams}
+    return table, "–".join(mechanism.called(link) for link in pairs[table][k].joins)

@@ -20,7 +20,7 @@ Way = tuple[tuple[str, float], ...]
 
 
 def with_ways(structure: Structure) -> tuple[Contact, ...]:
-    """The contacts; each whose own slide is set aside with the slides that add up to its displacement, if there are such."""
+    """The contacts; those whose own slide is set aside with the slides that add up to its displacement, if any do."""
     return tuple(
         replace(contact, way=_way(structure, structure.slides[contact.slide], contact.centres[1]))
         if contact.slide in structure.aside.slides

@@ -74,6 +74,7 @@ def as_aside(found: Iterable[SetAside]) -> Aside:
     gone = {row for each in pairs for row in each.rows}
     return Aside(
         slides=frozenset(row.name for row in gone if row.kind == "line"),
+        cams=frozenset(row.name for each in pairs if each.pair[0] == "cam" for row in each.rows),
         angles=frozenset(row.name for row in gone if row.kind == "angle" and Row("line", row.name) not in gone),
         contacts=frozenset(row.name for row in gone if row.kind == "slip"),
     )
@@ -180,13 +181,13 @@ class _Search:
         """Whether nothing moves more freely without it."""
         fewer = rows.without(candidate.rows).slopes
         if candidate.part == "link":
-            return fewer.shape[1] - _rank(fewer) - 3 == rows.slopes.shape[1] - _rank(rows.slopes)
+            return _rank(fewer) + 3 == _rank(rows.slopes)
         return _rank(fewer) == _rank(rows.slopes)
 
     # --- what may be set aside ------------------------------------------------------------------
 
     def candidates(self) -> list[SetAside]:
-        """Links on hinges, then whole pairs, then parts of them; the last in the file first, what is asked for at the end."""
+        """Links on hinges, whole pairs, parts of pairs; of each the last in the file first, what is asked for at the end."""
         wholes, lines, slips, angles = (list[SetAside]() for _ in range(4))
         for pair in self._pairs():
             rows = self._rows_of(pair)
@@ -201,7 +202,8 @@ class _Search:
     def _pairs(self) -> list[PairName]:
         """The pairs that may go, the last in the file first; drivers and poses need theirs."""
         m = self.mechanism
-        needed = {each.link for each in (*m.drivers, *m.poses) if each.kind == "slide"}
+        needed = {driver.link for driver in m.drivers if driver.kind == "slide"}
+        needed |= {pose.link for pose in m.poses if pose.kind == "slide"}
         asked = {word for question in m.ask for word in question.split()}
         tables = (("slide", m.slides), ("gear", m.gears), ("roll", m.rolls), ("cam", m.cams))
         ranked = []
@@ -236,9 +238,10 @@ class _Search:
         busy = {name for slide in structure.mechanism.slides for name in (slide.guide, slide.block)}
         busy |= {body for contact in structure.contacts for body, _ in contact.angles}
         busy |= {FRAME, *structure.followers}
-        busy |= {name for each in (*m.drivers, *m.poses) for name in (each.link, each.from_link)}
+        busy |= {name for driver in m.drivers for name in (driver.link, driver.from_link)}
+        busy |= {name for pose in m.poses for name in (pose.link, pose.from_link)}
         pinned = {slide.point for slide in structure.mechanism.slides if slide.block is None}
-        for link in reversed(structure.mechanism.links.values()):
+        for link in reversed(tuple(structure.mechanism.links.values())):
             joints = [p for p in link.points if len(structure.owners[p]) > 1]
             carried = any(p in pinned and len(m.owners.get(p, ())) < 2 for p in link.points)
             hub = any(len(structure.owners[p]) > 2 and structure.owners[p][0] == link.name for p in joints)
@@ -295,13 +298,14 @@ class _Search:
             for row in each.rows:
                 gap = abs(float(rows.open[rows.labels.index(row)]))
                 if gap > _MISSED:
-                    off = (np.degrees(gap), "deg") if row.kind == "angle" else (gap * self.restraints.size * 1e3, "mm")
-                    raise self._refusal(each, *off, rows)
+                    angle = row.kind == "angle"
+                    off = float(np.degrees(gap)) if angle else gap * self.restraints.size * 1e3
+                    raise self._refusal(each, off, "deg" if angle else "mm", rows)
         for each in near:
             raise self._refusal(each, self._astray(each, q, rows), "deg", rows)
 
     def _astray(self, each: SetAside, q: Array, rows: Rows) -> float:
-        """The angle between a line and the way its point takes over it [deg]; of anything else, how far it is from following."""
+        """The angle between a line and the way of its point over it; else, how far a constraint is from following [deg]."""
         slide = self.structure.slides.get(each.rows[0].name)
         if slide is None or each.rows[0].kind != "line":
             return float(np.degrees(np.arcsin(min(1.0, self._beside(rows, each)))))

@@ -1,4 +1,4 @@
-"""Displacements of sliding pairs that join nothing, because they repeat what other pairs hold: measured like any other."""
+"""Displacements of sliding pairs that join nothing, as they repeat what other pairs hold: measured like any other."""
 
 from __future__ import annotations
 

@@ -136,7 +136,8 @@ class Restraints:
     def along(self, slide: Slide, q: Array) -> tuple[complex, Gradient]:
         """The point of a slide as its line sees it: displacement, and 1j times how far it lies beside the line."""
         carrier = slide.block or next(b for b in self.structure.mechanism.owners[slide.point] if b != slide.guide)
-        (origin, first), (point, second) = self.place(slide.guide, slide.line.origin, q), self.place(carrier, slide.point, q)
+        origin, first = self.place(slide.guide, slide.line.origin, q)
+        point, second = self.place(carrier, slide.point, q)
         angle, turn = self._angle(slide.guide, q)
         back = (slide.line.direction * cmath.rect(1.0, angle)).conjugate()
         arm = (point - origin) * back

@@ -57,7 +57,7 @@ def _roll_acceleration(polygon: Polygon, contact: Contact, centre: Site, of: Sit
 
 
 def train(polygon: Polygon, stage: Group) -> bool:
-    """A planet between two wheels of known motion, or a wheel between two plates: both contacts are known, and so is it."""
+    """A planet between two wheels of known motion, or a wheel between two plates: both contacts are known, so is it."""
     if polygon.plane != "velocity" or stage.loops or len(stage.contacts) != 2:
         return False
     planets = set(stage.contacts[0].wheels) & set(stage.contacts[1].wheels)

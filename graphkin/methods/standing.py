@@ -126,7 +126,9 @@ def _beside(structure: Structure, given: _Given, needed: Sequence[_Given]) -> li
 # --- placing ----------------------------------------------------------------------------------
 
 
-def _placed(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats) -> tuple[Structure, Plot]:
+def _placed(
+    mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats
+) -> tuple[Structure, Plot]:
     """The mechanism put together by these values."""
     structure = _with(mechanism, lower, given, repeats)
     if names := _left(structure):

@@ -40,9 +40,10 @@ Joint = Hinge | Sliding
 
 @frozen
 class Aside:
-    """What repeats others, by name: slides; blocks that only keep an angle too many; contacts."""
+    """What repeats others, by name: slides (those that stand for cams, too); blocks whose angle is held; contacts."""
 
     slides: frozenset[str] = frozenset()
+    cams: frozenset[str] = frozenset()
     angles: frozenset[str] = frozenset()
     contacts: frozenset[str] = frozenset()
 
@@ -152,9 +153,7 @@ class Structure:
     @cached_property
     def measured(self) -> tuple[str, ...]:
         """The slides whose displacements are of use: all but those that stand for cams and join nothing."""
-        rolling = {contact.slide for contact in self.contacts}
-        own = {name for name, slide in self.slides.items() if not slide.line.origin.endswith(" origin")}
-        return tuple(name for name in self.slides if name in own | rolling or name not in self.aside.slides)
+        return tuple(name for name in self.slides if name not in self.aside.cams)
 
     @property
     def surplus(self) -> int:
