@@ -33,7 +33,7 @@ _NUDGE = 0.05
 """How far bodies are moved to see the general rank [size, rad]."""
 _NUDGES = 4
 _STARTS = 12
-_NEAR = 0.2
+_NEAR = 0.1
 """A constraint that repeats others but for this [rad, share of a length] was meant to."""
 
 
@@ -45,17 +45,14 @@ class SetAside:
     part   "whole", or only what keeps a "line", an "angle", or rolling without slip ("slip"); a "link" on hinges
     rows   its equations
     held   the pairs that hold the same already
+    body   of a link on hinges, in the planner's structure
     """
 
     pair: PairName
     part: str
     rows: tuple[Row, ...]
     held: tuple[PairName, ...] = ()
-
-    @property
-    def name(self) -> str:
-        """Of the slide, of the contact or of the link in the planner's structure."""
-        return self.rows[0].name if self.pair[0] != "links" else str(self.pair[1])
+    body: str = ""
 
 
 def repeated(mechanism: Mechanism, structure: Structure) -> tuple[SetAside, ...]:
@@ -246,7 +243,7 @@ class _Search:
             carried = any(p in pinned and len(m.owners.get(p, ())) < 2 for p in link.points)
             hub = any(len(structure.owners[p]) > 2 and structure.owners[p][0] == link.name for p in joints)
             if link.name not in busy and len(joints) > 1 and not carried and not hub:
-                yield SetAside(self._meant(link.name), "link", self._hinges(link.name, joints))
+                yield SetAside(self._meant(link.name), "link", self._hinges(link.name, joints), (), link.name)
 
     def _meant(self, link: str) -> PairName:
         """A link of the file; one of the equivalent stands for its pair."""
@@ -272,10 +269,32 @@ class _Search:
         freedoms = rows.slopes.shape[1] - _rank(rows.slopes) - _idle(self.structure)
         if freedoms >= len(self.structure.mechanism.drivers):
             return []
-        near = [(self._beside(rows, each), each) for each in self.candidates()
-                if each.part != "link" and all(row in rows.labels for row in each.rows)]  # fmt: skip
-        best = min(near, key=lambda entry: (entry[1].part != "whole", entry[0]), default=None)
-        return [best[1]] if best is not None and best[0] < _NEAR else []
+        left = [each for each in self.candidates() if all(row in rows.labels for row in each.rows)]
+        near = [(self._beside(rows, each), each) for each in left if each.part != "link"]
+        close = [entry for entry in near if entry[0] < _NEAR]
+        if close:
+            return [min(close, key=lambda entry: (entry[1].part != "whole", entry[0]))[1]]
+        return self._misfits([each for each in left if each.part == "link"])
+
+    def _misfits(self, links: Sequence[SetAside]) -> list[SetAside]:
+        """The link on hinges that all but fits, where one does: the one that misses by the least."""
+        gaps = [(self._gap(each)[0], each) for each in links]
+        close = [entry for entry in gaps if entry[0] < _NEAR]
+        return [min(close, key=lambda entry: entry[0])[1]] if close else []
+
+    def _gap(self, link: SetAside) -> tuple[float, Array]:
+        """How much too long or too short a link is for its hinges at the drawn position [size], and all rows there."""
+        first, *rest = dict.fromkeys(row.name for row in link.rows)
+        loose = [row for row in link.rows if row.name != first]
+        q, rows = _drawn(self.restraints, loose)
+        if np.max(np.abs(rows.open), initial=0.0) > _CLOSED:
+            return np.inf, q
+        start, gaps = self.restraints.place(link.body, first, q)[0], []
+        for point in rest:
+            other = next(b for b in self.structure.owners[point] if b != link.body and not self.structure.is_pin(b))
+            here, there = (self.restraints.place(b, point, q)[0] - start for b in (link.body, other))
+            gaps.append(abs(abs(here) - abs(there)))
+        return max(gaps), q
 
     @staticmethod
     def _beside(rows: Rows, candidate: SetAside) -> float:
@@ -286,7 +305,10 @@ class _Search:
 
     def _refuse_contradictions(self, aside: Sequence[SetAside], near: Sequence[SetAside]) -> None:
         """Refuses what the others do not meet at the drawn position, or do not let be when they move."""
-        if not aside and not near:
+        for each in (*aside, *near):
+            if each.part == "link" and _MISSED < (gap := self._gap(each))[0] < np.inf:
+                raise self._refusal(each, gap[0] * self.restraints.size * 1e3, "mm", self.restraints.rows(gap[1]))
+        if all(each.part == "link" for each in (*aside, *near)):
             return
         drawn = self.restraints.rows(self.drawn)
         pairs = _over(drawn.without([row for row in drawn.labels if row.kind == "slip"]), (*aside, *near))
@@ -317,6 +339,7 @@ class _Search:
 
     def _refusal(self, each: SetAside, off: float, unit: str, rows: Rows) -> NotRepeated:
         m, held = self.mechanism, self._held(each, rows, rows.without(each.rows))
+        held = [pair for pair in held if pair != each.pair]
         return NotRepeated(m.where(*each.pair), named(m, each.pair), tuple(named(m, pair) for pair in held), off, unit)
 
     # --- why --------------------------------------------------------------------------------------
