@@ -91,7 +91,7 @@ def driver_number(mechanism: Mechanism, name: str) -> int | None:
 
 
 def named(mechanism: Mechanism, pair: PairName) -> tuple[str, str]:
-    """Kind and name of a pair, for `errors.called_pair`: the name it has, its point, or its two links."""
+    """Kind and name of a pair, for `errors.called_pair`: its name, its point, or its links and which of several."""
     table, k = pair
     if isinstance(k, str):
         return table, k
@@ -102,4 +102,6 @@ def named(mechanism: Mechanism, pair: PairName) -> tuple[str, str]:
         return table, mechanism.rolls[k].name
     pairs: dict[str, tuple[Gear, ...] | tuple[Roll, ...] | tuple[Cam, ...]]
     pairs = {"gear": mechanism.gears, "roll": mechanism.rolls, "cam": mechanism.cams}
-    return table, "–".join(mechanism.called(link) for link in pairs[table][k].joins)
+    names = ["–".join(mechanism.called(link) for link in each.joins) for each in pairs[table]]
+    nth = names[: k + 1].count(names[k])
+    return table, names[k] if names.count(names[k]) == 1 else f"{names[k]} ({nth})"

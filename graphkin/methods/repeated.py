@@ -184,7 +184,7 @@ class _Search:
     # --- what may be set aside ------------------------------------------------------------------
 
     def candidates(self) -> list[SetAside]:
-        """Links on hinges, whole pairs, parts of pairs; of each the last in the file first, what is asked for at the end."""
+        """Links on hinges, whole pairs, parts of pairs; the last in the file first, what is asked for at the end."""
         wholes, lines, slips, angles = (list[SetAside]() for _ in range(4))
         for pair in self._pairs():
             rows = self._rows_of(pair)
@@ -277,10 +277,8 @@ class _Search:
         return self._misfits([each for each in left if each.part == "link"])
 
     def _misfits(self, links: Sequence[SetAside]) -> list[SetAside]:
-        """The link on hinges that all but fits, where one does: the one that misses by the least."""
-        gaps = [(self._gap(each)[0], each) for each in links]
-        close = [entry for entry in gaps if entry[0] < _NEAR]
-        return [min(close, key=lambda entry: entry[0])[1]] if close else []
+        """Of the links on hinges that all but fit one with the fewest hinges, the last in the file."""
+        return sorted((each for each in links if self._gap(each)[0] < _NEAR), key=lambda each: len(each.rows))[:1]
 
     def _gap(self, link: SetAside) -> tuple[float, Array]:
         """How much too long or too short a link is for its hinges at the drawn position [size], and all rows there."""
@@ -306,8 +304,8 @@ class _Search:
     def _refuse_contradictions(self, aside: Sequence[SetAside], near: Sequence[SetAside]) -> None:
         """Refuses what the others do not meet at the drawn position, or do not let be when they move."""
         for each in (*aside, *near):
-            if each.part == "link" and _MISSED < (gap := self._gap(each))[0] < np.inf:
-                raise self._refusal(each, gap[0] * self.restraints.size * 1e3, "mm", self.restraints.rows(gap[1]))
+            if each.part == "link":
+                self._refuse_misfit(each)
         if all(each.part == "link" for each in (*aside, *near)):
             return
         drawn = self.restraints.rows(self.drawn)
@@ -326,16 +324,23 @@ class _Search:
         for each in near:
             raise self._refusal(each, self._astray(each, q, rows), "deg", rows)
 
+    def _refuse_misfit(self, link: SetAside) -> None:
+        gap, q = self._gap(link)
+        if _MISSED < gap < np.inf:
+            raise self._refusal(link, gap * self.restraints.size * 1e3, "mm", self.restraints.rows(q))
+
     def _astray(self, each: SetAside, q: Array, rows: Rows) -> float:
-        """The angle between a line and the way of its point over it; else, how far a constraint is from following [deg]."""
+        """The angle between a line and the way of its point; of anything else, how far it is from following [deg]."""
         slide = self.structure.slides.get(each.rows[0].name)
         if slide is None or each.rows[0].kind != "line":
             return float(np.degrees(np.arcsin(min(1.0, self._beside(rows, each)))))
-        given = [row for row in rows.labels if row.kind == "given"]
-        kept = rows.without([*each.rows, *given]).slopes
+        kept = rows.without([*each.rows, *(row for row in rows.labels if row.kind == "given")]).slopes
         free = np.linalg.svd(kept)[2][_rank(kept) :]
-        way = self.restraints.along(slide, q)[1] @ free.T
-        return max((float(np.degrees(np.arctan2(abs(w.imag), abs(w.real)))) for w in way), default=0.0)
+        across = self.restraints.along(slide, q)[1].imag @ free.T
+        move = across @ free  # the motion that leads farthest off the line
+        ends = (slide.guide, slide.line.origin), (self.restraints.carrier(slide), slide.point)
+        speed = max(abs(self.restraints.place(*end, q)[1] @ move) for end in ends)
+        return float(np.degrees(np.arcsin(min(1.0, across @ across / speed))))
 
     def _refusal(self, each: SetAside, off: float, unit: str, rows: Rows) -> NotRepeated:
         m, held = self.mechanism, self._held(each, rows, rows.without(each.rows))

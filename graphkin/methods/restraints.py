@@ -135,13 +135,16 @@ class Restraints:
 
     def along(self, slide: Slide, q: Array) -> tuple[complex, Gradient]:
         """The point of a slide as its line sees it: displacement, and 1j times how far it lies beside the line."""
-        carrier = slide.block or next(b for b in self.structure.mechanism.owners[slide.point] if b != slide.guide)
         origin, first = self.place(slide.guide, slide.line.origin, q)
-        point, second = self.place(carrier, slide.point, q)
+        point, second = self.place(self.carrier(slide), slide.point, q)
         angle, turn = self._angle(slide.guide, q)
         back = (slide.line.direction * cmath.rect(1.0, angle)).conjugate()
         arm = (point - origin) * back
         return arm, (second - first) * back - 1j * arm * turn
+
+    def carrier(self, slide: Slide) -> str:
+        """The block, or a link that carries the pin."""
+        return slide.block or next(b for b in self.structure.mechanism.owners[slide.point] if b != slide.guide)
 
     def _slip(self, contact: Contact, q: Array, start: Array) -> tuple[float, Array]:
         gap, slope = 0.0, np.zeros(len(q))
