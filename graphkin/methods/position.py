@@ -134,6 +134,8 @@ class _Drawing:
 
     def mesh(self, stage: Mesh) -> None:
         """A rolling contact; its own point is drawn where both wheels have their places."""
+        if stage.contact.slide in self.structure.aside.slides and not stage.contact.way:
+            self.measure_slide(stage.contact.slide)
         self.parts.append(Roll(in_step(stage.contact), stage.angle, stage.slide))
         self.angles |= {stage.angle} - {""}
 
@@ -236,7 +238,7 @@ def position(structure: Structure, order: tuple[Stage, ...]) -> tuple[Constructi
     for letter, contact in touching(structure):
         drawing.touch(letter, contact)
     measured = {part.of for part in drawing.parts if isinstance(part, Measure) and part.quantity == "s"}
-    for slide in structure.slides:
+    for slide in structure.measured:
         if slide not in measured | known and slide not in structure.slides_driven and not drawing._swung(slide):
             drawing.measure_slide(slide)
     nodes = {point: Node(point, point, Site(point, structure.owners[point][0])) for point in drawing.points}
@@ -264,7 +266,7 @@ def touching(structure: Structure) -> Iterator[tuple[str, Contact]]:
 
 
 def in_step(contact: Contact) -> InStep:
-    return InStep(contact.name, contact.angles, contact.slide, contact.on_slide)
+    return InStep(contact.name, contact.angles, contact.slide, contact.on_slide, contact.way)
 
 
 def _closure(structure: Structure, loop: Loop) -> Closure:
