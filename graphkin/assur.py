@@ -14,6 +14,7 @@ from graphkin.mechanism import FRAME, Mechanism
 from graphkin.methods import Method
 from graphkin.methods.stages import Bridge, Carry, Group, Loop, Mesh
 from graphkin.methods.structure import Hinge, Joint
+from graphkin.redundancy import redundant_constraints
 
 __all__ = ["structure_lines"]
 
@@ -35,7 +36,7 @@ WORDS: dict[str, dict[Lang, str]] = {
     "rank": {"en": "Degrees of freedom by rank: {f}", "zh": "由方程的秩得自由度：{f}"},
     "idle": {"en": "idle freedom (turning of): {links}", "zh": "局部自由度：构件 {links} 的转动"},
     "redundant": {"en": "redundant constraints: {count}", "zh": "虚约束：{count} 个"},
-    "repeats": {"en": "repeats a constraint: link {link}", "zh": "引入虚约束的构件：{link}"},
+    "repeats": {"en": "repeats a constraint: {what}", "zh": "虚约束：{what}"},
     "drivers": {"en": "Drivers", "zh": "原动件"},
     "groups": {"en": "Groups, in the order they are solved", "zh": "杆组（按求解顺序）"},
     "dyad": {"en": "Class II, {kind}: links {links}", "zh": "Ⅱ级组 {kind}：构件 {links}"},
@@ -123,9 +124,7 @@ def _freedoms(method: Method, found: Mobility, say: _Speaker) -> Iterator[str]:
         yield "  " + say("idle", links=", ".join(found.idle))
     if found.repeated:
         yield "  " + say("redundant", count=found.repeated)
-        for stage in method.stages:
-            if isinstance(stage, Bridge) and stage.body in mechanism.links:
-                yield "  " + say("repeats", link=stage.body)
+        yield from ("  " + say("repeats", what=what) for what in redundant_constraints(method, say.lang))
 
 
 def _groups(method: Method, say: _Speaker) -> Iterator[tuple[str, int]]:

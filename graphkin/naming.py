@@ -10,9 +10,13 @@ import re
 from collections.abc import Collection
 
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.pairs import Cam, Gear, Roll
 from graphkin.value import frozen
 
-__all__ = ["Seen", "common_link", "driver_number", "pair", "seen"]
+__all__ = ["PairName", "Seen", "common_link", "driver_number", "named", "pair", "seen"]
+
+PairName = tuple[str, int | str]
+"""A pair by its table in the file and its number there; a hinge by its point, a link by its name."""
 
 POINT = re.compile(r"[A-Z][0-9]*'*")
 
@@ -84,3 +88,20 @@ def driver_number(mechanism: Mechanism, name: str) -> int | None:
         if slide is not None and name in (slide.line.origin + slide.point, slide.point + slide.line.origin):
             return number
     return None
+
+
+def named(mechanism: Mechanism, pair: PairName) -> tuple[str, str]:
+    """Kind and name of a pair, for `errors.called_pair`: its name, its point, or its links and which of several."""
+    table, k = pair
+    if isinstance(k, str):
+        return table, k
+    if table == "slide":
+        slide = mechanism.slides[k]
+        return ("slide", slide.name) if slide.named else ("guide", slide.point)
+    if table == "roll" and mechanism.rolls[k].named:
+        return table, mechanism.rolls[k].name
+    pairs: dict[str, tuple[Gear, ...] | tuple[Roll, ...] | tuple[Cam, ...]]
+    pairs = {"gear": mechanism.gears, "roll": mechanism.rolls, "cam": mechanism.cams}
+    names = ["–".join(mechanism.called(link) for link in each.joins) for each in pairs[table]]
+    nth = names[: k + 1].count(names[k])
+    return table, names[k] if names.count(names[k]) == 1 else f"{names[k]} ({nth})"

@@ -292,7 +292,7 @@ def belt(seed: int) -> str:
         rod = file.link()
         file.join(centre, rod)
         if kind == "rod":
-            crank, _, pin = file.crank()
+            _, _, pin = file.crank()
             file.links[rod][pin] = file.at(pin)
         else:
             block = file.link()
@@ -329,7 +329,7 @@ def wheel_on_wheel(seed: int) -> str:
     """A wheel on the rim of another that turns about a fixed or moving pivot, held by a rod, or on an arm."""
     file = File.new(f"wheels {seed}")
     rng = file.rng
-    crank, a, b = file.crank()
+    _, a, b = file.crank()
     drum, wheel = file.link(), file.link()
     hub = file.point(file.place(), "frame", drum) if rng.random() < 0.5 else b
     file.join(hub, drum)
@@ -379,7 +379,158 @@ def road(seed: int) -> str:
     return file.text()
 
 
+def train(seed: int) -> str:
+    """Sun, compound planet and ring on an arm, on the frame or carried by a crank; any two of the four driven."""
+    file = File.new(f"train {seed}")
+    rng = file.rng
+    base = "frame" if rng.random() < 0.6 else (carried := file.crank())[0]
+    hub = file.point(file.place(), "frame") if base == "frame" else carried[2]
+    seen = None if base == "frame" else (carried[1], carried[2])
+    arm, sun, ring = file.link(), file.link(), file.link()
+    file.join(hub, arm, sun, ring)
+    pin = file.point(file.at(hub) + file.away(40, 60), arm)
+    planet, distance = file.wheel(pin), abs(file.at(pin) - file.at(hub))
+    small, other = (distance * rng.uniform(0.2, 0.7) for _ in range(2))
+    file.table("gear", links=[sun, planet], centres=[hub, pin], radii=[distance - small, small])
+    file.table("gear", links=[ring, planet], centres=[hub, pin], radii=[distance + other, other], internal=True)
+    marks = {arm: (hub, pin)}
+    for link, centre in ((sun, hub), (ring, hub), (planet, pin)):
+        marks[link] = (centre, file.point(file.at(centre) + file.away(5, 15), link))
+    driven = rng.sample([arm, sun, ring, planet], 2)
+    for link, (tail, head) in marks.items():
+        beside = marks[arm] if link != arm and arm in driven and rng.random() < 0.3 else seen
+        if link not in driven:
+            file.pose(tail, head, beside if rng.random() < 0.5 else None)
+        elif rng.random() < 0.3 and seen is None and link != arm:
+            file.table("driver", link=link, **file.rates(8, "omega", "alpha"))
+            file.pose(tail, head)
+        else:
+            file.turn(tail, head, beside if rng.random() < 0.5 else None)
+    return file.text()
+
+
+def pinion_drives(seed: int) -> str:
+    """A pinion on the frame in mesh with a crank or rocker of a four-bar, which it drives; the bar is posed."""
+    file = File.new(f"pinion {seed}")
+    rng, bars = file.rng, file.four_bar()
+    file.tables.clear()
+    (crank, a, b), _, (rocker, c, d) = bars
+    bar, pivot, tip = rng.choice(((crank, a, b), (rocker, d, c)))
+    shaft = file.point(file.at(pivot) + file.away(40, 80), "frame")
+    pinion = file.wheel(shaft)
+    file.gear((pinion, shaft), (bar, pivot))
+    if rng.random() < 0.5:
+        file.table("driver", link=pinion, **file.rates(8, "omega", "alpha"))
+    else:
+        file.turn(shaft, file.point(file.at(shaft) + file.away(5, 15), pinion))
+    file.pose(pivot, tip)
+    return file.text()
+
+
+def coupler_track(seed: int) -> str:
+    """A wheel that rolls on a line of a coupler or rocker, its centre on a rocker, in a slot or on a crosshead."""
+    file = File.new(f"track {seed}")
+    rng, bars = file.rng, file.four_bar()
+    wheel, along, radius = file.link(), cmath.rect(1, file.rng.uniform(-3, 3)), file.rng.uniform(8, 25)
+    centre = file.point(file.place(), wheel)
+    file.roll_on_line(wheel, centre, rng.choice(bars)[0], along, radius)
+    if rng.random() < 0.5:
+        bar = file.link()
+        file.join(centre, bar)
+        file.point(file.at(centre) + file.away(50, 90), bar, "frame")
+    else:
+        way, block = cmath.rect(1, rng.uniform(-3, 3)), rng.random() < 0.5 and file.link()
+        foot = file.at(centre) - way * rng.uniform(-50, 50)
+        if block:
+            file.join(centre, block)
+        held = {"block": block, "point": centre} if block else {"pin": centre}
+        file.table("slide", **held, guide="frame", through=[foot.real, foot.imag], angle=math.degrees(cmath.phase(way)))
+    file.mark(wheel, centre, bars[0][1:])
+    return file.text()
+
+
+def crosshead(seed: int) -> str:
+    """A wheel about a crosshead's pin on a line along the guide; the crank or the crosshead is driven."""
+    file = File.new(f"crosshead {seed}")
+    rng, along = file.rng, cmath.rect(1, file.rng.uniform(-3, 3))
+    _, a, b = file.crank(driven=False)
+    rod, head = file.link(), file.link()
+    file.join(b, rod)
+    pin = file.point(file.at(b) + file.away(80, 120), rod, head)
+    foot = file.at(pin) - along * rng.uniform(20, 60)
+    name = rng.choice((head, "ram", None))
+    angle = math.degrees(cmath.phase(along))
+    file.table("slide", name=name, block=head, point=pin, guide="frame", through=[foot.real, foot.imag], angle=angle)
+    if name and rng.random() < 0.5:
+        s = ((file.at(pin) - foot) / along).real
+        file.table("driver", slide=name, at=s, **file.rates(0.5, "velocity", "acceleration"))
+    else:
+        file.turn(a, b)
+    wheel = file.wheel(pin)
+    file.roll_on_line(wheel, pin, "frame", along * rng.choice((1, -1)), rng.uniform(8, 25))
+    file.mark(wheel, pin, (a, b))
+    return file.text()
+
+
+def on_the_rim(seed: int) -> str:
+    """A crank, and a rod from it to the rim of a wheel that rolls on the frame: on a line or a circle."""
+    file = File.new(f"rim {seed}")
+    rng = file.rng
+    _, a, b = file.crank()
+    rod, wheel = file.link(), file.link()
+    file.join(b, rod)
+    rim = file.point(file.at(b) + file.away(70, 120), rod, wheel)
+    centre = file.point(file.at(rim) + file.away(10, 25), wheel)
+    if rng.random() < 0.5:
+        file.roll_on_line(wheel, centre, "frame", cmath.rect(1, rng.uniform(-3, 3)), rng.uniform(15, 40))
+    else:
+        radius, big, internal, way = rng.uniform(15, 30), rng.uniform(60, 90), rng.random() < 0.4, file.away(1, 1)
+        hub = file.point(file.at(centre) + way * (big - radius if internal else big + radius), "frame")
+        file.table("roll", wheel=wheel, centre=centre, radius=radius, on="frame", on_centre=hub, on_radius=big,
+                   internal=True if internal else None)  # fmt: skip
+    file.pose(centre, rim, (a, b) if rng.random() < 0.5 else None)
+    return file.text()
+
+
+def floating_rack(seed: int) -> str:
+    """A rack hinged to a crank and pressed on a pinion, on the frame or on the crank; the pinion follows."""
+    file = File.new(f"floating {seed}")
+    rng = file.rng
+    _, a, b = file.crank()
+    bar = file.link()
+    file.join(b, bar)
+    shaft = file.point(file.at(b) + file.away(50, 90), "frame")
+    pinion, along = file.wheel(shaft), (file.at(shaft) - file.at(b)) / abs(file.at(shaft) - file.at(b))
+    file.point(file.at(b) + file.away(50, 90), bar)
+    file.roll_on_line(pinion, shaft, bar, along * cmath.rect(1, rng.uniform(-0.5, 0.5)), rng.uniform(8, 20))
+    file.pose(shaft, file.point(file.at(shaft) + file.away(5, 15), pinion), (a, b) if rng.random() < 0.5 else None)
+    return file.text()
+
+
+def wheel_upon_wheel(seed: int) -> str:
+    """A wheel that rolls on the rim of a wheel that rolls on a line, both centres held by bars."""
+    file = File.new(f"upon {seed}")
+    rng = file.rng
+    _, a, b = file.crank()
+    low, high, bar = file.link(), file.link(), file.link()
+    one = file.point(file.at(b) + file.away(70, 110), bar, low)
+    file.join(b, bar)
+    radius, small = rng.uniform(20, 35), rng.uniform(8, 18)
+    file.roll_on_line(low, one, "frame", cmath.rect(1, rng.uniform(-3, 3)), radius)
+    two = file.point(file.at(one) + cmath.rect(radius + small, rng.uniform(-3, 3)), high)
+    file.table("roll", wheel=high, centre=two, radius=small, on=low, on_centre=one, on_radius=radius)
+    rod = file.link()
+    file.join(two, rod)
+    file.point(file.at(two) + file.away(60, 100), rod, "frame")
+    file.mark(low, one, (a, b))
+    file.mark(high, two)
+    return file.text()
+
+
 FAMILIES = {
     family.__name__: family
-    for family in (gears_on_four_bar, line_of_centres, rack, belt, rolling_line, wheel_on_wheel, road)
-}
+    for family in (
+        gears_on_four_bar, line_of_centres, rack, belt, rolling_line, wheel_on_wheel, road, train, pinion_drives,
+        coupler_track, crosshead, on_the_rim, floating_rack, wheel_upon_wheel,
+    )
+}  # fmt: skip

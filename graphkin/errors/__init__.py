@@ -101,12 +101,14 @@ from graphkin.errors.motion import (
     NoFolder,
     NotPlaced,
     NotReached,
+    NotRepeated,
     OffTrack,
     PosesDiffer,
     RepeatedDriver,
     RoadsDiffer,
     TooFewDrivers,
     TooManyDrivers,
+    called_pair,
     listed,
 )
 from graphkin.errors.pairs import (
@@ -211,6 +213,7 @@ __all__ = [
     "NotOneOf",
     "NotPlaced",
     "NotReached",
+    "NotRepeated",
     "NotScaled",
     "NotUtf8",
     "OffTrack",
@@ -255,5 +258,6 @@ __all__ = [
     "WrongCount",
     "WrongNumber",
     "WrongType",
+    "called_pair",
     "listed",
 ]

@@ -19,12 +19,14 @@ __all__ = [
     "NoFolder",
     "NotPlaced",
     "NotReached",
+    "NotRepeated",
     "OffTrack",
     "PosesDiffer",
     "RepeatedDriver",
     "RoadsDiffer",
     "TooFewDrivers",
     "TooManyDrivers",
+    "called_pair",
     "listed",
 ]
 
@@ -94,6 +96,46 @@ class GearsApart(GraphkinError):
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return super()._words(lang) | {"pair": "".join(self.centres)}
+
+
+PAIRS: dict[str, dict[Lang, str]] = {
+    "slide": {"en": "guide {name}", "zh": "导路 {name}"},
+    "guide": {"en": "the guide of {name}", "zh": "点 {name} 的导路"},
+    "gear": {"en": "gear pair {name}", "zh": "齿轮副 {name}"},
+    "roll": {"en": "rolling contact {name}", "zh": "纯滚动副 {name}"},
+    "cam": {"en": "cam pair {name}", "zh": "凸轮副 {name}"},
+    "hinge": {"en": "hinge {name}", "zh": "转动副 {name}"},
+    "links": {"en": "link {name}", "zh": "构件 {name}"},
+}
+
+
+def called_pair(kind: str, name: str, lang: Lang) -> str:
+    """`guide low`, `gear pair 1 and 2`."""
+    return PAIRS[kind][lang].format(name=name)
+
+
+class NotRepeated(GraphkinError):
+    """A constraint that comes close to repeating those of other pairs, and contradicts them by the rest.
+
+    pair, held   kind and name of each
+    off, unit    by how much it does not repeat them, in mm or deg
+    """
+
+    where: Where
+    pair: tuple[str, str]
+    held: tuple[tuple[str, str], ...]
+    off: float
+    unit: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {pair} would repeat the constraints of {held} (a redundant constraint), but contradicts them "
+        "by {off:.4g} {unit}. Make it agree with them exactly, or leave it out.",
+        "zh": "{where}：{pair} 与 {held} 的约束重复（虚约束），但二者相差 {off:.4g} {unit}，互相矛盾。请使其完全一致，或将其去掉。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        held = listed((called_pair(*each, lang) for each in self.held), lang)
+        unit = "°" if (lang, self.unit) == ("zh", "deg") else self.unit
+        return super()._words(lang) | {"pair": called_pair(*self.pair, lang), "held": held, "unit": unit}
 
 
 class OffTrack(GraphkinError):

@@ -7,6 +7,7 @@ position or for any driver values, scalars or arrays.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -14,11 +15,13 @@ from graphkin.errors import HigherClass
 from graphkin.geometry import Value
 from graphkin.mechanism import Driver, Mechanism
 from graphkin.methods.assembly import assemble, refuse_bad_positions
+from graphkin.methods.bypass import with_ways
 from graphkin.methods.drawn import facts_of, refuse_contacts_apart, with_sides
 from graphkin.methods.equivalent import contacts, lower_pairs
 from graphkin.methods.labels import Labels, coincident_points
 from graphkin.methods.motion import motion
 from graphkin.methods.position import position
+from graphkin.methods.repeated import SetAside, as_aside, repeated
 from graphkin.methods.special import Ternary, special_points, with_special_points
 from graphkin.methods.stages import Bridge, Group, Loop, Mesh, Stage, stages
 from graphkin.methods.standing import as_drawn
@@ -41,6 +44,7 @@ class Method:
     near, drawn angles by link and displacements by `slide_key` at the drawn position: where fitting starts,
                 and from where rolling counts
     ternaries   the special point of each Class III group
+    aside       the constraints that repeat others (虚约束)
     """
 
     mechanism: Mechanism
@@ -53,6 +57,7 @@ class Method:
     near: Mapping[str, float]
     drawn: Mapping[str, float]
     ternaries: Mapping[Group, Ternary]
+    aside: tuple[SetAside, ...] = ()
 
     @property
     def drivers(self) -> tuple[Driver, ...]:
@@ -79,7 +84,8 @@ class Method:
     @property
     def doubtful(self) -> bool:
         """Whether constraints and drivers, counted by the formula, do not add up: some repeat others, or clash."""
-        return any(isinstance(stage, Bridge) for stage in self.stages) or self.structure.surplus != 0
+        bridged = any(isinstance(stage, Bridge) for stage in self.stages)
+        return bridged or bool(self.aside) or self.structure.surplus != 0
 
     @property
     def constructions(self) -> tuple[Construction, Construction, Construction]:
@@ -107,10 +113,12 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     """
     lower = lower_pairs(mechanism)
     ties = tuple(contacts(mechanism, lower))
+    aside = repeated(mechanism, Structure(lower, ties))
     drawn: dict[str, float] = {}
     if ties or mechanism.poses:
-        drawn, lower = as_drawn(mechanism, lower)
-    structure = Structure(lower, ties, coincident, centres)
+        drawn, lower = as_drawn(mechanism, lower, aside)
+    structure = Structure(lower, ties, coincident, centres, as_aside(aside))
+    structure = replace(structure, contacts=with_ways(structure))
     order = _order(structure)
     construction, choices = position(structure, order)
     facts = facts_of(structure, None, drawn)
@@ -118,7 +126,7 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     construction = with_sides(construction, found.sides)
     plot = replay(construction, Plot(facts, found.near))
     refuse_contacts_apart(mechanism, ties, plot)
-    return _method(mechanism, structure, order, construction, plot, found.near, drawn)
+    return _method(mechanism, structure, order, construction, plot, found.near, drawn, aside)
 
 
 def with_other_points(method: Method, plot: Plot) -> Method:
@@ -127,7 +135,7 @@ def with_other_points(method: Method, plot: Plot) -> Method:
     sides = {step.choice: step.side for step in method.position.steps if isinstance(step, Meet | Swing)}
     construction = with_sides(construction, tuple(sides[k] for k in sorted(k for k in sides if k is not None)))
     return _method(
-        method.mechanism, method.structure, method.stages, construction, plot, method.near, method.drawn
+        method.mechanism, method.structure, method.stages, construction, plot, method.near, method.drawn, method.aside
     )
 
 
@@ -139,6 +147,7 @@ def _method(
     plot: Plot,
     near: Mapping[str, float],
     drawn: Mapping[str, float],
+    aside: tuple[SetAside, ...],
 ) -> Method:
     """The polygons to a position's construction, with special points that lie well at the position of a plot."""
     ternaries = special_points(structure, order, plot)
@@ -147,7 +156,9 @@ def _method(
     velocity, at = motion(structure, order, labels, "velocity", pole, lambda site: "", ternaries)
     acceleration, _ = motion(structure, order, labels, "acceleration", pole, at, ternaries)
     construction = with_special_points(construction, ternaries)
-    return Method(mechanism, structure, order, construction, velocity, acceleration, meeting, near, drawn, ternaries)
+    return Method(
+        mechanism, structure, order, construction, velocity, acceleration, meeting, near, drawn, ternaries, aside
+    )
 
 
 def _order(structure: Structure) -> tuple[Stage, ...]:
@@ -163,7 +174,7 @@ def _order(structure: Structure) -> tuple[Stage, ...]:
 
 def _refuse_held_twice(structure: Structure, order: tuple[Stage, ...]) -> None:
     """A wheel whose centre other pairs keep on its path leaves no equation that gives how far it is."""
-    given = set(structure.slides_driven)
+    given = set(structure.slides_driven) | structure.aside.slides
     for stage in order:
         given |= {stage.slide} if isinstance(stage, Mesh) else set()
         given |= set(stage.slides) if isinstance(stage, Loop | Group) else set()

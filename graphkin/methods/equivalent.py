@@ -110,6 +110,7 @@ class Contact:
     angles: tuple[tuple[str, float], ...]
     slide: str = ""
     on_slide: float = 0.0
+    way: tuple[tuple[str, float], ...] = ()
 
 
 def contacts(mechanism: Mechanism, lower: Mechanism) -> Iterator[Contact]:

@@ -15,6 +15,7 @@ from graphkin.methods.images import drive, fill, reach
 from graphkin.methods.labels import Labels
 from graphkin.methods.polygon import Polygon
 from graphkin.methods.position import touching
+from graphkin.methods.repeating import measure_all_slides
 from graphkin.methods.rolling import mesh
 from graphkin.methods.special import Ternary
 from graphkin.methods.stages import Bridge, Carry, Group, Loop, Mesh, Stage
@@ -37,6 +38,7 @@ def motion(
     polygon = _with_pole(structure, labels, plane, pole, velocity)
     for stage in order:
         _draw(polygon, stage, ternaries)
+    measure_all_slides(polygon)
     return Construction(plane, tuple(polygon.parts), polygon.nodes, polygon.pole), polygon.name
 
 

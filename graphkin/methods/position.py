@@ -89,6 +89,7 @@ class _Drawing:
         self.parts.append(
             Measure("theta", stage.body, tail, head, span=Span((Arm(stage.body, tail, head),)))
         )
+        self.angles.add(self.structure.base(stage.body))
         self.fill(stage.body)
 
     def loop(self, stage: Loop) -> None:
@@ -134,6 +135,8 @@ class _Drawing:
 
     def mesh(self, stage: Mesh) -> None:
         """A rolling contact; its own point is drawn where both wheels have their places."""
+        if stage.contact.slide in self.structure.aside.slides and not stage.contact.way:
+            self.measure_slide(stage.contact.slide)
         self.parts.append(Roll(in_step(stage.contact), stage.angle, stage.slide))
         self.angles |= {stage.angle} - {""}
 
@@ -236,7 +239,7 @@ def position(structure: Structure, order: tuple[Stage, ...]) -> tuple[Constructi
     for letter, contact in touching(structure):
         drawing.touch(letter, contact)
     measured = {part.of for part in drawing.parts if isinstance(part, Measure) and part.quantity == "s"}
-    for slide in structure.slides:
+    for slide in structure.measured:
         if slide not in measured | known and slide not in structure.slides_driven and not drawing._swung(slide):
             drawing.measure_slide(slide)
     nodes = {point: Node(point, point, Site(point, structure.owners[point][0])) for point in drawing.points}
@@ -264,7 +267,7 @@ def touching(structure: Structure) -> Iterator[tuple[str, Contact]]:
 
 
 def in_step(contact: Contact) -> InStep:
-    return InStep(contact.name, contact.angles, contact.slide, contact.on_slide)
+    return InStep(contact.name, contact.angles, contact.slide, contact.on_slide, contact.way)
 
 
 def _closure(structure: Structure, loop: Loop) -> Closure:

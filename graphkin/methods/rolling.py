@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from graphkin.mechanism import FRAME
 from graphkin.methods.equivalent import Contact
 from graphkin.methods.hops import Lever
 from graphkin.methods.images import base_of, reach
 from graphkin.methods.polygon import Polygon
 from graphkin.methods.position import in_step, touching
+from graphkin.methods.repeating import measure_slide
 from graphkin.methods.stages import Group, Mesh
 from graphkin.steps import AcrossGuide, Along, Direction, Measure, Roll, Site, Term
 
@@ -15,6 +17,8 @@ __all__ = ["mesh", "train"]
 
 def mesh(polygon: Polygon, stage: Mesh) -> None:
     """Pure rolling gives the contact of the one wheel the velocity of the other's; a rack follows its pinion."""
+    if stage.contact.slide in polygon.structure.aside.slides and not stage.contact.way:
+        measure_slide(polygon, stage.contact.slide)
     letter = next(one for one, contact in touching(polygon.structure) if contact == stage.contact)
     wheel = _turned_by(polygon, stage)
     if wheel is None or not polygon.known(wheel):
@@ -53,7 +57,7 @@ def _roll_acceleration(polygon: Polygon, contact: Contact, centre: Site, of: Sit
 
 
 def train(polygon: Polygon, stage: Group) -> bool:
-    """A planet between two wheels of known motion: both its contacts are known, and so is all of it."""
+    """A planet between two wheels of known motion, or a wheel between two plates: both contacts are known, so is it."""
     if polygon.plane != "velocity" or stage.loops or len(stage.contacts) != 2:
         return False
     planets = set(stage.contacts[0].wheels) & set(stage.contacts[1].wheels)
@@ -70,7 +74,10 @@ def train(polygon: Polygon, stage: Group) -> bool:
     nodes = polygon.name(first), polygon.name(second)
     polygon.parts.append(Measure("omega", planet, *nodes, (first.point, second.point)))
     polygon.lies_apart(first, second)
-    _turn_arm(polygon, planet, stage.contacts[0])
+    if stage.contacts[0].arm:
+        _turn_arm(polygon, planet, stage.contacts[0])
+    for slide in stage.slides:
+        measure_slide(polygon, slide)
     return True
 
 
@@ -80,7 +87,7 @@ def _contacts_with_known(polygon: Polygon, stage: Group, planet: str) -> list[tu
     sites = []
     for contact in stage.contacts:
         other = next(wheel for wheel in contact.wheels if wheel != planet)
-        known = polygon.structure.base(other) not in stage.angles and base_of(polygon, other)
+        known = polygon.structure.base(other) not in stage.angles and (other == FRAME or base_of(polygon, other))
         if not known or contact.arm != stage.contacts[0].arm:
             return []
         sites.append((Site(letters[contact], planet), Site(letters[contact], other)))

@@ -118,7 +118,8 @@ class _Known:
                 self.angles.update(stage.angles)
                 self.slides.update(stage.slides)
         for name, slide in self.structure.slides.items():
-            if {slide.guide, self.structure.block(slide)} <= self.bodies:
+            aside = name in self.structure.aside.slides and self.point(slide.point)
+            if slide.guide in self.bodies and (aside or self.structure.block(slide) in self.bodies):
                 self.slides.add(name)
 
 
@@ -154,7 +155,7 @@ def _bridged(known: _Known) -> Stage | None:
 
 
 def _meshed(known: _Known) -> Mesh | None:
-    for contact in known.structure.contacts:
+    for contact in known.structure.tying:
         angles, slides = _open(known, contact)
         if len(angles) + len(slides) == 1:
             return Mesh(contact, next(iter(angles), ""), next(iter(slides), ""))
@@ -165,7 +166,9 @@ def _open(known: _Known, contact: Contact) -> tuple[dict[str, None], dict[str, N
     """What is unknown of a rolling contact."""
     bases = (known.structure.base(body) for body, _ in contact.angles)
     angles = dict.fromkeys(base for base in bases if base not in known.angles)
-    slides = dict.fromkeys(slide for slide in (contact.slide,) if slide and slide not in known.slides)
+    ways = contact.way if contact.slide not in known.slides else ()
+    needed = [slide for slide, _ in ways] or [contact.slide]
+    slides = dict.fromkeys(slide for slide in needed if slide and slide not in known.slides)
     return angles, slides
 
 
@@ -185,7 +188,7 @@ def _group(known: _Known) -> Group | None:
     parts: list[tuple[Loop | Contact, frozenset[str], int]] = [
         (loop, _keys(loop.angles, loop.slides), 2) for loop in loops
     ]
-    for contact in known.structure.contacts:
+    for contact in known.structure.tying:
         angles, slides = _open(known, contact)
         if angles or slides:
             parts.append((contact, _keys(angles, slides), 1))

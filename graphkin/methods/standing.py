@@ -16,12 +16,15 @@ from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.methods.assembly import assemble, extent, refuse_open
 from graphkin.methods.drawn import facts_of, with_sides
 from graphkin.methods.position import position
+from graphkin.methods.repeated import SetAside, as_aside, still_repeated
 from graphkin.methods.stages import stages
 from graphkin.methods.structure import Structure
 from graphkin.steps import Plot, replay, slide_key
 from graphkin.value import frozen
 
 __all__ = ["as_drawn"]
+
+Repeats = tuple[SetAside, ...]
 
 SAME = 1e-6
 """Values that differ by less say the same [rad, mechanism's size]: figures in files are rounded."""
@@ -38,18 +41,22 @@ class _Given:
     where: Where
 
 
-def as_drawn(mechanism: Mechanism, lower: Mechanism) -> tuple[dict[str, float], Mechanism]:
+def as_drawn(
+    mechanism: Mechanism, lower: Mechanism, repeats: Repeats = ()
+) -> tuple[dict[str, float], Mechanism]:
     """Angles and displacements at the drawn position, from which rolling counts, and the drivers with all their values.
+
+    repeats  what repeats other constraints when all moves; here only where it does so though nothing rolls
 
     Raises NotPlaced where values and poses leave something open, PosesDiffer where they do not fit together.
     """
-    structure, plot = _standing(mechanism, lower)
+    structure, plot = _standing(mechanism, lower, repeats)
     drawn = {link: float(plot.theta[link]) if link in plot.theta else 0.0 for link in structure.bodies}
     drawn |= {slide_key(slide): float(value) for slide, value in plot.s.items()}
     sketch = {**lower.sketch, **{p: complex(z) for p, z in plot.position.items() if p[0].isupper()}}
     drivers = tuple(_valued(driver, plot, drawn) for driver in mechanism.drivers)
     driven = replace(lower, drivers=drivers, sketch=sketch)
-    return _counted_on(Structure(driven), drawn), driven
+    return _counted_on(replace(structure, mechanism=driven), drawn), driven
 
 
 def _counted_on(structure: Structure, drawn: dict[str, float]) -> dict[str, float]:
@@ -74,7 +81,7 @@ def _valued(driver: Driver, plot: Plot, drawn: Mapping[str, float]) -> Driver:
 # --- what is given ----------------------------------------------------------------------------
 
 
-def _standing(mechanism: Mechanism, lower: Mechanism) -> tuple[Structure, Plot]:
+def _standing(mechanism: Mechanism, lower: Mechanism, repeats: Repeats) -> tuple[Structure, Plot]:
     """All that is given taken together; where that does not do, without poses that the rest gives as well.
 
     Those must say the same as what is then found.
@@ -82,7 +89,7 @@ def _standing(mechanism: Mechanism, lower: Mechanism) -> tuple[Structure, Plot]:
     given, refusal, placed = tuple(_given(mechanism)), None, None
     for needed in _fewer_and_fewer(given):
         try:
-            structure, plot = _placed(mechanism, lower, needed)
+            structure, plot = _placed(mechanism, lower, needed, repeats)
         except (CannotAssemble, DeadPoint, NotPlaced) as error:
             refusal = refusal or error
             continue
@@ -136,9 +143,11 @@ def _beside(structure: Structure, given: _Given, needed: Sequence[_Given]) -> li
 # --- placing ----------------------------------------------------------------------------------
 
 
-def _placed(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...]) -> tuple[Structure, Plot]:
+def _placed(
+    mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats
+) -> tuple[Structure, Plot]:
     """The mechanism put together by these values."""
-    structure = _with(mechanism, lower, given)
+    structure = _with(mechanism, lower, given, repeats)
     if names := _left(structure):
         raise NotPlaced(mechanism.where("links", names[0]), tuple(mechanism.called(name) for name in names))
     construction, choices = position(structure, stages(structure)[0])
@@ -149,36 +158,33 @@ def _placed(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...]) -
     return structure, plot
 
 
-def _with(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...]) -> Structure:
+def _with(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats) -> Structure:
     """The mechanism with these values; wheels that nothing turns and that show no direction stand at 0."""
     drivers = tuple(each.fixes for each in given)
     structure = Structure(replace(lower, drivers=drivers))
+    structure = replace(structure, aside=as_aside(still_repeated(structure, repeats)))
     plain: dict[str, str] = {}
     for body in structure.bodies:
         if structure.base(body) != FRAME and _shows_nothing(mechanism, structure, body):
             plain.setdefault(structure.base(body), body)
     marked = tuple(Driver("spin", body, value=0.0) for body in plain.values())
-    return Structure(replace(lower, drivers=(*drivers, *marked)))
+    return replace(structure, mechanism=replace(lower, drivers=(*drivers, *marked)))
 
 
 def _shows_nothing(mechanism: Mechanism, structure: Structure, body: str) -> bool:
     """Whether one cannot see how a wheel stands: it hangs on its centre alone, and has no other point."""
     wheels = {wheel for gear in mechanism.gears for wheel in gear.joins}
     wheels |= {wheel for roll in mechanism.rolls for wheel in roll.joins}
-    spun = {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
-    joints = list(structure.joints(body))
-    if body not in wheels | spun or len(joints) > 1:
-        return False
-    places = set(structure.shapes[body].values())
-    return len(places) == 1 or body in spun
+    wheels |= {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
+    hinges = list(structure.joints(body))
+    return body in wheels and len(hinges) < 2 and len(set(structure.shapes[body].values())) == 1
 
 
 def _left(structure: Structure) -> tuple[str, ...]:
     """The links that nothing places, those first whose direction is open."""
-    left = stages(structure)[1]
+    left = [body for body in stages(structure)[1] if not structure.is_pin(body)]
     turning = [body for body in left if structure.base(body) != FRAME]
-    homes = dict.fromkeys(structure.home(body) for body in turning or left)
-    return tuple(name for name in homes if " " not in name)
+    return tuple(name for name in turning or left if " " not in name)
 
 
 # --- comparing --------------------------------------------------------------------------------

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 
 from graphkin.mechanism import FRAME, Driver, Mechanism
@@ -17,7 +18,7 @@ from graphkin.pairs import Slide
 from graphkin.steps import TurnOf
 from graphkin.value import frozen
 
-__all__ = ["Hinge", "Joint", "Sliding", "Structure"]
+__all__ = ["NOTHING", "Aside", "Hinge", "Joint", "Sliding", "Structure"]
 
 
 @frozen
@@ -38,23 +39,47 @@ Joint = Hinge | Sliding
 
 
 @frozen
+class Aside:
+    """What repeats others, by name: slides (those that stand for cams, too); blocks whose angle is held; contacts."""
+
+    slides: frozenset[str] = frozenset()
+    cams: frozenset[str] = frozenset()
+    angles: frozenset[str] = frozenset()
+    contacts: frozenset[str] = frozenset()
+
+
+NOTHING = Aside()
+
+
+@frozen
 class Structure:
     """The mechanism as the planner sees it.
 
     coincident  the point at which sliding pairs are looked at, where the user wants another than the planner's
     centres     whether a special point on two legs of the frame is taken for what it is, the instant centre (综合法)
+    aside       what repeats other constraints (虚约束): its slides join nothing, its contacts tie nothing
     """
 
     mechanism: Mechanism
     contacts: tuple[Contact, ...] = ()
     coincident: str = ""
     centres: bool = False
+    aside: Aside = NOTHING
+
+    @cached_property
+    def joining(self) -> tuple[Slide, ...]:
+        """The sliding pairs that join bodies: all but those set aside, blocks whose angle is held already as pins."""
+        return tuple(
+            replace(slide, block=None, tilt=0.0) if slide.name in self.aside.angles else slide
+            for slide in self.mechanism.slides
+            if slide.name not in self.aside.slides
+        )
 
     @cached_property
     def bodies(self) -> dict[str, tuple[str, ...]]:
         """Points of each body: the links, then the blocks that stand for pins."""
         bodies = {name: tuple(link.points) for name, link in self.mechanism.links.items()}
-        bodies |= {self.block(s): (s.point,) for s in self.mechanism.slides if s.block is None}
+        bodies |= {self.block(s): (s.point,) for s in self.joining if s.block is None}
         return bodies
 
     @cached_property
@@ -84,12 +109,18 @@ class Structure:
         """The link people name for a body: for a pin, the first link that carries it."""
         if not self.is_pin(body):
             return body
-        slide = self.mechanism.slide(body.removeprefix("pin "))
+        slide = self.slides[body.removeprefix("pin ")]
         return next(name for name in self.mechanism.owners[slide.point] if name != slide.guide)
 
     @cached_property
     def slides(self) -> dict[str, Slide]:
-        return {slide.name: slide for slide in self.mechanism.slides}
+        """All of them by name, those set aside included."""
+        return {slide.name: slide for slide in self.mechanism.slides} | {slide.name: slide for slide in self.joining}
+
+    @property
+    def tying(self) -> tuple[Contact, ...]:
+        """The rolling contacts that are not set aside."""
+        return tuple(contact for contact in self.contacts if contact.name not in self.aside.contacts)
 
     @cached_property
     def slides_driven(self) -> dict[str, int]:
@@ -115,7 +146,7 @@ class Structure:
         for body, points in self.bodies.items():
             others = {point: tuple(other for other in self.owners[point] if other != body) for point in points}
             joints[body] = [(Hinge(point), those) for point, those in others.items() if those]
-        for slide in self.mechanism.slides:
+        for slide in self.joining:
             guide, block = slide.guide, self.block(slide)
             joints[guide].append((Sliding(slide.name), (block,)))
             joints[block].append((Sliding(slide.name), (guide,)))
@@ -126,11 +157,16 @@ class Structure:
         pair = self.slides[slide]
         return pair.line.origin if body == pair.guide else pair.point
 
+    @cached_property
+    def measured(self) -> tuple[str, ...]:
+        """The slides whose displacements are of use: all but those that stand for cams and join nothing."""
+        return tuple(name for name in self.slides if name not in self.aside.cams)
+
     @property
     def surplus(self) -> int:
         """Drivers beyond the degrees of freedom by the formula F = 3 n - 2 p."""
         hinges = sum(len(bodies) - 1 for bodies in self.owners.values())
-        freedoms = 3 * (len(self.bodies) - 1) - 2 * (hinges + len(self.slides)) - len(self.contacts)
+        freedoms = 3 * (len(self.bodies) - 1) - 2 * (hinges + len(self.joining)) - len(self.tying) + len(self.followers)
         return len(self.mechanism.drivers) - freedoms
 
     # --- links that hold their angles to one another ------------------------------------------
@@ -153,7 +189,7 @@ class Structure:
 
     def _angle_ties(self, body: str) -> Iterator[tuple[str, TurnOf]]:
         """Bodies whose angle against this one is given, by a slide or by a driver."""
-        for slide in self.mechanism.slides:
+        for slide in self.joining:
             turn = slide.turn if slide.block is not None else cmath.phase(slide.line.direction)
             if body == slide.guide:
                 yield self.block(slide), TurnOf(body, turn)
@@ -162,13 +198,13 @@ class Structure:
         for k, driver in enumerate(self.mechanism.drivers):
             if driver.kind == "slide":
                 continue
-            offset = self._driver_offset(driver)
+            offset = self.driver_offset(driver)
             if body == driver.from_link:
                 yield driver.link, TurnOf(body, offset, ((k, 1),))
             elif body == driver.link:
                 yield driver.from_link, TurnOf(body, -offset, ((k, -1),))
 
-    def _driver_offset(self, driver: Driver) -> float:
+    def driver_offset(self, driver: Driver) -> float:
         """Angle of the driven link against the other where the driver's own value is 0."""
         links = self.mechanism.links
         if driver.vector is None:

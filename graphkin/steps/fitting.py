@@ -54,13 +54,14 @@ def _in_step(contact: InStep, plot: Plot, plane: Plane, angles: set[str], slides
         if base in angles:
             coefficients[base] = coefficients.get(base, 0.0) + coefficient
         known = known + coefficient * _turned(link, plot, plane, base in angles)
-    if contact.slide:
-        drawn = plot.facts.drawn[slide_key(contact.slide)] if plane == "position" else 0.0
-        if contact.slide in slides:
-            coefficients[slide_key(contact.slide)] = contact.on_slide
-            known = known - contact.on_slide * drawn
+    for slide, share in contact.way or ((contact.slide, 1.0),) * bool(contact.slide):
+        coefficient = contact.on_slide * share
+        drawn = plot.facts.drawn[slide_key(slide)] if plane == "position" else 0.0
+        if slide in slides:
+            coefficients[slide_key(slide)] = coefficients.get(slide_key(slide), 0.0) + coefficient
+            known = known - coefficient * drawn
         else:
-            known = known + contact.on_slide * (_displacements(plot, plane)[contact.slide] - drawn)
+            known = known + coefficient * (_displacements(plot, plane)[slide] - drawn)
     return known, coefficients
 
 

@@ -147,12 +147,15 @@ class InStep:
 
     name    of the gear pair or the rolling wheel
     angles  links with their coefficients [m]
+    way     where other pairs keep the wheel on its track, so that `slide` joins nothing: slides with what each
+            adds to its displacement
     """
 
     name: str
     angles: tuple[tuple[str, float], ...]
     slide: str = ""
     on_slide: float = 0.0
+    way: tuple[tuple[str, float], ...] = ()
 
 
 @frozen

@@ -21,6 +21,7 @@ CONTACT_PHRASES: Mapping[str, dict[Lang, str]] = {
     "driven roll free": both("the rolling contact {slide} is driven", "滚动副 {slide} 为主动"),
     "driven line free": both("link {link} ({line}) is driven", "原动件 {link}（{line}）"),
     "posed": both("The drawn position: {poses}.", "给定位置：{poses}。"),
+    "redundant": both("Redundant constraint, set aside: {line}.", "虚约束，求解时除去不计：{line}。"),
     "pose line": both(
         "{line} of link {link} at {angle} to +x",
         "构件 {link} 的 {line} 与 x 轴正向成 {angle}",

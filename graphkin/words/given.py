@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from math import degrees
 
 from graphkin.mechanism import FRAME, Driver, Pose
+from graphkin.redundancy import redundant_constraints
 from graphkin.words import names
 from graphkin.words.entries import Entry, Heading, Sentence
 from graphkin.words.figures import number
@@ -24,6 +25,8 @@ def given(reading: Reading) -> Iterator[Entry]:
     if reading.mechanism.poses:
         poses = [_pose(reading, pose) for pose in reading.mechanism.poses]
         yield Sentence(reading.say("posed", poses=between.join(poses)))
+    for line in redundant_constraints(reading.method, reading.lang):
+        yield Sentence(reading.say("redundant", line=line))
     yield Sentence(reading.say("scales", scales=reading.say("and").join(_scales(reading))))
 
 

@@ -161,10 +161,19 @@ def relation_of(polygon: Polygon, contact: InStep) -> Relation:
 
 
 def _slid(reading: Reading, symbol: str, contact: InStep) -> str:
-    """`ṡ_ram`, or `ṡ_C` where only the centre has a name."""
+    """`ṡ_ram`, or `ṡ_C` where only the centre has a name; `(ṡ_C − ṡ_ram)` where it is made up of others."""
     if not contact.slide:
         return ""
-    pair = reading.method.structure.slides[contact.slide]
+    if not contact.way:
+        return _moved(reading, symbol, contact.slide)
+    (first, share), *more = sorted(contact.way, key=lambda part: part[1] < 0)
+    text = ("" if share > 0 else "−") + _moved(reading, symbol, first)
+    text += "".join(f" {'+' if share > 0 else '−'} {_moved(reading, symbol, slide)}" for slide, share in more)
+    return f"({text})" if more or text.startswith("−") else text
+
+
+def _moved(reading: Reading, symbol: str, slide: str) -> str:
+    pair = reading.method.structure.slides[slide]
     return names.of_slide(symbol, pair.name if pair.named else names.point(pair.point))
 
 
@@ -199,7 +208,8 @@ def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:
     yield Sentence(reading.say("rolled", wheels=wheels, relation=relation.text))
     link = _unknown(reading, step)
     if not link:
-        yield Calculation(relation.slid, (), "", moved * 1000, "mm")
+        way = float(reading.plot.s[step.slide]) - reading.plot.facts.drawn[slide_key(step.slide)]
+        yield Calculation(_moved(reading, "Δs", step.slide), (), "", way * 1000, "mm")
         return
     name, value = reading.rate("Δθ", link), relation.value(link)
     yield Sentence(reading.say("turned by", link=reading.link(link), name=name))
@@ -241,7 +251,9 @@ def rolling(polygon: Polygon, step: Roll) -> Iterator[Entry]:
     if link:
         yield relation.solved(link, relation.value(link), polygon.rate_unit, reading.say("tied"))
     else:
-        yield Calculation(relation.slid, (), "", relation.slid_value, names.UNIT[polygon.plane])
+        slide, table = names.SLIDING[polygon.plane], polygon.reading.plot
+        value = float((table.s_rate if polygon.plane == "velocity" else table.s_acceleration)[step.slide])
+        yield Calculation(_moved(reading, slide, step.slide), (), "", value, names.UNIT[polygon.plane])
 
 
 def checked(polygon: Polygon, contact: Contact) -> str:

@@ -1,0 +1,47 @@
+"""Displacements of sliding pairs that join nothing, as they repeat what other pairs hold: measured like any other."""
+
+from __future__ import annotations
+
+from graphkin.mechanism import FRAME
+from graphkin.methods.hops import Slip
+from graphkin.methods.images import reach
+from graphkin.methods.polygon import Polygon
+from graphkin.steps import LayOff, Measure, Roll, Simultaneous, Site
+
+__all__ = ["measure_all_slides", "measure_slide"]
+
+
+def measure_all_slides(polygon: Polygon) -> None:
+    """Every sliding pair and every wheel on a line whose motion along it no step has given yet."""
+    for name in polygon.structure.measured:
+        measure_slide(polygon, name)
+
+
+def measure_slide(polygon: Polygon, name: str) -> None:
+    """The point seen from the guide under it; of the acceleration what the Coriolis term leaves."""
+    if name in _given(polygon):
+        return
+    pair, owners = polygon.structure.slides[name], polygon.structure.owners
+    of = Site(pair.point, next(body for body in owners[pair.point] if body != pair.guide))
+    seen_from = Site(pair.point, pair.guide)
+    reach(polygon, of)
+    if pair.guide == FRAME:
+        polygon.parts.append(Measure(polygon.sliding, name, polygon.pole, polygon.name(of)))
+        return
+    reach(polygon, seen_from)
+    *known, along = polygon.terms(Slip(seen_from, of, False, name), last=False)
+    polygon.parts += [LayOff(term, term.tail, term.head) for term in known]
+    polygon.parts.append(Measure(polygon.sliding, name, along.tail, along.head))
+
+
+def _given(polygon: Polygon) -> set[str]:
+    """The slides whose motion is known: driven, measured or calculated."""
+    given = set(polygon.structure.slides_driven)
+    for part in polygon.parts:
+        if isinstance(part, Measure) and part.quantity == polygon.sliding:
+            given.add(part.of)
+        elif isinstance(part, Roll):
+            given |= {part.slide} - {""}
+        elif isinstance(part, Simultaneous):
+            given.update(part.slides)
+    return given
