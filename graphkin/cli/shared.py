@@ -6,13 +6,16 @@ import functools
 import json
 import math
 import os
+import re
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from graphkin.cli import streams
 from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
@@ -23,7 +26,8 @@ if TYPE_CHECKING:
 __all__ = [
     "PAPERS", "angle_option", "at_option", "at_values", "by_option", "coincident_option", "drawn", "force_option",
     "json_line", "lang_option", "mechanism_argument", "method_option", "plain", "ranges_option", "read", "said",
-    "speaking", "user_language",
+    "speaking", "told_each",
+    "user_language",
 ]  # fmt: skip
 
 PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape")
@@ -77,11 +81,8 @@ def said(lang: Lang) -> Iterator[None]:
     except GraphkinError as error:
         click.echo(error.message(lang), err=True)
         sys.exit(error.exit_code)
-    except BrokenPipeError:
-        raise
     except OSError as error:
-        click.echo(f"{error.filename or ''}: {error.strerror or error}", err=True)
-        sys.exit(3)
+        sys.exit(streams.ended(error, lang))
 
 
 def speaking(command: Callable[..., None]) -> Callable[..., None]:
@@ -99,6 +100,8 @@ def read(source: str) -> Mechanism:
     """The mechanism of a MECHANISM argument."""
     from graphkin import api, loading
 
+    if not source:
+        raise click.UsageError("MECHANISM is empty: name a file, or a mechanism of `graphkin list`")
     if source == "-":
         return loading.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>")
     return api.load(source)
@@ -133,8 +136,31 @@ def at_values(method: Method, angles: Sequence[float], displacements: Sequence[f
 
 
 def json_line(value: object) -> str:
-    """One line of JSON for programs."""
-    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+    """One line of JSON for programs, on one line for those, too, that end lines as Unicode does."""
+    text = json.dumps(value, ensure_ascii=False, allow_nan=False)
+    return _LINE_ENDS.sub(lambda end: f"\\u{ord(end.group()):04x}", text)
+
+
+_LINE_ENDS = re.compile("[\x7f-\x9f\u2028\u2029\ud800-\udfff]")
+"""Ends of lines that JSON does not escape, with their kin that no text file should hold."""
+
+
+def told_each(sources: Sequence[str], told: Callable[[str], Iterator[str]], as_json: bool, lang: Lang) -> None:
+    """What is to be told of every mechanism; one that cannot be solved stops none of the others. Status 3 then."""
+    failed = False
+    for k, source in enumerate(sources):
+        try:
+            lines = list(told(source))
+        except GraphkinError as error:
+            failed = True
+            if not as_json:
+                click.echo(error.message(lang), err=True)
+                continue
+            name = Path(source).stem if source != "-" else "stdin"
+            lines = [json_line({"format": 1, "name": name, "error": error.message(lang)})]
+        click.echo("\n".join(([""] if k and not as_json else []) + lines))
+    if failed:
+        sys.exit(3)
 
 
 def plain(text: str) -> float | str:

@@ -17,6 +17,7 @@ from graphkin.errors.base import (
     Lang,
     Several,
     Where,
+    steers,
 )
 from graphkin.errors.centring import (
     BadVelocities,
@@ -47,6 +48,7 @@ from graphkin.errors.drivers import (
 )
 from graphkin.errors.files import (
     BrokenToml,
+    ControlCharacter,
     EmptyFile,
     FileTooLarge,
     IsFolder,
@@ -159,6 +161,7 @@ __all__ = [
     "Choice",
     "CircleOrLine",
     "Contradiction",
+    "ControlCharacter",
     "CouplerChanges",
     "DeadPoint",
     "DrivenFrame",
@@ -252,4 +255,5 @@ __all__ = [
     "WrongNumber",
     "WrongType",
     "listed",
+    "steers",
 ]
