@@ -9,7 +9,16 @@ about drivers and poses, `motion` about assembly and movement, `asking` about wh
 a line here.
 """
 
-from graphkin.errors.asking import BadPair, BadRange, NoPosition, NoSuchDriver, UnknownQuantity
+from graphkin.errors.asking import (
+    BadPair,
+    BadRange,
+    GivenTwice,
+    NeedsTwo,
+    NoPosition,
+    NoSuchDriver,
+    TooManyRows,
+    UnknownQuantity,
+)
 from graphkin.errors.base import (
     NOWHERE,
     Choice,
@@ -173,6 +182,7 @@ __all__ = [
     "FrameNameTaken",
     "FrameStands",
     "GearsApart",
+    "GivenTwice",
     "GraphkinError",
     "HigherClass",
     "IsFolder",
@@ -184,6 +194,7 @@ __all__ = [
     "MissingKey",
     "NeedsDirection",
     "NeedsTilt",
+    "NeedsTwo",
     "Negative",
     "NegativeSize",
     "NoBobillier",
@@ -240,6 +251,7 @@ __all__ = [
     "TooFewMeasures",
     "TooManyDrivers",
     "TooManyPoints",
+    "TooManyRows",
     "TooSmall",
     "UnknownCentre",
     "UnknownKey",

@@ -56,8 +56,9 @@ def difference(ground: Ground, wanted: Comparison, drawn: tuple[Series, ...], wh
     gone = target == 0 and first.vectors is not None and first.along is None and wanted.sign == "="
     there = curve.values[np.isfinite(curve.values)]
     scale = max(abs(target or 0.0), _scale(ground))
-    always = bool(there.size) and float(np.max(np.abs(there))) <= ALWAYS * scale
-    return Difference(ground, target, gone, curve, always or (bool(there.size) and not np.any(there)))
+    small = max(ALWAYS * scale, ground.noise(first.unit))
+    always = bool(there.size) and float(np.max(np.abs(there))) <= small
+    return Difference(ground, target, gone, curve, always)
 
 
 def _scale(ground: Ground) -> float:

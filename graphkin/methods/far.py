@@ -32,8 +32,9 @@ def refuse_far(method: Method, way: Way, look_deg: float, look_part: float) -> N
     def told(value: float) -> str:
         return f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{math.degrees(value):.6g}°"
 
-    ends = (told(way.start[moving] + way.pace[moving] * t) for t in (way.low, way.high))
-    raise TooFar(method.mechanism.where("driver", moving), driver.name, *ends, told(_round(abs(way.pace[moving]) * most)))
+    start, end = (told(way.start[moving] + way.pace[moving] * t) for t in (way.low, way.high))
+    farthest = told(_round(abs(way.pace[moving]) * most))
+    raise TooFar(method.mechanism.where("driver", moving), driver.name, start, end, farthest)
 
 
 def _fits(method: Method) -> bool:
