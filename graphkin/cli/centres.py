@@ -19,6 +19,7 @@ from graphkin.cli.shared import (
     ranges_option,
     read,
     said,
+    svg_option,
     told_each,
 )
 from graphkin.errors import Lang, UnknownCentre, UnknownPoint, Where
@@ -34,7 +35,7 @@ __all__ = ["centres"]
 
 @click.command()
 @click.argument("mechanisms", metavar="MECHANISM...", nargs=-1)
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="SVG to write; - for stdout.")
+@svg_option("SVG to write; - for stdout.", to_stdout=True)
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
 @click.option("--about", "link", default="", metavar="LINK",
               help="A link about its pole: velocities, acceleration pole, inflection circle, curvature.")  # fmt: skip
@@ -76,8 +77,6 @@ def centres(mechanisms: tuple[str, ...], lang: Lang, **options: Any) -> None:
         raise click.UsageError("a MECHANISM is missing, or --velocities")
     if len(mechanisms) > 1 and asked.draws:
         raise click.UsageError("-o and --steps draw one mechanism")
-    if asked.output is not None and asked.output.suffix.lower() != ".svg" and str(asked.output) != "-":
-        raise click.UsageError(f"{asked.output}: the file to write must end in .svg")
     if asked.draws:
         with said(lang):
             _write(asked, mechanisms[0])

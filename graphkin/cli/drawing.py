@@ -23,6 +23,7 @@ from graphkin.cli.shared import (
     method_option,
     read,
     speaking,
+    svg_option,
     told_each,
 )  # fmt: skip
 from graphkin.errors import GraphkinError, Lang
@@ -35,7 +36,7 @@ __all__ = ["check", "draw", "explain", "solve"]
 
 @click.command()
 @mechanism_argument
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="SVG to write; - for stdout.")
+@svg_option("SVG to write; - for stdout.", to_stdout=True)
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
 @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
@@ -61,8 +62,6 @@ def draw(
 
     machine = read(mechanism)
     output = output or Path(f"{machine.name}.svg")
-    if output.suffix.lower() != ".svg" and str(output) != "-":
-        raise click.UsageError(f"{output}: the file to write must end in .svg")
     drawing = drawn(machine, coincident, method, angles, displacements)
     sheet = drawing.sheet(paper=paper, lang=lang, only=only)
     pages = [(output, svg.svg(sheet))]

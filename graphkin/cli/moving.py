@@ -18,6 +18,7 @@ from graphkin.cli.shared import (
     ranges_option,
     read,
     speaking,
+    svg_option,
 )  # fmt: skip
 from graphkin.errors import Lang, TooManyRows, Where
 
@@ -121,7 +122,7 @@ def _write_sweep(
               help="Again for each value of a dimension.")  # fmt: skip
 @by_option
 @click.option("--json", "as_json", is_flag=True, help="One JSON object, SI units and radians.")
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Draw the positions, as SVG.")
+@svg_option("Draw the positions, as SVG.")
 @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
 @force_option
 @lang_option

@@ -11,7 +11,7 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
@@ -26,9 +26,11 @@ if TYPE_CHECKING:
 __all__ = [
     "PAPERS", "angle_option", "at_option", "at_values", "by_option", "coincident_option", "drawn", "force_option",
     "json_line", "lang_option", "mechanism_argument", "method_option", "plain", "ranges_option", "read", "said",
-    "speaking", "told_each",
+    "speaking", "svg_option", "told_each",
     "user_language",
 ]  # fmt: skip
+
+_Command = TypeVar("_Command", bound=Callable[..., Any])
 
 PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape")
 
@@ -69,6 +71,18 @@ by_option = click.option(
     "--by", type=click.Choice(["construction", "analysis"]), default="construction", show_default=True,
     help="Replay the construction at every position, or solve the loop equations there.",
 )  # fmt: skip
+def svg_option(told: str, to_stdout: bool = False) -> Callable[[_Command], _Command]:
+    """`-o`: a drawing, written as SVG; another kind of file is refused before anything is done."""
+
+    def checked(ctx: click.Context, option: click.Parameter, path: Path | None) -> Path | None:
+        if path is not None and path.suffix.lower() != ".svg" and not (to_stdout and str(path) == "-"):
+            raise click.UsageError(f"{path}: the file to write must end in .svg", ctx)
+        return path
+
+    kind = click.Path(path_type=Path, dir_okay=False)
+    return click.option("-o", "--output", type=kind, callback=checked, help=told)
+
+
 force_option = click.option("--force", is_flag=True, help="Replace a file that graphkin did not write.")
 mechanism_argument = click.argument("mechanism", metavar="MECHANISM")
 

@@ -39,7 +39,7 @@ def beside(path: Path, force: bool, marks: Sequence[bytes]) -> Iterator[Path]:
     """
     refuse(path, force, marks)
     path = Path(os.path.realpath(path))
-    draft = path.with_name(f".{path.name[:200]}.{os.getpid()}")
+    draft = path.with_name(f".{path.name[:60]}.{os.getpid()}")
     _clear(path)
     try:
         yield draft
@@ -54,7 +54,7 @@ def beside(path: Path, force: bool, marks: Sequence[bytes]) -> Iterator[Path]:
 def _clear(path: Path) -> None:
     """Drafts of this file that writers left who were ended before they were done."""
     with contextlib.suppress(OSError):
-        for left in path.parent.glob(f".{glob.escape(path.name[:200])}.*"):
+        for left in path.parent.glob(f".{glob.escape(path.name[:60])}.*"):
             owner = left.suffix[1:]
             if owner.isdecimal() and owner.isascii() and not _runs(int(owner)):
                 left.unlink()
