@@ -10,9 +10,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 import fuzzing
+import pytest
 
 COUNT = int(os.environ.get("GRAPHKIN_FUZZ", "200"))
 HERE, PART = 200, 500
