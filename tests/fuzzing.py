@@ -333,7 +333,7 @@ def _spoilt_output(given: Case, out: str, err: str) -> str:
         if (found := STEERING.search(text)) and not (own and name == "stderr"):
             return f"U+{ord(found.group()):04X} in {name}"
     try:
-        if "--json" in given.words and "-o" not in given.words:
+        if "--json" in given.words and not {"-o", "--steps"} & {*given.words}:
             for line in out.splitlines():
                 json.loads(line, parse_constant=lambda word: _refuse(word))
         if out.startswith("<?xml"):

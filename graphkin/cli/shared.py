@@ -111,14 +111,17 @@ def speaking(command: Callable[..., None]) -> Callable[..., None]:
 
 
 def read(source: str) -> Mechanism:
-    """The mechanism of a MECHANISM argument."""
+    """The mechanism of a MECHANISM argument; what is to be remarked on it goes to stderr."""
     from graphkin import api, loading
 
     if not source:
         raise click.UsageError("MECHANISM is empty: name a file, or a mechanism of `graphkin list`")
-    if source == "-":
-        return loading.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>")
-    return api.load(source)
+    through_pipe = source == "-"
+    machine = loading.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>") if through_pipe else api.load(source)
+    lang = click.get_current_context().params.get("lang", "en")
+    for remark in loading.remarks(machine):
+        click.echo(remark.message(lang), err=True)
+    return machine
 
 
 def drawn(

@@ -16,6 +16,7 @@ from graphkin.errors.asking import (
     NeedsTwo,
     NoPosition,
     NoSuchDriver,
+    OnlyShown,
     TooManyRows,
     UnknownQuantity,
 )
@@ -229,6 +230,7 @@ __all__ = [
     "OneCondition",
     "OnePlace",
     "OneSpot",
+    "OnlyShown",
     "OnlyStretched",
     "OtherDimension",
     "OtherUnits",

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
-__all__ = ["BadPair", "BadRange", "GivenTwice", "NeedsTwo", "NoPosition", "NoSuchDriver", "TooManyRows", "UnknownQuantity"]
+__all__ = ["BadPair", "BadRange", "GivenTwice", "NeedsTwo", "NoPosition", "NoSuchDriver", "OnlyShown", "TooManyRows", "UnknownQuantity"]
 
 
 class BadRange(GraphkinError):
@@ -108,3 +108,15 @@ class NeedsTwo(GraphkinError):
         asked = ", ".join(f"`{self.quantity} {two}`" for two in self.pairs[:6])
         hint = {"en": f"Write {asked}." if asked else "", "zh": f"可写 {asked}。" if asked else ""}[lang]
         return {**super()._words(lang), "hint": hint}
+
+
+class OnlyShown(GraphkinError):
+    """A question that is not answered, and what it was probably to ask; said as a note, no command stops for it."""
+
+    where: Where
+    given: str
+    meant: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: note: `{given}` is shown and not answered. To have it answered, write `{meant}`.",
+        "zh": "{where}：提示：`{given}` 只显示、不求解。要求解请写成 `{meant}`。",
+    }

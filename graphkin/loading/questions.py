@@ -3,13 +3,24 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
-from graphkin.errors import GraphkinError, NeedsTwo, NotOneOf, UnknownLink, UnknownPoint, UnknownSlide, Where
+from graphkin.errors import (
+    NOWHERE,
+    GraphkinError,
+    NeedsTwo,
+    NotOneOf,
+    OnlyShown,
+    UnknownLink,
+    UnknownPoint,
+    UnknownSlide,
+    Where,
+)
 from graphkin.loading.draft import Draft
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import Seen, pair, seen
 
-__all__ = ["QUANTITIES", "check_questions", "misnamed", "refuse_misnamed"]
+__all__ = ["QUANTITIES", "check_questions", "misnamed", "near_miss", "refuse_misnamed", "remarks"]
 
 QUANTITIES = (
     "theta", "omega", "alpha", "s", "v", "a", "a_n", "a_t", "a_k", "a_r", "x", "y", "v_x", "v_y", "a_x", "a_y"
@@ -30,6 +41,27 @@ def refuse_misnamed(mechanism: Mechanism, question: str, where: Where) -> None:
     for part in question.split("/"):
         if (problem := misnamed(mechanism, part, where)) is not None:
             raise problem
+
+
+def remarks(mechanism: Mechanism) -> Iterator[OnlyShown]:
+    """Notes on questions that nearly are some."""
+    for number, question in enumerate(mechanism.ask):
+        if (meant := near_miss(mechanism, question)) is not None:
+            yield OnlyShown(mechanism.where("ask", number), question, meant)
+
+
+def near_miss(mechanism: Mechanism, question: str) -> str | None:
+    """What a text that is only shown was probably to ask: `omega 3` for `omega3`, `v C` for `v_C`."""
+    text = "".join(_GREEK.get(letter, letter) for letter in question.strip())
+    for quantity in sorted(QUANTITIES, key=len, reverse=True):
+        rest = re.fullmatch(rf"{quantity}[ _]*(\S+)", text, re.IGNORECASE)
+        meant = f"{quantity} {rest[1]}" if rest else ""
+        if meant and meant != question.strip() and misnamed(mechanism, meant, NOWHERE) is None:
+            return meant
+    return None
+
+
+_GREEK = {"ω": "omega", "α": "alpha", "θ": "theta", "φ": "theta"}
 
 
 def misnamed(mechanism: Mechanism, text: str, where: Where) -> GraphkinError | None:
