@@ -102,7 +102,7 @@ def _others(mechanism: Mechanism, of: Seen, quantity: str) -> tuple[str, ...]:
     return tuple(
         _coincident(mechanism, of.point, link, slide.guide)
         for slide in mechanism.slides if slide.point == of.point
-        for link in mechanism.owners[of.point] if link not in (FRAME, slide.guide)
+        for link in ((slide.block,) if slide.block else mechanism.owners[of.point]) if link not in (FRAME, slide.guide)
     )  # fmt: skip
 
 
