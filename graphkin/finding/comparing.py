@@ -58,7 +58,15 @@ def difference(ground: Ground, wanted: Comparison, drawn: tuple[Series, ...], wh
     scale = max(abs(target or 0.0), _scale(ground))
     small = max(ALWAYS * scale, ground.noise(first.unit))
     always = bool(there.size) and float(np.max(np.abs(there))) <= small
+    if there.size and float(np.ptp(there)) <= small:
+        curve = _level(curve, float(np.median(there)))
     return Difference(ground, target, gone, curve, always)
+
+
+def _level(curve: Curve, value: float) -> Curve:
+    """The curve without its rounding, of whose tops and bottoms there are thousands."""
+    values = np.where(np.isfinite(curve.values), value, np.nan)
+    return Curve(curve.t, values, lambda t: np.full(t.shape, value), lambda t: np.zeros(t.shape))
 
 
 def _scale(ground: Ground) -> float:
