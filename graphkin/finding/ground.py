@@ -95,7 +95,7 @@ class Ground:
 
         def exact(t: np.ndarray) -> np.ndarray | None:
             motions = self.reader.motions(t)
-            entry = self.read(t)[number]
+            entry = self.reader.read(t, motions)[number]
             assert pace is not None
             found = rate(mechanism, motions, entry, pace)
             if found is None:

@@ -54,14 +54,14 @@ class Reader:
     def motions(self, t: np.ndarray) -> Motions:
         return moving(self.course.method, self.course.way, t, self.by)
 
-    def read(self, t: np.ndarray) -> list[Series]:
-        """Every quantity at places t (n,)."""
+    def read(self, t: np.ndarray, motions: Motions | None = None) -> list[Series]:
+        """Every quantity at places t (n,), from the motions there where these are known."""
         if not t.size:
             return [
                 replace(entry, values=t, vectors=None if entry.vectors is None else t + 0j)
                 for entry in self.read(np.zeros(1))
             ]
-        motions, mechanism = self.motions(t), self.course.method.mechanism
+        motions, mechanism = motions or self.motions(t), self.course.method.mechanism
         found = [series(mechanism, motions, name, t.size) for name in self.names]
         return [self._turned(entry, t) for entry in found if entry is not None]
 
