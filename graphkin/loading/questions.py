@@ -53,14 +53,15 @@ def remarks(mechanism: Mechanism) -> Iterator[OnlyShown]:
 def near_miss(mechanism: Mechanism, question: str) -> str | None:
     """What a text that is only shown was probably to ask: `omega 3` for `omega3`, `v C` for `v_C`."""
     text = "".join(_GREEK.get(letter, letter) for letter in question.strip())
-    for quantity in sorted(QUANTITIES, key=len, reverse=True):
-        rest = re.fullmatch(rf"{quantity}[ _]*(\S+)", text, re.IGNORECASE)
-        meant = f"{quantity} {rest[1]}" if rest else ""
-        if meant and meant != question.strip() and misnamed(mechanism, meant, NOWHERE) is None:
+    for quantity in (name for name in _LONGEST_FIRST if text[: len(name)].lower() == name):
+        of = text[len(quantity) :].lstrip(" _")
+        meant = f"{quantity} {of}"
+        if of and " " not in of and meant != question.strip() and misnamed(mechanism, meant, NOWHERE) is None:
             return meant
     return None
 
 
+_LONGEST_FIRST = sorted(QUANTITIES, key=len, reverse=True)
 _GREEK = {"ω": "omega", "α": "alpha", "θ": "theta", "φ": "theta"}
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import glob
 import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -54,10 +53,10 @@ def beside(path: Path, force: bool, marks: Sequence[bytes]) -> Iterator[Path]:
 def _clear(path: Path) -> None:
     """Drafts of this file that writers left who were ended before they were done."""
     with contextlib.suppress(OSError):
-        for left in path.parent.glob(f".{glob.escape(path.name[:60])}.*"):
-            owner = left.suffix[1:]
-            if owner.isdecimal() and owner.isascii() and not _runs(int(owner)):
-                left.unlink()
+        for left in os.scandir(path.parent):
+            start, _, owner = left.name.rpartition(".")
+            if start == f".{path.name[:60]}" and owner.isdecimal() and owner.isascii() and not _runs(int(owner)):
+                os.unlink(left.path)
 
 
 def _runs(process: int) -> bool:
