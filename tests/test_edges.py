@@ -174,7 +174,24 @@ def test_a_direction_of_a_million_turns_is_none() -> None:
     assert "is not a finite number of reasonable size" in result.stderr
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "key"),
+    [("O2 = [250, 0]", "O2 = [250, 1e15]", "frame.O2"), ("O2B = 100", "O2B = 1e14", "links.3")],
+)
+def test_lengths_that_leave_each_other_no_digit(old: str, new: str, key: str) -> None:
+    Path("mine.toml").write_text(COLLAR.replace(old, new), encoding="utf-8")
+    result = run("solve", "mine.toml")
+    assert result.exit_code == 3
+    assert f", {key}: " in result.stderr
+
+
 # --- questions --------------------------------------------------------------------------------
+
+
+def test_nothing_is_searched_in_what_is_level() -> None:
+    Path("mine.toml").write_text(COLLAR, encoding="utf-8")
+    result = run("find", "mine.toml", "v A = 0", "--by", "analysis")
+    assert "not met in this range; it comes nearest at O1A = 0 deg: v A = 0.2 m/s" in result.stdout
 
 
 @pytest.mark.parametrize("question", ["omega 2 = 0", "max omega 2", "range alpha 2", "theta 2 = 0", "a_n AO1 = a_n AO1"])

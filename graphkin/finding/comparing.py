@@ -59,7 +59,7 @@ def difference(ground: Ground, wanted: Comparison, drawn: tuple[Series, ...], wh
     small = max(ALWAYS * scale, ground.noise(first.unit))
     always = bool(there.size) and float(np.max(np.abs(there))) <= small
     if there.size and float(np.ptp(there)) <= small:
-        curve = _level(curve, float(np.median(there)))
+        curve, gone = _level(curve, float(np.median(there))), False
     return Difference(ground, target, gone, curve, always)
 
 

@@ -65,7 +65,7 @@ def _drawn_up(
     """The tables against each other."""
     from graphkin.loading.contacts import read_cams, read_gears, read_rolls
     from graphkin.loading.drivers import read_drivers, read_poses
-    from graphkin.loading.joints import check_joints, check_sketch
+    from graphkin.loading.joints import check_joints, check_sizes, check_sketch
     from graphkin.loading.links import read_links
     from graphkin.loading.questions import check_questions
     from graphkin.loading.slides import read_slides
@@ -78,6 +78,7 @@ def _drawn_up(
     drivers = read_drivers(draft, file.driver, len(file.pose))
     poses = read_poses(draft, file.pose)
     check_joints(draft, [*slides, *gears, *rolls, *cams], len(file.driver))
+    check_sizes(draft)
     check_sketch(draft, list(file.sketch))
     draft.stop_if_wrong()
     scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}
