@@ -133,7 +133,10 @@ class Answer:
 UNITS = {
     "theta": "rad", "omega": "rad/s", "alpha": "rad/s^2", "s": "m",
     "v": "m/s", "a": "m/s^2", "a_n": "m/s^2", "a_t": "m/s^2", "a_k": "m/s^2", "a_r": "m/s^2",
+    "x": "m", "y": "m", "v_x": "m/s", "v_y": "m/s", "a_x": "m/s^2", "a_y": "m/s^2",
 }  # fmt: skip
+COMPONENTS = ("x", "y")
+"""Places and vectors along the frame's axes: `x C`, `v_y C`, `a_x CB`."""
 
 
 def answer(mechanism: Mechanism, motions: Motions, question: str) -> Answer | None:
@@ -164,8 +167,17 @@ def _answer(mechanism: Mechanism, motions: Motions, quantity: str, of: str) -> A
         return Answer(table[of], unit) if of in table else None
     if quantity == "s":
         return Answer(motions.s[of], unit) if of in motions.s else None
+    vector_name, _, axis = quantity.rpartition("_")
+    if axis in COMPONENTS:
+        whole = _place(mechanism, motions, of) if not vector_name else _vector(mechanism, motions, vector_name, of)
+        return None if whole is None else Answer(np.real(whole) if axis == "x" else np.imag(whole), unit)
     vector = _vector(mechanism, motions, quantity, of)
     return None if vector is None else Answer(np.abs(vector), unit, vector)
+
+
+def _place(mechanism: Mechanism, motions: Motions, of: str) -> Value | None:
+    site = seen(mechanism, of)
+    return None if site is None else motions.position[site.point]
 
 
 def _vector(mechanism: Mechanism, motions: Motions, quantity: str, of: str) -> Value | None:

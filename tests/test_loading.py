@@ -556,6 +556,13 @@ TEXTS = [
     bad("BrokenToml", FOURBAR + "x = 1" + "0" * 5000 + "\n", "", "", "4300 digits", "TOML 语法错误"),
     bad("BrokenToml", FOURBAR + "x = 2026-13-41\n", "x = ", "", "not valid TOML", "TOML 语法错误"),
     bad("TooDeep", "x = " + "[" * 5000 + "]" * 5000, "", "", "nested far too deep", "嵌套过深"),
+    bad("TooDeep", "a" + ".a" * 20_000 + " = 1", "", "", "nested far too deep", "嵌套过深"),
+    bad("TooDeep", "a" + ' . "a b"' * 20_000 + " = 1", "", "", "nested far too deep", "嵌套过深"),
+    bad("ControlCharacter", 'source = "a\\u0001b"\n' + FOURBAR, "source", "source", "U+0001", "U+0001"),
+    bad("ControlCharacter", 'ask = ["v C", "\\u001b[31m"]\n' + FOURBAR, "ask", "ask.1", "U+001B", "U+001B"),
+    bad("ControlCharacter", 'title.en = "\\u202eab"\n' + FOURBAR, "title", "title.en", "U+202E", "U+202E"),
+    bad("ControlCharacter", FOURBAR + '"\\u0085x" = 1', '"\\u0085x"', "driver.0.x", "U+0085", "U+0085"),
+    bad("ControlCharacter", FOURBAR + "# \ufffe", "# \ufffe", "", "U+FFFE", "U+FFFE"),
     bad("FileTooLarge", "#" * (LARGEST_FILE + 1), "", "", "larger than 1 MB", "超过 1 MB"),
 ]
 

@@ -41,7 +41,7 @@ class Centres:
 
     def _numbers(self, pair: tuple[str, str]) -> tuple[object, ...]:
         called = [self.method.mechanism.called(link) for link in pair]
-        return tuple((0, int(name), "") if name.isdigit() else (1, 0, name) for name in called)
+        return tuple((0, int(name), "") if name.isdecimal() else (1, 0, name) for name in called)
 
     def name(self, first: str, second: str) -> str:
         return centre_name(self.method.mechanism, first, second)

@@ -1,18 +1,19 @@
 """The commands: parse, call one function, print. A command's module is imported when the command is called.
 
-Exit status: 0 good, 1 a check failed, 2 wrong usage, 3 bad input.
+Exit status: 0 good (also where the reader of a pipe has had enough), 1 a check failed, 2 wrong usage, 3 bad input, or
+nowhere to write.
 """
 
 from __future__ import annotations
 
 import gc
 import os
-import sys
-from contextlib import suppress
 from importlib import import_module
 from typing import Any
 
 import click
+
+from graphkin.cli import streams
 
 __all__ = ["main"]
 
@@ -35,15 +36,18 @@ class Program(click.Group):
 
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
         gc.set_threshold(200_000)
+        streams.prepare()
         status: object = 0
         try:
             super().__call__(*args, **kwargs)
         except SystemExit as end:
             status = end.code
-        for stream in (sys.stdout, sys.stderr):
-            with suppress(OSError, ValueError):
-                stream.flush()
-        os._exit(status if isinstance(status, int) else 0 if status is None else 1)
+        number = status if isinstance(status, int) else 0 if status is None else 1
+        os._exit(number or (0 if streams.flushed() else 3))
+
+    def invoke(self, ctx: click.Context) -> Any:
+        with streams.written():
+            return super().invoke(ctx)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(COMMANDS)

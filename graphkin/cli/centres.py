@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,8 +19,10 @@ from graphkin.cli.shared import (
     ranges_option,
     read,
     said,
+    svg_option,
+    told_each,
 )
-from graphkin.errors import GraphkinError, Lang, UnknownCentre, UnknownPoint, Where
+from graphkin.errors import Lang, UnknownCentre, UnknownPoint, Where
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ __all__ = ["centres"]
 
 @click.command()
 @click.argument("mechanisms", metavar="MECHANISM...", nargs=-1)
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="SVG to write; - for stdout.")
+@svg_option("SVG to write; - for stdout.", to_stdout=True)
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
 @click.option("--about", "link", default="", metavar="LINK",
               help="A link about its pole: velocities, acceleration pole, inflection circle, curvature.")  # fmt: skip
@@ -76,13 +77,12 @@ def centres(mechanisms: tuple[str, ...], lang: Lang, **options: Any) -> None:
         raise click.UsageError("a MECHANISM is missing, or --velocities")
     if len(mechanisms) > 1 and asked.draws:
         raise click.UsageError("-o and --steps draw one mechanism")
-    if asked.output is not None and asked.output.suffix.lower() != ".svg" and str(asked.output) != "-":
-        raise click.UsageError(f"{asked.output}: the file to write must end in .svg")
     if asked.draws:
         with said(lang):
             _write(asked, mechanisms[0])
         return
-    _tell_all(asked, mechanisms)
+    with said(lang):
+        told_each(mechanisms, lambda source: _told(asked, source), asked.as_json, lang)
 
 
 @frozen
@@ -136,27 +136,6 @@ class _Asked:
 
 
 # --- words ------------------------------------------------------------------------------------
-
-
-def _tell_all(asked: _Asked, mechanisms: tuple[str, ...]) -> None:
-    """Every mechanism; one that cannot be solved stops none of the others."""
-    failed = False
-    for k, source in enumerate(mechanisms):
-        try:
-            lines = list(_told(asked, source))
-            click.echo("\n".join(([""] if k and not asked.as_json else []) + lines))
-        except BrokenPipeError:
-            raise
-        except (GraphkinError, OSError) as error:
-            failed = True
-            message = error.message(asked.lang) if isinstance(error, GraphkinError) else str(error)
-            if asked.as_json:
-                name = Path(source).stem if source != "-" else "stdin"
-                click.echo(json_line({"format": 1, "name": name, "error": message}))
-            else:
-                click.echo(message, err=True)
-    if failed:
-        sys.exit(3)
 
 
 def _told(asked: _Asked, source: str) -> Iterator[str]:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from graphkin.cli.shared import PAPERS, force_option, json_line, lang_option, plain, said
+from graphkin.cli.shared import PAPERS, force_option, json_line, lang_option, plain, said, svg_option
 from graphkin.errors import BadPair, GraphkinError, Lang, Where
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ def _read(values: dict[str, Any]) -> dict[str, Any]:
 def answering(make: Callable[..., Design]) -> Callable[..., None]:
     """A command that makes a design, with the options in which all give it out."""
 
-    @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Draw the construction, SVG.")
+    @svg_option("Draw the construction, SVG.")
     @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, in a folder.")
     @click.option("--toml", type=click.Path(path_type=Path, dir_okay=False), help="Write the best linkage, as TOML.")
     @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")

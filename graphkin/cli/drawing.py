@@ -23,6 +23,8 @@ from graphkin.cli.shared import (
     method_option,
     read,
     speaking,
+    svg_option,
+    told_each,
 )  # fmt: skip
 from graphkin.errors import GraphkinError, Lang
 
@@ -34,7 +36,7 @@ __all__ = ["check", "draw", "explain", "solve"]
 
 @click.command()
 @mechanism_argument
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="SVG to write; - for stdout.")
+@svg_option("SVG to write; - for stdout.", to_stdout=True)
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
 @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
@@ -60,8 +62,6 @@ def draw(
 
     machine = read(mechanism)
     output = output or Path(f"{machine.name}.svg")
-    if output.suffix.lower() != ".svg" and str(output) != "-":
-        raise click.UsageError(f"{output}: the file to write must end in .svg")
     drawing = drawn(machine, coincident, method, angles, displacements)
     sheet = drawing.sheet(paper=paper, lang=lang, only=only)
     pages = [(output, svg.svg(sheet))]
@@ -109,6 +109,7 @@ def explain(
 @click.argument("mechanisms", metavar="MECHANISM...", nargs=-1, required=True)
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line, SI units and radians.")
 @lang_option
+@speaking
 def solve(mechanisms: tuple[str, ...], as_json: bool, lang: Lang) -> None:
     """Print all results, graphical beside analytic, and the answers to `ask`.
 
@@ -117,23 +118,7 @@ def solve(mechanisms: tuple[str, ...], as_json: bool, lang: Lang) -> None:
       graphkin solve ex3-1
       graphkin solve --json *.toml > results.jsonl
     """
-    failed = False
-    for k, source in enumerate(mechanisms):
-        try:
-            lines = list(_solved(source, as_json, lang))
-            click.echo("\n".join(([""] if k and not as_json else []) + lines))
-        except BrokenPipeError:
-            raise
-        except (GraphkinError, OSError) as error:
-            failed = True
-            message = error.message(lang) if isinstance(error, GraphkinError) else str(error)
-            if as_json:
-                name = Path(source).stem if source != "-" else "stdin"
-                click.echo(json_line({"format": 1, "name": name, "error": message}))
-            else:
-                click.echo(message, err=True)
-    if failed:
-        sys.exit(3)
+    told_each(mechanisms, lambda source: _solved(source, as_json, lang), as_json, lang)
 
 
 def _solved(source: str, as_json: bool, lang: Lang) -> Iterator[str]:
@@ -152,6 +137,7 @@ def _solved(source: str, as_json: bool, lang: Lang) -> Iterator[str]:
 @click.option("--tolerance", type=click.FloatRange(min=0, min_open=True), default=0.01, show_default=True, metavar="MM",
               help="How far a vector or point may be off.")  # fmt: skip
 @lang_option
+@speaking
 def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
     """Measure drawings with a ruler and hold them against the analytic solution.
 

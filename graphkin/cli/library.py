@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from graphkin.cli.shared import force_option, lang_option, mechanism_argument, read, speaking
+from graphkin.cli.shared import force_option, lang_option, mechanism_argument, read, speaking, svg_option
 from graphkin.errors import Lang
 
 __all__ = ["list_", "schema", "show", "structure"]
@@ -14,7 +14,7 @@ __all__ = ["list_", "schema", "show", "structure"]
 
 @click.command("list")
 @click.option("--kinds", is_flag=True, help="The kinds of four-bar, slider-crank and guide-bar linkages.")
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="With --kinds: sketches, as SVG.")
+@svg_option("With --kinds: sketches, as SVG.")
 @force_option
 @lang_option
 @speaking

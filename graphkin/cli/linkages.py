@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphkin.cli.shared import PAPERS, force_option, json_line, lang_option, read, speaking
-from graphkin.errors import GraphkinError, Lang, Where
+from graphkin.cli.shared import PAPERS, force_option, json_line, lang_option, read, speaking, svg_option
+from graphkin.errors import GraphkinError, Lang, OutOfRange, Where
 
 if TYPE_CHECKING:
     from graphkin.linkages import Report
@@ -18,6 +18,8 @@ __all__ = ["linkage"]
 
 LENGTHS = {"fourbar": 4, "slider": 3, "guide": 3}
 """How many lengths each kind of linkage has."""
+LEAST_PART = 1e-9
+"""Beside the longest link, one shorter than this part of it is none."""
 
 
 @click.command()
@@ -28,7 +30,7 @@ LENGTHS = {"fourbar": 4, "slider": 3, "guide": 3}
 @click.option("--driver", "by", default="crank", metavar="WORD",
               help="With lengths: driven at the crank, coupler, rocker, slider or bar.")  # fmt: skip
 @click.option("--fix", default="", metavar="LINK", help="Print the mechanism with another link as frame, as TOML.")
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Draw the limits, as SVG.")
+@svg_option("Draw the limits, as SVG.")
 @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a linkage, metres and radians.")
 @force_option
@@ -50,6 +52,8 @@ def linkage(
     given = {name: sizes for name, sizes in (("fourbar", fourbar), ("slider", slider), ("guide", guide)) if sizes}
     if len(given) + (mechanism is not None) != 1:
         raise click.UsageError("give a MECHANISM, or one of --fourbar, --slider, --guide")
+    if fix and (as_json or output is not None):
+        raise click.UsageError("--fix prints a mechanism as TOML; leave out --json and -o")
     if fix:
         click.echo(_held(mechanism, given, by, fix), nl=False)
         return
@@ -75,9 +79,13 @@ def _metres(kind: str, sizes: tuple[str, ...]) -> list[float]:
     from graphkin.loading.units import read_quantity
 
     try:
-        return [read_quantity(plain(size), "length") for size in sizes]
+        found = [read_quantity(plain(size), "length") for size in sizes]
+        for size, text in zip(found, sizes, strict=True):
+            if 0 < abs(size) < LEAST_PART * max(map(abs, found)):
+                raise OutOfRange(Where(""), text)
     except GraphkinError as error:
         raise error.at(Where(f"--{kind}")) from None
+    return found
 
 
 def _of_mechanism(source: str, lang: Lang) -> Iterator[tuple[Report, list[str]]]:
@@ -105,8 +113,6 @@ def _draw(output: Path, report: Report, mechanism: str | None, paper: str | None
     from graphkin.outputs import svg
     from graphkin.sheet.linkage_sheet import limit_sheet
 
-    if output.suffix.lower() != ".svg":
-        raise click.UsageError(f"{output}: the file to write must end in .svg")
     title = read(mechanism).headline(lang) if mechanism not in (None, "-") else ""
     svg.write(output, svg.svg(limit_sheet(report, lang, paper=paper, title=title)), force)
     click.echo(str(output), err=True)

@@ -18,8 +18,9 @@ from graphkin.cli.shared import (
     ranges_option,
     read,
     speaking,
+    svg_option,
 )  # fmt: skip
-from graphkin.errors import Lang
+from graphkin.errors import Lang, TooManyRows, Where
 
 if TYPE_CHECKING:
     from graphkin.sheet import Sheet
@@ -27,6 +28,9 @@ if TYPE_CHECKING:
 
 __all__ = ["find", "sweep"]
 
+PRINTED, IN_ONE = 100_000, 1_000_000
+"""Rows that are printed as a table, and written as one JSON object, at most."""
+WRITTEN = (".csv", ".json", ".parquet", ".svg", ".png", ".pdf")
 LONG = 200_000
 """Positions from which a sweep shows how far it is."""
 
@@ -59,9 +63,14 @@ def sweep(
     """
     from graphkin import api, finding, reports, sweeps
 
+    if output is not None and output.suffix.lower() not in WRITTEN and str(output) != "-":
+        raise click.UsageError(f"{output}: the file to write must end in {', '.join(WRITTEN)}")
     method = api.plan(read(mechanism))
-    course = sweeps.course(method, ranges)
+    for text in limits:
+        finding.check_limit(method.mechanism, text)
     names = sweeps.asked(method.mechanism, sweeps.split(of))
+    course = sweeps.course(method, ranges)
+    _refuse_rows(course.t.size, output)
     if output is None:
         found = sweeps.sweep_over(course, names, by)
         click.echo("\n".join(reports.book_lines(found) if table else reports.sweep_lines(found)))
@@ -74,6 +83,13 @@ def sweep(
     for text in limits:
         for line in finding.lines(finding.limit(course, text, ranges, by), lang):
             click.echo(line, err=table or output is not None)
+
+
+def _refuse_rows(rows: int, output: Path | None) -> None:
+    """What is held in memory as one text has its limit; files that are written row by row, and diagrams, have none."""
+    most = PRINTED if output is None else IN_ONE if output.suffix.lower() == ".json" else rows
+    if rows > most:
+        raise TooManyRows(Where("--driver"), rows, most)
 
 
 def _write_sweep(
@@ -90,13 +106,11 @@ def _write_sweep(
     if suffix in tables.FORMATS:
         with click.progressbar(length=course.t.size, file=sys.stderr, hidden=course.t.size < LONG) as bar:
             tables.write(output, course, names, by, force, bar.update)
-    elif suffix in (".svg", ".png", ".pdf"):
+    else:
         from graphkin.outputs import diagram
 
         if (remark := diagram.write(output, course, names, lang, by, force)) is not None:
             click.echo(remark.message(lang), err=True)
-    else:
-        raise click.UsageError(f"{output}: the file to write must end in .csv, .json, .parquet, .svg, .png or .pdf")
     click.echo(str(output))
 
 
@@ -108,7 +122,7 @@ def _write_sweep(
               help="Again for each value of a dimension.")  # fmt: skip
 @by_option
 @click.option("--json", "as_json", is_flag=True, help="One JSON object, SI units and radians.")
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Draw the positions, as SVG.")
+@svg_option("Draw the positions, as SVG.")
 @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
 @force_option
 @lang_option

@@ -6,13 +6,16 @@ import functools
 import json
 import math
 import os
+import re
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from graphkin.cli import streams
 from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
@@ -23,8 +26,11 @@ if TYPE_CHECKING:
 __all__ = [
     "PAPERS", "angle_option", "at_option", "at_values", "by_option", "coincident_option", "drawn", "force_option",
     "json_line", "lang_option", "mechanism_argument", "method_option", "plain", "ranges_option", "read", "said",
-    "speaking", "user_language",
+    "speaking", "svg_option", "told_each",
+    "user_language",
 ]  # fmt: skip
+
+_Command = TypeVar("_Command", bound=Callable[..., Any])
 
 PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape")
 
@@ -65,6 +71,18 @@ by_option = click.option(
     "--by", type=click.Choice(["construction", "analysis"]), default="construction", show_default=True,
     help="Replay the construction at every position, or solve the loop equations there.",
 )  # fmt: skip
+def svg_option(told: str, to_stdout: bool = False) -> Callable[[_Command], _Command]:
+    """`-o`: a drawing, written as SVG; another kind of file is refused before anything is done."""
+
+    def checked(ctx: click.Context, option: click.Parameter, path: Path | None) -> Path | None:
+        if path is not None and path.suffix.lower() != ".svg" and not (to_stdout and str(path) == "-"):
+            raise click.UsageError(f"{path}: the file to write must end in .svg", ctx)
+        return path
+
+    kind = click.Path(path_type=Path, dir_okay=False)
+    return click.option("-o", "--output", type=kind, callback=checked, help=told)
+
+
 force_option = click.option("--force", is_flag=True, help="Replace a file that graphkin did not write.")
 mechanism_argument = click.argument("mechanism", metavar="MECHANISM")
 
@@ -77,11 +95,8 @@ def said(lang: Lang) -> Iterator[None]:
     except GraphkinError as error:
         click.echo(error.message(lang), err=True)
         sys.exit(error.exit_code)
-    except BrokenPipeError:
-        raise
     except OSError as error:
-        click.echo(f"{error.filename or ''}: {error.strerror or error}", err=True)
-        sys.exit(3)
+        sys.exit(streams.ended(error, lang))
 
 
 def speaking(command: Callable[..., None]) -> Callable[..., None]:
@@ -96,12 +111,17 @@ def speaking(command: Callable[..., None]) -> Callable[..., None]:
 
 
 def read(source: str) -> Mechanism:
-    """The mechanism of a MECHANISM argument."""
+    """The mechanism of a MECHANISM argument; what is to be remarked on it goes to stderr."""
     from graphkin import api, loading
 
-    if source == "-":
-        return loading.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>")
-    return api.load(source)
+    if not source:
+        raise click.UsageError("MECHANISM is empty: name a file, or a mechanism of `graphkin list`")
+    through_pipe = source == "-"
+    machine = loading.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>") if through_pipe else api.load(source)
+    lang = click.get_current_context().params.get("lang", "en")
+    for remark in loading.remarks(machine):
+        click.echo(remark.message(lang), err=True)
+    return machine
 
 
 def drawn(
@@ -133,8 +153,31 @@ def at_values(method: Method, angles: Sequence[float], displacements: Sequence[f
 
 
 def json_line(value: object) -> str:
-    """One line of JSON for programs."""
-    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+    """One line of JSON for programs, on one line for those, too, that end lines as Unicode does."""
+    text = json.dumps(value, ensure_ascii=False, allow_nan=False)
+    return _LINE_ENDS.sub(lambda end: f"\\u{ord(end.group()):04x}", text)
+
+
+_LINE_ENDS = re.compile("[\x7f-\x9f\u2028\u2029\ud800-\udfff]")
+"""Ends of lines that JSON does not escape, with their kin that no text file should hold."""
+
+
+def told_each(sources: Sequence[str], told: Callable[[str], Iterator[str]], as_json: bool, lang: Lang) -> None:
+    """What is to be told of every mechanism; one that cannot be solved stops none of the others. Status 3 then."""
+    failed = False
+    for k, source in enumerate(sources):
+        try:
+            lines = list(told(source))
+        except GraphkinError as error:
+            failed = True
+            if not as_json:
+                click.echo(error.message(lang), err=True)
+                continue
+            name = Path(source).stem if source != "-" else "stdin"
+            lines = [json_line({"format": 1, "name": name, "error": error.message(lang)})]
+        click.echo("\n".join(([""] if k and not as_json else []) + lines))
+    if failed:
+        sys.exit(3)
 
 
 def plain(text: str) -> float | str:

@@ -9,7 +9,17 @@ about drivers and poses, `motion` about assembly and movement, `asking` about wh
 a line here.
 """
 
-from graphkin.errors.asking import BadPair, BadRange, NoPosition, NoSuchDriver, UnknownQuantity
+from graphkin.errors.asking import (
+    BadPair,
+    BadRange,
+    GivenTwice,
+    NeedsTwo,
+    NoPosition,
+    NoSuchDriver,
+    OnlyShown,
+    TooManyRows,
+    UnknownQuantity,
+)
 from graphkin.errors.base import (
     NOWHERE,
     Choice,
@@ -17,6 +27,7 @@ from graphkin.errors.base import (
     Lang,
     Several,
     Where,
+    steers,
 )
 from graphkin.errors.centring import (
     BadVelocities,
@@ -47,6 +58,7 @@ from graphkin.errors.drivers import (
 )
 from graphkin.errors.files import (
     BrokenToml,
+    ControlCharacter,
     EmptyFile,
     FileTooLarge,
     IsFolder,
@@ -106,6 +118,7 @@ from graphkin.errors.motion import (
     PosesDiffer,
     RepeatedDriver,
     RoadsDiffer,
+    TooFar,
     TooFewDrivers,
     TooManyDrivers,
     called_pair,
@@ -163,6 +176,7 @@ __all__ = [
     "Choice",
     "CircleOrLine",
     "Contradiction",
+    "ControlCharacter",
     "CouplerChanges",
     "DeadPoint",
     "DrivenFrame",
@@ -173,6 +187,7 @@ __all__ = [
     "FrameNameTaken",
     "FrameStands",
     "GearsApart",
+    "GivenTwice",
     "GraphkinError",
     "HigherClass",
     "IsFolder",
@@ -184,6 +199,7 @@ __all__ = [
     "MissingKey",
     "NeedsDirection",
     "NeedsTilt",
+    "NeedsTwo",
     "Negative",
     "NegativeSize",
     "NoBobillier",
@@ -220,6 +236,7 @@ __all__ = [
     "OneCondition",
     "OnePlace",
     "OneSpot",
+    "OnlyShown",
     "OnlyStretched",
     "OtherDimension",
     "OtherUnits",
@@ -238,10 +255,12 @@ __all__ = [
     "ShapeAndMeasures",
     "SlidesOnItself",
     "TooDeep",
+    "TooFar",
     "TooFewDrivers",
     "TooFewMeasures",
     "TooManyDrivers",
     "TooManyPoints",
+    "TooManyRows",
     "TooSmall",
     "UnknownCentre",
     "UnknownKey",
@@ -260,4 +279,5 @@ __all__ = [
     "WrongType",
     "called_pair",
     "listed",
+    "steers",
 ]

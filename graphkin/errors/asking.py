@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
-__all__ = ["BadPair", "BadRange", "NoPosition", "NoSuchDriver", "UnknownQuantity"]
+__all__ = ["BadPair", "BadRange", "GivenTwice", "NeedsTwo", "NoPosition", "NoSuchDriver", "OnlyShown", "TooManyRows", "UnknownQuantity"]
 
 
 class BadRange(GraphkinError):
@@ -16,9 +16,9 @@ class BadRange(GraphkinError):
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given!r} is no range. Write FROM:TO:STEP (0:360:10, or 50 mm:90 mm:5 mm), with FROM and TO "
-        "different, STEP above 0, at most 1000 turns and 100 million steps; drivers that move together take equally many.",
+        "different, STEP above 0, at most 1000 turns and 10 million steps; drivers that move together take equally many.",
         "zh": "{where}：{given!r} 不是有效的范围。请写成 起:止:步长（如 0:360:10 或 50 mm:90 mm:5 mm），起止不得相同，步长大于 0，"
-        "最多 1000 转、一亿步；同时运动的各原动件步数必须相同。",
+        "最多 1000 转、一千万步；同时运动的各原动件步数必须相同。",
     }
 
 
@@ -31,6 +31,30 @@ class BadPair(GraphkinError):
         "en": "{where}: {given!r} does not read as a pair. Write a point as X,Y (10,40), two points as 'X,Y X,Y', "
         "two angles as PHI:PSI (40:30).",
         "zh": "{where}：{given!r} 不是一对数值。点写成 X,Y（如 10,40），两点写成 'X,Y X,Y'，两个角写成 φ:ψ（如 40:30）。",
+    }
+
+
+class GivenTwice(GraphkinError):
+    """A driver with two ranges."""
+
+    where: Where
+    driver: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: driver {driver} is given twice. Give each driver one range or one value.",
+        "zh": "{where}：原动件 {driver} 给了两次，每个原动件只能给一个范围或一个值。",
+    }
+
+
+class TooManyRows(GraphkinError):
+    """More positions than can be shown in that way."""
+
+    where: Where
+    rows: int
+    most: int
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {rows} rows, and {most} at most are printed or written as JSON. Take a larger step, or write them "
+        "into a file with -o: .csv and .parquet take any number.",
+        "zh": "{where}：共 {rows} 行，显示或写成 JSON 最多 {most} 行。请加大步长，或用 -o 写入 .csv、.parquet 文件（行数不限）。",
     }
 
 
@@ -64,4 +88,35 @@ class UnknownQuantity(Choice):
         "en": "{where}: {given!r} names no quantity. Write for example `theta 3`, `omega 3`, `v C`, `a_k B3B2`, `s ram`, "
         "`omega 1 / omega 3`. {hint}",
         "zh": "{where}：{given!r} 不是一个量。请写成如 `theta 3`、`omega 3`、`v C`、`a_k B3B2`、`s ram`、`omega 1 / omega 3`。{hint}",
+    }
+
+
+class NeedsTwo(GraphkinError):
+    """Part of a relative acceleration, asked of one point; `pairs` have it as their first."""
+
+    where: Where
+    quantity: str
+    point: str
+    pairs: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {quantity} is part of the acceleration of one point seen from another, and {point} alone is one "
+        "point. {hint}",
+        "zh": "{where}：{quantity} 是一点相对另一点的加速度的分量，只写一个点 {point} 不够。{hint}",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        asked = ", ".join(f"`{self.quantity} {two}`" for two in self.pairs[:6])
+        hint = {"en": f"Write {asked}." if asked else "", "zh": f"可写 {asked}。" if asked else ""}[lang]
+        return {**super()._words(lang), "hint": hint}
+
+
+class OnlyShown(GraphkinError):
+    """A question that is not answered, and what it was probably to ask; said as a note, no command stops for it."""
+
+    where: Where
+    given: str
+    meant: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: note: `{given}` is shown and not answered. To have it answered, write `{meant}`.",
+        "zh": "{where}：提示：`{given}` 只显示、不求解。要求解请写成 `{meant}`。",
     }

@@ -9,7 +9,7 @@ from graphkin.value import filled, frozen
 
 Lang = Literal["en", "zh"]
 
-__all__ = ["NOWHERE", "Choice", "GraphkinError", "Lang", "Several", "Where"]
+__all__ = ["NOWHERE", "Choice", "GraphkinError", "Lang", "Several", "Where", "steers"]
 
 
 @frozen
@@ -21,7 +21,8 @@ class Where:
     key: str = ""
 
     def __str__(self) -> str:
-        place = self.file if self.line is None else f"{self.file}:{self.line}"
+        file = self.file.replace("\n", "\\n")
+        place = file if self.line is None else f"{file}:{self.line}"
         return f"{place}, {self.key}" if self.key else place
 
 
@@ -46,7 +47,7 @@ class GraphkinError(Exception):
 
     def message(self, lang: Lang = "en") -> str:
         """The sentence, with this error's own data in it."""
-        return self.text[lang].format(**self._words(lang)).rstrip()
+        return _plain(self.text[lang].format(**self._words(lang)).rstrip())
 
     def at(self, where: Where) -> GraphkinError:
         """The same error at a place, for those that were raised with `NOWHERE`."""
@@ -63,6 +64,30 @@ class GraphkinError(Exception):
 
     def __reduce__(self) -> tuple[type[GraphkinError], tuple[object, ...]]:
         return type(self), tuple(self._data().values())
+
+
+def _plain(text: str) -> str:
+    """Without anything that would steer a terminal, wherever it came from: names of files, words of a command."""
+    if text.isprintable():
+        return text
+    return "".join(ascii(letter)[1:-1] if letter != "\n" and steers(letter) else letter for letter in text)
+
+
+def steers(letter: str) -> bool:
+    """Whether a character steers a screen or a printer instead of showing something, or may stand in no text at all.
+
+    Controls, lone halves of characters, ends of lines and paragraphs, marks that turn the direction of reading, and
+    what Unicode calls noncharacters. Letters too new for this Python are not among them.
+    """
+    if letter.isprintable():
+        return False
+    number = ord(letter)
+    return any(low <= number <= high for low, high in _STEERING) or number & 0xFFFE == 0xFFFE
+
+
+_STEERING = (
+    (0x00, 0x1F), (0x7F, 0x9F), (0x2028, 0x202E), (0x2066, 0x2069), (0xD800, 0xDFFF), (0xFDD0, 0xFDEF), (0xFFF9, 0xFFFB)
+)  # fmt: skip
 
 
 class Choice(GraphkinError):

@@ -8,6 +8,7 @@ from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
 __all__ = [
     "BrokenToml",
+    "ControlCharacter",
     "EmptyFile",
     "FileTooLarge",
     "IsFolder",
@@ -74,10 +75,26 @@ class FileTooLarge(GraphkinError):
 
 
 class NotUtf8(GraphkinError):
+    """`encoding` is what it is instead, where that is plain; PowerShell's `>` writes UTF-16."""
+
     where: Where
+    encoding: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this is not UTF-8 text. Save the file with the encoding UTF-8.",
-        "zh": "{where}：此处不是 UTF-8 文本，请将文件另存为 UTF-8 编码。",
+        "en": "{where}: this is not UTF-8 text but {encoding}. Save the file with the encoding UTF-8.",
+        "zh": "{where}：此处不是 UTF-8 文本，而是 {encoding}，请将文件另存为 UTF-8 编码。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        unknown = "另一种编码（也许是 GBK）" if lang == "zh" else "in another encoding, perhaps GBK"
+        return {**super()._words(lang), "encoding": self.encoding or unknown}
+
+
+class ControlCharacter(GraphkinError):
+    where: Where
+    code: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the character {code} steers a screen or printer and shows nothing. Remove it from this text.",
+        "zh": "{where}：字符 {code} 是控制字符，不显示任何内容，请从这段文字中删去。",
     }
 
 
@@ -95,6 +112,6 @@ class BrokenToml(GraphkinError):
 class TooDeep(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: brackets are nested far too deep. A mechanism file needs three levels at most.",
-        "zh": "{where}：括号嵌套过深，机构文件最多只需三层。",
+        "en": "{where}: brackets or dotted keys are nested far too deep. A mechanism file needs three levels at most.",
+        "zh": "{where}：括号或带点的键嵌套过深，机构文件最多只需三层。",
     }

@@ -24,6 +24,7 @@ __all__ = [
     "PosesDiffer",
     "RepeatedDriver",
     "RoadsDiffer",
+    "TooFar",
     "TooFewDrivers",
     "TooManyDrivers",
     "called_pair",
@@ -236,6 +237,20 @@ class NoFolder(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{path}: there is no folder {folder}. Make it first, or write elsewhere with -o.",
         "zh": "{path}：没有文件夹 {folder}。请先建立该文件夹，或用 -o 写到别处。",
+    }
+
+
+class TooFar(GraphkinError):
+    """A driver that is to move farther than anyone can look along."""
+
+    where: Where
+    driver: str
+    start: str
+    end: str
+    most: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {driver} is to move from {start} to {end}, but is followed {most} at most. Ask for less of it.",
+        "zh": "{where}：{driver} 要从 {start} 运动到 {end}，但最多只能跟踪 {most}。请缩小范围。",
     }
 
 

@@ -10,12 +10,12 @@ a quantity changes, so that a greatest value is as exact as a zero.
 
 from graphkin.finding.data import as_json
 from graphkin.finding.drawing import drawn
-from graphkin.finding.find import find, limit
+from graphkin.finding.find import check_limit, find, limit
 from graphkin.finding.found import Found, Interval, Position
 from graphkin.finding.varying import Row, Table, table_json, table_lines, vary
 from graphkin.finding.wording import lines
 
 __all__ = [
-    "Found", "Interval", "Position", "Row", "Table", "as_json", "drawn", "find", "limit", "lines", "table_json",
-    "table_lines", "vary",
+    "Found", "Interval", "Position", "Row", "Table", "as_json", "check_limit", "drawn", "find", "limit", "lines",
+    "table_json", "table_lines", "vary",
 ]  # fmt: skip

@@ -56,8 +56,17 @@ def difference(ground: Ground, wanted: Comparison, drawn: tuple[Series, ...], wh
     gone = target == 0 and first.vectors is not None and first.along is None and wanted.sign == "="
     there = curve.values[np.isfinite(curve.values)]
     scale = max(abs(target or 0.0), _scale(ground))
-    always = bool(there.size) and float(np.max(np.abs(there))) <= ALWAYS * scale
-    return Difference(ground, target, gone, curve, always or (bool(there.size) and not np.any(there)))
+    small = max(ALWAYS * scale, ground.noise(first.unit))
+    always = bool(there.size) and float(np.max(np.abs(there))) <= small
+    if there.size and float(np.ptp(there)) <= small:
+        curve, gone = _level(curve, float(np.median(there))), False
+    return Difference(ground, target, gone, curve, always)
+
+
+def _level(curve: Curve, value: float) -> Curve:
+    """The curve without its rounding, of whose tops and bottoms there are thousands."""
+    values = np.where(np.isfinite(curve.values), value, np.nan)
+    return Curve(curve.t, values, lambda t: np.full(t.shape, value), lambda t: np.zeros(t.shape))
 
 
 def _scale(ground: Ground) -> float:

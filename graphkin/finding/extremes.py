@@ -46,7 +46,8 @@ def extremes(ground: Ground, *, size: bool = False) -> Extremes:
     curve = followed(ground.values(size=size), ground.slope(size=size), ground.places)
     there = curve.values[np.isfinite(curve.values)]
     spread = float(np.ptp(there)) if there.size else 0.0
-    if spread <= 1e-10 * float(np.max(np.abs(there), initial=0.0)) or spread < 1e-14:
+    noise = ground.noise(ground.read(ground.places[:1])[0].unit)
+    if spread <= max(1e-10 * float(np.max(np.abs(there), initial=0.0)), noise, 1e-14):
         return Extremes(curve, (), (), True)
     return Extremes(curve, _best(ground, curve, 1.0, "max"), _best(ground, curve, -1.0, "min"), False)
 

@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import assert_never
 
-from graphkin.errors import BadCondition, Where
+import numpy as np
+
+from graphkin.errors import BadCondition, NegativeSize, Where
 from graphkin.finding import conditions
 from graphkin.finding.comparing import difference, holding, intervals, nearest
 from graphkin.finding.conditions import WHERE, Comparison, Extreme, Scaling, Slowest
@@ -15,10 +17,11 @@ from graphkin.finding.found import Found, Position
 from graphkin.finding.ground import Ground, ground
 from graphkin.finding.points import line_of, scaled, slowest, spots
 from graphkin.finding.quantities import checked
+from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
 from graphkin.sweeps import Course, Road, Series, course
 
-__all__ = ["find", "limit"]
+__all__ = ["check_limit", "find", "limit"]
 
 
 def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = "construction") -> Found:
@@ -66,6 +69,15 @@ def limit(moved: Course, text: str, ranges: Sequence[str] = (), by: Road = "cons
     return _compared(moved.method, wanted, drawn, ground(moved, tuple(ranges), wanted.quantities, by), where)
 
 
+def check_limit(mechanism: Mechanism, text: str) -> None:
+    """Raises what is wrong with a limit, before anything is done for it."""
+    wanted = conditions.limit(text)
+    where = Where("--limit")
+    target = conditions.value(wanted.other, checked(mechanism, wanted.quantities, where)[0].unit, where)
+    if target < 0:
+        raise NegativeSize(where, wanted.quantity, wanted.other)
+
+
 def _blank(
     method: Method, wanted: conditions.Condition, swept: int, names: tuple[str, ...], drawn: tuple[Series, ...]
 ) -> Found:
@@ -88,7 +100,7 @@ def _compared(
     two_sides = difference(over, wanted, drawn, where)
     blank = _looked(method, wanted, drawn, over)
     if two_sides.everywhere:
-        return replace(blank, everywhere=wanted.sign == "=")
+        return replace(blank, everywhere=wanted.sign == "=", zero=two_sides.target == 0)
     if wanted.sign != "=":
         parts = intervals(two_sides, wanted.sign)
         return replace(blank, intervals=parts, nearest=None if parts else nearest(two_sides))
@@ -99,7 +111,9 @@ def _compared(
 def _extreme(method: Method, wanted: Extreme, drawn: tuple[Series, ...], over: Ground) -> Found:
     found, blank = extremes(over), _looked(method, wanted, drawn, over)
     if found.level:
-        return replace(blank, everywhere=True, positions=(over.position(over.low, "here"),))
+        zero = float(np.nanmax(np.abs(found.curve.values), initial=0.0)) <= over.noise(drawn[0].unit)
+        here = over.position(over.low, "here", (0.0, *(0.0 for _ in over.names[1:])) if zero else None)
+        return replace(blank, everywhere=True, zero=zero, positions=(here,))
     if wanted.which == "max":
         return replace(blank, positions=found.highest + _larger(over, found, drawn[0]))
     if wanted.which == "min":

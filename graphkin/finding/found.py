@@ -105,6 +105,7 @@ class Found:
     stopped     whether it ends at a dead point, at its beginning and at its end
     units       of `values` of a position, by quantity; guided: which of them count along a guide of the frame
     everywhere  whether the condition holds at every position (an extreme: the quantity never changes)
+    zero        whether the quantity is zero throughout, but for rounding
     swing       greatest less least value, for `range` and `stroke`; None where it has none
     notes       further remarks, as keys of `wording.NOTES`
     """
@@ -123,6 +124,7 @@ class Found:
     intervals: tuple[Interval, ...] = ()
     nearest: Position | None = None
     everywhere: bool = False
+    zero: bool = False
     swing: float | None = None
     stroke: Stroke | None = None
     slow: tuple[SlowPoint, ...] = ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import cached_property
 
@@ -12,6 +13,7 @@ from graphkin.finding.found import Kind, Position
 from graphkin.finding.quantities import Reader
 from graphkin.finding.rates import pace_of, rate
 from graphkin.finding.search import Function, differences
+from graphkin.geometry import Value
 from graphkin.methods.looking import look_along
 from graphkin.methods.way import stride
 from graphkin.sweeps import Course, Road, Series
@@ -26,6 +28,10 @@ FINE_DEG, FINE_PART = 0.25, 0.001
 """How far apart they are at most [deg, of the mechanism's size]."""
 HALVINGS = 24
 """Before a dead point they lie each half as far from it as the one before."""
+ROUNDING = 1e-11
+"""What stays below this part of its like is rounding."""
+SECOND = 100.0
+"""Accelerations, read off a second polygon, have so much more of it beside a change point."""
 BEYOND = 4
 """Places looked at beyond an end, so that what happens right at the end is seen."""
 
@@ -89,7 +95,7 @@ class Ground:
 
         def exact(t: np.ndarray) -> np.ndarray | None:
             motions = self.reader.motions(t)
-            entry = self.read(t)[number]
+            entry = self.reader.read(t, motions)[number]
             assert pace is not None
             found = rate(mechanism, motions, entry, pace)
             if found is None:
@@ -113,6 +119,24 @@ class Ground:
         if values is None:
             values = tuple(float(entry.signed[0]) for entry in self.read(np.array([t])))
         return Position(float(t), drivers, values, kind)
+
+    @cached_property
+    def _usual(self) -> dict[str, float]:
+        """How large the quantities of each unit are in this mechanism: what moves fastest, what is longest."""
+        motions, drivers = self.reader.motions(self.places), self.course.method.drivers
+        length = self.course.method.size
+        rates = [*motions.omega.values(), *(driver.rate for driver in drivers if driver.kind != "slide")]
+        turning = _greatest(rates)
+        slides = [driver for driver in drivers if driver.kind == "slide"]
+        speed = max(turning * length, *(abs(driver.rate) for driver in slides), _greatest(motions.s_rate.values()))
+        alphas = [*motions.alpha.values(), *(driver.acceleration for driver in drivers if driver.kind != "slide")]
+        quick = max(_greatest(alphas), turning**2)
+        pull = max(quick * length, speed**2 / length, *(abs(driver.acceleration) for driver in slides))
+        return {"rad": 1.0, "1": 1.0, "m": length, "rad/s": turning, "rad/s^2": quick, "m/s": speed, "m/s^2": pull}
+
+    def noise(self, unit: str) -> float:
+        """What a quantity of this unit may be by rounding alone, though it is zero."""
+        return ROUNDING * (SECOND if unit.endswith("s^2") else 1.0) * self._usual.get(unit, 0.0)
 
     # --- which places count -------------------------------------------------------------------
 
@@ -140,6 +164,12 @@ class Ground:
         if inside.size > 1 and self.closed and inside[-1] - inside[0] > TURN - 1e-7:
             inside = inside[:-1]
         return inside
+
+
+def _greatest(values: Iterable[Value]) -> float:
+    """Of finite sizes; 0 of none."""
+    sizes = (np.abs(np.asarray(value, dtype=float)) for value in values)
+    return max((float(np.max(size, initial=0.0, where=np.isfinite(size))) for size in sizes), default=0.0)
 
 
 def ground(course: Course, ranges: tuple[str, ...], names: tuple[str, ...], by: Road) -> Ground:

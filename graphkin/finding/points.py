@@ -7,10 +7,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from graphkin.errors import CannotScale, NegativeSize, NoLineOf, NoSuchDriver, NotScaled, Where
+from graphkin.errors import CannotScale, GivenTwice, NegativeSize, NoLineOf, NoSuchDriver, NotScaled, Where
 from graphkin.finding.conditions import WHERE, Scaling, Slowest, value
 from graphkin.finding.found import Position, SlowPoint, Speeds
-from graphkin.finding.quantities import measured
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
 from graphkin.methods.moving import reached
@@ -18,6 +17,7 @@ from graphkin.methods.way import Way
 from graphkin.naming import common_link, pair
 from graphkin.readings import Motions
 from graphkin.sweeps import Road, course
+from graphkin.sweeps.quantities import series
 from graphkin.sweeps.roads import moving
 from graphkin.value import frozen
 
@@ -52,11 +52,15 @@ def _held(method: Method, ranges: Sequence[str]) -> list[float]:
     """The drivers' values at the drawn position, with those of `AB=30` put in."""
     values = [float(value) for value in method.facts(None).values]
     names = [driver.name for driver in method.drivers]
+    seen: set[int] = set()
     for number, text in enumerate(ranges):
         name, equals, given = text.rpartition("=")
         if (equals and name.strip() not in names) or (not equals and number >= len(names)):
             raise NoSuchDriver(Where("--driver"), name.strip() or text, tuple(names))
         at = names.index(name.strip()) if equals else number
+        if at in seen:
+            raise GivenTwice(Where("--driver"), names[at])
+        seen.add(at)
         values[at] = value(given.strip(), "m" if method.drivers[at].kind == "slide" else "rad", Where("--driver"))
     return values
 
@@ -113,7 +117,7 @@ def scaled(method: Method, wanted: Scaling, at: Spots) -> tuple[Speeds, ...]:
 
     Velocities grow with the speeds, accelerations with their square. Raises NotScaled, NegativeSize, CannotScale.
     """
-    entry = measured(method.mechanism, at.motions, wanted.quantity, at.t.size)
+    entry = series(method.mechanism, at.motions, wanted.quantity, at.t.size)
     assert entry is not None
     degree = _DEGREES.get(wanted.quantity.split(" ")[0].partition("_")[0], 0)
     if "/" in wanted.quantity or not degree:

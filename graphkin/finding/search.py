@@ -48,6 +48,20 @@ class Curve:
         return float(np.percentile(large, 75)) if large.size else 0.0
 
 
+    @cached_property
+    def crests(self) -> np.ndarray:
+        """Where it is greatest among its neighbours; looked for once, as the two that follow."""
+        return _tops(self, 1.0)
+
+    @cached_property
+    def troughs(self) -> np.ndarray:
+        return _tops(self, -1.0)
+
+    @cached_property
+    def zeros(self) -> np.ndarray:
+        return _crossings(self)
+
+
 def followed(function: Function, slope: Function, t: np.ndarray, rounds: int = 3) -> Curve:
     """The curve at places t and at more where it bends."""
     values = function(t)
@@ -132,6 +146,10 @@ def _cut(
 
 def crossings(curve: Curve) -> np.ndarray:
     """Where the curve changes sign through zero (not through infinity)."""
+    return curve.zeros
+
+
+def _crossings(curve: Curve) -> np.ndarray:
     left, right = curve.values[:-1], curve.values[1:]
     with np.errstate(invalid="ignore"):
         k = np.flatnonzero(left * right < 0)
@@ -176,6 +194,10 @@ def touches(curve: Curve) -> np.ndarray:
 
 def tops(curve: Curve, sign: float = 1.0) -> np.ndarray:
     """Where the curve is greatest (sign 1) or least (sign -1) among its neighbours, ends left out."""
+    return curve.crests if sign > 0 else curve.troughs
+
+
+def _tops(curve: Curve, sign: float) -> np.ndarray:
     up = sign * curve.values
     with np.errstate(invalid="ignore"):
         k = np.flatnonzero((up[1:-1] >= up[:-2]) & (up[1:-1] > up[2:])) + 1

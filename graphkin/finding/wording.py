@@ -29,6 +29,7 @@ WORDS: dict[str, Both] = {
     "not passed": {"en": "not passed in this range", "zh": "在此范围内没有超过"},
     "nearest": {"en": "it comes nearest at {at}: {values}", "zh": "最接近处 {at}：{values}"},
     "everywhere": {"en": "met at every position", "zh": "在所有位置都成立"},
+    "nothing": {"en": "zero throughout", "zh": "始终为零"},
     "level": {"en": "the same at every position: {values}", "zh": "在所有位置都相同：{values}"},
     "zero": {"en": "", "zh": ""},
     "here": {"en": "", "zh": ""},
@@ -184,6 +185,8 @@ def _results(found: Found, lang: Lang) -> Iterator[str]:
 
 def _level(found: Found, lang: Lang) -> str:
     """A condition met everywhere, or a quantity that never changes."""
+    if found.zero:
+        return _say("nothing", lang)
     if isinstance(found.condition, Comparison):
         return _say("everywhere", lang)
     return _say("level", lang, values=_values(found, found.positions[0]))

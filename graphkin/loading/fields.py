@@ -119,7 +119,7 @@ RADIUS, EDGE_RADIUS = quantity_of("length", above_zero), quantity_of("length", z
 ALSO = Kind(core_schema.with_info_plain_validator_function(_guarded(_also)), NUMBER)
 SCALE = _read(scale, {"type": "number", "exclusiveMinimum": 0})
 FLAG = _read(_flag, {"type": "boolean"})
-TEXT = _text("text", str)
+TEXT = _text("text", lambda text: " ".join(text.split()))
 NAME, NEW_NAME = _text("name"), _text("name", formed(SLIDE, "slide"))
 LINK_KEY = _text("name", formed(LINK, "link"), pattern=r"^[\w']+$")
 POINT_NAME = _text("name", formed(POINT, "point"), type="string", pattern=POINT_PATTERN)

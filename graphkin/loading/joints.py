@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from itertools import combinations, islice
 
-from graphkin.errors import CannotMove, LooseLink, NoDriver, RigidlyJoined, Where
+from graphkin.errors import CannotMove, LooseLink, NoDriver, OutOfRange, RigidlyJoined, Where
 from graphkin.loading.draft import MOST_PROBLEMS, Draft
-from graphkin.mechanism import FRAME
+from graphkin.loading.positions import Path
+from graphkin.mechanism import FRAME, Link
 from graphkin.pairs import Cam, Gear, Roll, Slide
 
-__all__ = ["check_joints", "check_sketch"]
+__all__ = ["check_joints", "check_sizes", "check_sketch"]
+
+UNEVEN = 1e9
+"""No length is so many times another one."""
 
 
 def check_joints(draft: Draft, pairs: list[Slide | Gear | Roll | Cam], drivers: int) -> None:
@@ -29,6 +33,33 @@ def check_joints(draft: Draft, pairs: list[Slide | Gear | Roll | Cam], drivers: 
         draft.problems.append(problem)
     if not drivers:
         draft.problems.append(NoDriver(Where(draft.file)))
+
+
+def check_sizes(draft: Draft) -> None:
+    """Note what lies so far off, or is so long, that beside it the shortest link has no digit left."""
+    arms = {name: _arms(link) for name, link in draft.links.items() if name != FRAME}
+    shortest = min((min(lengths) for lengths in arms.values() if lengths), default=0.0)
+    if not shortest:
+        return
+    places: dict[Path, float] = {("links", name): max(lengths, default=0.0) for name, lengths in arms.items()}
+    places |= {_place(name): abs(place) for name, place in draft.frame_points.items()}
+    for path, size in places.items():
+        if size > UNEVEN * shortest:
+            draft.problems.append(OutOfRange(draft.where(*path), f"{size * 1e3:.6g} mm"))
+
+
+def _place(point: str) -> Path:
+    """Where a fixed point stands in the file; one that a line goes through has its name from its table's number."""
+    tables = {"s": "slide", "r": "roll", "c": "cam"}
+    if point[0] in tables and point[1:].isdecimal():
+        return (tables[point[0]], int(point[1:]))
+    return ("frame", point)
+
+
+def _arms(link: Link) -> list[float]:
+    """Distances of a link's points from its first, those that are not zero [m]."""
+    places = list(link.points.values())
+    return [distance for place in places[1:] if (distance := abs(place - places[0])) > 0]
 
 
 def check_sketch(draft: Draft, points: list[str]) -> None:

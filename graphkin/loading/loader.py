@@ -9,7 +9,7 @@ from graphkin.errors import Lang
 from graphkin.loading.curves import Measure
 from graphkin.loading.draft import Draft
 from graphkin.loading.measures import frame_problems, read_measures
-from graphkin.loading.source import LARGEST_FILE, decoded, read_text, read_toml
+from graphkin.loading.source import decoded, named, read_bytes, read_text, read_toml
 from graphkin.mechanism import Mechanism
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ def load(source: str | FilePath) -> Mechanism:
     Raises a `GraphkinError`: the one thing that is wrong, or `Several` with all of them in the order of the lines.
     """
     path = FilePath(source)
-    return loads(read_text(path), name=path.stem, file=str(path))
+    return loads(read_text(path), name=named(path), file=str(path))
 
 
 def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> Mechanism:
@@ -37,7 +37,7 @@ def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> Mechan
 
 def load_stream(stream: IO[bytes], *, name: str, file: str) -> Mechanism:
     """The mechanism that comes in through a pipe."""
-    return loads(decoded(stream.read(LARGEST_FILE + 1), file), name=name, file=file)
+    return loads(decoded(read_bytes(stream, file), file), name=name, file=file)
 
 
 def _checked(draft: Draft, document: dict[str, Any]) -> tuple[File, dict[str, list[Measure]]]:
@@ -65,7 +65,7 @@ def _drawn_up(
     """The tables against each other."""
     from graphkin.loading.contacts import read_cams, read_gears, read_rolls
     from graphkin.loading.drivers import read_drivers, read_poses
-    from graphkin.loading.joints import check_joints, check_sketch
+    from graphkin.loading.joints import check_joints, check_sizes, check_sketch
     from graphkin.loading.links import read_links
     from graphkin.loading.questions import check_questions
     from graphkin.loading.slides import read_slides
@@ -78,6 +78,7 @@ def _drawn_up(
     drivers = read_drivers(draft, file.driver, len(file.pose))
     poses = read_poses(draft, file.pose)
     check_joints(draft, [*slides, *gears, *rolls, *cams], len(file.driver))
+    check_sizes(draft)
     check_sketch(draft, list(file.sketch))
     draft.stop_if_wrong()
     scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Iterator
 from pathlib import Path as FilePath
-from typing import Any
+from typing import IO, Any
 
 from graphkin.errors import (
     BrokenToml,
+    ControlCharacter,
     EmptyFile,
     FileTooLarge,
     IsFolder,
@@ -17,14 +19,23 @@ from graphkin.errors import (
     TooDeep,
     Unreadable,
     Where,
+    steers,
 )
 from graphkin.loading.names import tidy
 from graphkin.loading.positions import Path, positions
 
-__all__ = ["LARGEST_FILE", "decoded", "read_text", "read_toml"]
+__all__ = ["LARGEST_FILE", "decoded", "named", "read_bytes", "read_text", "read_toml"]
 
 LARGEST_FILE = 1_000_000
 """Mechanism files have some hundred bytes; more than this many are refused."""
+
+_BLANKS = "\t\n\r"
+"""Control characters that may stand in a text; there they are blanks."""
+_WIDE_MARKS = (b"\xff\xfe", b"\xfe\xff")
+_NO_XML = re.compile("[\ufffe\uffff]")
+
+_DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
+"""A key of so many parts; thousands of them would cost gigabytes before anyone could refuse them."""
 
 _PLACE = re.compile(r"\s*\(at (?:line ([0-9]+), column [0-9]+|end of document)\)$")
 
@@ -36,12 +47,24 @@ def read_text(path: FilePath) -> str:
         if path.is_dir():
             raise IsFolder(where)
         with path.open("rb") as stream:
-            content = stream.read(LARGEST_FILE + 1)
+            return decoded(read_bytes(stream, where.file), where.file)
     except FileNotFoundError:
         raise NoFile(where, path.name, _beside(path)) from None
     except (OSError, ValueError) as problem:
         raise Unreadable(where, getattr(problem, "strerror", None) or str(problem)) from None
-    return decoded(content, where.file)
+
+
+def read_bytes(stream: IO[bytes], file: str) -> bytes:
+    """What comes in, and no more of it than a mechanism file may have."""
+    try:
+        return stream.read(LARGEST_FILE + 1)
+    except OSError as problem:
+        raise Unreadable(Where(file), problem.strerror or str(problem)) from None
+
+
+def named(path: FilePath) -> str:
+    """What a mechanism is called after its file; a character that no text may hold becomes an underscore."""
+    return "".join("_" if steers(letter) else letter for letter in path.stem)
 
 
 def decoded(content: bytes, file: str) -> str:
@@ -50,24 +73,55 @@ def decoded(content: bytes, file: str) -> str:
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
+        if content.startswith(_WIDE_MARKS):
+            raise NotUtf8(Where(file), "UTF-16") from None
         line = content.count(b"\n", 0, problem.start) + 1
-        raise NotUtf8(Where(file, line)) from None
+        raise NotUtf8(Where(file, line), "") from None
 
 
 def read_toml(text: str, file: str) -> tuple[dict[str, Any], dict[Path, int]]:
     """The data, and the line of each key (primes in keys tidied in the paths)."""
     _check_size(len(text), file)
     text = text.removeprefix("\ufeff")
+    if _DEEP.search(text) is not None:
+        raise TooDeep(Where(file))
     try:
         document = tomllib.loads(text)
-        lines = positions(text)
+        lines = {_tidied(path): line for path, line in positions(text).items()}
+        _refuse_control(document, lines, text, file)
     except RecursionError:
         raise TooDeep(Where(file)) from None
     except ValueError as problem:
         raise _broken(str(problem), text, file) from None
     if not document:
         raise EmptyFile(Where(file))
-    return document, {_tidied(path): line for path, line in lines.items()}
+    return document, lines
+
+
+def _refuse_control(document: dict[str, Any], lines: dict[Path, int], text: str, file: str) -> None:
+    """Texts and names go to terminals, into XML, TeX and tables: no character in them may mean more than itself."""
+    if (found := _NO_XML.search(text)) is not None:
+        raise ControlCharacter(Where(file, text.count("\n", 0, found.start()) + 1), f"U+{ord(found.group()):04X}")
+    for path, word in _words(document, ()):
+        bad = next((letter for letter in word if steers(letter) and letter not in _BLANKS), None)
+        if bad is not None:
+            line = next((lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in lines), None)
+            place = "".join(letter for letter in ".".join(map(str, path)) if not steers(letter))
+            raise ControlCharacter(Where(file, line, place), f"U+{ord(bad):04X}")
+
+
+def _words(value: object, path: Path) -> Iterator[tuple[Path, str]]:
+    """Every key and every text of a document, with its place."""
+    match value:
+        case str():
+            yield path, value
+        case list():
+            for number, item in enumerate(value):
+                yield from _words(item, (*path, number))
+        case dict():
+            for key, item in value.items():
+                yield (*path, tidy(key)), key
+                yield from _words(item, (*path, tidy(key)))
 
 
 def _broken(reason: str, text: str, file: str) -> BrokenToml:

@@ -38,6 +38,8 @@ UNITS: Mapping[Dimension, Mapping[str, tuple[float, float]]] = {
 
 LARGEST = 1e12
 """No quantity of a mechanism is larger than this, in SI."""
+LARGEST_ANGLE = 2 * math.pi * 10_000
+"""Nor an angle, which is a direction, or some turns on from one."""
 
 _TEXT = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(.*?)\s*", re.DOTALL)
 
@@ -53,7 +55,7 @@ def read_quantity(given: float | str, dimension: Dimension) -> float:
         value = float(number) * times / divided
     except OverflowError:
         value = math.inf
-    if not abs(value) <= LARGEST:
+    if not abs(value) <= (LARGEST_ANGLE if dimension == "angle" else LARGEST):
         raise OutOfRange(NOWHERE, given.strip() if isinstance(given, str) else short_number(number))
     return value
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from graphkin.methods.assembly import links_of
+from graphkin.methods.far import refuse_far
 from graphkin.methods.way import Event, Way, along, stride
 from graphkin.steps import Arc, Fit, Meet, Plot, Swing
 
@@ -46,6 +47,7 @@ def look_along(
     from graphkin.methods.moving import with_nodes
 
     way = _setting_out(method, tuple(float(p) for p in pace), (float(low), float(high)), after)
+    refuse_far(method, way, LOOK_DEG, LOOK_PART)
     if method.moves_on:
         return with_nodes(method, way)
     for end in (high, low):

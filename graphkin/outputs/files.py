@@ -30,14 +30,16 @@ class FileInTheWay(GraphkinError):
 
 @contextlib.contextmanager
 def beside(path: Path, force: bool, marks: Sequence[bytes]) -> Iterator[Path]:
-    """A file to write into, which takes the place of `path` once it is whole.
+    """A file to write into, which takes the place of `path` once it is whole; a link stays one, to the new file.
 
     marks   bytes by which graphkin knows a file of its own, which it replaces without `force`
 
     Raises FileInTheWay, NoFolder, CannotWrite.
     """
     refuse(path, force, marks)
-    draft = path.with_name(f".{path.name}.{os.getpid()}")
+    path = Path(os.path.realpath(path))
+    draft = path.with_name(f".{path.name[:60]}.{os.getpid()}")
+    _clear(path)
     try:
         yield draft
         os.replace(draft, path)
@@ -46,6 +48,28 @@ def beside(path: Path, force: bool, marks: Sequence[bytes]) -> Iterator[Path]:
     finally:
         with contextlib.suppress(OSError):
             draft.unlink(missing_ok=True)
+
+
+def _clear(path: Path) -> None:
+    """Drafts of this file that writers left who were ended before they were done."""
+    with contextlib.suppress(OSError):
+        for left in os.scandir(path.parent):
+            start, _, owner = left.name.rpartition(".")
+            if start == f".{path.name[:60]}" and owner.isdecimal() and owner.isascii() and not _runs(int(owner)):
+                os.unlink(left.path)
+
+
+def _runs(process: int) -> bool:
+    """Whether there is such a process; where that cannot be asked without harm, there may be."""
+    if os.name != "posix":
+        return True
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except (OSError, OverflowError):
+        return True
+    return True
 
 
 def refuse(path: Path, force: bool, marks: Sequence[bytes]) -> None:
@@ -60,9 +84,11 @@ def refuse(path: Path, force: bool, marks: Sequence[bytes]) -> None:
 
 
 def _ours(path: Path, marks: Sequence[bytes]) -> bool:
-    """Whether a file says in its beginning or its end that graphkin wrote it."""
+    """Whether a file says in its beginning or its end that graphkin wrote it; an empty one is nobody's loss."""
+    if not path.is_file():
+        return False
     with path.open("rb") as file:
         glance = file.read(GLANCE)
         file.seek(max(0, path.stat().st_size - GLANCE))
         glance += file.read(GLANCE)
-    return any(mark in glance for mark in marks)
+    return not glance or any(mark in glance for mark in marks)

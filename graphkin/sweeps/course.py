@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.errors import BadRange, GraphkinError, NoPosition, NoSuchDriver, Where
+from graphkin.errors import BadRange, GivenTwice, GraphkinError, NoPosition, NoSuchDriver, Where
 from graphkin.geometry import Value
 from graphkin.loading.units import read_quantity
 from graphkin.mechanism import Driver
@@ -23,7 +23,7 @@ __all__ = ["Course", "course"]
 
 TURN = 2 * math.pi
 WHERE = Where("--driver")
-MOST_TURNS, MOST_STEPS = 1000, 1e8
+MOST_TURNS, MOST_STEPS = 1000, 1e7
 ROWS = 36
 """Rows of a table over the reachable range of a slide, and over a turn."""
 
@@ -242,6 +242,8 @@ def _given(method: Method, ranges: Sequence[str]) -> dict[int, tuple[float, ...]
     for text in ranges:
         name, equals, span = text.rpartition("=")
         number = _number(method, name.strip(), text) if equals else _unnamed(method, found, text)
+        if number in found:
+            raise GivenTwice(WHERE, method.drivers[number].name)
         found[number] = _read(method, number, span, text)
     return found
 

@@ -10,7 +10,7 @@ import numpy as np
 from graphkin.centres import centre_of
 from graphkin.errors import UnknownQuantity, Where
 from graphkin.geometry import Value, dot
-from graphkin.loading.questions import misnamed
+from graphkin.loading.questions import refuse_misnamed
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import seen
 from graphkin.readings import Motions, answer
@@ -100,9 +100,7 @@ def asked(mechanism: Mechanism, names: Sequence[str] = ()) -> tuple[str, ...]:
 
 def _refuse_unknown(mechanism: Mechanism, still: Motions, name: str) -> None:
     where = Where("--of")
-    for part in name.split("/"):
-        if (problem := misnamed(mechanism, part, where)) is not None:
-            raise problem
+    refuse_misnamed(mechanism, name, where)
     if answer(mechanism, still, name) is None and centre_of(mechanism, name) is None:
         raise UnknownQuantity(where, name, ())
 

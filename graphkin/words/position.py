@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import assert_never
 
+import numpy as np
+
 from graphkin.geometry import cross, dot
 from graphkin.mechanism import FRAME
 from graphkin.steps import (
@@ -144,7 +146,10 @@ class PositionReader:
     def _lay_off(self, step: LayOff) -> str:
         reading, points = self.reading, self.reading.plot.position
         assert isinstance(step.term.size, Span)
-        angle = degrees(points[step.tip] - points[step.start])
+        arrow = points[step.tip] - points[step.start]
+        if isinstance(step.term.direction, AlongGuide) and not np.any(arrow):
+            arrow = reading.plot.guide_direction(step.term.direction.slide)
+        angle = degrees(arrow)
         aside = "*" in step.start + step.tip
         length = self._reach(step.term.size, names.stretch(step.start, step.tip) if aside else "")
         start, tip = reading.place(step.start), reading.place(step.tip)

@@ -1,0 +1,47 @@
+"""How far a mechanism can be moved at once: it is looked along the way there, every half degree."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from graphkin.errors import TooFar
+from graphkin.methods.way import Way, stride
+from graphkin.steps import Fit
+
+if TYPE_CHECKING:
+    from graphkin.methods import Method
+
+__all__ = ["refuse_far"]
+
+MOST = 1e7
+"""Points looked at on a way, at most: some 0.3 GB."""
+FITTING = 30
+"""How much more a position costs where links are fitted."""
+
+
+def refuse_far(method: Method, way: Way, look_deg: float, look_part: float) -> None:
+    """Raises TooFar for a way with too many positions to be looked at."""
+    cost = max(len(method.mechanism.points), 4) * (FITTING if _fits(method) else 1)
+    most = MOST / cost * stride(method, way.pace, look_deg, look_part)
+    if way.high - way.low <= most:
+        return
+    moving = max(range(len(way.pace)), key=lambda k: abs(way.pace[k]))
+    driver = method.drivers[moving]
+
+    def told(value: float) -> str:
+        return f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{math.degrees(value):.6g}°"
+
+    start, end = (told(way.start[moving] + way.pace[moving] * t) for t in (way.low, way.high))
+    farthest = told(_round(abs(way.pace[moving]) * most))
+    raise TooFar(method.mechanism.where("driver", moving), driver.name, start, end, farthest)
+
+
+def _fits(method: Method) -> bool:
+    return any(isinstance(step, Fit) for step in method.position.steps)
+
+
+def _round(value: float) -> float:
+    """With two digits, rounded off."""
+    digits = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return math.floor(value / digits) * digits

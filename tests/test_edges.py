@@ -1,0 +1,223 @@
+"""Where graphkin meets the world: streams in every encoding, closed or full; files in the way; what is absurd."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from click.testing import CliRunner, Result
+
+from graphkin import library
+from graphkin.cli import main
+from graphkin.cli.shared import json_line
+
+COLLAR = """
+[frame]
+O1 = [0, 0]
+O2 = [250, 0]
+[links.1]
+O1A = 100
+[links.2]
+AB = 250
+[links.3]
+O2B = 100
+[[driver]]
+vector = "O1A"
+angle = 60
+omega = 2
+[sketch]
+A = [50, 87]
+B = [300, 87]
+"""
+
+
+@pytest.fixture(autouse=True)
+def in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("GRAPHKIN_LANG", "en")
+
+
+def run(*words: str) -> Result:
+    return CliRunner().invoke(main, list(words))
+
+
+def process(line: str, **environment: str) -> subprocess.CompletedProcess[bytes]:
+    """A command line of a shell, in which `graphkin` is the program."""
+    start = f'graphkin() {{ "{sys.executable}" -c "from graphkin.cli import main; main(prog_name=\'graphkin\')" "$@"; }}; '
+    return subprocess.run(["bash", "-c", start + line], capture_output=True, env={**os.environ, **environment})
+
+
+# --- streams ----------------------------------------------------------------------------------
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a shell")
+@pytest.mark.parametrize("encoding", ["gbk", "cp1252", "ascii"])
+def test_a_file_gets_utf_8(encoding: str) -> None:
+    done = process("graphkin solve ex3-1 --lang zh; graphkin draw no.toml --lang zh", PYTHONIOENCODING=encoding)
+    assert done.returncode == 3
+    assert "含移动副的四杆机构" in done.stdout.decode("utf-8")
+    assert "没有这个文件" in done.stderr.decode("utf-8")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a shell")
+@pytest.mark.parametrize(
+    ("line", "status", "said"),
+    [
+        ("graphkin sweep ex3-1 --driver 0:360:0.01 | head -1; exit ${PIPESTATUS[0]}", 0, ""),
+        ("graphkin solve ex3-1 >&-", 0, ""),
+        ("graphkin solve ex3-1 --json >/dev/full", 3, "<stdout>: cannot be written"),
+        ("graphkin schema >/dev/full", 3, "<stdout>: cannot be written"),
+        ("graphkin draw - <&-", 3, "<stdin>: the file is empty"),
+        ("graphkin draw ex3-1 -o a.svg >&- 2>&- && graphkin check a.svg", 0, ""),
+    ],
+)
+def test_streams_closed_or_full(line: str, status: int, said: str) -> None:
+    done = process(line)
+    assert (done.returncode, b"Traceback" in done.stderr) == (status, False)
+    assert said in done.stderr.decode()
+    assert bool(said) == bool(done.stderr)
+
+
+def test_one_line_is_one_line() -> None:
+    odd = "a\u2028b\u2029c\x85d\x7f"
+    assert json.loads(json_line({"x": odd})) == {"x": odd}
+    assert len(json_line({"x": odd}).splitlines()) == 1
+
+
+# --- texts ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("title", [" ", "\u3000", "\\t", "²", "\\u200b", "&lt;<b>", "\\\\write18", "x\\ny"])
+def test_any_title_is_drawn(title: str) -> None:
+    Path("mine.toml").write_text(f'title = "{title}"\n{COLLAR}', encoding="utf-8")
+    for words in (("draw", "mine.toml"), ("sweep", "mine.toml", "-o", "sweep.svg")):
+        assert run(*words).exit_code == 0
+    for path in Path().glob("*.svg"):
+        ElementTree.parse(path)
+
+
+def test_names_of_files_steer_nothing() -> None:
+    Path("a\x1b[31m\nb.toml").write_text(library.text("ex3-1"), encoding="utf-8")
+    assert run("draw", "a\x1b[31m\nb.toml").exit_code == 0
+    assert Path("a_[31m_b.svg").exists()
+    missing = run("draw", "c\x1b[31m\nd.toml")
+    assert missing.exit_code == 3
+    assert "\x1b" not in missing.stderr
+    assert missing.stderr.startswith("c\\x1b[31m\\nd.toml: there is no such file")
+
+
+def test_links_named_by_odd_digits() -> None:
+    Path("mine.toml").write_text(COLLAR.replace("[links.2]", '[links."²"]').replace("[links.3]", '[links."٣"]'), encoding="utf-8")
+    assert run("centres", "mine.toml").exit_code == 0
+
+
+# --- files ------------------------------------------------------------------------------------
+
+
+def test_a_link_to_a_file_stays_one() -> None:
+    Path("real.svg").touch()
+    Path("link.svg").symlink_to("real.svg")
+    assert run("draw", "ex3-1", "-o", "link.svg").exit_code == 0
+    assert Path("link.svg").is_symlink()
+    assert run("check", "real.svg").exit_code == 0
+
+
+def test_drafts_of_the_dead_are_cleared_away() -> None:
+    ended = subprocess.Popen([sys.executable, "-c", ""])
+    ended.wait()
+    left, living = Path(f".a.svg.{ended.pid}"), Path(f".a.svg.{os.getppid()}")
+    left.touch()
+    living.touch()
+    assert run("draw", "ex3-1", "-o", "a.svg").exit_code == 0
+    assert (left.exists(), living.exists()) == (False, True)
+
+
+# --- what is absurd ---------------------------------------------------------------------------
+
+REFUSED = [
+    (("draw", ""), 2, "MECHANISM is empty"),
+    (("draw", "ex3-1", "--angle", "1e8"), 3, "is followed"),
+    (("draw", "ex3-1", "--angle", "1e300"), 3, "is followed"),
+    (("draw", "s4-ex2", "--at", "1e9"), 3, "is followed"),
+    (("find", "ex3-1", "v B = 0", "-o", "x.png"), 2, "must end in .svg"),
+    (("sweep", "ex3-1", "--driver", "0:360:0.001"), 3, "360001 rows"),
+    (("sweep", "ex3-1", "--driver", "0:360:0.0001", "-o", "a.json"), 3, "rows"),
+    (("sweep", "ex3-1", "--driver", "0:360:1e-9"), 3, "is no range"),
+    (("sweep", "ex3-1", "--driver", "0:90:10", "--driver", "AB=0:20:1"), 3, "AB is given twice"),
+    (("find", "ex3-1", "slowest DC", "--driver", "AB=30", "--driver", "AB=40"), 3, "AB is given twice"),
+    (("sweep", "ex3-1", "-o", "a.csv", "--limit", "v B 3 kg"), 3, "kg is not a unit"),
+    (("sweep", "ex3-1", "-o", "a.csv", "--limit", "v X 3"), 3, "no point X"),
+    (("find", "ex3-1", "a_k B = 0"), 3, "Write `a_k B2B3`"),
+    (("find", "ex3-1", "a_n B = 0"), 3, "Write `a_n BA`"),
+    (("linkage", "ex3-5", "--fix", "2", "--json"), 2, "leave out --json"),
+    (("linkage", "--guide", "1e-12", "1e9", "0"), 3, "--guide: 1e-12"),
+]
+
+
+@pytest.mark.parametrize(("words", "status", "said"), REFUSED, ids=[" ".join(words) for words, _, _ in REFUSED])
+def test_refused_before_any_work(words: tuple[str, ...], status: int, said: str) -> None:
+    result = run(*words)
+    assert (result.exit_code, result.stdout) == (status, "")
+    assert said in result.stderr
+    assert not list(Path().iterdir())
+
+
+def test_a_direction_of_a_million_turns_is_none() -> None:
+    Path("mine.toml").write_text(COLLAR.replace("angle = 60", "angle = 1e8"), encoding="utf-8")
+    result = run("solve", "mine.toml")
+    assert result.exit_code == 3
+    assert "is not a finite number of reasonable size" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key"),
+    [("O2 = [250, 0]", "O2 = [250, 1e15]", "frame.O2"), ("O2B = 100", "O2B = 1e14", "links.3")],
+)
+def test_lengths_that_leave_each_other_no_digit(old: str, new: str, key: str) -> None:
+    Path("mine.toml").write_text(COLLAR.replace(old, new), encoding="utf-8")
+    result = run("solve", "mine.toml")
+    assert result.exit_code == 3
+    assert f", {key}: " in result.stderr
+
+
+# --- questions --------------------------------------------------------------------------------
+
+
+def test_nothing_is_searched_in_what_is_level() -> None:
+    Path("mine.toml").write_text(COLLAR, encoding="utf-8")
+    result = run("find", "mine.toml", "v A = 0", "--by", "analysis")
+    assert "not met in this range; it comes nearest at O1A = 0 deg: v A = 0.2 m/s" in result.stdout
+
+
+@pytest.mark.parametrize("question", ["omega 2 = 0", "max omega 2", "range alpha 2", "theta 2 = 0", "a_n AO1 = a_n AO1"])
+def test_zero_throughout(question: str) -> None:
+    Path("mine.toml").write_text(COLLAR, encoding="utf-8")
+    lines = run("find", "mine.toml", question).stdout.splitlines()
+    assert [line.strip() for line in lines[1:]] == ["met at every position" if "a_n" in question else "zero throughout"]
+
+
+def test_one_set_of_quantities() -> None:
+    """What can be asked can be swept and found, and the other way round."""
+    names = ("x C", "y C", "v_x C", "v_y C", "a_x C", "a_y C", "v_x C/v_y C")
+    Path("mine.toml").write_text(f"ask = {list(names)}\n" + COLLAR.replace("O1A", "O1C").replace("AB", "CB")
+                                 .replace("\nA =", "\nC ="), encoding="utf-8")  # fmt: skip
+    answers = json.loads(run("solve", "--json", "mine.toml").stdout)["positions"][0]["ask"]
+    swept = run("sweep", "mine.toml", "--driver", "60:70:20", "--of", ", ".join(names), "-o", "-").stdout.splitlines()
+    for name, cell in zip(names, swept[1].split(",")[1:], strict=True):
+        factor = 1000.0 if name[0] in "xy" else 1.0
+        assert answers[name]["value"] * factor == pytest.approx(float(cell), rel=1e-9)
+        assert run("find", "mine.toml", f"max {name}").exit_code == 0
+    assert run("sweep", "mine.toml", "--of", ", ".join(names), "-o", "a.svg").exit_code == 0
+    assert run("draw", "mine.toml").exit_code == 0
+
+
+def test_what_nearly_is_a_question_is_remarked_on() -> None:
+    Path("mine.toml").write_text('ask = ["omega2", "how fast?", "v_A"]\n' + COLLAR, encoding="utf-8")
+    result = run("solve", "mine.toml")
+    assert result.exit_code == 0
+    assert [line.split("write ")[1] for line in result.stderr.splitlines()] == ["`omega 2`.", "`v A`."]
