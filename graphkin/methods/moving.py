@@ -10,7 +10,7 @@ import numpy as np
 
 from graphkin.errors import NotReached
 from graphkin.geometry import Value
-from graphkin.methods.looking import crossings, event_at, key_of, look_along
+from graphkin.methods.looking import crossings, event_at, key_of, look_along, turned
 from graphkin.methods.swift import in_parts
 from graphkin.methods.way import Event, Way, along, stride
 from graphkin.steps import Fit, Plot, replay
@@ -18,7 +18,7 @@ from graphkin.steps import Fit, Plot, replay
 if TYPE_CHECKING:
     from graphkin.methods import Method
 
-__all__ = ["moved_to", "reached", "with_nodes"]
+__all__ = ["moved_to", "reached", "walked"]
 
 STEP_DEG, STEP_PART = 3.0, 0.02
 """How far a mechanism is moved at once where its position is found from the one before [deg, of its size]."""
@@ -121,7 +121,7 @@ def _fanned(method: Method, values: Sequence[Value]) -> Plot:
         at = tuple(begin + way * there for begin, way in zip(start, ways, strict=True))
         guess = {name: near[name] + slope[name] * (there - done) for name in near}
         plot = replay(method.position, Plot(replace(facts, values=at), guess))
-        now = _turned(method, plot)
+        now = turned(method, plot)
         if _surprise(now, guess, method.structure.bases) > SURPRISE and step > longest * SHORTEST:
             step /= 2
             continue
@@ -129,10 +129,6 @@ def _fanned(method: Method, values: Sequence[Value]) -> Plot:
             return plot
         slope = {name: np.nan_to_num((now[name] - near[name]) / (there - done)) for name in now}
         near, done, step = now, there, min(longest, 1.5 * step)
-
-
-def _turned(method: Method, plot: Plot) -> dict[str, Value]:
-    return {base: plot.theta[base] for base in method.structure.bases} | dict(plot.s)
 
 
 def _surprise(now: Mapping[str, Value], guess: Mapping[str, Value], bases: Sequence[str]) -> float:
@@ -143,7 +139,7 @@ def _surprise(now: Mapping[str, Value], guess: Mapping[str, Value], bases: Seque
 # --- one way, step by step --------------------------------------------------------------------
 
 
-def with_nodes(method: Method, way: Way) -> Way:
+def walked(method: Method, way: Way) -> Way:
     """The way walked in steps both ways from the drawn position; it ends where no step leads on."""
     forth, back = _Walk(method, way), _Walk(method, way)
     forth.walk(way.high)
@@ -192,7 +188,7 @@ class _Walk:
         """Angles and displacements at t, how they change with it, and the senses of what is fitted."""
         facts = replace(self.method.facts(self.way.values(t)), rates=self.way.pace)
         plot = replay(self.method.velocity, replay(self.method.position, Plot(facts, near), sides))
-        now = {name: float(value) for name, value in _turned(self.method, plot).items()}
+        now = {name: float(value) for name, value in turned(self.method, plot).items()}
         rates = {**plot.omega, **plot.s_rate}
         return now, {name: float(rates[name]) for name in now}, plot.senses
 
