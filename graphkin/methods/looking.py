@@ -20,7 +20,7 @@ from graphkin.steps import Arc, Fit, Meet, Plot, Swing, replay
 if TYPE_CHECKING:
     from graphkin.methods import Method
 
-__all__ = ["crossings", "event_at", "key_of", "look_along", "turned"]
+__all__ = ["Crossing", "crossings", "event_at", "key_of", "look_along", "touching", "turned"]
 
 LOOK_DEG, LOOK_PART = 0.5, 0.002
 """How closely the way is looked at [deg, of the mechanism's size]."""
@@ -46,7 +46,7 @@ def look_along(
 
     after   a place on another way, to start from there instead of from the drawn position
     """
-    from graphkin.methods.moving import walked
+    from graphkin.methods.walking import walked
 
     way = _setting_out(method, tuple(float(p) for p in pace), (float(low), float(high)), after)
     if method.fits:
@@ -244,7 +244,13 @@ def _closer(method: Method, way: Way, step: Crossing, begin: float, end: float) 
         begin, end = float(t[max(k - 1, 0)]), float(t[min(k + 1, FINE - 1)])
     if sine[k] > TOUCHING_SINE:
         return (parted, False) if parted is not None else None
-    return _centred(method, way, step, float(t[k])), _kind(step) not in ("parallel", "fit")
+    return _centred(method, way, step, float(t[k])), _kind(step) != "parallel"
+
+
+def touching(method: Method, way: Way, step: Crossing, begin: float, end: float) -> float | None:
+    """Where the loci of a crossing touch between two places, to go on beyond; None where they do not."""
+    found = _closer(method, way, step, begin, end)
+    return found[0] if found is not None and found[1] else None
 
 
 def _lowest(sine: np.ndarray) -> int | None:
