@@ -23,7 +23,7 @@ __version__ = "0.1.0"
 
 ORDER = (
     "value", "errors", "geometry", "steps", "pairs", "mechanism", "naming", "loading", "library", "methods", "seal",
-    "analytic", "freedoms", "assur", "readings", "centres", "linkages", "design", "sweeps", "check", "results",
+    "analytic", "freedoms", "assur", "readings", "centres", "linkages", "design", "check", "sweeps", "results",
     "reports", "words", "sheet", "outputs", "equations", "finding", "api", "batches", "cli",
 )  # fmt: skip
 

@@ -22,8 +22,10 @@ from graphkin.cli.shared import (
 from graphkin.errors import Lang
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from graphkin.sheet import Sheet
-    from graphkin.sweeps import Course, Road
+    from graphkin.sweeps import Course, Road, Sweep
 
 __all__ = ["find", "sweep"]
 
@@ -62,14 +64,16 @@ def sweep(
     method = api.plan(read(mechanism))
     course = sweeps.course(method, ranges)
     names = sweeps.asked(method.mechanism, sweeps.split(of))
+    sweeps.held(course)
     if output is None:
         found = sweeps.sweep_over(course, names, by)
         click.echo("\n".join(reports.book_lines(found) if table else reports.sweep_lines(found)))
-        for line in (*sweeps.remarks(course, lang), *sweeps.extremes(found, lang)):
+        undefined = sweeps.left_out(course, found.undefined, lang)
+        for line in (*sweeps.remarks(course, lang), *undefined, *sweeps.extremes(found, lang)):
             click.echo(line, err=table)
     else:
-        _write_sweep(output, course, names, by, force, lang)
-        for line in sweeps.remarks(course, lang):
+        undefined = _write_sweep(output, course, names, by, force, lang)
+        for line in (*sweeps.remarks(course, lang), *sweeps.left_out(course, undefined, lang)):
             click.echo(line, err=True)
     for text in limits:
         for line in finding.lines(finding.limit(course, text, ranges, by), lang):
@@ -78,18 +82,27 @@ def sweep(
 
 def _write_sweep(
     output: Path, course: Course, names: tuple[str, ...], by: Road, force: bool, lang: Lang
-) -> None:
+) -> np.ndarray:
+    """Write it; gives the driver's values at positions that are left out."""
+    import numpy as np
+
     from graphkin.outputs import tables
     from graphkin.sweeps import parts
 
-    suffix = output.suffix.lower()
+    suffix, undefined = output.suffix.lower(), [np.empty(0)]
     if str(output) == "-":
-        for lines in tables.csv_lines(course, parts(course, names, by)):
+        for lines in tables.csv_lines(course, tables.told(parts(course, names, by), lambda part: undefined.append(part.undefined))):
             click.echo(lines, nl=False)
-        return
+        return np.concatenate(undefined)
     if suffix in tables.FORMATS:
         with click.progressbar(length=course.t.size, file=sys.stderr, hidden=course.t.size < LONG) as bar:
-            tables.write(output, course, names, by, force, bar.update)
+
+
+            def seen(part: Sweep) -> None:
+                undefined.append(part.undefined)
+                bar.update(part.t.size + part.undefined.size)
+
+            tables.write(output, course, names, by, force, seen)
     elif suffix in (".svg", ".png", ".pdf"):
         from graphkin.outputs import diagram
 
@@ -98,6 +111,7 @@ def _write_sweep(
     else:
         raise click.UsageError(f"{output}: the file to write must end in .csv, .json, .parquet, .svg, .png or .pdf")
     click.echo(str(output))
+    return np.concatenate(undefined)
 
 
 @click.command()

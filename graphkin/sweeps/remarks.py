@@ -13,7 +13,7 @@ from graphkin.sweeps.course import Course
 from graphkin.sweeps.quantities import Series
 from graphkin.sweeps.sweep import Sweep
 
-__all__ = ["STANDARD_GRAVITY", "extremes", "named", "remarks", "shown", "told"]
+__all__ = ["STANDARD_GRAVITY", "extremes", "left_out", "named", "remarks", "shown", "told"]
 
 STANDARD_GRAVITY = 9.80665
 """m/s^2 in 1 g."""
@@ -33,6 +33,10 @@ WORDS: dict[str, dict[Lang, str]] = {
     "dropped": {
         "en": "{count} of the positions asked for are not reached and left out.",
         "zh": "所要求的位置中有 {count} 个不能到达，已略去。",
+    },
+    "undefined": {
+        "en": "{count} of the positions are left out: the mechanism has no definite motion there, as at {at}.",
+        "zh": "已略去 {count} 个位置：机构在该处运动不确定，如 {at}。",
     },
     "together": {
         "en": "The other drivers move with it, in proportion to their speeds.",
@@ -99,6 +103,12 @@ def remarks(course: Course, lang: Lang) -> Iterator[str]:
         yield WORDS["dropped"][lang].format(count=course.dropped.size)
     if sum(map(bool, course.way.pace)) > 1:
         yield WORDS["together"][lang]
+
+
+def left_out(course: Course, undefined: np.ndarray, lang: Lang) -> Iterator[str]:
+    """That positions were left out, by the driver's values there."""
+    if undefined.size:
+        yield WORDS["undefined"][lang].format(count=undefined.size, at=named(course, float(undefined[0])))
 
 
 def _open_ends(course: Course, lang: Lang) -> Iterator[str]:

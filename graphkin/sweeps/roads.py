@@ -183,11 +183,13 @@ class Mended:
 
     def velocity_at(self, point: str, link: str) -> Value:
         others = [patch.others.velocity_at(point, link) for patch in self.patches]
-        return self._mend(self.rows.velocity_at(point, link), others)
+        with np.errstate(invalid="ignore", over="ignore"):  # of rows that are mended
+            return self._mend(self.rows.velocity_at(point, link), others)
 
     def acceleration_at(self, point: str, link: str) -> Value:
         others = [patch.others.acceleration_at(point, link) for patch in self.patches]
-        return self._mend(self.rows.acceleration_at(point, link), others)
+        with np.errstate(invalid="ignore", over="ignore"):
+            return self._mend(self.rows.acceleration_at(point, link), others)
 
 
 # --- instant centres --------------------------------------------------------------------------
