@@ -244,7 +244,10 @@ def _closer(method: Method, way: Way, step: Crossing, begin: float, end: float) 
         begin, end = float(t[max(k - 1, 0)]), float(t[min(k + 1, FINE - 1)])
     if sine[k] > TOUCHING_SINE:
         return (parted, False) if parted is not None else None
-    return _centred(method, way, step, float(t[k])), _kind(step) != "parallel"
+    centre = _centred(method, way, step, float(t[k]))
+    if not np.isfinite(centre):  # they part on one side: as flat as this only by rounding
+        return (float(t[k]) if parted is None else parted), False
+    return centre, _kind(step) != "parallel"
 
 
 def touching(method: Method, way: Way, step: Crossing, begin: float, end: float) -> float | None:

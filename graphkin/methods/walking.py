@@ -33,7 +33,7 @@ FARTHEST = 0.2
 """How far a link turns in a step at most [rad], or slides, in lengths of the mechanism."""
 AWAY, SWERVE = 1e-3, 3e-3
 """How far links may come from where they were expected, and turn otherwise over a step [rad, lengths]."""
-SHORTEST = 1e-9
+SHORTEST = 1e-6
 """Steps are not halved below this part of the longest."""
 SOON = 1.25
 """So many longest steps ahead a change point is looked for."""

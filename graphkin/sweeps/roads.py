@@ -78,7 +78,8 @@ def _alike(method: Method, neighbours: Motions) -> bool:
     zero, middle = np.zeros(1), slice(1, -1)
     weights = _weights(zero)[0]
     weights[middle] -= _weights(zero, PLACES[middle])[0]
-    places = np.array([np.broadcast_to(place, PLACES.shape) for place in neighbours.position.values()])
+    points = method.mechanism.points
+    places = np.array([np.broadcast_to(neighbours.position[point], PLACES.shape) for point in points])
     return bool(np.max(np.abs(places @ weights)) < ALIKE * method.size)
 
 
