@@ -194,7 +194,8 @@ class _Walk:
         for key, place in sorted(zip(turning, places, strict=True), key=lambda entry: self.side * entry[1]):
             step = self.crossings[key]
             choice = () if isinstance(step, Fit) or step.choice is None else (step.choice,)
-            self.changes = (*self.changes, event_at(self.method, step, place, choice))
+            event = event_at(self.method, step, place, choice)
+            self.changes = (*self.changes, event if choice else replace(event, kind="two ways"))
             self.sides |= {number: -self.sides[number] for number in choice}
         self.nodes.append(beyond)
         return True

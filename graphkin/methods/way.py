@@ -29,7 +29,7 @@ class Event:
 
     at       where on the way
     kind     "in line" (two links), "right angle" (a link and a guide), "tangent" (a guide and its circle),
-             "parallel" (two lines), "fit" (a group that is fitted)
+             "parallel" (two lines), "fit" (a group that is fitted), "two ways" (such a group at a change point)
     links    the links of the group
     choices  crossings that change over, for a change point
     """

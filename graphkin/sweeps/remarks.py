@@ -53,6 +53,10 @@ WORDS: dict[str, dict[Lang, str]] = {
         "en": "the group of links {links} cannot be moved farther",
         "zh": "构件 {links} 所成的杆组到达极限位置",
     },
+    "two ways": {
+        "en": "the group of links {links} could move in two ways from there",
+        "zh": "构件 {links} 所成的杆组由此可有两种运动",
+    },
     "greatest": {
         "en": "greatest of the rows: {name} = {value} at {at}",
         "zh": "表中最大值：{name} = {value}，在 {at} 处",

@@ -99,7 +99,7 @@ def about_drivers(course: Course, lang: Lang) -> str:
 
 def event_mark(event: Event, lang: Lang) -> str:
     """The word beside an upright line."""
-    kind = "change" if event.choices else "limit" if event.kind in ("tangent", "parallel") else "dead"
+    kind = "change" if event.choices or event.kind == "two ways" else "limit" if event.kind in ("tangent", "parallel") else "dead"
     return _EVENTS[kind][lang]
 
 
