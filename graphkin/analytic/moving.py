@@ -81,7 +81,7 @@ def moved(closure: Closure, start: Real, c: Real, change: Real) -> tuple[Real, l
 
 
 def _on_line(closure: Closure, start: Real, c: Real, change: Real) -> tuple[Real, list[Limit]] | None:
-    """Positions on one line, which may pass the drawn position by: first straight to it. None where there is no line."""
+    """Positions on one line, which may pass the drawn position by: first straight to it. None where none joins them."""
     base, line = change[0], change[int(np.argmax(np.abs(change - change[0]).sum(axis=1)))] - change[0]
     square = float(line @ line)
     if square < _SAME**2:

@@ -2,9 +2,10 @@
 
 At a change point the matrix is singular, though one smooth motion goes through it; another motion crosses it there.
 Where the matrix tends to a singular one, the path is therefore not felt for in smaller and smaller steps: one step goes
-from well before to well after the place that is foretold, where the motion that goes on smoothly is told from the other.
-It is a change point if the loops close at the singular place between. If they do not, two motions only come near each
-other, and the path bends as they do, however sharply; where it turns back in the driver's value, it ends (a dead point).
+from well before to well after the place that is foretold, where the motion that goes on smoothly differs from the
+other. It is a change point if the loops close at the singular place between. If they do not, two motions only come near
+each other, and the path bends as they do, however sharply; where it turns back in the driver's value, it ends: a dead
+point.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from graphkin.analytic.newton import Closure, close
 from graphkin.analytic.rates import tangent
@@ -63,12 +65,12 @@ class Line:
         return float(1 / np.max(np.abs(self.toward) / units, initial=1e-300))
 
     @cached_property
-    def heard(self) -> Real:
+    def heard(self) -> NDArray[np.bool_]:
         """Which unknowns stand in the loops: (n,)."""
         return self.closure.loops.moves(self.closure.loops.rows)
 
     @cached_property
-    def slides(self) -> Real:
+    def slides(self) -> NDArray[np.bool_]:
         """Which unknowns are displacements: (n,)."""
         return np.array([unknown.kind == "s" for unknown in self.closure.loops.unknowns])
 
@@ -244,8 +246,8 @@ class _Walk:
 
 def _between(left: Node, right: Node, at: Real) -> tuple[Real, Real]:
     """Unknowns and slopes (p, n) at places (p,) between two nodes, or beyond them."""
-    ends = ((np.full(len(at), node.at), node.q[None], node.slope[None]) for node in (left, right))
-    return _cubic(*ends, at)
+    first, last = ((np.full(len(at), node.at), node.q[None], node.slope[None]) for node in (left, right))
+    return _cubic(first, last, at)
 
 
 End = tuple[Real, Real, Real]

@@ -37,7 +37,7 @@ def rates(closure: Closure, q: Real, first: Real, second: Real) -> Rates:
 
 
 def tangent(closure: Closure, q: Real, first: Real) -> tuple[Real, Real, Real]:
-    """q' alone (p, n), the reciprocal condition number of A (p,), and the sign of its determinant (p,), 1 if it has none.
+    """q' alone (p, n), the reciprocal condition number of A (p,), and its determinant's sign (p,), 1 if it has none.
 
     `first` (..., k) may differ from position to position. The sign changes only through a change point, or to another
     assembly.

@@ -68,8 +68,8 @@ def sweep(
     if output is None:
         found = sweeps.sweep_over(course, names, by)
         click.echo("\n".join(reports.book_lines(found) if table else reports.sweep_lines(found)))
-        undefined = sweeps.left_out(course, found.undefined, lang)
-        for line in (*sweeps.remarks(course, lang), *undefined, *sweeps.extremes(found, lang)):
+        left_out = sweeps.left_out(course, found.undefined, lang)
+        for line in (*sweeps.remarks(course, lang), *left_out, *sweeps.extremes(found, lang)):
             click.echo(line, err=table)
     else:
         undefined = _write_sweep(output, course, names, by, force, lang)
@@ -91,7 +91,8 @@ def _write_sweep(
 
     suffix, undefined = output.suffix.lower(), [np.empty(0)]
     if str(output) == "-":
-        for lines in tables.csv_lines(course, tables.told(parts(course, names, by), lambda part: undefined.append(part.undefined))):
+        found = tables.told(parts(course, names, by), lambda part: undefined.append(part.undefined))
+        for lines in tables.csv_lines(course, found):
             click.echo(lines, nl=False)
         return np.concatenate(undefined)
     if suffix in tables.FORMATS:

@@ -31,7 +31,7 @@ def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = 
     by         which road tells the quantities
 
     Raises BadCondition, UnknownQuantity, UnknownPoint, UnknownLink, UnknownSlide, OtherUnits, NegativeSize,
-    NoLineOf, NoSuchDriver, RoadsDiffer, NotScaled, CannotScale, BadRange, NoPosition, and what a value with a wrong unit raises.
+    NoLineOf, NoSuchDriver, NotScaled, CannotScale, BadRange, NoPosition, RoadsDiffer, and what a wrong unit raises.
     """
     wanted = conditions.read(method.mechanism, condition)
     match wanted:

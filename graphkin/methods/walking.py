@@ -1,7 +1,7 @@
 """A way walked step by step, where links are fitted: each position is found from one close by.
 
-Each step is foretold from the two before, and halved where it does not come to that. Where the angle of a crossing, or of
-a fit, is about to become 0, one step goes from well before to well after, crossings changed over: if the links come
+Each step is foretold from the two before, and halved where it does not come to that. Where the angle of a crossing, or
+of a fit, is about to become 0, one step goes from well before to well after, crossings changed over: if the links come
 smoothly there, and the loci touch between, it is a change point. Else the way is felt for in ever smaller steps; where
 none leads on, it ends.
 """
@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -114,7 +115,8 @@ class _Walk:
         replay(self.method.velocity, replay(self.method.position, plot, sides))
         found, rates = turned(self.method, plot), {**plot.omega, **plot.s_rate}
         sines = {key: self._sine(step, plot, sides) for key, step in self.crossings.items()}
-        return _Node(t, *(np.array([float(table[name]) for name in self.names]) for table in (found, rates)), sines)
+        x, slope = (np.array([float(table[name]) for name in self.names]) for table in (found, rates))
+        return _Node(t, x, slope, sines)
 
     def _sine(self, step: Crossing, plot: Plot, sides: Mapping[int, int]) -> float:
         """The sine of a crossing with the sign of its side, which changes over where it goes through 0."""
@@ -129,7 +131,7 @@ class _Walk:
         return float(np.max(np.abs(change / scale)[self.heard], initial=0.0))
 
     def _taken(self, t: float) -> bool:
-        """One step, if the links come to where they were expected, and no fit to the other side of its change points."""
+        """One step, if the links come to where they were expected, and fits stay on their side of change points."""
         node = self._as_foretold(t, self.sides)
         if node is None:
             return False
@@ -203,17 +205,14 @@ class _Walk:
     # --- what is found ------------------------------------------------------------------------
 
     def so_far(self, others: list[_Node], *beyond: _Node) -> Way:
-        """The way as far as it has been walked, with what lies between the positions found; `others` are on its other side."""
+        """The way as far as it has been walked, with what lies between positions; `others` are on its other side."""
         nodes = sorted([*others[1:], *self.nodes, *beyond], key=lambda node: node.t)
-        pairs = list(zip(nodes, nodes[1:], strict=False))
-        t = [left.t + (right.t - left.t) * k / BETWEEN for left, right in pairs for k in range(BETWEEN)]
-        x = [_cubic(left, right, t[BETWEEN * n + k])[0] for n, (left, right) in enumerate(pairs) for k in range(BETWEEN)]
-        table = np.array([*x, nodes[-1].x])
-        return replace(
-            self.way,
-            nodes=(np.array([*t, nodes[-1].t]), dict(zip(self.names, table.T, strict=True))),
-            changes=self.changes,
-        )
+        t, x = [nodes[-1].t], [nodes[-1].x]
+        for left, right in reversed(list(pairwise(nodes))):
+            t[:0] = between = [left.t + (right.t - left.t) * k / BETWEEN for k in range(BETWEEN)]
+            x[:0] = [_cubic(left, right, place)[0] for place in between]
+        tables = dict(zip(self.names, np.array(x).T, strict=True))
+        return replace(self.way, nodes=(np.array(t), tables), changes=self.changes)
 
     def _stop(self) -> None:
         """The way ends here, to the last digit that stepping on gives, at the crossing that is flattest."""

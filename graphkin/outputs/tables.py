@@ -41,7 +41,10 @@ class NoParquet(GraphkinError):
 def write(
     path: Path, course: Course, names: tuple[str, ...], by: Road, force: bool = False, seen: Seen = lambda part: None
 ) -> None:
-    """A table into a file, by its suffix; `seen` is shown each part. Raises FileInTheWay, NoFolder, CannotWrite, NoParquet."""
+    """A table into a file, by its suffix; `seen` is shown each part.
+
+    Raises FileInTheWay, NoFolder, CannotWrite, NoParquet.
+    """
     found = told(parts(course, names, by), seen)
     if path.suffix == ".parquet":
         _write_parquet(path, course, found, force)

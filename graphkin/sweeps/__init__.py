@@ -8,6 +8,6 @@ from graphkin.sweeps.roads import Road
 from graphkin.sweeps.sweep import Sweep, at, parts, sweep, sweep_over
 
 __all__ = [
-    "Course", "Road", "Series", "Sweep", "asked", "at", "course", "extremes", "held", "left_out", "parts", "remarks", "split", "sweep",
-    "sweep_over",
+    "Course", "Road", "Series", "Sweep", "asked", "at", "course", "extremes", "held", "left_out", "parts", "remarks",
+    "split", "sweep", "sweep_over",
 ]  # fmt: skip

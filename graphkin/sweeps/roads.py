@@ -1,7 +1,8 @@
 """The two roads over many positions: the construction replayed, or the analysis; and places only a limit gives.
 
 At a change point all lines of a group coincide: there velocities are 0/0 on paper, though the motion itself is smooth.
-Such positions get the value that their neighbours on both sides lead to; the analysis does so by itself. Where a special point goes far off, its lines are nearly parallel, and another special point is taken.
+Such positions get the value that their neighbours on both sides lead to; the analysis does so by itself. Where a
+special point goes far off, its lines are nearly parallel, and another special point is taken.
 """
 
 from __future__ import annotations

@@ -73,7 +73,7 @@ def parts(course: Course, names: Sequence[str], by: Road = "construction", size:
 
 
 def _defined(found: Sweep) -> Sweep:
-    """Without positions at which some quantity has no value; quotients may pass through infinity, and centres lie there."""
+    """Without positions at which some quantity has no value; quotients and centres may lie at infinity."""
     own = [entry.values for entry in found.series if not entry.is_place and "/" not in entry.name]
     good = np.all([np.isfinite(values) for values in own], axis=0) if own else np.True_
     if np.all(good):
@@ -153,5 +153,6 @@ def _joined(found: Sequence[Sweep]) -> Sweep:
         )
         for k, first in enumerate(found[0].series)
     )  # fmt: skip
-    t, values, undefined = (np.concatenate([getattr(part, name) for part in found]) for name in ("t", "values", "undefined"))
+    rows = ("t", "values", "undefined")
+    t, values, undefined = (np.concatenate([getattr(part, name) for part in found]) for name in rows)
     return Sweep(found[0].course, t, values, entries, undefined)
