@@ -22,7 +22,7 @@ from graphkin.analytic.vectors import Real
 
 __all__ = ["Line", "Node", "Path", "path_along"]
 
-STRIDE = 0.0817
+STRIDE = 0.12
 """Longest step of a driver [rad]: 4.7 deg."""
 LENGTH_STRIDE = 0.03
 """The same for a displacement, in units of the mechanism's size."""
