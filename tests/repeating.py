@@ -170,7 +170,7 @@ def wheel_on_belt(rng: random.Random, off: float) -> str:
     """A wheel on a moving belt, its centre in a guide of the frame; off [deg]: the guide is not parallel to the belt."""
     b, r, s, c = Board(rng), rng.uniform(20, 50), rng.uniform(-200, -100), rng.uniform(-30, 30)
     name = rng.choice(("", 'name = "contact"\n'))
-    kind = f'block = "4"\npoint = "C"\n' if rng.random() < 0.5 else 'pin = "C"\n'
+    kind = 'block = "4"\npoint = "C"\n' if rng.random() < 0.5 else 'pin = "C"\n'
     carrier = '[links.4]\npoints = ["C"]\n' if "block" in kind else ""
     pairs = [
         f'[[slide]]\nname = "belt"\nblock = "1"\npoint = "D"\nguide = "frame"\nthrough = "O"\nangle = {b.angle(0)}\ntilt = 0\n',

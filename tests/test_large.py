@@ -18,7 +18,7 @@ from large_mechanisms import dyads, ladder, triads
 from random_mechanisms import chain
 
 from graphkin.analytic import motion
-from graphkin.check import compare
+from graphkin.agreement import compare
 from graphkin.errors import AmbiguousSketch, CannotAssemble, GraphkinError
 from graphkin.mechanism import Mechanism
 from graphkin.methods import plan, replay_all

@@ -13,7 +13,7 @@ from repeating import FAMILIES
 from graphkin.analytic import mobility, motion
 from graphkin.api import Drawing, plan
 from graphkin.assur import structure_lines
-from graphkin.check import compare
+from graphkin.agreement import compare
 from graphkin.errors import NotRepeated
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism

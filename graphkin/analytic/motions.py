@@ -92,8 +92,11 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     flat = np.stack([value.ravel() for value in wanted], axis=-1) if wanted else np.zeros((1, 0))
     change = np.zeros((len(flat), len(closure.weights)))
     change[:, first:] = flat - np.array(start.values).reshape(-1)
-    q = moved(closure, start.q, closure.weights @ start.q, change)
+    q, limits = moved(closure, start.q, closure.weights @ start.q, change)
     found = _rates(mechanism, closure, first, q, single=shape == ())
+    for limit in limits:
+        beside = _rates(mechanism, closure, first, limit.q, single=False)
+        found.first[limit.rows], found.second[limit.rows] = limit.weights @ beside.first, limit.weights @ beside.second
     return _motion(mechanism, closure, wanted, q.reshape(*shape, -1), _shaped(found, shape))
 
 

@@ -1,23 +1,27 @@
 """From the drawn position to other driver values, by moving on: so the assembly is kept.
 
-Each sub-step goes along the tangent and is then closed by Newton; it is taken back and halved where
-Newton has to go far, so that a dead point is found as the end of the way and not jumped over.
-Positions on one straight line of driver values (any sweep of one driver) share one way.
+Positions on one straight line of driver values (any sweep of one driver) share one path. Beside a change point they are
+told by positions on both sides of it. Other positions go each its own way, in sub-steps along the tangent that are
+closed by Newton, and taken back and halved where Newton has to go far.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from graphkin.analytic.newton import Closed, Closure, close
+from graphkin.analytic.path import Line, Path, path_along
 from graphkin.analytic.rates import tangent
 from graphkin.analytic.vectors import Real
 
-__all__ = ["moved"]
+__all__ = ["Limit", "moved"]
 
+_SAME = 1e-12
+"""Right sides that differ by less are the same [rad, m]."""
 _STRIDE = 0.0517
 """Longest sub-step of a driver [rad]: 2.96 deg, an odd number so that sub-steps miss the change points."""
 _LENGTH_STRIDE = 0.02
@@ -39,23 +43,109 @@ _TRUST = 0.1
 """Newton may correct a sub-step by this much [rad, size]."""
 
 
-def moved(closure: Closure, start: Real, c: Real, change: Real) -> Real:
-    """Unknowns (p, n) where the right sides are c (k,) + change (p, k); nan where the way does not lead.
+_ASIDE, _PLACES = 0.25, np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
+"""Neighbours of a change point: how far apart, in longest steps of a path, and where."""
+_ALIKE, _NEARER = 1e-7, 4
+"""How far all neighbours and the inner six may tell the change point apart [rad, size]; else nearer ones are taken."""
+_CLEAR = 10
+"""The outermost neighbour is not so near another change point, or the end, as this many times its distance."""
 
-    start   the unknowns (n,) at c
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """Positions beside a change point, as weighted sums of neighbours on both sides.
+
+    rows (m,)   which positions; q (8, n)   the neighbours' unknowns; weights (m, 8)
+    """
+
+    rows: NDArray[np.intp]
+    q: Real
+    weights: Real
+
+
+def moved(closure: Closure, start: Real, c: Real, change: Real) -> tuple[Real, list[Limit]]:
+    """Unknowns (p, n) where the right sides are c (k,) + change (p, k), and the positions beside change points.
+
+    nan where the way does not lead. `start` are the unknowns (n,) at c.
     """
     goals = np.full((len(change), len(start)), np.nan)
-    finite = np.isfinite(change).all(axis=1)
-    if not finite.any():
-        return goals
-    change = change[finite]
-    line = change[int(np.argmax(np.abs(change).sum(axis=1)))]
-    along = change @ line / max(float(line @ line), np.finfo(float).tiny)
-    if np.allclose(along[:, None] * line, change, rtol=0, atol=1e-12):
-        goals[finite] = _on_line(closure, start, c, line, along)
+    there = np.flatnonzero(np.isfinite(change).all(axis=1))
+    if not there.size:
+        return goals, []
+    change = change[there]
+    if (found := _on_line(closure, start, c, change)) is None:
+        goals[there] = _fanned(closure, start, c, change)
+        return goals, []
+    goals[there] = found[0]
+    return goals, [Limit(there[limit.rows], limit.q, limit.weights) for limit in found[1]]
+
+
+def _on_line(closure: Closure, start: Real, c: Real, change: Real) -> tuple[Real, list[Limit]] | None:
+    """Positions on one line, which may pass the drawn position by: first straight to it. None where none joins them."""
+    base, line = change[0], change[int(np.argmax(np.abs(change - change[0]).sum(axis=1)))] - change[0]
+    square = float(line @ line)
+    if square < _SAME**2:
+        base, line = np.zeros_like(base), base
     else:
-        goals[finite] = _fanned(closure, start, c, change)
-    return goals
+        base = base - line * float(base @ line) / square
+    along = (change - base) @ line / max(float(line @ line), np.finfo(float).tiny)
+    if not np.allclose(base + along[:, None] * line, change, rtol=0, atol=_SAME):
+        return None
+    if np.max(np.abs(base), initial=0.0) > _SAME:
+        aside = path_along(Line(closure, c, base), start, 0.0, 1.0)
+        if aside.at[-1] < 1.0:
+            return None
+        start, c = aside.between(np.ones(1))[0], c + base
+    return _at(Line(closure, c, line), start, along)
+
+
+def _at(line: Line, start: Real, along: Real) -> tuple[Real, list[Limit]]:
+    """Positions along a path, found all at once from its nodes."""
+    beyond = 4 * _ASIDE * line.longest if np.any(line.toward) else 0.0
+    path = path_along(line, start, min(along.min(), 0.0) - beyond, max(along.max(), 0.0) + beyond)
+    q = _closed_at(path, along)
+    limits = [limit for change in path.changes if (limit := _beside(path, along, change)) is not None]
+    for limit in limits:
+        q[limit.rows] = limit.weights @ limit.q
+    return q, limits
+
+
+def _closed_at(path: Path, along: Real) -> Real:
+    line, guess = path.line, path.between(along)
+    closed = close(line.closure, guess, line.c + along[:, None] * line.toward, steps=25)
+    margin = _MARGIN * line.longest
+    reached = (along >= path.at[0] - margin) & (along <= path.at[-1] + margin)
+    return np.where((reached & _good(line.closure, closed, guess))[:, None], closed.q, np.nan)
+
+
+def _beside(path: Path, along: Real, change: float) -> Limit | None:
+    """The positions beside a change point; none where its neighbours are not all reached."""
+    others = [*(abs(change - other) for other in path.changes if other != change), *np.abs(path.at[[0, -1]] - change)]
+    aside = min(_ASIDE * path.line.longest, min(others) / _CLEAR)
+    if not np.any(np.abs(along - change) < aside):
+        return None
+    for _ in range(_NEARER):
+        q = _closed_at(path, change + aside * _PLACES)
+        if not np.isfinite(q).all():
+            return None
+        if np.max(np.abs((_weights(np.zeros(1), _PLACES) - _MIDDLE) @ q)) < _ALIKE:
+            break
+        aside /= 2
+    rows = np.flatnonzero(np.abs(along - change) < aside)
+    return Limit(rows, q, _weights((along[rows] - change) / aside, _PLACES))
+
+
+def _weights(x: Real, places: Real) -> Real:
+    """Lagrange's weights of neighbours at places (k,), for x (m,): (m, k)."""
+    weights = np.ones((len(x), len(places)))
+    for k, place in enumerate(places):
+        for other in np.delete(places, k):
+            weights[:, k] *= (x - other) / (place - other)
+    return weights
+
+
+_MIDDLE = np.concatenate([[0.0], _weights(np.zeros(1), _PLACES[1:-1])[0], [0.0]])
+"""The change point itself by the inner neighbours alone."""
 
 
 def _fanned(closure: Closure, start: Real, c: Real, change: Real) -> Real:
@@ -68,46 +158,11 @@ def _fanned(closure: Closure, start: Real, c: Real, change: Real) -> Real:
     return np.where((reached & _good(closure, closed, q))[:, None], closed.q, np.nan)
 
 
-def _on_line(closure: Closure, start: Real, c: Real, line: Real, along: Real) -> Real:
-    """Positions at c + along (p,) line: one way, and from its sub-steps to each position."""
-    back, forth = (_way(closure, start, c, line, end) for end in (along.min(), along.max()))
-    at = np.concatenate([back[0][:0:-1], forth[0]])
-    nodes = np.concatenate([back[1][:0:-1], forth[1]])
-    guess = _between(at, nodes, tangent(closure, nodes, line), along)
-    closed = close(closure, guess, c + along[:, None] * line, steps=25)
-    margin = _MARGIN * _longest(closure, line[None])[0]
-    reached = (along >= at[0] - margin) & (along <= at[-1] + margin)
-    return np.where((reached & _good(closure, closed, guess))[:, None], closed.q, np.nan)
-
-
-def _way(closure: Closure, start: Real, c: Real, line: Real, end: float) -> tuple[Real, Real]:
-    """Sub-steps from 0 to `end` along the line: how far (w,), and the unknowns there (w, n)."""
-    at, nodes = [0.0], [start]
-    if end != 0:
-        for q, done in _walk(closure, start, c, end * line[None]):
-            if end * done[0] != at[-1]:
-                at.append(end * float(done[0]))
-                nodes.append(q[0])
-    return np.array(at), np.array(nodes)
-
-
-def _between(at: Real, nodes: Real, slopes: Real, along: Real) -> Real:
-    """Cubic Hermite between sub-steps: (p, n)."""
-    if len(at) == 1:
-        return np.broadcast_to(nodes[0], (len(along), nodes.shape[1]))
-    right = np.clip(np.searchsorted(at, along), 1, len(at) - 1)
-    left, width = right - 1, (at[right] - at[right - 1])[:, None]
-    t = (along[:, None] - at[left][:, None]) / width
-    ends = nodes[left] * (1 + 2 * t) * (1 - t) ** 2 + nodes[right] * t**2 * (3 - 2 * t)
-    bends = slopes[left] * t * (1 - t) ** 2 - slopes[right] * t**2 * (1 - t)
-    return np.asarray(ends + width * bends)
-
-
 def _walk(closure: Closure, start: Real, c: Real, change: Real) -> Iterator[tuple[Real, Real]]:
     """Yield (q (p, n), share of the way done (p,)) after each sub-step, until all arrive or are stuck."""
     q, done = np.repeat(start[None], len(change), axis=0), np.zeros(len(change))
     longest, heard = _longest(closure, change), closure.loops.moves(closure.loops.rows)
-    stride, slope, side = longest.copy(), tangent(closure, q, change), _side(closure, q)
+    stride, (slope, _, side) = longest.copy(), tangent(closure, q, change)
     while (active := (done < 1) & (stride > _SHORTEST * longest)).any():
         toward = slope[active]
         fastest = np.max(np.abs(toward[:, heard]), axis=1, initial=0.0)
@@ -116,13 +171,12 @@ def _walk(closure: Closure, start: Real, c: Real, change: Real) -> Iterator[tupl
         step = (ahead - done[active])[:, None]
         tried = q[active] + step * toward
         closed = close(closure, tried, c + ahead[:, None] * change[active], steps=7)
-        onward = tangent(closure, closed.q, change[active])
+        onward, _, beyond = tangent(closure, closed.q, change[active])
         swerve = np.abs(step * (onward - toward))
         slip = np.abs(closed.q - q[active] - step * (onward + toward) / 2)
         smooth = (np.max(swerve[:, heard], axis=1, initial=0.0) < _SWERVE) & (
             np.max(slip[:, heard], axis=1, initial=0.0) < _SLIP
         )
-        beyond = _side(closure, closed.q)
         same = (beyond == side[active]) | (share <= _CROSSING * longest[active])
         good = _good(closure, closed, tried) & smooth & same
         stride[active] = np.where(good, np.minimum(2 * share, longest[active]), share / 2)
@@ -131,13 +185,6 @@ def _walk(closure: Closure, start: Real, c: Real, change: Real) -> Iterator[tupl
         side[active] = np.where(good, beyond, side[active])
         done[active] = np.where(good, ahead, done[active])
         yield q.copy(), done.copy()
-
-
-def _side(closure: Closure, q: Real) -> Real:
-    """The sign of the matrix's determinant: it changes only through a change point, or to another assembly."""
-    matrix = closure.matrix(q)
-    square = matrix.shape[-1] == matrix.shape[-2]
-    return np.asarray(np.linalg.slogdet(matrix)[0]) if square else np.ones(len(q))
 
 
 def _longest(closure: Closure, change: Real) -> Real:

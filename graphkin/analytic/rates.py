@@ -36,11 +36,18 @@ def rates(closure: Closure, q: Real, first: Real, second: Real) -> Rates:
     return Rates(dq, ddq, condition)
 
 
-def tangent(closure: Closure, q: Real, first: Real) -> Real:
-    """q' alone (..., n); `first` (..., k) may differ from position to position."""
+def tangent(closure: Closure, q: Real, first: Real) -> tuple[Real, Real, Real]:
+    """q' alone (p, n), the reciprocal condition number of A (p,), and its determinant's sign (p,), 1 if it has none.
+
+    `first` (..., k) may differ from position to position. The sign changes only through a change point, or to another
+    assembly.
+    """
     slope = closure.loops.slope(q)
-    inverted, _ = inverse(slope @ closure.known.left)
-    return _solved(closure, inverted, slope, first, np.zeros(slope.shape[:-1]))
+    matrix = slope @ closure.known.left
+    inverted, condition = inverse(matrix)
+    square = matrix.shape[-1] == matrix.shape[-2]
+    sense = np.asarray(np.linalg.slogdet(matrix)[0]) if square else np.ones(len(q))
+    return _solved(closure, inverted, slope, first, np.zeros(slope.shape[:-1])), condition, sense
 
 
 def _solved(closure: Closure, inverted: Real, slope: Real, given: Real, rest: Real) -> Real:

@@ -23,8 +23,10 @@ from graphkin.cli.shared import (
 from graphkin.errors import Lang, TooManyRows, Where
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from graphkin.sheet import Sheet
-    from graphkin.sweeps import Course, Road
+    from graphkin.sweeps import Course, Road, Sweep
 
 __all__ = ["find", "sweep"]
 
@@ -71,14 +73,16 @@ def sweep(
     names = sweeps.asked(method.mechanism, sweeps.split(of))
     course = sweeps.course(method, ranges)
     _refuse_rows(course.t.size, output)
+    sweeps.held(course)
     if output is None:
         found = sweeps.sweep_over(course, names, by)
         click.echo("\n".join(reports.book_lines(found) if table else reports.sweep_lines(found)))
-        for line in (*sweeps.remarks(course, lang), *sweeps.extremes(found, lang)):
+        left_out = sweeps.left_out(course, found.undefined, lang)
+        for line in (*sweeps.remarks(course, lang), *left_out, *sweeps.extremes(found, lang)):
             click.echo(line, err=table)
     else:
-        _write_sweep(output, course, names, by, force, lang)
-        for line in sweeps.remarks(course, lang):
+        undefined = _write_sweep(output, course, names, by, force, lang)
+        for line in (*sweeps.remarks(course, lang), *sweeps.left_out(course, undefined, lang)):
             click.echo(line, err=True)
     for text in limits:
         for line in finding.lines(finding.limit(course, text, ranges, by), lang):
@@ -94,24 +98,34 @@ def _refuse_rows(rows: int, output: Path | None) -> None:
 
 def _write_sweep(
     output: Path, course: Course, names: tuple[str, ...], by: Road, force: bool, lang: Lang
-) -> None:
+) -> np.ndarray:
+    """Write it; gives the driver's values at positions that are left out."""
+    import numpy as np
+
     from graphkin.outputs import tables
     from graphkin.sweeps import parts
 
-    suffix = output.suffix.lower()
+    suffix, undefined = output.suffix.lower(), [np.empty(0)]
     if str(output) == "-":
-        for lines in tables.csv_lines(course, parts(course, names, by)):
+        found = tables.told(parts(course, names, by), lambda part: undefined.append(part.undefined))
+        for lines in tables.csv_lines(course, found):
             click.echo(lines, nl=False)
-        return
+        return np.concatenate(undefined)
     if suffix in tables.FORMATS:
         with click.progressbar(length=course.t.size, file=sys.stderr, hidden=course.t.size < LONG) as bar:
-            tables.write(output, course, names, by, force, bar.update)
+
+            def seen(part: Sweep) -> None:
+                undefined.append(part.undefined)
+                bar.update(part.t.size + part.undefined.size)
+
+            tables.write(output, course, names, by, force, seen)
     else:
         from graphkin.outputs import diagram
 
         if (remark := diagram.write(output, course, names, lang, by, force)) is not None:
             click.echo(remark.message(lang), err=True)
     click.echo(str(output))
+    return np.concatenate(undefined)
 
 
 @click.command()

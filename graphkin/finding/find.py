@@ -19,7 +19,7 @@ from graphkin.finding.points import line_of, scaled, slowest, spots
 from graphkin.finding.quantities import checked
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
-from graphkin.sweeps import Course, Road, Series, course
+from graphkin.sweeps import Course, Road, Series, course, held
 
 __all__ = ["check_limit", "find", "limit"]
 
@@ -34,17 +34,16 @@ def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = 
     by         which road tells the quantities
 
     Raises BadCondition, UnknownQuantity, UnknownPoint, UnknownLink, UnknownSlide, OtherUnits, NegativeSize,
-    NoLineOf, NoSuchDriver, NotScaled, CannotScale, BadRange, NoPosition, and what a value with a wrong unit raises.
+    NoLineOf, NoSuchDriver, NotScaled, CannotScale, BadRange, NoPosition, RoadsDiffer, and what a wrong unit raises.
     """
     wanted = conditions.read(method.mechanism, condition)
     match wanted:
         case Comparison():
             drawn = checked(method.mechanism, wanted.quantities)
-            over = ground(course(method, ranges), tuple(ranges), wanted.quantities, by)
-            return _compared(method, wanted, drawn, over)
+            return _compared(method, wanted, drawn, _over(method, ranges, wanted.quantities, by))
         case Extreme():
             drawn = checked(method.mechanism, wanted.quantities)
-            over = ground(course(method, ranges), tuple(ranges), wanted.quantities, by)
+            over = _over(method, ranges, wanted.quantities, by)
             if wanted.which == "stroke" and drawn[0].unit not in ("rad", "m"):
                 raise BadCondition(WHERE, condition)
             return _extreme(method, wanted, drawn, over)
@@ -59,6 +58,13 @@ def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = 
             return replace(blank, speeds=scaled(method, wanted, at))
         case _:
             assert_never(wanted)
+
+
+def _over(method: Method, ranges: Sequence[str], names: tuple[str, ...], by: Road) -> Ground:
+    """Where it is looked: only where the two roads agree."""
+    moved = course(method, ranges)
+    held(moved)
+    return ground(moved, tuple(ranges), names, by)
 
 
 def limit(moved: Course, text: str, ranges: Sequence[str] = (), by: Road = "construction") -> Found:

@@ -122,6 +122,8 @@ def _words(value: object, path: Path) -> Iterator[tuple[Path, str]]:
             for key, item in value.items():
                 yield (*path, tidy(key)), key
                 yield from _words(item, (*path, tidy(key)))
+        case _:
+            pass
 
 
 def _broken(reason: str, text: str, file: str) -> BrokenToml:

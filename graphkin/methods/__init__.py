@@ -66,8 +66,13 @@ class Method:
 
     @property
     def moves_on(self) -> bool:
-        """Whether positions are found by moving on from the drawn one: where links are fitted, or wheels roll."""
+        """Whether positions hang on how they are reached from the drawn one: where links are fitted, or wheels roll."""
         return any(isinstance(step, Fit | Roll) for step in self.position.steps)
+
+    @property
+    def fits(self) -> bool:
+        """Whether links are fitted: each such position is found from one close by."""
+        return any(isinstance(step, Fit) for step in self.position.steps)
 
     @cached_property
     def size(self) -> float:

@@ -6,21 +6,22 @@ the loci part (a dead point), touch (a change point, or parallel lines), or neit
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from graphkin.geometry import Value
 from graphkin.methods.assembly import links_of
 from graphkin.methods.far import refuse_far
-from graphkin.methods.way import Event, Way, along, stride
-from graphkin.steps import Arc, Fit, Meet, Plot, Swing
+from graphkin.methods.way import Event, Way, along, stride, with_nodes
+from graphkin.steps import Arc, Fit, Meet, Plot, Swing, replay, slide_key
 
 if TYPE_CHECKING:
     from graphkin.methods import Method
 
-__all__ = ["crossings", "event_at", "key_of", "look_along"]
+__all__ = ["Crossing", "by_slide_key", "crossings", "event_at", "key_of", "look_along", "touching", "turned"]
 
 LOOK_DEG, LOOK_PART = 0.5, 0.002
 """How closely the way is looked at [deg, of the mechanism's size]."""
@@ -31,6 +32,8 @@ TOUCHING_SINE = 3e-6
 LOW_SINE = 0.3
 """Below this a least angle between two loci is looked at more closely."""
 ROUNDS, FINE = 3, 201
+FAST, HALVINGS = 0.5, 6
+"""Where a link turns more between two positions [rad], those between are looked at, too; so often."""
 CENTRING = 1e-3
 """How far to both sides of a touching it is weighed, as part of how closely the way is looked at."""
 
@@ -44,12 +47,12 @@ def look_along(
 
     after   a place on another way, to start from there instead of from the drawn position
     """
-    from graphkin.methods.moving import with_nodes
+    from graphkin.methods.walking import walked
 
     way = _setting_out(method, tuple(float(p) for p in pace), (float(low), float(high)), after)
     refuse_far(method, way, LOOK_DEG, LOOK_PART)
-    if method.moves_on:
-        return with_nodes(method, way)
+    if method.fits:
+        return walked(method, way)
     for end in (high, low):
         way = _scouted(method, way, end)
     return way
@@ -85,10 +88,11 @@ def _scouted(method: Method, way: Way, end: float) -> Way:
     side = 1.0 if end > 0 else -1.0
     while side * (end - begin) > 1e-6 * step:
         count = int(np.ceil(abs(end - begin) / step)) + 2
-        t = np.linspace(begin, end, count)
-        event = _next_event(method, way, t)
+        seen, t, plot = _seen(method, way, np.linspace(begin, end, count))
+        event = _next_event(method, seen, t, plot)
         if event is None:
-            return way
+            return seen
+        way = _as_far_as(seen, event.at)
         if not event.choices:
             return replace(way, stops=(*way.stops, event))
         way = replace(way, changes=(*way.changes, event))
@@ -96,9 +100,53 @@ def _scouted(method: Method, way: Way, end: float) -> Way:
     return way
 
 
-def _next_event(method: Method, way: Way, t: np.ndarray) -> Event | None:
+def _seen(method: Method, way: Way, t: np.ndarray) -> tuple[Way, np.ndarray, Plot]:
+    """The plot at t, from the drawn position on to one side; where rolling counts, each position from the one before.
+
+    There the way gets what is found as its nodes, and more positions where a link turns fast.
+    """
+    if way.nodes is None:
+        return way, t, along(method, way, t)
+    near = way.near(float(t[0]))
+    for halving in range(HALVINGS + 1):
+        plot = Plot(method.facts(way.values(t)), near, follows=True)
+        replay(method.position, plot, way.crossings(t))
+        tables = {name: np.array(np.broadcast_to(value, t.shape)) for name, value in turned(method, plot).items()}
+        fast = np.max([np.abs(np.diff(tables[base])) for base in method.structure.bases], axis=0, initial=0.0) > FAST
+        if not fast.any() or halving == HALVINGS:
+            break
+        t = np.insert(t, np.flatnonzero(fast) + 1, (t[:-1] + t[1:])[fast] / 2)
+    return with_nodes(way, t, {name: _filled(t, table) for name, table in tables.items()}), t, plot
+
+
+def turned(method: Method, plot: Plot) -> dict[str, Value]:
+    """Angles by base link, and displacements by `slide_key`."""
+    return {base: plot.theta[base] for base in method.structure.bases} | by_slide_key(plot.s)
+
+
+def by_slide_key(displacements: Mapping[str, Value]) -> dict[str, Value]:
+    """Displacements, or how fast they change, named as `near` has them."""
+    return {slide_key(slide): value for slide, value in displacements.items()}
+
+
+def _filled(t: np.ndarray, table: np.ndarray) -> np.ndarray:
+    """A table with what lies between where a position has no value of its own."""
+    there = np.isfinite(table)
+    order = np.argsort(t[there])
+    return table if there.all() or not there.any() else np.interp(t, t[there][order], table[there][order])
+
+
+def _as_far_as(way: Way, end: float) -> Way:
+    """The way without nodes beyond `end`."""
+    if way.nodes is None:
+        return way
+    t, tables = way.nodes
+    kept = t <= end if end > 0 else t >= end
+    return replace(way, nodes=(t[kept], {name: table[kept] for name, table in tables.items()}))
+
+
+def _next_event(method: Method, way: Way, t: np.ndarray, plot: Plot) -> Event | None:
     """The first stop or change point among positions t, in their order."""
-    plot = along(method, way, t)
     found: list[tuple[float, Crossing, bool]] = []
     for step in crossings(method):
         if (met := _first(method, way, t, step, plot)) is not None:
@@ -203,7 +251,16 @@ def _closer(method: Method, way: Way, step: Crossing, begin: float, end: float) 
         begin, end = float(t[max(k - 1, 0)]), float(t[min(k + 1, FINE - 1)])
     if sine[k] > TOUCHING_SINE:
         return (parted, False) if parted is not None else None
-    return _centred(method, way, step, float(t[k])), _kind(step) not in ("parallel", "fit")
+    centre = _centred(method, way, step, float(t[k]))
+    if not np.isfinite(centre):  # they part on one side: as flat as this only by rounding
+        return (float(t[k]) if parted is None else parted), False
+    return centre, _kind(step) != "parallel"
+
+
+def touching(method: Method, way: Way, step: Crossing, begin: float, end: float) -> float | None:
+    """Where the loci of a crossing touch between two places, to go on beyond; None where they do not."""
+    found = _closer(method, way, step, begin, end)
+    return found[0] if found is not None and found[1] else None
 
 
 def _lowest(sine: np.ndarray) -> int | None:

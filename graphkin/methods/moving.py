@@ -10,28 +10,22 @@ import numpy as np
 
 from graphkin.errors import NotReached
 from graphkin.geometry import Value
-from graphkin.methods.looking import crossings, event_at, key_of, look_along
+from graphkin.methods.looking import look_along, turned
 from graphkin.methods.swift import in_parts
-from graphkin.methods.way import Event, Way, along, stride
-from graphkin.steps import Fit, Plot, replay, slide_key
+from graphkin.methods.way import Way, along, stride
+from graphkin.steps import Plot, replay
 
 if TYPE_CHECKING:
     from graphkin.methods import Method
 
-__all__ = ["moved_to", "reached", "with_nodes"]
+__all__ = ["moved_to", "reached"]
 
 STEP_DEG, STEP_PART = 3.0, 0.02
 """How far a mechanism is moved at once where its position is found from the one before [deg, of its size]."""
 SURPRISE = 0.02
 """How far a link may turn beside what its turning so far foretold [rad]; more, and the step is halved."""
-SWERVE, SLIP = 0.15, 0.005
-"""How much the turning over a step may differ at its two ends, and from their mean [rad]: another branch does."""
 SHORTEST = 1 / 256
 """Steps are not halved below this part of the longest, for many positions at once."""
-CROSSING = 2e-5
-"""Through a change point only by steps this much shorter than the longest; longer ones could cut across."""
-FLAT_SINE = 0.1
-"""Crossings under a smaller angle may change over where the way is stuck."""
 
 
 # --- single positions -------------------------------------------------------------------------
@@ -121,7 +115,7 @@ def _fanned(method: Method, values: Sequence[Value]) -> Plot:
         at = tuple(begin + way * there for begin, way in zip(start, ways, strict=True))
         guess = {name: near[name] + slope[name] * (there - done) for name in near}
         plot = replay(method.position, Plot(replace(facts, values=at), guess))
-        now = _turned(method, plot)
+        now = turned(method, plot)
         if _surprise(now, guess, method.structure.bases) > SURPRISE and step > longest * SHORTEST:
             step /= 2
             continue
@@ -131,127 +125,6 @@ def _fanned(method: Method, values: Sequence[Value]) -> Plot:
         near, done, step = now, there, min(longest, 1.5 * step)
 
 
-def _turned(method: Method, plot: Plot) -> dict[str, Value]:
-    return {base: plot.theta[base] for base in method.structure.bases} | _keyed(plot.s)
-
-
-def _keyed(displacements: Mapping[str, Value]) -> dict[str, Value]:
-    return {slide_key(slide): value for slide, value in displacements.items()}
-
-
 def _surprise(now: Mapping[str, Value], guess: Mapping[str, Value], bases: Sequence[str]) -> float:
     """The largest angle between where links are and where they were expected."""
     return max((float(np.nanmax(np.abs(now[b] - guess[b]), initial=0.0)) for b in bases), default=0.0)
-
-
-# --- one way, step by step --------------------------------------------------------------------
-
-
-def with_nodes(method: Method, way: Way) -> Way:
-    """The way walked in steps both ways from the drawn position; it ends where no step leads on."""
-    forth, back = _Walk(method, way), _Walk(method, way)
-    forth.walk(way.high)
-    back.walk(way.low)
-    t = np.array([*back.at[:0:-1], *forth.at])
-    nodes = [*back.found[:0:-1], *forth.found]
-    tables = {name: np.array([node[name] for node in nodes]) for name in nodes[0]}
-    return replace(
-        way, stops=(*back.stops, *forth.stops), changes=(*back.changes, *forth.changes), nodes=(t, tables)
-    )
-
-
-class _Walk:
-    """One direction of a way: nodes found so far, change points gone through, and what ended it.
-
-    found, slopes   angles by base link and displacements at each node, and their change with t
-    """
-
-    def __init__(self, method: Method, way: Way) -> None:
-        self.method, self.way = method, way
-        self.sides = dict(way.sides)
-        self.stops: tuple[Event, ...] = ()
-        self.changes: tuple[Event, ...] = ()
-        self.longest = stride(method, way.pace, STEP_DEG, STEP_PART)
-        now, slope, self.senses = self._looked_at(0.0, way.near(0.0), self.sides)
-        self.at, self.found, self.slopes = [0.0], [now], [slope]
-
-    def walk(self, end: float) -> None:
-        step = longest = self.longest
-        while abs(end - self.at[-1]) > 1e-12 * longest:
-            if self._taken(self._ahead(end, step), self.sides):
-                step = min(longest, 1.5 * step)
-            elif step > longest * CROSSING:
-                step /= 2
-            elif not self._through(end, 64 * step):
-                self._stop(end, step)
-                return
-
-    def _ahead(self, end: float, step: float) -> float:
-        way = end - self.at[-1]
-        return end if abs(way) <= step else self.at[-1] + float(np.copysign(step, way))
-
-    def _looked_at(
-        self, t: float, near: Mapping[str, Value], sides: Mapping[int, int]
-    ) -> tuple[dict[str, float], dict[str, float], dict[str, Value]]:
-        """Angles and displacements at t, how they change with it, and the senses of what is fitted."""
-        facts = replace(self.method.facts(self.way.values(t)), rates=self.way.pace)
-        plot = replay(self.method.velocity, replay(self.method.position, Plot(facts, near), sides))
-        now = {name: float(value) for name, value in _turned(self.method, plot).items()}
-        rates = {**plot.omega, **_keyed(plot.s_rate)}
-        return now, {name: float(rates[name]) for name in now}, plot.senses
-
-    def _taken(self, ahead: float, sides: Mapping[int, int]) -> bool:
-        """One step, if the links come to where they were expected, and go on as they did."""
-        step, before, slope = ahead - self.at[-1], self.found[-1], self.slopes[-1]
-        guess = {name: value + slope[name] * step for name, value in before.items()}
-        now, then, senses = self._looked_at(ahead, guess, sides)
-        if not all(map(np.isfinite, now.values())):
-            return False
-        if senses != self.senses and abs(step) > self.longest * CROSSING:
-            return False
-        secant = {name: (now[name] - before[name]) / step for name in now}
-        then = {name: value if np.isfinite(value) else secant[name] for name, value in then.items()}
-        for base in self.method.structure.bases:
-            swerve = abs(then[base] - slope[base]) * abs(step)
-            slip = abs((then[base] + slope[base]) / 2 - secant[base]) * abs(step)
-            if swerve > SWERVE or slip > SLIP:
-                return False
-        self.at.append(ahead)
-        self.found.append(now)
-        self.slopes.append(then)
-        self.senses = senses
-        return True
-
-    def _through(self, end: float, step: float) -> bool:
-        """Through a change point, if crossings under small angles, changed over, lead on."""
-        plot = along(self.method, self._so_far(), self.at[-1])
-        here = self.at[-1]
-        for crossing in crossings(self.method):
-            if isinstance(crossing, Fit) or crossing.choice is None:
-                continue
-            if float(plot.sines["position", key_of(crossing)]) > FLAT_SINE:
-                continue
-            changed = self.sides | {crossing.choice: -self.sides[crossing.choice]}
-            if self._taken(self._ahead(end, step), changed):
-                self.sides = changed
-                at = (here + self.at[-1]) / 2
-                self.changes = (*self.changes, event_at(self.method, crossing, at, (crossing.choice,)))
-                return True
-        return False
-
-    def _so_far(self) -> Way:
-        """The way as far as it has been walked."""
-        t = np.array(self.at)
-        order = np.argsort(t)
-        tables = {name: np.array([node[name] for node in self.found])[order] for name in self.found[0]}
-        return replace(self.way, nodes=(t[order], tables), changes=self.changes)
-
-    def _stop(self, end: float, step: float) -> None:
-        """The way ends here: where, to the last digit that stepping on gives, and at which crossing."""
-        smallest = 1e-9 * self.longest
-        while step > smallest:
-            if not self._taken(self._ahead(end, step), self.sides):
-                step /= 2
-        plot = along(self.method, self._so_far(), self.at[-1])
-        flattest = min(crossings(self.method), key=lambda step: float(plot.sines["position", key_of(step)]))
-        self.stops = (event_at(self.method, flattest, self.at[-1], ()),)

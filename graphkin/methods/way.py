@@ -8,7 +8,7 @@ smoothly, and from there on the other crossing is the right one. Two lines that 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,7 +20,7 @@ from graphkin.value import frozen
 if TYPE_CHECKING:
     from graphkin.methods import Method
 
-__all__ = ["Event", "Way", "along", "stride"]
+__all__ = ["Event", "Way", "along", "stride", "with_nodes"]
 
 
 @frozen
@@ -29,7 +29,7 @@ class Event:
 
     at       where on the way
     kind     "in line" (two links), "right angle" (a link and a guide), "tangent" (a guide and its circle),
-             "parallel" (two lines), "fit" (a group that is fitted)
+             "parallel" (two lines), "fit" (a group that is fitted), "two ways" (such a group at a change point)
     links    the links of the group
     choices  crossings that change over, for a change point
     """
@@ -47,7 +47,7 @@ class Way:
     low, high   how far it was looked; beyond a stop the way does not lead
     stops       where it ends, before the drawn position and after it: at most one each
     changes     change points on it
-    nodes       where each position hangs on the one before: t (m,), angles by base link and displacements (m,) each
+    nodes       where positions hang on how they are reached: t (m,), angles by base link and displacements (m,) each
     sides       the crossing of each choice at t = 0
     """
 
@@ -94,6 +94,16 @@ class Way:
             return {}
         at, tables = self.nodes
         return {name: np.interp(t, at, table)[()] for name, table in tables.items()}
+
+
+def with_nodes(way: Way, t: np.ndarray, tables: Mapping[str, np.ndarray]) -> Way:
+    """The way with what is found at t (m,), which goes on from the drawn position to one side; nodes there are left."""
+    assert way.nodes is not None
+    at, before = way.nodes
+    kept = at < t[0] if t[-1] > t[0] else at > t[0]
+    order = np.argsort(found := np.concatenate([at[kept], t]))
+    joined = {name: np.concatenate([before[name][kept], table])[order] for name, table in tables.items()}
+    return replace(way, nodes=(found[order], joined))
 
 
 def along(method: Method, way: Way, t: Value) -> Plot:

@@ -17,15 +17,15 @@ from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs.files import beside
 from graphkin.sweeps import Course, Road, Series, Sweep, parts
 
-__all__ = ["FORMATS", "NoParquet", "columns", "csv_lines", "json_text", "write"]
+__all__ = ["FORMATS", "NoParquet", "columns", "csv_lines", "json_text", "told", "write"]
 
 FORMATS = (".csv", ".json", ".parquet")
 MARKS = (b" [deg]", b" [mm]", b'"format": 1', b"graphkin")
 EDGE = {"rad": ("deg", 180 / math.pi), "m": ("mm", 1000.0)}
 """Units at the edge, by SI unit, and how many of them make one."""
 
-Seen = Callable[[int], None]
-"""Is told how many positions more are done."""
+Seen = Callable[[Sweep], None]
+"""Is shown each part that is done."""
 
 
 class NoParquet(GraphkinError):
@@ -39,10 +39,13 @@ class NoParquet(GraphkinError):
 
 
 def write(
-    path: Path, course: Course, names: tuple[str, ...], by: Road, force: bool = False, seen: Seen = lambda done: None
+    path: Path, course: Course, names: tuple[str, ...], by: Road, force: bool = False, seen: Seen = lambda part: None
 ) -> None:
-    """A table into a file, by its suffix. Raises FileInTheWay, NoFolder, CannotWrite, NoParquet."""
-    found = _told(course, parts(course, names, by), seen)
+    """A table into a file, by its suffix; `seen` is shown each part.
+
+    Raises FileInTheWay, NoFolder, CannotWrite, NoParquet.
+    """
+    found = told(parts(course, names, by), seen)
     if path.suffix == ".parquet":
         _write_parquet(path, course, found, force)
         return
@@ -54,10 +57,11 @@ def write(
                 file.write(lines)
 
 
-def _told(course: Course, found: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
+def told(found: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
+    """The parts, each shown to `seen` when it is done."""
     for part in found:
         yield part
-        seen(part.t.size)
+        seen(part)
 
 
 # --- columns ----------------------------------------------------------------------------------
@@ -116,6 +120,7 @@ def json_text(course: Course, found: Iterator[Sweep]) -> str:
             "stops": [_event(course, stop) for stop in course.stops],
             "change_points": [_event(course, change) for change in course.changes],
             "not_reached": [float(value) for value in course.dropped],
+            **({"undefined": undefined} if (undefined := _all([part.undefined for part in collected])) else {}),
         },
         "quantities": {
             entry.name: _quantity([part.series[k] for part in collected])

@@ -31,7 +31,7 @@ def roll(step: Roll, plot: Plot, plane: Plane) -> None:
     known, coefficients = _in_step(step.contact, plot, plane, {step.angle} - {""}, {step.slide} - {""})
     value = -known / sum(coefficients.values())
     if step.angle:
-        plot.settle(("theta", "omega", "alpha")[_order(plane)], step.angle, value)
+        plot.settle(("theta", "omega", "alpha")[_order(plane)], step.angle, value, counted=True)
     else:
         _displacements(plot, plane)[step.slide] = value
 
@@ -136,12 +136,10 @@ def _keep_what_fits(step: Fit, plot: Plot, x: np.ndarray, size: float, units: np
 
 
 def _settle_all(step: Fit, plot: Plot, x: np.ndarray) -> None:
-    near, plot.near = plot.near, {}
     for k, base in enumerate(step.angles):
-        plot.settle("theta", base, x[k][()])
+        plot.settle("theta", base, x[k][()], counted=True)
     for k, slide in enumerate(step.slides, len(step.angles)):
         plot.s[slide] = x[k][()]
-    plot.near = near
 
 
 def _gaps(step: Fit, plot: Plot, shape: tuple[int, ...], size: float) -> tuple[np.ndarray, np.ndarray]:

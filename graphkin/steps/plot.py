@@ -93,10 +93,12 @@ class Plot:
     senses       +1 or -1: on which side of its change points a group lies that is found by fitting
     near         angles by base link and displacements by `slide_key` of a position close by: what is fitted starts
                  there, and angles are counted on from there
+    follows      the positions follow one another closely: each angle counts on from the one before
     """
 
     facts: Facts
     near: Mapping[str, Value] = field(default_factory=dict)
+    follows: bool = False
     position: dict[str, Value] = field(default_factory=dict)
     velocity: dict[str, Value] = field(default_factory=dict)
     acceleration: dict[str, Value] = field(default_factory=dict)
@@ -194,14 +196,25 @@ class Plot:
         link = part.link if isinstance(part, Arm) else self.facts.lines[part.slide][0]
         return self.theta[self.facts.turns[link].base]
 
-    def settle(self, quantity: str, base: str, value: Value) -> None:
-        """Give a whole group of links that hold their angles to one another its angle or its rate."""
+    def settle(self, quantity: str, base: str, value: Value, counted: bool = False) -> None:
+        """Give a whole group of links that hold their angles to one another its angle or its rate.
+
+        counted     the angle holds whole turns already, as that of a wheel that rolls does
+        """
         table: dict[str, Value] = getattr(self, quantity)
-        if quantity == "theta" and base in self.near:
-            value = value + 2 * np.pi * np.round((self.near[base] - value) / (2 * np.pi))
+        if quantity == "theta" and base in self.near and not counted:
+            value = self._counted(value, self.near[base])
         for link, turn in self.facts.turns.items():
             if turn.base != base:
                 continue
             order = ("theta", "omega", "alpha").index(quantity)
             more = self.facts.relative_angle(link) if order == 0 else self.facts.relative_rate(link, order)
             table[link] = value + more
+
+    def _counted(self, angle: Value, near: Value) -> Value:
+        """An angle with the whole turns that it has close by, or, where positions follow one another, just before."""
+        if not self.follows or not np.ndim(angle):
+            return angle + 2 * np.pi * np.round((near - angle) / (2 * np.pi))
+        found, there = np.array(angle), np.isfinite(angle)
+        found[there] = np.unwrap(np.concatenate([[near], found[there]]))[1:]
+        return found

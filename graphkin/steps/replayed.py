@@ -14,7 +14,7 @@ from graphkin.value import frozen
 
 __all__ = ["TABLES", "Column", "Numbers", "Replayed", "Vector"]
 
-TABLES = tuple(field.name for field in fields(Plot) if field.name not in ("facts", "near"))
+TABLES = tuple(field.name for field in fields(Plot) if field.name not in ("facts", "near", "follows"))
 
 
 @frozen

@@ -1,12 +1,13 @@
 """A mechanism moved along: which positions are reached, and quantities over all of them, by either road."""
 
 from graphkin.sweeps.course import Course, course
+from graphkin.sweeps.held import held
 from graphkin.sweeps.quantities import Series, asked, split
-from graphkin.sweeps.remarks import extremes, remarks
+from graphkin.sweeps.remarks import extremes, left_out, remarks
 from graphkin.sweeps.roads import Road
 from graphkin.sweeps.sweep import Sweep, at, parts, sweep, sweep_over
 
 __all__ = [
-    "Course", "Road", "Series", "Sweep", "asked", "at", "course", "extremes", "parts", "remarks", "split", "sweep",
-    "sweep_over",
+    "Course", "Road", "Series", "Sweep", "asked", "at", "course", "extremes", "held", "left_out", "parts", "remarks",
+    "split", "sweep", "sweep_over",
 ]  # fmt: skip

@@ -274,6 +274,8 @@ def _read(method: Method, number: int, span: str, text: str) -> tuple[float, ...
         return tuple(numbers)
     if len(numbers) == 2:
         numbers.append(abs(numbers[1] - numbers[0]) / ROWS)
+    if len(numbers) == 3 and numbers[1] < numbers[0]:
+        numbers[2] = abs(numbers[2])
     if len(numbers) != 3 or numbers[0] == numbers[1] or not numbers[2] > 0:
         raise BadRange(WHERE, text)
     far = MOST_TURNS * TURN if dimension == "angle" else math.inf

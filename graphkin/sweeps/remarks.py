@@ -13,7 +13,7 @@ from graphkin.sweeps.course import Course
 from graphkin.sweeps.quantities import Series
 from graphkin.sweeps.sweep import Sweep
 
-__all__ = ["STANDARD_GRAVITY", "extremes", "named", "remarks", "shown", "told"]
+__all__ = ["STANDARD_GRAVITY", "extremes", "left_out", "named", "remarks", "shown", "told"]
 
 STANDARD_GRAVITY = 9.80665
 """m/s^2 in 1 g."""
@@ -34,6 +34,10 @@ WORDS: dict[str, dict[Lang, str]] = {
         "en": "{count} of the positions asked for are not reached and left out.",
         "zh": "所要求的位置中有 {count} 个不能到达，已略去。",
     },
+    "undefined": {
+        "en": "{count} of the positions are left out: the mechanism has no definite motion there, as at {at}.",
+        "zh": "已略去 {count} 个位置：机构在该处运动不确定，如 {at}。",
+    },
     "together": {
         "en": "The other drivers move with it, in proportion to their speeds.",
         "zh": "其余原动件按各自速度的比例同时运动。",
@@ -48,6 +52,10 @@ WORDS: dict[str, dict[Lang, str]] = {
     "fit": {
         "en": "the group of links {links} cannot be moved farther",
         "zh": "构件 {links} 所成的杆组到达极限位置",
+    },
+    "two ways": {
+        "en": "the group of links {links} could move in two ways from there",
+        "zh": "构件 {links} 所成的杆组由此可有两种运动",
     },
     "greatest": {
         "en": "greatest of the rows: {name} = {value} at {at}",
@@ -99,6 +107,12 @@ def remarks(course: Course, lang: Lang) -> Iterator[str]:
         yield WORDS["dropped"][lang].format(count=course.dropped.size)
     if sum(map(bool, course.way.pace)) > 1:
         yield WORDS["together"][lang]
+
+
+def left_out(course: Course, undefined: np.ndarray, lang: Lang) -> Iterator[str]:
+    """That positions were left out, by the driver's values there."""
+    if undefined.size:
+        yield WORDS["undefined"][lang].format(count=undefined.size, at=named(course, float(undefined[0])))
 
 
 def _open_ends(course: Course, lang: Lang) -> Iterator[str]:

@@ -1,8 +1,8 @@
 """The two roads over many positions: the construction replayed, or the analysis; and places only a limit gives.
 
-At a change point all lines of a group coincide: there velocities are 0/0 on paper and in the matrices alike, though
-the motion itself is smooth. Such positions get the value that their neighbours on both sides, found by the same
-road, lead to. Where a special point goes far off, its lines are nearly parallel, and another special point is taken.
+At a change point all lines of a group coincide: there velocities are 0/0 on paper, though the motion itself is smooth.
+Such positions get the value that their neighbours on both sides lead to; the analysis does so by itself. Where a
+special point goes far off, its lines are nearly parallel, and another special point is taken.
 """
 
 from __future__ import annotations
@@ -29,6 +29,10 @@ Road = Literal["construction", "analysis"]
 
 ASIDE_DEG, ASIDE_PART = 1.2, 0.02
 """How far apart the neighbours of a change point are [deg, of the mechanism's size]."""
+ALIKE, NEARER = 1e-7, 4
+"""How far all neighbours and the inner six may tell a change point apart [of the size]; else nearer ones are taken."""
+CLEAR = 10
+"""Another change point, or a stop, is as many times their distance away."""
 PLACES = np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
 FAR_SINE, OTHER_POINTS = 0.05, 4
 """Where the lines of a special point meet under a smaller angle, another one is taken; so often at most."""
@@ -36,32 +40,48 @@ FAR_SINE, OTHER_POINTS = 0.05, 4
 
 def moving(method: Method, way: Way, t: np.ndarray, by: Road) -> Motions:
     """Position, velocity and acceleration at t (n,) on the way, by one of the roads."""
-    rows, patches = _by(method, way, t, by)
-    patches += [patch for change in way.changes if (patch := _beside(method, way, t, by, change.at))]
-    return Mended(rows, t.size, tuple(patches)) if patches else rows
-
-
-def _by(method: Method, way: Way, t: np.ndarray, by: Road) -> tuple[Motions, list[Patch]]:
-    """Motions, but for change points."""
     if by == "analysis":
         from graphkin.analytic import motion
 
-        return motion(method.mechanism, [np.broadcast_to(value, t.shape) for value in way.values(t)]), []
+        return motion(method.mechanism, [np.broadcast_to(value, t.shape) for value in way.values(t)])
+    rows, patches = _drawn(method, way, t)
+    patches += [patch for change in way.changes if (patch := _beside(method, way, t, change.at))]
+    return Mended(rows, t.size, tuple(patches)) if patches else rows
+
+
+def _drawn(method: Method, way: Way, t: np.ndarray) -> tuple[Motions, list[Patch]]:
+    """Motions by the construction, but for change points."""
     plot = swept(method, way, t)
     return Readings(method, plot), _by_other_points(method, way, t, plot)
 
 
-def _beside(method: Method, way: Way, t: np.ndarray, by: Road, centre: float) -> Patch | None:
-    """The rows at a change point, by their neighbours on both sides."""
-    aside = stride(method, way.pace, ASIDE_DEG, ASIDE_PART)
-    rows = np.flatnonzero(np.abs(t - centre) < aside)
-    if not rows.size:
+def _beside(method: Method, way: Way, t: np.ndarray, centre: float) -> Patch | None:
+    """The rows at a change point, by their neighbours on both sides, which no other change point or stop is near."""
+    others = [event.at for event in (*way.changes, *way.stops) if event.at != centre]
+    clear = min((abs(centre - other) for other in others), default=np.inf)
+    aside = min(stride(method, way.pace, ASIDE_DEG, ASIDE_PART), clear / CLEAR)
+    if not np.any(np.abs(t - centre) < aside):
         return None
-    neighbours, patches = _by(method, way, centre + aside * PLACES, by)
-    if patches:
-        neighbours = Mended(neighbours, PLACES.size, tuple(patches))
+    for _ in range(NEARER):
+        neighbours, patches = _drawn(method, way, centre + aside * PLACES)
+        if patches:
+            neighbours = Mended(neighbours, PLACES.size, tuple(patches))
+        if _alike(method, neighbours):
+            break
+        aside /= 2
+    rows = np.flatnonzero(np.abs(t - centre) < aside)
     places = np.broadcast_to(np.arange(PLACES.size), (rows.size, PLACES.size))
     return Patch(rows, neighbours, places, _weights((t[rows] - centre) / aside))
+
+
+def _alike(method: Method, neighbours: Motions) -> bool:
+    """Whether all neighbours tell a change point as the inner ones do."""
+    zero, middle = np.zeros(1), slice(1, -1)
+    weights = _weights(zero)[0]
+    weights[middle] -= _weights(zero, PLACES[middle])[0]
+    points = method.mechanism.points
+    places = np.array([np.broadcast_to(neighbours.position[point], PLACES.shape) for point in points])
+    return bool(np.max(np.abs(places @ weights)) < ALIKE * method.size)
 
 
 # --- special points far off -------------------------------------------------------------------
@@ -92,11 +112,11 @@ def _special_sines(method: Method, plot: Plot, shape: tuple[int, ...]) -> np.nda
     return least
 
 
-def _weights(x: np.ndarray) -> np.ndarray:
-    """Lagrange's weights of the neighbours at x (m,): (m, 8)."""
-    weights = np.ones((x.size, PLACES.size))
-    for k, place in enumerate(PLACES):
-        for other in np.delete(PLACES, k):
+def _weights(x: np.ndarray, places: np.ndarray = PLACES) -> np.ndarray:
+    """Lagrange's weights of neighbours at places (k,), for x (m,): (m, k)."""
+    weights = np.ones((x.size, places.size))
+    for k, place in enumerate(places):
+        for other in np.delete(places, k):
             weights[:, k] *= (x - other) / (place - other)
     return weights
 
@@ -165,11 +185,13 @@ class Mended:
 
     def velocity_at(self, point: str, link: str) -> Value:
         others = [patch.others.velocity_at(point, link) for patch in self.patches]
-        return self._mend(self.rows.velocity_at(point, link), others)
+        with np.errstate(invalid="ignore", over="ignore"):  # of rows that are mended
+            return self._mend(self.rows.velocity_at(point, link), others)
 
     def acceleration_at(self, point: str, link: str) -> Value:
         others = [patch.others.acceleration_at(point, link) for patch in self.patches]
-        return self._mend(self.rows.acceleration_at(point, link), others)
+        with np.errstate(invalid="ignore", over="ignore"):
+            return self._mend(self.rows.acceleration_at(point, link), others)
 
 
 # --- instant centres --------------------------------------------------------------------------

@@ -12,6 +12,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
 from graphkin.methods.way import stride
 from graphkin.sweeps.course import Course, course
+from graphkin.sweeps.held import held
 from graphkin.sweeps.quantities import Series, asked, series
 from graphkin.sweeps.roads import Road, centre_path, moving
 from graphkin.value import frozen
@@ -30,12 +31,14 @@ class Sweep:
 
     t       where on the way (n,)
     values  of the driver that names the positions (n,) [rad, m]
+    undefined   its values at positions that are reached but have no definite motion, and are left out
     """
 
     course: Course
     t: np.ndarray
     values: np.ndarray
     series: tuple[Series, ...]
+    undefined: np.ndarray
 
     @property
     def mechanism(self) -> Mechanism:
@@ -48,9 +51,12 @@ class Sweep:
 def sweep(method: Method, ranges: Sequence[str] = (), of: Sequence[str] = (), by: Road = "construction") -> Sweep:
     """Quantities `of` a mechanism over the driver values of `ranges`; see `course` and `asked` for what is usual.
 
-    Angles are continuous along the sweep, from between 0 and a full turn at its first position.
+    Angles are continuous along the sweep, from between 0 and a full turn at its first position. Raises RoadsDiffer
+    where the two roads do not agree.
     """
-    return sweep_over(course(method, ranges), asked(method.mechanism, of), by)
+    found, names = course(method, ranges), asked(method.mechanism, of)
+    held(found)
+    return sweep_over(found, names, by)
 
 
 def sweep_over(course: Course, names: Sequence[str], by: Road = "construction") -> Sweep:
@@ -63,7 +69,20 @@ def parts(course: Course, names: Sequence[str], by: Road = "construction", size:
     turned = _Turned(course, [name for name in names if name.startswith("theta ")], by)
     for begin in range(0, course.t.size, size):
         here = slice(begin, begin + size)
-        yield replace(_at(course, names, course.t[here], by, turned), values=course.values[here])
+        yield _defined(replace(_at(course, names, course.t[here], by, turned), values=course.values[here]))
+
+
+def _defined(found: Sweep) -> Sweep:
+    """Without positions at which some quantity has no value; quotients and centres may lie at infinity."""
+    own = [entry.values for entry in found.series if not entry.is_place and "/" not in entry.name]
+    good = np.all([np.isfinite(values) for values in own], axis=0) if own else np.True_
+    if np.all(good):
+        return found
+    series = tuple(
+        replace(entry, values=entry.values[good], vectors=None if entry.vectors is None else entry.vectors[good])
+        for entry in found.series
+    )
+    return replace(found, t=found.t[good], values=found.values[good], series=series, undefined=found.values[~good])
 
 
 def at(course: Course, names: Sequence[str], t: np.ndarray, by: Road = "construction") -> Sweep:
@@ -75,7 +94,8 @@ def _at(course: Course, names: Sequence[str], t: np.ndarray, by: Road, turned: _
     mechanism = course.method.mechanism
     motions = moving(course.method, course.way, t, by)
     found = [_centre(course, name, t, by) or series(mechanism, motions, name, t.size) for name in names]
-    return Sweep(course, t, np.asarray(course.value(t)), tuple(turned.on(entry, t) for entry in found if entry))
+    told = tuple(turned.on(entry, t) for entry in found if entry)
+    return Sweep(course, t, np.asarray(course.value(t)), told, np.empty(0))
 
 
 def _centre(course: Course, name: str, t: np.ndarray, by: Road) -> Series | None:
@@ -133,5 +153,6 @@ def _joined(found: Sequence[Sweep]) -> Sweep:
         )
         for k, first in enumerate(found[0].series)
     )  # fmt: skip
-    t, values = (np.concatenate([getattr(part, name) for part in found]) for name in ("t", "values"))
-    return Sweep(found[0].course, t, values, entries)
+    rows = ("t", "values", "undefined")
+    t, values, undefined = (np.concatenate([getattr(part, name) for part in found]) for name in rows)
+    return Sweep(found[0].course, t, values, entries, undefined)

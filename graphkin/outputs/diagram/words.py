@@ -99,8 +99,9 @@ def about_drivers(course: Course, lang: Lang) -> str:
 
 def event_mark(event: Event, lang: Lang) -> str:
     """The word beside an upright line."""
-    kind = "change" if event.choices else "limit" if event.kind in ("tangent", "parallel") else "dead"
-    return _EVENTS[kind][lang]
+    if event.choices or event.kind == "two ways":
+        return _EVENTS["change"][lang]
+    return _EVENTS["limit" if event.kind in ("tangent", "parallel") else "dead"][lang]
 
 
 def event_line(found: Curves, event: Event, lang: Lang) -> str:

@@ -1,0 +1,265 @@
+"""The path of all unknowns along one straight line of driver values: nodes on it, and change points it goes through.
+
+At a change point the matrix is singular, though one smooth motion goes through it; another motion crosses it there.
+Where the matrix tends to a singular one, the path is therefore not felt for in smaller and smaller steps: one step goes
+from well before to well after the place that is foretold, where the motion that goes on smoothly differs from the
+other. It is a change point if the loops close at the singular place between. If they do not, two motions only come near
+each other, and the path bends as they do, however sharply; where it turns back in the driver's value, it ends: a dead
+point.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphkin.analytic.newton import Closure, close
+from graphkin.analytic.rates import tangent
+from graphkin.analytic.vectors import Real
+
+__all__ = ["Line", "Node", "Path", "path_along"]
+
+STRIDE = 0.12
+"""Longest step of a driver [rad]: 4.7 deg."""
+LENGTH_STRIDE = 0.03
+"""The same for a displacement, in units of the mechanism's size."""
+SHORTEST = 1e-6
+"""Steps this much shorter than the longest are the end of the path."""
+REACH = 0.2
+"""Longest step of any unknown in the loops [rad, size]."""
+AWAY, SWERVE = 1e-3, 3e-3
+"""How far a position, and what it turns over a step, may be from what was foretold [rad, size]."""
+CLOSED, SETTLED = 1e-9, 1e-8
+"""The gap [size] and the last step of Newton's method [rad, size] at a node."""
+TOUCHES = 1e-11
+"""Loops that stay open by less at a singular place close there [size]."""
+FLAT = 1e-4
+"""Singular values below this part of the largest belong to a change point."""
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """Unknowns (n,) and their slopes at a place on the line; the reciprocal condition, with the determinant's sign."""
+
+    at: float
+    q: Real
+    slope: Real
+    measure: float
+
+
+@dataclass(frozen=True)
+class Line:
+    """Right sides c + at * toward (k,) of the relations; `longest` is the longest step along it."""
+
+    closure: Closure
+    c: Real
+    toward: Real
+
+    @cached_property
+    def longest(self) -> float:
+        sizes = np.max(np.abs(self.closure.weights), axis=1, initial=0.0)
+        units = np.where(sizes == self.closure.loops.size, LENGTH_STRIDE * self.closure.loops.size, STRIDE)
+        return float(1 / np.max(np.abs(self.toward) / units, initial=1e-300))
+
+    @cached_property
+    def heard(self) -> NDArray[np.bool_]:
+        """Which unknowns stand in the loops: (n,)."""
+        return self.closure.loops.moves(self.closure.loops.rows)
+
+    @cached_property
+    def slides(self) -> NDArray[np.bool_]:
+        """Which unknowns are displacements: (n,)."""
+        return np.array([unknown.kind == "s" for unknown in self.closure.loops.unknowns])
+
+    def node(self, at: float, guess: Real) -> Node | None:
+        """The position at a place, from one close by; None where it is not closed."""
+        closed = close(self.closure, guess[None], self.c + at * self.toward, steps=9)
+        if not (closed.gap[0] < CLOSED and closed.step[0] < SETTLED):
+            return None
+        slope, condition, sense = tangent(self.closure, closed.q, self.toward)
+        return Node(at, closed.q[0], slope[0], float(condition[0] * sense[0]))
+
+    def largest(self, change: Real, q: Real) -> float:
+        """The largest change of an unknown in the loops [rad, size]; of a displacement far off, as part of it."""
+        scale = np.where(self.slides, np.maximum(np.abs(q), 1.0), 1.0)
+        return float(np.max(np.abs(change / scale)[self.heard], initial=0.0))
+
+
+@dataclass(frozen=True)
+class Path:
+    """Nodes in the order of their places, and the places of change points."""
+
+    line: Line
+    nodes: tuple[Node, ...]
+    changes: tuple[float, ...]
+
+    @cached_property
+    def at(self) -> Real:
+        return np.array([node.at for node in self.nodes])
+
+    def between(self, at: Real) -> Real:
+        """Unknowns at places (p,), as far as the nodes tell them: (p, n)."""
+        q, slopes = np.array([node.q for node in self.nodes]), np.array([node.slope for node in self.nodes])
+        if len(self.nodes) == 1:
+            return np.broadcast_to(q[0], (len(at), q.shape[1]))
+        right = np.clip(np.searchsorted(self.at, at), 1, len(self.nodes) - 1)
+        ends = (self.at[right - 1], q[right - 1], slopes[right - 1]), (self.at[right], q[right], slopes[right])
+        return _cubic(*ends, at)[0]
+
+
+def path_along(line: Line, start: Real, low: float, high: float) -> Path:
+    """The path from the unknowns `start` (n,) at 0 down to `low` and up to `high`, or as far as it leads."""
+    forth = _Walk(line, start)
+    back = _Walk(replace(line, toward=-line.toward), start)
+    forth.walk(high)
+    back.walk(-low)
+    before = tuple(Node(-node.at, node.q, -node.slope, node.measure) for node in back.nodes[:0:-1])
+    changes = (*(-at for at in reversed(back.changes)), *forth.changes)
+    return Path(line, (*before, *forth.nodes), changes)
+
+
+@dataclass
+class _Walk:
+    """One direction of a path; `missed` is where two motions only came near each other."""
+
+    line: Line
+    start: Real
+    nodes: list[Node] = field(default_factory=list)
+    changes: list[float] = field(default_factory=list)
+    missed: float = -np.inf
+
+    def __post_init__(self) -> None:
+        slope, condition, sense = tangent(self.line.closure, self.start[None], self.line.toward)
+        self.nodes.append(Node(0.0, self.start, slope[0], float(condition[0] * sense[0])))
+
+    @property
+    def last(self) -> Node:
+        return self.nodes[-1]
+
+    @property
+    def longest(self) -> float:
+        """The longest step here: no unknown of the loops goes too far."""
+        return float(min(self.line.longest, REACH / max(self.line.largest(self.last.slope, self.last.q), 1e-300)))
+
+    def walk(self, end: float) -> None:
+        step = self.longest / 8
+        while end - self.last.at > 1e-12 * self.line.longest and step > SHORTEST * self.line.longest:
+            step = min(step, self.longest)
+            if (place := self._foretold()) is not None and self._through(place):
+                step = self.longest
+            elif self._taken(end if end - self.last.at < 1.001 * step else self.last.at + step):
+                step *= 2
+            else:
+                step /= 2
+
+    def _taken(self, at: float) -> bool:
+        """One step, if it comes to where it was foretold, and to the same side of all change points or through one."""
+        node = self._as_foretold(at)
+        if node is None:
+            return False
+        if node.measure * self.last.measure <= 0:
+            return self._gone_through(node)
+        self.nodes.append(node)
+        return True
+
+    def _as_foretold(self, at: float) -> Node | None:
+        """The position that goes on from the nodes so far, smoothly."""
+        q, slope = self._extrapolated(at)
+        node = self.line.node(at, q)
+        if node is None or self.line.largest(node.q - q, q) > AWAY:
+            return None
+        return node if self.line.largest(node.slope - slope, q) * (at - self.last.at) < SWERVE else None
+
+    def _extrapolated(self, at: float) -> tuple[Real, Real]:
+        here = self.last
+        if len(self.nodes) == 1:
+            return here.q + (at - here.at) * here.slope, here.slope
+        q, slope = _between(self.nodes[-2], here, np.array([at]))
+        return q[0], slope[0]
+
+    # --- change points ------------------------------------------------------------------------
+
+    def _foretold(self) -> float | None:
+        """Where the matrix becomes singular, if soon."""
+        if len(self.nodes) == 1:
+            return None
+        before, here = self.nodes[-2:]
+        falls = (abs(before.measure) - abs(here.measure)) / (here.at - before.at)
+        ahead = abs(here.measure) / falls if falls > 0 else np.inf
+        place = here.at + ahead
+        return place if ahead < 1.25 * self.longest and place - self.missed > self.longest else None
+
+    def _through(self, place: float) -> bool:
+        """One step over the place where the matrix is singular."""
+        node = self._as_foretold(place + max(place - self.last.at, self.longest / 2))
+        if node is not None and self._gone_through(node):
+            return True
+        self.missed = place
+        return False
+
+    def _gone_through(self, beyond: Node) -> bool:
+        """Take the change point between here and there, if it is one."""
+        here, shares = self.last, (abs(self.last.measure), abs(beyond.measure))
+        place = here.at + (beyond.at - here.at) * shares[0] / max(sum(shares), 1e-300)
+        half = min(self.longest / 4, place - here.at, beyond.at - place)
+        left, right = (self._inside(here, beyond, place + side * half) for side in (-1, 1))
+        if left is None or right is None or left.measure * here.measure <= 0 or right.measure * beyond.measure <= 0:
+            return False
+        place = self._singular(left, right, place)
+        if not self._closes(left, right, place):
+            return False
+        self.changes.append(place)
+        self.nodes += [*(node for node in (left, right) if here.at < node.at < beyond.at), beyond]
+        return True
+
+    def _inside(self, left: Node, right: Node, at: float) -> Node | None:
+        """A node between two others, where these tell it to be."""
+        q = _between(left, right, np.array([at]))[0][0]
+        node = self.line.node(at, q)
+        return node if node is not None and self.line.largest(node.q - q, q) < AWAY else None
+
+    def _singular(self, left: Node, right: Node, place: float) -> float:
+        """Where the matrix is singular between two nodes: the condition falls and rises there in straight lines."""
+        width = (right.at - left.at) / 16
+        for _ in range(3):
+            at = np.clip(place + width * np.array([-1.0, 1.0]), left.at, right.at)
+            _, condition, _ = tangent(self.line.closure, _between(left, right, at)[0], self.line.toward)
+            place = float(at[0] + (at[1] - at[0]) * condition[0] / max(condition.sum(), 1e-300))
+            width /= 16
+        return place
+
+    def _closes(self, left: Node, right: Node, place: float) -> bool:
+        """Whether the loops close at the singular place, but for the direction in which the matrix tells nothing."""
+        closure, right_side = self.line.closure, self.line.c + place * self.line.toward
+        q = _between(left, right, np.array([place]))[0][0]
+        q = closure.known.unknowns(q[closure.known.free], right_side)
+        for _ in range(4):
+            gap = closure.loops.gap(q)
+            left_vectors, sizes, right_vectors = np.linalg.svd(closure.matrix(q), full_matrices=False)
+            clear = sizes > FLAT * sizes[0]
+            q = closure.move(q, -((left_vectors[:, clear].T @ gap) / sizes[clear]) @ right_vectors[clear])
+        return not clear.all() and float(closure.loops.open_by(q)) < TOUCHES
+
+
+def _between(left: Node, right: Node, at: Real) -> tuple[Real, Real]:
+    """Unknowns and slopes (p, n) at places (p,) between two nodes, or beyond them."""
+    first, last = ((np.full(len(at), node.at), node.q[None], node.slope[None]) for node in (left, right))
+    return _cubic(first, last, at)
+
+
+End = tuple[Real, Real, Real]
+"""Places (p,), unknowns and slopes (p, n)."""
+
+
+def _cubic(left: End, right: End, at: Real) -> tuple[Real, Real]:
+    """Hermite's cubic: values and slopes (p, n)."""
+    width = (right[0] - left[0])[:, None]
+    t = (at - left[0])[:, None] / width
+    value = left[1] * (1 + 2 * t) * (1 - t) ** 2 + right[1] * t**2 * (3 - 2 * t)
+    value += width * (left[2] * t * (1 - t) ** 2 - right[2] * t**2 * (1 - t))
+    slope = 6 * t * (1 - t) * (right[1] - left[1]) / width
+    slope += left[2] * (1 - t) * (1 - 3 * t) - right[2] * t * (2 - 3 * t)
+    return np.asarray(value), np.asarray(slope)

@@ -1,0 +1,40 @@
+"""The two roads held against each other over a sweep, before anything of it is told."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from graphkin.agreement import AGREE, apart
+from graphkin.errors import RoadsDiffer
+from graphkin.methods.way import stride
+from graphkin.sweeps.course import Course
+from graphkin.sweeps.roads import moving
+
+__all__ = ["PLACES", "held"]
+
+PLACES = 12
+"""Positions at which they are held: both ends, and ten between."""
+ASIDE_DEG, ASIDE_PART = 0.5, 0.005
+"""So near a stop speeds grow without bound, and digits are lost: there it is held this far from it instead."""
+
+
+def held(course: Course) -> float:
+    """The worst relative difference of the two roads at twelve places of a course. Raises RoadsDiffer."""
+    t = _places(course)
+    if not t.size:
+        return 0.0
+    drawn, exact = (moving(course.method, course.way, t, by) for by in ("construction", "analysis"))
+    worst = apart(course.method.mechanism, drawn, exact)
+    if not worst < AGREE:
+        raise RoadsDiffer(course.method.mechanism.where("driver", course.swept), worst)
+    return worst
+
+
+def _places(course: Course) -> np.ndarray:
+    """Twelve places, evenly over what is asked for, none right beside a stop."""
+    low, high = float(course.t.min()), float(course.t.max())
+    aside = stride(course.method, course.way.pace, ASIDE_DEG, ASIDE_PART)
+    aside = min(aside, (course.way.last - course.way.first) / 4)
+    for stop in course.way.stops:
+        low, high = (low, min(high, stop.at - aside)) if stop.at > 0 else (max(low, stop.at + aside), high)
+    return np.unique(np.linspace(low, high, PLACES)) if low <= high else np.empty(0)

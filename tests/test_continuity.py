@@ -1,0 +1,152 @@
+"""A sweep never leaves its branch: whatever rolls along, through change points, there and back, by both roads."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable
+from importlib import import_module
+
+import numpy as np
+import pytest
+from continuity import hold_continuous
+from folding import KINDS, folding
+from random_mechanisms import (
+    DYADS,
+    cam,
+    chain,
+    coupler_angle,
+    cylinder,
+    dyad,
+    epicyclic,
+    geared_five_bar,
+    relative_angle,
+    rolling,
+    six_bar,
+    triad,
+)
+
+from graphkin.errors import DeadPoint, RoadsDiffer
+from graphkin.loading import loads
+from graphkin.mechanism import Mechanism
+from graphkin.methods import plan
+from graphkin.sweeps import course, held, left_out, parts, sweep
+
+COUNT = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
+"""Mechanisms of each kind; 0: one of some kinds."""
+FAMILIES = {f.__name__: f for f in (cylinder, relative_angle, coupler_angle, chain, triad, six_bar, geared_five_bar, epicyclic, rolling, cam)}
+SOME = KINDS if COUNT else KINDS[1::3]
+
+
+@pytest.mark.parametrize(("linkage", "wheel"), SOME)
+def test_linkages_that_fold_go_on_smoothly(linkage: str, wheel: str):
+    for seed in range(max(COUNT, 1)):
+        hold_continuous(folding(linkage, wheel, seed))
+
+
+@pytest.mark.parametrize("family", [*(DYADS if COUNT else ()), *FAMILIES])
+def test_random_mechanisms_go_on_smoothly(family: str):
+    make: Callable[[int], Mechanism] = FAMILIES.get(family) or (lambda seed: dyad(family, seed))
+    for seed in range(max(COUNT, 1)):
+        try:
+            hold_continuous(make(seed), turns=2 if COUNT else 1)
+        except DeadPoint:
+            continue
+
+
+@pytest.mark.parametrize("by", ["construction", "analysis"])
+def test_there_and_back_is_the_same(by: str):
+    """Down as up, past change points on both sides of the drawn position, a geared wheel too."""
+    method = plan(folding("parallelogram", "bar on a planet", 3))
+    names = ["omega 2", "omega 3", "omega 9", "alpha 9", "v N", "a N"]
+    up, down = (sweep(method, [span], names, by) for span in ("-720:720:8", "720:-720:-8"))
+    assert np.allclose(down.values[::-1], up.values, rtol=0, atol=1e-12)
+    for name in names:
+        assert np.allclose(down[name].values[::-1], up[name].values, rtol=1e-9, atol=1e-9), name
+    later = sweep(method, ["696:720:8"], names, by)
+    assert np.allclose(later["a N"].values, up["a N"].values[-4:], rtol=1e-9)
+
+
+@pytest.mark.parametrize(("span", "same"), [("360:0:-30", "360:0:30"), ("90:-90:-20", "90:-90:20")])
+def test_a_range_downwards_may_have_a_step_below_0(span: str, same: str):
+    method = plan(folding("rhombus", "none", 0))
+    assert np.array_equal(course(method, [span]).values, course(method, [same]).values)
+
+
+RACK = """
+[frame]
+O = [0, 0]
+[links.1]
+OA = 30
+[links.2]
+CD = 200
+[[roll]]
+wheel = "1"
+centre = "O"
+radius = 40
+on = "2"
+through = "C"
+toward = "D"
+side = "right"
+[[slide]]
+name = "end"
+pin = "C"
+guide = "frame"
+through = "O"
+angle = 90
+[[driver]]
+vector = "OA"
+angle = 30
+omega = 2
+[[pose]]
+vector = "CD"
+angle = -30
+[sketch]
+A = [26, 15]
+C = [0, 46]
+D = [173, -54]
+"""
+
+
+def test_a_fit_ends_where_it_stands_at_right_angles():
+    """The bar's end comes to where it touches the pinion: s - r atan(s / r) = r turned, flat at s = 0. There the way ends."""
+    moved = course(plan(loads(RACK, name="rack", file="rack.toml")), ["0:720:5"])
+    s = 0.04 / math.tan(math.radians(60))
+    turned = s / 0.04 - math.atan2(s, 0.04)
+    (stop,) = moved.way.stops
+    assert stop.at == pytest.approx(-turned, abs=1e-6)
+    assert held(moved) < 1e-9
+
+
+# --- what is told, and what is not ------------------------------------------------------------------
+
+
+def test_roads_that_differ_give_no_sweep(monkeypatch: pytest.MonkeyPatch):
+    module = import_module("graphkin.sweeps.held")
+    moved = course(plan(folding("parallelogram", "crank", 0)), ["0:360:30"])
+    assert held(moved) < 1e-9
+    other = course(plan(folding("parallelogram", "crank", 1)), ["0:360:30"])
+    told = module.moving
+    monkeypatch.setattr(
+        module, "moving", lambda method, way, t, by: told(*((other.method, other.way) if by == "analysis" else (method, way)), t, by)
+    )
+    with pytest.raises(RoadsDiffer):
+        held(moved)
+
+
+def test_positions_without_a_motion_are_left_out(monkeypatch: pytest.MonkeyPatch):
+    module = import_module("graphkin.sweeps.sweep")
+    told = module.series
+
+    def failing(*words):
+        entry = told(*words)
+        if entry is not None and entry.name == "omega 3":
+            entry.values[2] = np.inf
+        return entry
+
+    monkeypatch.setattr(module, "series", failing)
+    moved = course(plan(folding("rhombus", "none", 0)), ["0:360:30"])
+    (found,) = parts(moved, ["omega 3", "v B"])
+    assert found.values.size == found["v B"].values.size == 12
+    assert math.degrees(found.undefined[0]) == pytest.approx(60)
+    assert "60°" in next(left_out(moved, found.undefined, "en"))
