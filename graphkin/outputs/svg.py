@@ -201,14 +201,18 @@ def stated(mark: Mark) -> dict[str, str]:
         case VectorMark():
             known: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "tail", "head")}
             sites = zip(("of", "seen-from", "over"), mark.sites, strict=False)
-            return known | {"part": mark.part} | dict(sites) if mark.sites else known
+            return _filled(known | {"part": mark.part} | dict(sites))
         case PointMark():
             named: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "of")}
-            return named | {"site": mark.site} if mark.site else named
+            return _filled(named | {"site": mark.site})
         case Stroke(shows=Shows() as shows) | Disc(shows=Shows() as shows):
             lies = {"plane": shows.plane, "link": shows.link, "form": shows.form, "points": " ".join(shows.points)}
-            return lies | {"line": shows.line} if shows.line else lies
+            return _filled(lies | {"line": shows.line})
     return {}
+
+
+def _filled(said: dict[str, str]) -> dict[str, str]:
+    return {key: value for key, value in said.items() if value}
 
 
 def _class(mark: Mark) -> str:

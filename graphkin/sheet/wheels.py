@@ -134,7 +134,9 @@ def _track(skeleton: Skeleton, roll: Roll, line: Line) -> list[Mark]:
 
 
 def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float, step: int | None) -> Stroke:
-    """A line of a link (of the roll or the cam `name`), `reach` mm to both sides of the foot of a point on it; as far as the link's points on it."""
+    """The line of a link in the roll or cam `name`, `reach` mm to both sides of the foot of a point on it; as far as
+    the link's points on it.
+    """
     along, foot = skeleton.direction(line), skeleton.at(line.origin)
     t = (along.conjugate() * (skeleton.at(near) - foot)).real
     low, high = t - reach, t + reach

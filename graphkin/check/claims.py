@@ -1,0 +1,107 @@
+"""What a drawing file says of itself, beside what it shows: every mark that was drawn, every text, the scales.
+
+A seal tells that the claims are as they were written. It is no lock: whoever changes them can seal them anew. So what
+`check` promises does not hang on it: whatever the file shows is right for the mechanism whose text it carries, at the
+drivers' values and the scales that it gives, and these scales are printed on it. A drawing that was sealed anew may
+show less than graphkin drew, and where its letters stand is never measured.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+
+from graphkin.check.drawing import DrawingFile, Fault, stated
+from graphkin.check.hidden import letters
+from graphkin.mechanism import Mechanism
+from graphkin.seal import seal
+from graphkin.steps import Plane
+
+__all__ = ["added_marks", "changed", "unjudged"]
+
+WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+)?)")
+"""A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm, or 2×10⁻⁵ with its exponent raised."""
+LETTERS: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "acceleration"}
+_NAMES = ("vector", "point", "link")
+
+
+def changed(drawing: DrawingFile, mechanism: Mechanism, scales: Mapping[Plane, float]) -> Iterator[Fault]:
+    """What the file says of itself must be as it was when it was drawn, and the sheet must say the same."""
+    if drawing.claims.get("seal") != seal(drawing.claims):
+        yield Fault("changed", "")
+    read = letters(drawing)
+    yield from _printed(read, scales)
+    if not any(text and title.startswith(text) for text in read for title in _titles(mechanism)):
+        yield Fault("title", next(iter(_titles(mechanism)), ""))
+    for text in (_claimed_letters(drawing) - Counter(read)).elements():
+        yield Fault("letters", text)
+    for told in (_claimed_marks(drawing) - _marks(drawing)).elements():
+        yield Fault("missing", _named(told))
+
+
+def _titles(mechanism: Mechanism) -> list[str]:
+    titles = (*mechanism.title.values(), *([] if mechanism.title else [mechanism.name]))
+    return [" ".join(title.split()) for title in titles]
+
+
+def _printed(read: Sequence[str], scales: Mapping[Plane, float]) -> Iterator[Fault]:
+    """Every scale is printed, and no other."""
+    written = [found for text in read for found in WRITTEN.findall(text)]
+    for letter, plane in LETTERS.items():
+        texts = [text for found, text in written if found == letter]
+        if plane in scales and not texts:
+            yield Fault("unscaled", f"μ_{letter}")
+        for text in dict.fromkeys(texts):
+            if plane in scales and not _as_written(text, scales[plane]):
+                yield Fault("scale", f"μ_{letter} = {text}")
+
+
+def _as_written(text: str, scale: float) -> bool:
+    mantissa, *power = re.split(r"\s*[×·]\s*10", text.replace("−", "-"))
+    try:
+        return math.isclose(float(mantissa) * 10.0 ** int(power[0] if power else 0), scale, rel_tol=1e-3)
+    except (ValueError, OverflowError):
+        return False
+
+
+def _claimed_letters(drawing: DrawingFile) -> Counter[str]:
+    given = drawing.claims.get("letters")
+    texts = [" ".join(text.split()) for text in given if isinstance(text, str)] if isinstance(given, list) else []
+    return Counter(text for text in texts if text)
+
+
+def _claimed_marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
+    given = drawing.claims.get("drawn")
+    told = given if isinstance(given, list) else []
+    return Counter(tuple(map(str, entry)) for entry in told if isinstance(entry, list))
+
+
+def _marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
+    return Counter(stated(mark) for kind in _NAMES for mark in drawing.of_class(kind))
+
+
+def _named(told: tuple[str, ...]) -> str:
+    said = dict(part.partition("=")[::2] for part in told[1:])
+    name = said.get("name") or f"{said.get('link', '')}: {said.get('points') or said.get('line', '')}"
+    return f"{name} ({said.get('plane', '')})"
+
+
+# --- what is not judged -----------------------------------------------------------------------
+
+
+def added_marks(drawing: DrawingFile) -> set[tuple[str, ...]]:
+    """Marks, as they state themselves, that graphkin did not draw."""
+    return set(_marks(drawing) - _claimed_marks(drawing))
+
+
+def unjudged(drawing: DrawingFile) -> Iterator[Fault]:
+    """What no ruler tells: signs without a length, where letters stand, what was added."""
+    signs = [e for e in drawing.sight.shown if e.tag != "text" and not any(kind in e.kind for kind in _NAMES)]
+    more = sum((Counter(letters(drawing)) - _claimed_letters(drawing)).values())
+    yield Fault("signs", str(len(signs)))
+    if more:
+        yield Fault("words", str(more))
+    if drawing.sight.doubt:
+        yield Fault("blank", drawing.sight.doubt)
