@@ -14,12 +14,11 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
 from graphkin.check.drawing import DrawingFile, Fault, stated
-from graphkin.check.hidden import letters
 from graphkin.mechanism import Mechanism
 from graphkin.seal import seal
 from graphkin.steps import Plane
 
-__all__ = ["added_marks", "changed", "unjudged"]
+__all__ = ["changed", "unjudged"]
 
 WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+)?)")
 """A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm, or 2×10⁻⁵ with its exponent raised."""
@@ -27,14 +26,19 @@ LETTERS: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "accelera
 _NAMES = ("vector", "point", "link")
 
 
-def changed(drawing: DrawingFile, mechanism: Mechanism, scales: Mapping[Plane, float]) -> Iterator[Fault]:
-    """What the file says of itself must be as it was when it was drawn, and the sheet must say the same."""
+def changed(
+    drawing: DrawingFile, read: Sequence[str], mechanism: Mechanism, scales: Mapping[Plane, float]
+) -> Iterator[Fault]:
+    """What the file says of itself must be as it was when it was drawn, and the sheet must say the same.
+
+    read  the texts on it
+    """
     if drawing.claims.get("seal") != seal(drawing.claims):
         yield Fault("changed", "")
-    read = letters(drawing)
     yield from _printed(read, scales)
-    if not any(text and title.startswith(text) for text in read for title in _titles(mechanism)):
-        yield Fault("title", next(iter(_titles(mechanism)), ""))
+    titles = _titles(mechanism)
+    if titles and not any(_begins(title, text) for text in read for title in titles):
+        yield Fault("title", titles[0])
     for text in (_claimed_letters(drawing) - Counter(read)).elements():
         yield Fault("letters", text)
     for told in (_claimed_marks(drawing) - _marks(drawing)).elements():
@@ -42,8 +46,13 @@ def changed(drawing: DrawingFile, mechanism: Mechanism, scales: Mapping[Plane, f
 
 
 def _titles(mechanism: Mechanism) -> list[str]:
-    titles = (*mechanism.title.values(), *([] if mechanism.title else [mechanism.name]))
-    return [" ".join(title.split()) for title in titles]
+    titles = (" ".join(title.split()) for title in mechanism.title.values())
+    return [title for title in titles if title]
+
+
+def _begins(title: str, text: str) -> bool:
+    """A long title is broken into lines; a single letter is none."""
+    return title.startswith(text) and len(text) >= min(len(title), 6)
 
 
 def _printed(read: Sequence[str], scales: Mapping[Plane, float]) -> Iterator[Fault]:
@@ -91,15 +100,10 @@ def _named(told: tuple[str, ...]) -> str:
 # --- what is not judged -----------------------------------------------------------------------
 
 
-def added_marks(drawing: DrawingFile) -> set[tuple[str, ...]]:
-    """Marks, as they state themselves, that graphkin did not draw."""
-    return set(_marks(drawing) - _claimed_marks(drawing))
-
-
-def unjudged(drawing: DrawingFile) -> Iterator[Fault]:
+def unjudged(drawing: DrawingFile, read: Sequence[str]) -> Iterator[Fault]:
     """What no ruler tells: signs without a length, where letters stand, what was added."""
     signs = [e for e in drawing.sight.shown if e.tag != "text" and not any(kind in e.kind for kind in _NAMES)]
-    more = sum((Counter(letters(drawing)) - _claimed_letters(drawing)).values())
+    more = sum((Counter(read) - _claimed_letters(drawing)).values())
     yield Fault("signs", str(len(signs)))
     if more:
         yield Fault("words", str(more))

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 from itertools import pairwise
 
 import shapely
 
-from graphkin.check.drawing import DrawingFile, Fault
+from graphkin.check.drawing import Fault
 from graphkin.check.links import link_name
-from graphkin.check.shown import Shown
+from graphkin.check.shown import Shown, Sight
 from graphkin.check.styles import dashed_away
+from graphkin.value import frozen
 
-__all__ = ["hidden_marks", "letters", "name_of"]
+__all__ = ["Layers", "name_of"]
 
 _MARKS = ("vector", "point", "link")
 _FAINT = 0.3
@@ -35,14 +37,42 @@ def _is_mark(element: Shown) -> bool:
     return any(kind in element.kind for kind in _MARKS)
 
 
-def hidden_marks(drawing: DrawingFile) -> Iterator[Fault]:
-    """Marks that are not to be seen."""
-    shown = drawing.sight.shown
-    for mark in filter(_is_mark, shown):
-        if not _inked(mark) or not _on_paper(mark, drawing.sight.paper):
-            yield Fault("hidden", name_of(mark))
-    for mark in _covered(shown):
-        yield Fault("covered", name_of(mark))
+@frozen
+class Layers:
+    """What lies on a sheet, one over the other. covers: number and area of each surface that hides what is under it."""
+
+    sight: Sight
+    covers: tuple[tuple[int, shapely.Geometry], ...]
+
+    @classmethod
+    def of(cls, sight: Sight) -> Layers:
+        surfaces = ((k, _surface(element)) for k, element in enumerate(sight.shown))
+        return cls(sight, tuple((k, area) for k, area in surfaces if area is not None))
+
+    def over(self, number: int) -> list[shapely.Geometry]:
+        return [area for at, area in self.covers if at > number]
+
+    def hidden_marks(self) -> Iterator[Fault]:
+        """Marks that are not to be seen."""
+        for k, mark in enumerate(self.sight.shown):
+            if not _is_mark(mark):
+                continue
+            if not _inked(mark) or not _on_paper(mark, self.sight.paper):
+                yield Fault("hidden", name_of(mark))
+            if (above := self.over(k)) and mark.lines and _hide(above, mark):
+                yield Fault("covered", name_of(mark))
+
+    @cached_property
+    def letters(self) -> tuple[str, ...]:
+        """Every text that can be read: on the paper, and not begun under a surface."""
+        texts = ((k, element) for k, element in enumerate(self.sight.shown) if element.tag == "text")
+        found = (" ".join(text.text.split()) for k, text in texts if self._can_be_read(k, text))
+        return tuple(text for text in found if text)
+
+    def _can_be_read(self, number: int, text: Shown) -> bool:
+        begin = text.lines[0][0] + 0.3 + 0.3j
+        under = any(area.contains(shapely.Point(begin.real, begin.imag)) for area in self.over(number))
+        return not under and _on_paper(text, self.sight.paper)
 
 
 def _inked(mark: Shown) -> bool:
@@ -64,24 +94,11 @@ def _on_paper(mark: Shown, paper: complex) -> bool:
 # --- one over another -------------------------------------------------------------------------
 
 
-def _covered(shown: tuple[Shown, ...]) -> Iterator[Shown]:
-    """Marks over which something else is painted that is no sign of the sheet."""
-    covers = [(k, area) for k, element in enumerate(shown) if (area := _surface(element)) is not None]
-    for k, mark in enumerate(shown):
-        above = [area for at, area in covers if at > k]
-        if _is_mark(mark) and above and mark.lines:
-            hide = _hides_dot if "point" in mark.kind else _hides_line
-            if hide(above, mark):
-                yield mark
-
-
-def _hides_dot(above: list[shapely.Geometry], mark: Shown) -> bool:
-    return bool(shapely.union_all(above).contains(shapely.Polygon(_xy(mark.lines[0]))))
-
-
-def _hides_line(above: list[shapely.Geometry], mark: Shown) -> bool:
-    """A large surface over any of it, or small signs over most of it."""
-    line = _line(mark)
+def _hide(above: list[shapely.Geometry], mark: Shown) -> bool:
+    """A dot is hidden as a whole; a line by a large surface over any of it, or by small signs over most of it."""
+    if "point" in mark.kind:
+        return bool(shapely.union_all(above).contains(shapely.Polygon(_xy(mark.lines[0]))))
+    line = shapely.MultiLineString([_xy(places) for places in mark.lines])
     under = [(area.intersection(line).length, _size(area)) for area in above]
     large, small = (sum(length for length, size in under if (size > _SIGN) is wanted) for wanted in (True, False))
     return bool(large > 0.1 or small > max(0.24, 0.6 * line.length))
@@ -90,10 +107,6 @@ def _hides_line(above: list[shapely.Geometry], mark: Shown) -> bool:
 def _size(area: shapely.Geometry) -> float:
     left, low, right, high = area.bounds
     return abs(complex(right - left, high - low))
-
-
-def _line(mark: Shown) -> shapely.Geometry:
-    return shapely.MultiLineString([_xy(line) for line in mark.lines])
 
 
 def _surface(element: Shown) -> shapely.Geometry | None:
@@ -131,20 +144,3 @@ def _belongs(element: Shown) -> bool:
 
 def _xy(line: tuple[complex, ...]) -> list[tuple[float, float]]:
     return [(place.real, place.imag) for place in line]
-
-
-# --- letters ----------------------------------------------------------------------------------
-
-
-def letters(drawing: DrawingFile) -> list[str]:
-    """Every text that can be read: on the paper, and not begun under a surface."""
-    shown = drawing.sight.shown
-    covers = [(k, area) for k, element in enumerate(shown) if (area := _surface(element)) is not None]
-    found = []
-    for k, element in enumerate(shown):
-        if element.tag != "text" or not _on_paper(element, drawing.sight.paper):
-            continue
-        begin = shapely.Point(element.lines[0][0].real + 0.3, element.lines[0][0].imag + 0.3)
-        if not any(at > k and area.contains(begin) for at, area in covers):
-            found.append(" ".join(element.text.split()))
-    return [text for text in found if text]

@@ -8,11 +8,11 @@ from typing import Literal
 
 from graphkin.analytic import Motion, motion
 from graphkin.check.centre_measure import CENTRES, parted, seen_arrows, seen_centres, ways_to_move
-from graphkin.check.claims import added_marks, changed, unjudged
+from graphkin.check.claims import changed, unjudged
 from graphkin.check.drawing import UNITS, DrawingFile, Fault, mechanism_of, numbers, plane_of, read, scales_of
 from graphkin.check.expected import is_called_so, is_named_so, point_value, vector_value
 from graphkin.check.heads import wrong_heads
-from graphkin.check.hidden import hidden_marks
+from graphkin.check.hidden import Layers
 from graphkin.check.links import link_name, worst_place
 from graphkin.check.transforms import Unread
 from graphkin.check.widened import Widened, widened
@@ -21,7 +21,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.steps import Plane
 from graphkin.value import frozen
 
-__all__ = ["Measured", "Report", "measure"]
+__all__ = ["Measured", "Report", "held", "measure"]
 
 
 @frozen
@@ -74,18 +74,23 @@ def measure(path: str | Path, tolerance_mm: float = 0.01) -> Report:
     mechanism in it is none.
     """
     drawing = read(Path(path))
-    mechanism = mechanism_of(drawing)
+    return held(drawing, mechanism_of(drawing), tolerance_mm)
+
+
+def held(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) -> Report:
+    """A drawing beside the mechanism that it should show."""
     solved = motion(mechanism, numbers(drawing, "drivers", len(mechanism.drivers)))
     planes, centres = parted(drawing)
     scales = scales_of(drawing)
-    ruler = _Ruler(planes, mechanism, widened(mechanism, solved, planes), scales, added_marks(drawing))
+    ruler = _Ruler(planes, mechanism, widened(mechanism, solved, planes), scales)
     try:
         entries = [*ruler.vectors(), *ruler.points(), *ruler.links()]
         if centres.points or centres.vectors:
             entries += _centres(planes, centres, mechanism, solved, scales)
-        faults = [*changed(drawing, mechanism, scales), *wrong_heads(drawing), *hidden_marks(drawing), *ruler.misfits()]
-        faults += _loose_ends(planes, tolerance_mm)
-        notes = [*unjudged(drawing), *ruler.unknown()]
+        layers = Layers.of(drawing.sight)
+        faults = [*changed(drawing, layers.letters, mechanism, scales), *wrong_heads(drawing), *layers.hidden_marks()]
+        faults += [*ruler.misfits(), *_loose_ends(planes, tolerance_mm)]
+        notes = [*unjudged(drawing, layers.letters), *ruler.unknown()]
     except Unread as error:
         raise BadDrawing(Where(drawing.file), "shown", str(error)) from None
     return Report(drawing.file, tuple(entries), tuple(faults), tuple(notes))
@@ -93,13 +98,12 @@ def measure(path: str | Path, tolerance_mm: float = 0.01) -> Report:
 
 @frozen
 class _Ruler:
-    """A drawing without its centres, beside the solution. added: marks that graphkin did not draw."""
+    """A drawing without its centres, beside the solution."""
 
     drawing: DrawingFile
     mechanism: Mechanism
     exact: Widened
     scales: Mapping[Plane, float]
-    added: set[tuple[str, ...]]
 
     def _measured(self, plane: Plane, name: str, kind: str, drawn: complex, right: complex) -> Measured:
         return Measured(plane, name, kind, drawn, right, self.scales[plane], UNITS[plane])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import replace
+from functools import lru_cache
 
 from graphkin.check.transforms import Unread, length, numbers_in
 from graphkin.value import frozen
@@ -68,13 +68,13 @@ def styled(attributes: Mapping[str, str], parent: Style) -> Style:
         if attributes.get(key, "").strip() not in _NOTHING:
             raise Unread(f"{key}={attributes[key].strip()[:40]!r}")
     own = {key: attributes[key].strip() for key in (*_PAINTED, "opacity", "display") if key in attributes}
-    own |= dict(_declared(attributes.get("style", "")))
+    own |= dict(_declared(attributes["style"])) if "style" in attributes else {}
     opacity, display = own.pop("opacity", "1"), own.pop("display", "inline")
     if {opacity, display, *own.values()} & {"initial", "unset", "revert"}:
         raise Unread("a style that is set back")
     painted = {**parent.painted, **{key: value for key, value in own.items() if value != "inherit"}}
     shown = parent.shown and display != "none"
-    return replace(parent, painted=painted, opacity=parent.opacity * _share(opacity), shown=shown)
+    return Style(painted, parent.opacity * _share(opacity), shown)
 
 
 def _declared(style: str) -> list[tuple[str, str]]:
@@ -102,6 +102,7 @@ def harmless_sheet(text: str) -> bool:
     return re.sub(r"\{[^{}]*\}", "", bare).count("{") == 0 and all(_TYPE_ALONE.fullmatch(name) for name in names)
 
 
+@lru_cache(maxsize=256)
 def _share(text: str) -> float:
     """An opacity: a number or a percentage."""
     percent = text.endswith("%")
@@ -111,6 +112,7 @@ def _share(text: str) -> float:
     return min(1.0, max(0.0, found[0] / (100 if percent else 1)))
 
 
+@lru_cache(maxsize=256)
 def brightness(paint: str) -> float | None:
     """0 black to 1 white; None for paints that are no plain colour."""
     text = paint.strip().lower()

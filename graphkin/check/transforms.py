@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import NamedTuple
 
 __all__ = ["NUMBER", "Affine", "Unread", "length", "numbers_in", "paper", "transform"]
@@ -62,6 +63,7 @@ def numbers_in(text: str) -> list[float]:
     return found
 
 
+@lru_cache(maxsize=1024)
 def length(text: str) -> float:
     """A length in user units; a unit counts as CSS has it, 96 to the inch."""
     found = _LENGTH.fullmatch(text)
