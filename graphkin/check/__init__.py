@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from graphkin.check.comparison import compare
 from graphkin.check.drawing import Fault
-from graphkin.check.ruler import Measured, Report, measure
+from graphkin.check.ruler import Measured, Report, held, measure
 from graphkin.check.widened import added_point
 
-__all__ = ["Fault", "Measured", "Report", "added_point", "compare", "measure"]
+__all__ = ["Fault", "Measured", "Report", "added_point", "compare", "held", "measure"]

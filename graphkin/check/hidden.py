@@ -19,8 +19,8 @@ __all__ = ["Layers", "name_of"]
 _MARKS = ("vector", "point", "link")
 _FAINT = 0.3
 """Ink fainter than this is none."""
-_SIGN = 6.5
-"""Small signs may lie over a line: a corner's filling, an arrow, a centre's ring; from corner to corner [mm]."""
+_SIGN = 7.6
+"""Small signs may lie over a line: a pivot, a corner's filling, a centre's ring; from corner to corner [mm]."""
 _BLOCK = 6.2
 """Blocks, slots and tubes are no wider than this; they may lie over anything [mm]."""
 _DOT = 1.8
