@@ -10,6 +10,7 @@ import random
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 
 import pytest
@@ -29,10 +30,10 @@ from random_mechanisms import (
 )
 from renamed import renamed
 
-from graphkin import Drawing, library
+from graphkin import Drawing
 from graphkin.check import Report, held
 from graphkin.check.drawing import read
-from graphkin.errors import BadDrawing, DeadPoint, GraphkinError
+from graphkin.errors import BadDrawing, DeadPoint
 from graphkin.mechanism import Mechanism
 from graphkin.outputs.svg import svg
 from graphkin.sheet.scales import TooLargeForPaper
@@ -52,10 +53,11 @@ def make(family: str, seed: int) -> Mechanism:
     return renamed(found, seed) if seed % 2 else found
 
 
-def drawn(mechanism: Mechanism) -> str | None:
-    """Its drawing; None at a dead point."""
+@lru_cache(maxsize=64)
+def drawn(family: str, seed: int) -> str | None:
+    """A drawing; None at a dead point."""
     try:
-        return svg(Drawing.of(mechanism).sheet())
+        return svg(Drawing.of(make(family, seed)).sheet())
     except (DeadPoint, TooLargeForPaper):
         return None
 
@@ -70,18 +72,12 @@ def wrong(report: Report) -> list[object]:
     return [entry for entry in report.measured if not entry.off_mm <= 0.01] + list(report.faults)
 
 
-@pytest.mark.parametrize("family", FAMILIES)
-def test_every_random_drawing_is_good(family: str, tmp_path: Path):
-    for seed in range(EACH):
-        mechanism = make(family, seed)
-        if (text := drawn(mechanism)) is not None:
-            assert not wrong(measured(tmp_path, text, mechanism)), seed
-
-
 def moved(text: str) -> list[str]:
     """The drawing with one coordinate of one mark moved by 0.02 mm, for every one there is, or some."""
     found = []
     for element in re.finditer(r"<(?:line|circle)\b[^>]*class=\"(?:vector|point|link)\"[^>]*>", text):
+        if 'data-form="guide"' in element.group():
+            continue  # a guide may be longer or shorter
         for coordinate in re.finditer(r'\b(x1|y1|x2|y2|cx|cy)="([^"]*)"', element.group()):
             new = f'{coordinate[1]}="{float(coordinate[2]) + 0.02:.4f}"'
             at = element.start() + coordinate.start()
@@ -90,12 +86,18 @@ def moved(text: str) -> list[str]:
 
 
 @pytest.mark.parametrize("family", FAMILIES)
+def test_every_random_drawing_is_good(family: str, tmp_path: Path):
+    for seed in range(EACH):
+        if (text := drawn(family, seed)) is not None:
+            assert not wrong(measured(tmp_path, text, make(family, seed))), seed
+
+
+@pytest.mark.parametrize("family", FAMILIES)
 def test_anything_moved_is_seen(family: str, tmp_path: Path):
-    mechanism = make(family, 1)
-    text = drawn(mechanism)
+    mechanism, text = make(family, 1), drawn(family, 1)
     assert text is not None
     changes = moved(text)
-    for changed in changes if MOVED else random.Random(family).sample(changes, 6):
+    for changed in changes if MOVED else random.Random(family).sample(changes, 4):
         try:
             assert wrong(measured(tmp_path, changed, mechanism))
         except BadDrawing:

@@ -337,7 +337,7 @@ OTHERS: list[tuple[str, str, Change, str]] = [
     ("fig3-4 centres", "a centre hidden", mark("centres P13", having('visibility="hidden"')), "P13"),
     ("fig3-4 centres", "a centre moved by transform", mark("centres P13", having('transform="translate(.1)"')), "P13"),
     ("fig3-4 centres", "a centre covered", at_end(WIDE.replace("210", "420")), "P13"),
-    ("fig3-4 centres", "a link moved", mark("link 1 bar", shifted(0.5)), "1: "),
+    ("fig3-4 centres", "a link moved", mark("link 2 bar", shifted(0.5)), "2: "),
     ("fig3-4 centres", "one more mark, wrong", copy_of("centres P13", shifted(2)), "P13"),
     ("fig3-4 centres", "there and back", whole('<g transform="translate(3)"><g transform="translate(-3)">', "</g></g>"), RIGHT),
 ]  # fmt: skip

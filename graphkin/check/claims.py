@@ -20,8 +20,8 @@ from graphkin.steps import Plane
 
 __all__ = ["changed", "unjudged"]
 
-WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+)?)")
-"""A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm, or 2×10⁻⁵ with its exponent raised."""
+WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+|[−-][0-9]+)?)")
+"""A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm; 2×10⁻⁵ and 10⁻⁵ with their exponents raised."""
 LETTERS: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "acceleration"}
 _NAMES = ("vector", "point", "link")
 
@@ -68,11 +68,18 @@ def _printed(read: Sequence[str], scales: Mapping[Plane, float]) -> Iterator[Fau
 
 
 def _as_written(text: str, scale: float) -> bool:
+    """Raised letters read like others: `104` may be ten to the fourth."""
     mantissa, *power = re.split(r"\s*[×·]\s*10", text.replace("−", "-"))
+    tens = re.fullmatch(r"10(-?[0-9]+)", mantissa)
+    readings = [(mantissa, power[0] if power else "0"), *([("1", tens[1])] if tens and not power else [])]
+    return any(math.isclose(_number(*reading), scale, rel_tol=1e-3) for reading in readings)
+
+
+def _number(mantissa: str, power: str) -> float:
     try:
-        return math.isclose(float(mantissa) * 10.0 ** int(power[0] if power else 0), scale, rel_tol=1e-3)
+        return float(mantissa) * 10.0 ** int(power)
     except (ValueError, OverflowError):
-        return False
+        return math.nan
 
 
 def _claimed_letters(drawing: DrawingFile) -> Counter[str]:

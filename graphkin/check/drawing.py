@@ -96,7 +96,7 @@ def read(path: Path) -> DrawingFile:
     claims = _claims(file, root)
     try:
         drawing = DrawingFile(file, seen_in(root), claims, root)
-        if not drawing.points:
+        if not drawing.points and _told_points(claims):
             raise BadDrawing(Where(file), "points")
     except Unread as error:
         raise BadDrawing(Where(file), "shown", str(error)) from None
@@ -145,6 +145,12 @@ def _claims(file: str, root: Element) -> Mapping[str, object]:
                 raise BadDrawing(Where(file), "older")
             return claims
     raise BadDrawing(Where(file), "metadata")
+
+
+def _told_points(claims: Mapping[str, object]) -> bool:
+    """Whether there should be points; a first step may have none."""
+    drawn = claims.get("drawn")
+    return not isinstance(drawn, list) or any(isinstance(entry, list) and "point" in entry[:1] for entry in drawn)
 
 
 def _sheets(root: Element) -> Iterator[Element]:

@@ -140,7 +140,7 @@ class _Ruler:
     def links(self) -> Iterator[Measured]:
         """Lines of links against the places where the points should be."""
         origins: dict[Plane, complex] = {}
-        for mark in self.drawing.of_class("link"):
+        for mark in self.drawing.of_class("link") if self.drawing.points else ():
             plane, name = plane_of(self.drawing, mark.attributes), link_name(mark.attributes)
             try:
                 origin = origins[plane] = origins.get(plane) or self._origin(plane)
@@ -168,6 +168,8 @@ class _Ruler:
         """Points of which nobody says what they are, and at which no arrow ends."""
         keys = ("data-tail", "data-head")
         ends = [(said.get("data-plane"), said.get(key)) for said, *_ in self.drawing.vectors for key in keys]
+        if not self.drawing.points:
+            yield Fault("nothing", "")
         for attributes, _ in self.drawing.points:
             plane, name = attributes.get("data-plane", ""), attributes.get("data-name", "")
             known = plane in self.scales and point_value(self.mechanism, self.exact, plane, attributes) is not None  # type: ignore[arg-type]
