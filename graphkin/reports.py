@@ -56,6 +56,7 @@ FAULTS: dict[str, dict[Lang, str]] = {
 
 NOTES: dict[str, dict[Lang, str]] = {
     "signs": {"en": "{what} lines and signs that show no length, and where letters stand", "zh": "{what} 个不表示长度的线条和符号，以及文字的位置"},
+    "other": {"en": "lines and signs added or taken away: there were {what}", "zh": "增添或删去的线条和符号：原有 {what} 个"},
     "words": {"en": "{what} texts that graphkin did not write", "zh": "{what} 处不是 graphkin 写的文字"},
     "blank": {"en": 'what viewers make of the size "{what}", with a blank in it', "zh": "看图程序如何理解带空格的尺寸“{what}”"},
     "nothing": {"en": "anything: there is no point to measure from yet", "zh": "整张图：还没有可供测量的点"},

@@ -185,6 +185,17 @@ def hidden_right_visible_wrong(text: str) -> str:
     return at_end(bare)(text.replace(tag, having('opacity="0"')(tag)))
 
 
+def exchanged(text: str) -> str:
+    """The letters A and D of the mechanism, each where the other stood."""
+    one, other = (re.search(rf'<text[^>]*><tspan[^>]*>{letter}</tspan></text>', text) for letter in "AD")
+    assert one is not None
+    assert other is not None
+    assert one.start() < other.start()
+    swapped = [found[0].replace(">A<", ">#<").replace(">D<", ">A<").replace(">#<", ">D<") for found in (one, other)]
+    return text[: one.start()] + swapped[0] + text[one.end() : other.start()] + swapped[1] + text[other.end() :]
+
+
+LETTER = re.compile(r'(>A</tspan></text>.*?<tspan[^>]* x=")([0-9.]+)')
 SCALE = re.compile(r"<text(?:(?!</text>).)*?>μ</tspan><tspan[^>]*>v</tspan>.*?</text>")
 WIDE = '<rect x="0" y="0" width="210" height="297" fill="#ffffff"/>'
 ARROW = '<line x1="60" y1="150" x2="90" y2="160" stroke="#000000" stroke-width="0.35" marker-end="url(#tip)"/>'
@@ -275,6 +286,7 @@ EX3_1: list[tuple[str, Change, str]] = [
     ("head that does not turn", put('orient="auto"', 'orient="180"'), "v_B3"),
     ("head drawn backwards", put("M0 0L2.8 .5L0 1Z", "M2.8 0L0 .5L2.8 1Z"), "v_B3"),
     ("head beside its place", put('refX="2.8"', 'refX="0"'), "v_B3"),
+    ("head that takes its paint from above", lambda text: put("<defs>", '<defs fill="#fff">')(put(' fill="#000000" /></marker>', " /></marker>")(text)), "v_B3"),
     ("head without ink", put('d="M0 0L2.8 .5L0 1Z" fill="#000000"', 'd="M0 0L2.8 .5L0 1Z" fill="none"'), "v_B3"),
     ("an arrow without a name", at_end(ARROW), "arrow"),
     ("one more arrow, wrong", copy_of("v_C", shifted(4)), "v_C"),
@@ -313,7 +325,10 @@ EX3_1: list[tuple[str, Change, str]] = [
     ("printed scale deleted once", lambda text: SCALE.sub("", text, count=1), "μv"),
     ("printed scale changed", lambda text: SCALE.sub(lambda m: m[0].replace("0.01", "0.02"), text), "μ_v"),
     ("printed scale white", lambda text: SCALE.sub(lambda m: m[0].replace("<text", '<text opacity="0"', 1), text), "μ_v"),
+    ("a text with a thick pen", at_end('<text x="9" y="99" stroke="#fff" stroke-width="90">.</text>'), "refused:thick pen"),
     ("one more scale", at_end('<text x="20" y="20" font-size="3">μv = 0.03 (m/s)/mm</text>'), "μ_v"),
+    ("two letters exchanged", exchanged, "letters"),
+    ("a letter moved a little", lambda text: LETTER.sub(lambda m: m[1] + f"{float(m[2]) + 1:.4f}", text, count=1), RIGHT),
     ("a result changed", put(">0.2712<", ">0.3712<"), "0.2712"),
     ("a title of another mechanism", mechanism("Four-bar with a sliding pair", "Slider-crank"), "Slider-crank"),
     # what the file says of itself

@@ -22,27 +22,34 @@ __all__ = ["changed", "unjudged"]
 
 WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+|[−-][0-9]+)?)")
 """A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm; 2×10⁻⁵ and 10⁻⁵ with their exponents raised."""
+Letters = tuple[str, complex]
+"""A text, and where it begins [mm, y up]."""
+_SAME, _APART = 1.0, 3.0
+"""Texts nearer than this stand at one place; farther apart, at two [mm]."""
 LETTERS: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "acceleration"}
 _NAMES = ("vector", "point", "link")
 
 
 def changed(
-    drawing: DrawingFile, read: Sequence[str], mechanism: Mechanism, scales: Mapping[Plane, float]
+    drawing: DrawingFile, read: Sequence[Letters], mechanism: Mechanism, scales: Mapping[Plane, float]
 ) -> Iterator[Fault]:
     """What the file says of itself must be as it was when it was drawn, and the sheet must say the same.
 
     read  the texts on it
     """
+    texts = [text for text, _ in read]
     if drawing.claims.get("seal") != seal(drawing.claims):
         yield Fault("changed", "")
-    yield from _printed(read, scales)
+    yield from _printed(texts, scales)
     titles = _titles(mechanism)
-    if titles and not any(_begins(title, text) for text in read for title in titles):
+    if titles and not any(_begins(title, text) for text in texts for title in titles):
         yield Fault("title", titles[0])
-    for text in (_claimed_letters(drawing) - Counter(read)).elements():
+    told = _claimed_letters(drawing)
+    for text in (Counter(text for text, _ in told) - Counter(texts)).elements():
         yield Fault("letters", text)
-    for told in (_claimed_marks(drawing) - _marks(drawing)).elements():
-        yield Fault("missing", _named(told))
+    yield from (Fault("letters", text) for text in _exchanged(told, read))
+    for gone in (_claimed_marks(drawing) - _marks(drawing)).elements():
+        yield Fault("missing", _named(gone))
 
 
 def _titles(mechanism: Mechanism) -> list[str]:
@@ -82,10 +89,23 @@ def _number(mantissa: str, power: str) -> float:
         return math.nan
 
 
-def _claimed_letters(drawing: DrawingFile) -> Counter[str]:
+def _claimed_letters(drawing: DrawingFile) -> list[Letters]:
     given = drawing.claims.get("letters")
-    texts = [" ".join(text.split()) for text in given if isinstance(text, str)] if isinstance(given, list) else []
-    return Counter(text for text in texts if text)
+    found = []
+    for entry in given if isinstance(given, list) else ():
+        match entry:
+            case [str(text), int() | float() as x, int() | float() as y] if text.strip():
+                found.append((" ".join(text.split()), complex(x, -y)))
+    return found
+
+
+def _exchanged(told: Sequence[Letters], read: Sequence[Letters]) -> Iterator[str]:
+    """Texts that now stand where others stood, and not where they did."""
+    for text, place in told:
+        now = min((there for other, there in read if other == text), key=lambda p: abs(p - place), default=place)
+        taken = any(other != text and abs(there - now) < _SAME for other, there in told)
+        if abs(now - place) > _APART and taken:
+            yield text
 
 
 def _claimed_marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
@@ -107,11 +127,14 @@ def _named(told: tuple[str, ...]) -> str:
 # --- what is not judged -----------------------------------------------------------------------
 
 
-def unjudged(drawing: DrawingFile, read: Sequence[str]) -> Iterator[Fault]:
+def unjudged(drawing: DrawingFile, read: Sequence[Letters]) -> Iterator[Fault]:
     """What no ruler tells: signs without a length, where letters stand, what was added."""
     signs = [e for e in drawing.sight.shown if e.tag != "text" and not any(kind in e.kind for kind in _NAMES)]
-    more = sum((Counter(read) - _claimed_letters(drawing)).values())
+    told = Counter(text for text, _ in _claimed_letters(drawing))
+    more = sum((Counter(text for text, _ in read) - told).values())
     yield Fault("signs", str(len(signs)))
+    if drawing.claims.get("signs") != len(signs):
+        yield Fault("other", str(drawing.claims.get("signs")))
     if more:
         yield Fault("words", str(more))
     if drawing.sight.doubt:

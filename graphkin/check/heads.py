@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import reduce
 from xml.etree.ElementTree import Element
 
 from graphkin.check.drawing import DrawingFile, Fault
@@ -45,7 +46,7 @@ def _points_on(root: Element, element: Shown) -> bool:
     if marker.get("orient") not in ("auto", "auto-start-reverse"):
         return False
     shapes = [child for child in marker if child.tag.rpartition("}")[2] not in ("title", "desc")]
-    if len(shapes) != 1 or not _dark(marker, shapes[0]):
+    if len(shapes) != 1 or not _dark(root, shapes[0]):
         return False
     tag = shapes[0].tag.rpartition("}")[2]
     if not is_plain(tag, shapes[0].attrib) or transform(shapes[0].get("transform", "")) != Affine():
@@ -55,9 +56,13 @@ def _points_on(root: Element, element: Shown) -> bool:
     return places is not None and _is_tip(places)
 
 
-def _dark(marker: Element, shape: Element) -> bool:
-    style = styled(shape.attrib, styled(marker.attrib, Style({})))
-    return style.ink("fill") > 0.3
+def _dark(root: Element, shape: Element) -> bool:
+    """Paint comes to a marker's shape from the elements around it, not from the line that bears it."""
+    above = {child: parent for parent in root.iter() for child in parent}
+    way = [shape]
+    while way[-1] in above:
+        way.append(above[way[-1]])
+    return reduce(lambda style, element: styled(element.attrib, style), reversed(way), Style({})).ink("fill") > 0.3
 
 
 def _placed(marker: Element, places: list[complex], unit: float) -> list[complex] | None:

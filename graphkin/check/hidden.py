@@ -63,11 +63,11 @@ class Layers:
                 yield Fault("covered", name_of(mark))
 
     @cached_property
-    def letters(self) -> tuple[str, ...]:
-        """Every text that can be read: on the paper, and not begun under a surface."""
+    def letters(self) -> tuple[tuple[str, complex], ...]:
+        """Every text that can be read, and where it begins: on the paper, and not begun under a surface."""
         texts = ((k, element) for k, element in enumerate(self.sight.shown) if element.tag == "text")
-        found = (" ".join(text.text.split()) for k, text in texts if self._can_be_read(k, text))
-        return tuple(text for text in found if text)
+        found = ((" ".join(text.text.split()), text.lines[0][0]) for k, text in texts if self._can_be_read(k, text))
+        return tuple((text, place) for text, place in found if text)
 
     def _can_be_read(self, number: int, text: Shown) -> bool:
         begin = text.lines[0][0] + 0.3 + 0.3j
@@ -77,7 +77,7 @@ class Layers:
 
 def _inked(mark: Shown) -> bool:
     """Whether there is a line, or a dot, of a width that can be seen and measured."""
-    drawn = mark.style.ink("stroke") > _FAINT and 0.05 < mark.width < _THICK
+    drawn = mark.style.ink("stroke") > _FAINT and 0.1 < mark.width < _THICK
     if "point" in mark.kind:
         size = abs(mark.lines[0][0] - mark.middle) if mark.tag == "circle" else 0.0
         return 0.2 < size < _DOT and (drawn or mark.style.ink("fill") > _FAINT)

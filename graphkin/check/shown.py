@@ -114,6 +114,8 @@ def _shape(element: Element, name: str, outer: Affine, above: Style) -> Shown:
     style = styled(element.attrib, above)
     affine = outer.then(transform(element.attrib.get("transform", "")))
     if name == "text":
+        if style.share("stroke") and length(style.get("stroke-width", "1")) * affine.scale > 1:
+            raise Unread("a text drawn with a thick pen")
         text = "".join(_letters(element, style, affine))
         return Shown(name, element.attrib, style, affine, ((_begin(element, affine),),), text=text)
     lines = tuple(tuple(affine(p.real, p.imag) for p in line) for line in outline(name, element.attrib))

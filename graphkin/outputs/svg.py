@@ -265,6 +265,10 @@ class _Line:
         return self.drawing.tspan(text, **words)
 
 
+def _rounded(place: Place) -> list[float]:
+    return [round(place.real, 4), round(place.imag, 4)]
+
+
 def _metadata(sheet: Sheet) -> ET.Element:
     """What a reader needs to solve the same problem anew; a checker trusts only the lines."""
     machine = sheet.mechanism
@@ -276,14 +280,16 @@ def _metadata(sheet: Sheet) -> ET.Element:
         "file": Path(machine.file).name,
         "drivers": list(sheet.drivers),
         "scales": {KEYS[plane]: scale for plane, scale in sheet.scales.items()},
-        "origin": {plane: [round(o.real, 4), round(o.imag, 4)] for plane, o in sheet.origins.items()},
+        "origin": {plane: _rounded(origin) for plane, origin in sheet.origins.items()},
     }
     data["drawn"] = sorted(
         [_class(mark), *sorted(f"{key}={value}" for key, value in stated(mark).items())]
         for mark in sheet.marks
         if stated(mark)
     )
-    data["letters"] = sorted("".join(run.text for run in mark.label) for mark in sheet.marks if isinstance(mark, Text))
+    texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
+    data["letters"] = sorted(["".join(run.text for run in text.label), *_rounded(text.at)] for text in texts)
+    data["signs"] = sum(not (isinstance(mark, Text) or stated(mark)) for mark in sheet.marks)
     data["seal"] = seal(data)
     element = ET.Element("gk:sheet")
     element.text = json.dumps(data, ensure_ascii=False)
