@@ -223,6 +223,7 @@ EX3_1: list[tuple[str, Change, str]] = [
     ("vector in a group that moves", mark("v_B3", within('<g transform="matrix(1 0 0 1 0 2)">', "</g>")), "v_B3"),
     ("group that moves what follows", at_start('<g transform="translate(0 3)"></g>'), RIGHT),
     ("everything moved together", whole('<g transform="translate(0.5,0.5)">', "</g>"), RIGHT),
+    ("everything moved far together", whole('<g transform="translate(-6,4)">', "</g>"), RIGHT),
     ("everything smaller", whole('<g transform="scale(0.9)">', "</g>"), "v_B3"),
     ("translate(0,0)", mark("v_B3", having('transform="translate(0,0)"')), RIGHT),
     ("there and back", mark("v_B3", within('<g transform="translate(5)"><g transform="translate(-5 0)">', "</g></g>")), RIGHT),

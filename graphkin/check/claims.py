@@ -12,6 +12,7 @@ import math
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from statistics import median
 
 from graphkin.check.drawing import DrawingFile, Fault, stated
 from graphkin.mechanism import Mechanism
@@ -100,11 +101,14 @@ def _claimed_letters(drawing: DrawingFile) -> list[Letters]:
 
 
 def _exchanged(told: Sequence[Letters], read: Sequence[Letters]) -> Iterator[str]:
-    """Texts that now stand where others stood, and not where they did."""
-    for text, place in told:
-        now = min((there for other, there in read if other == text), key=lambda p: abs(p - place), default=place)
-        taken = any(other != text and abs(there - now) < _SAME for other, there in told)
-        if abs(now - place) > _APART and taken:
+    """Texts that now stand where others stood, and not where they did; the sheet as a whole may have been moved."""
+    now = [min((at for other, at in read if other == text), key=lambda p, q=place: abs(p - q), default=place)  # type: ignore[misc]
+           for text, place in told]  # fmt: skip
+    moved = [at - place for at, (_, place) in zip(now, told, strict=True)]
+    shift = complex(median(m.real for m in moved), median(m.imag for m in moved)) if moved else 0j
+    for (text, place), at in zip(told, now, strict=True):
+        taken = any(other != text and abs(there + shift - at) < _SAME for other, there in told)
+        if abs(at - place - shift) > _APART and taken:
             yield text
 
 
