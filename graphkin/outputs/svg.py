@@ -282,14 +282,11 @@ def _metadata(sheet: Sheet) -> ET.Element:
         "scales": {KEYS[plane]: scale for plane, scale in sheet.scales.items()},
         "origin": {plane: _rounded(origin) for plane, origin in sheet.origins.items()},
     }
-    data["drawn"] = sorted(
-        [_class(mark), *sorted(f"{key}={value}" for key, value in stated(mark).items())]
-        for mark in sheet.marks
-        if stated(mark)
-    )
+    drawn = [(_class(mark), told) for mark in sheet.marks if (told := stated(mark))]
+    data["drawn"] = sorted([kind, *sorted(f"{key}={value}" for key, value in told.items())] for kind, told in drawn)
     texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
     data["letters"] = sorted(["".join(run.text for run in text.label), *_rounded(text.at)] for text in texts)
-    data["signs"] = sum(not (isinstance(mark, Text) or stated(mark)) for mark in sheet.marks)
+    data["signs"] = len(sheet.marks) - len(texts) - len(drawn)
     data["seal"] = seal(data)
     element = ET.Element("gk:sheet")
     element.text = json.dumps(data, ensure_ascii=False)
