@@ -16,12 +16,13 @@ __all__ = ["is_called_so", "is_named_so", "point_value", "vector_value"]
 
 
 def vector_value(exact: Widened, plane: Plane, attributes: Mapping[str, str]) -> complex | None:
-    """The motion of `data-of` seen from `data-seen-from`, or its part; by way of `data-over` two such end to end.
+    """The motion of `data-of` seen from `data-seen-from`, or its part; with `data-over` that of it, and `data-of` seen
+    from `data-onto`, end to end.
 
     None where the mark says nothing that can be known.
     """
-    sites = [_site(attributes.get(f"data-{key}", "")) for key in ("of", "seen-from", "over")]
-    of, seen_from, over = sites
+    sites = [_site(attributes.get(f"data-{key}", "")) for key in ("of", "seen-from", "over", "onto")]
+    of, seen_from, over, onto = sites
     if of is None or not all(exact.knows(site) for site in sites if site is not None):
         return None
     part = attributes.get("data-part", "")
@@ -30,7 +31,7 @@ def vector_value(exact: Widened, plane: Plane, attributes: Mapping[str, str]) ->
     if seen_from is None:
         return None
     first = _part(exact, plane, part, over, seen_from)
-    second = _part(exact, plane, "t" if plane == "acceleration" else "", of, over)
+    second = _part(exact, plane, "t" if plane == "acceleration" else "", of, onto or over)
     return None if first is None or second is None else first + second
 
 
@@ -100,13 +101,14 @@ def _turned(exact: Widened, part: str, of: Site, seen_from: Site) -> complex | N
 
 def is_called_so(exact: Widened, plane: Plane, attributes: Mapping[str, str]) -> bool:
     """Whether the name of a vector, as people read it, is that of the sites it is measured by."""
-    of, seen_from, over = (_called(exact, attributes.get(f"data-{key}", "")) for key in ("of", "seen-from", "over"))
+    keys = ("of", "seen-from", "over", "onto")
+    of, seen_from, over, onto = (_called(exact, attributes.get(f"data-{key}", "")) for key in keys)
     part, letter = attributes.get("data-part", ""), LETTER[plane]
     name = attributes.get("data-name", "")
     if over:
         first, _, second = name.partition("+")
         turned = "t" if plane == "acceleration" else ""
-        return _reads(first, letter, part, over, seen_from) and _reads(second, letter, turned, of, over)
+        return _reads(first, letter, part, over, seen_from) and _reads(second, letter, turned, of, onto or over)
     return _reads(name, letter, part, of, seen_from)
 
 

@@ -105,8 +105,10 @@ def _leg(polygon: Polygon, leg: Leg, point: Site) -> tuple[Term, ...]:
         terms.append(Term(of, seen_from, part, size, _direction_of(size, leg), tail, head, sites=sites))
         tail = head
     seen_from, part = _unknown_of(polygon, leg.unknown)
-    sites = (point, leg.unknown.seen_from, leg.end)
-    terms.append(Term(label(point), seen_from, part, None, leg.way, tail, polygon.name(point), label(leg.end), sites))
+    sites = (point, leg.unknown.seen_from, leg.unknown.of, leg.end)
+    over, onto = label(leg.unknown.of), label(leg.end)
+    onto = "" if onto == over else onto
+    terms.append(Term(label(point), seen_from, part, None, leg.way, tail, polygon.name(point), over, onto, sites))
     return tuple(terms)
 
 

@@ -200,7 +200,7 @@ def stated(mark: Mark) -> dict[str, str]:
     match mark:
         case VectorMark():
             known: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "tail", "head")}
-            sites = zip(("of", "seen-from", "over"), mark.sites, strict=False)
+            sites = zip(("of", "seen-from", "over", "onto"), mark.sites, strict=False)
             return _filled(known | {"part": mark.part} | dict(sites))
         case PointMark():
             named: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "of")}
