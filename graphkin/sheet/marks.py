@@ -93,8 +93,9 @@ class Text:
 class VectorMark:
     """An arrow of a polygon from `start` to `end`; a zero vector has both at one place.
 
-    sites  of, seen from, over and onto (as in `Term`), each as `B@3`: the point, then the link of which it is meant to be a part;
-           part: which part of the motion, as in `Term`
+    sites  of, seen from, over and onto (as in `Term`), each as `B@3`: the point, then the link of which it is meant to
+           be a part
+    part   which part of the motion, as in `Term`
     """
 
     plane: Plane
