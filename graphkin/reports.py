@@ -35,17 +35,32 @@ WORDS: dict[str, dict[Lang, str]] = {
     "good": {"en": "good: every vector and point within {tolerance:g} mm", "zh": "合格：全部矢量和点的误差不超过 {tolerance:g} mm"},
     "bad": {"en": "NOT GOOD: {count} wrong (tolerance {tolerance:g} mm)", "zh": "不合格：{count} 处有误（允许误差 {tolerance:g} mm）"},
     "fault": {"en": "fault", "zh": "缺陷"},
+    "note": {"en": "not judged", "zh": "未判断"},
 }
 
 FAULTS: dict[str, dict[Lang, str]] = {
-    "paper": {"en": "width, height and viewBox do not make one unit one millimetre", "zh": "width、height、viewBox 不是 1 单位 = 1 mm"},
-    "transform": {"en": "a transform moves {what}", "zh": "{what} 被 transform 移动过"},
     "changed": {"en": "the mechanism, the drivers or the scales in the file were changed after drawing", "zh": "图中的机构、原动件或比例尺数据在作图后被改动"},
     "scale": {"en": "the printed scale {what} is not the one drawn with", "zh": "图上标注的比例尺 {what} 与作图所用的不符"},
     "missing": {"en": "{what} is missing", "zh": "缺少 {what}"},
-    "extra": {"en": "{what} was not drawn by graphkin", "zh": "{what} 不是 graphkin 所画"},
+    "unscaled": {"en": "the scale {what} is not printed", "zh": "图上没有标注比例尺 {what}"},
+    "title": {"en": "the printed title is not that of the mechanism in the file: {what}", "zh": "图上的标题不是文件中机构的标题：{what}"},
+    "letters": {"en": "these letters were changed, hidden or taken away: {what}", "zh": "图上的文字被改动、遮盖或删去：{what}"},
+    "head": {"en": "the arrow head of {what} is missing, turned or at the wrong end", "zh": "{what} 的箭头缺失、方向不对或画在另一端"},
+    "arrow": {"en": "an arrow at {what} mm bears no name, so it cannot be measured", "zh": "{what} mm 处的箭头没有名称，无法测量"},
+    "hidden": {"en": "{what} cannot be seen", "zh": "{what} 看不见"},
+    "covered": {"en": "something is drawn over {what}", "zh": "{what} 被别的图形盖住"},
+    "name": {"en": "the point {what} is not called as what it shows", "zh": "点 {what} 的名称与其所指不符"},
     "loose": {"en": "the end of {what} has no point", "zh": "{what} 的端点不存在"},
     "end": {"en": "a vector does not end at its point: {what}", "zh": "矢量端点与点不重合：{what}"},
+}
+
+NOTES: dict[str, dict[Lang, str]] = {
+    "signs": {"en": "{what} lines and signs that show no length, and where letters stand", "zh": "{what} 个不表示长度的线条和符号，以及文字的位置"},
+    "other": {"en": "lines and signs added or taken away: there were {what}", "zh": "增添或删去的线条和符号：原有 {what} 个"},
+    "words": {"en": "{what} texts that graphkin did not write", "zh": "{what} 处不是 graphkin 写的文字"},
+    "blank": {"en": 'what viewers make of the size "{what}", with a blank in it', "zh": "看图程序如何理解带空格的尺寸“{what}”"},
+    "nothing": {"en": "anything: there is no point to measure from yet", "zh": "整张图：还没有可供测量的点"},
+    "unknown": {"en": "the point {what}, which graphkin does not know", "zh": "点 {what}：不是 graphkin 所知的点"},
 }
 
 
@@ -228,6 +243,8 @@ def check_lines(report: Report, tolerance_mm: float, lang: Lang) -> Iterator[str
     yield from table(rows)
     for fault in report.faults:
         yield f"{say('fault', lang)}: {FAULTS[fault.kind][lang].format(what=fault.what)}"
+    for note in report.notes:
+        yield f"{say('note', lang)}: {NOTES[note.kind][lang].format(what=note.what)}"
     wrong = report.wrong(tolerance_mm)
     yield say("bad" if wrong else "good", lang).format(count=wrong, tolerance=tolerance_mm)
 

@@ -179,7 +179,7 @@ def _box(mark: Text) -> tuple[float, float, float, float]:
 def test_arrows_stay_in_their_figure(name: str):
     """None crosses the drawing frame, the strip, or the line to the circle diagram."""
     drawn = sheet(name)
-    ruled = [mark for mark in drawn.marks if isinstance(mark, Stroke) and mark.step is None and not mark.link]
+    ruled = [mark for mark in drawn.marks if isinstance(mark, Stroke) and mark.step is None and not mark.shows]
     ruled = [mark for mark in ruled if abs(mark.places[1] - mark.places[0]) > 100 and mark.pen in ("outline", "thin")]
     assert ruled
     arrows = [mark for mark in drawn.marks if isinstance(mark, VectorMark)]

@@ -27,7 +27,7 @@ def test_links_are_drawn_at_scale(name):
     one = DESIGNS[name].best
     sheet = design_sheet(DESIGNS[name])
     scale = sheet.scales["position"]
-    drawn = {mark.link: abs(mark.places[1] - mark.places[0]) * scale
+    drawn = {mark.shows.link if mark.shows else "": abs(mark.places[1] - mark.places[0]) * scale
              for mark in sheet.marks if isinstance(mark, Stroke) and mark.pen == "visible"}  # fmt: skip
     assert drawn["1"] == pytest.approx(one.a, abs=1e-9)
     if one.shape != "guide-bar":
@@ -69,7 +69,7 @@ def test_steps_add_up_to_the_sheet(name):
     assert [len(s.marks) for s in sheets] == sorted({len(s.marks) for s in sheets})
     assert len(sheets[-1].marks) == len(whole.marks)
     assert all(any(mark.new for mark in sheet.marks) for sheet in sheets)
-    assert not any(mark.link for mark in sheets[0].marks if isinstance(mark, Stroke)), "the linkage comes last"
+    assert not any(mark.shows for mark in sheets[0].marks if isinstance(mark, Stroke)), "the linkage comes last"
 
 
 def test_the_drawing_of_example_2_3_tells_its_numbers():

@@ -46,9 +46,8 @@ def parted(drawing: DrawingFile) -> tuple[DrawingFile, DrawingFile]:
     """The drawing without its centres, and its centres alone."""
     parts = []
     for wanted in (False, True):
-        vectors = tuple(entry for entry in drawing.vectors if _is_centre(entry[0]) is wanted)
-        points = tuple(entry for entry in drawing.points if _is_centre(entry[0]) is wanted)
-        parts.append(replace(drawing, vectors=vectors, points=points))
+        shown = tuple(element for element in drawing.sight.shown if _is_centre(element.attributes) is wanted)
+        parts.append(replace(drawing, sight=replace(drawing.sight, shown=shown)))
     return parts[0], parts[1]
 
 

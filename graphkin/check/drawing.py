@@ -1,36 +1,37 @@
-"""A drawing file, parsed: its lines and points in mm, and what it claims to be."""
+"""A drawing file, read: what a viewer shows of it in mm, and what it claims to be."""
 
 from __future__ import annotations
 
 import json
 import math
-import re
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 from pathlib import Path
-from xml.etree.ElementTree import Element, ParseError
+from typing import Any
+from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 
 from graphkin import loading
+from graphkin.check.shown import Shown, Sight, seen_in
+from graphkin.check.transforms import Unread
 from graphkin.errors import BadDrawing, NoDrawing, Where
 from graphkin.mechanism import Mechanism
 from graphkin.steps import Plane
 from graphkin.value import frozen
 
-__all__ = ["UNITS", "DrawingFile", "Fault", "mechanism_of", "numbers", "plane_of", "read", "scales_of"]
+__all__ = ["UNITS", "DrawingFile", "Fault", "mechanism_of", "numbers", "plane_of", "read", "scales_of", "stated"]
 
 LIMIT = 16 << 20
 """Larger drawings are not ours [bytes]."""
-
+FORMAT = 2
 UNITS: Mapping[Plane, str] = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
-WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+)?)")
-"""A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm, or 2×10⁻⁵ with its exponent raised."""
 SCALES: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
 
 @frozen
 class Fault:
-    """Something wrong with a drawing file that is no length.
+    """Something wrong with a drawing file that is no length; or, as a note, what was not judged.
 
-    kind  "paper", "transform", "changed", "scale", "missing", "extra", "end", "loose"
+    kind  as in `reports.FAULTS`
     what  which element, and what about it
     """
 
@@ -40,99 +41,120 @@ class Fault:
 
 @frozen
 class DrawingFile:
-    """A parsed drawing file: lines and circles in mm, y up, scales as written, and what the file claims to be."""
+    """A drawing file: the elements a viewer shows, what the file claims to be, and its root."""
 
     file: str
-    vectors: tuple[tuple[Mapping[str, str], complex, complex], ...]
-    points: tuple[tuple[Mapping[str, str], complex], ...]
-    written: tuple[tuple[str, str], ...]
+    sight: Sight
     claims: Mapping[str, object]
-    faults: tuple[Fault, ...]
+    root: Element
+
+    def of_class(self, kind: str) -> tuple[Shown, ...]:
+        return tuple(element for element in self.sight.shown if kind in element.kind)
+
+    @cached_property
+    def vectors(self) -> tuple[tuple[Mapping[str, str], complex, complex], ...]:
+        """Attributes, tail and head [mm, y up]. A vector is a `line`; anything else cannot be one."""
+        lines = [element for element in self.of_class("vector") if element.tag == "line"]
+        return tuple((line.attributes, *_ends(line)) for line in lines)
+
+    @cached_property
+    def points(self) -> tuple[tuple[Mapping[str, str], complex], ...]:
+        """Attributes and place [mm, y up]."""
+        circles = [element for element in self.of_class("point") if element.tag == "circle"]
+        return tuple((circle.attributes, circle.middle) for circle in circles)
+
+
+def _ends(line: Shown) -> tuple[complex, complex]:
+    return line.lines[0][0], line.lines[0][-1]
+
+
+def stated(element: Shown) -> tuple[str, ...]:
+    """What an element says that it shows: its class and its `data-*`, as the file lists them."""
+    kind = next(kind for kind in ("vector", "point", "link") if kind in element.kind)
+    data = {key.removeprefix("data-"): value for key, value in element.attributes.items() if key.startswith("data-")}
+    return (kind, *sorted(f"{key}={value}" for key, value in data.items() if key != "step" and value))
+
+
+# --- reading ----------------------------------------------------------------------------------
+
+
+class _Builder(TreeBuilder):
+    """Builds the tree, and sees what stands before it."""
+
+    def pi(self, target: str, text: str | None = None) -> Any:
+        if "stylesheet" in target:
+            raise Unread("a style sheet")
+        return super().pi(target, text)
 
 
 def read(path: Path) -> DrawingFile:
-    """The drawing in a file; `BadDrawing` where it is none of graphkin's."""
-    from defusedxml.common import DefusedXmlException
-    from defusedxml.ElementTree import fromstring
-
+    """The drawing in a file; `BadDrawing` where it is none of graphkin's, or cannot be followed."""
     file = str(path)
+    root = _root(path, file)
+    if not root.tag.endswith("}svg"):
+        raise BadDrawing(Where(file), "svg")
+    claims = _claims(file, root)
+    try:
+        drawing = DrawingFile(file, seen_in(root), claims, root)
+        if not drawing.points and _told_points(claims):
+            raise BadDrawing(Where(file), "points")
+    except Unread as error:
+        raise BadDrawing(Where(file), "shown", str(error)) from None
+    return drawing
+
+
+def _root(path: Path, file: str) -> Element:
+    from defusedxml.common import DefusedXmlException
+    from defusedxml.ElementTree import DefusedXMLParser
+
+    parser = DefusedXMLParser(target=_Builder())
     try:
         if path.stat().st_size > LIMIT:
             raise BadDrawing(Where(file), "large")
-        root = fromstring(path.read_bytes())
+        parser.feed(path.read_bytes())
+        root: Element = parser.close()
     except FileNotFoundError:
         raise NoDrawing(Where(file)) from None
     except OSError as error:
         raise BadDrawing(Where(file), "unreadable", error.strerror or "") from error
+    except Unread as error:
+        raise BadDrawing(Where(file), "shown", str(error)) from None
     except (ParseError, DefusedXmlException, ValueError, LookupError, RecursionError) as error:
         raise BadDrawing(Where(file), "xml") from error
-    if not root.tag.endswith("}svg"):
-        raise BadDrawing(Where(file), "svg")
-    return _parse(file, root)
+    if root is None or _depth(root) > 100:
+        raise BadDrawing(Where(file), "xml")
+    return root
 
 
-def _parse(file: str, root: Element) -> DrawingFile:
-    vectors, points, written = [], [], list[tuple[str, str]]()
-    faults = _paper(root)
-    try:
-        for element, moved in _walk(root):
-            tag, kind = element.tag.rpartition("}")[2], element.get("class", "").split()
-            if tag == "line" and "vector" in kind:
-                vectors.append((element.attrib, _place(element, "x1", "y1"), _place(element, "x2", "y2")))
-            elif tag == "circle" and "point" in kind:
-                points.append((element.attrib, _place(element, "cx", "cy")))
-            elif tag == "text" and (found := WRITTEN.search("".join(element.itertext()))):
-                written.append((found[1], found[2]))
-                continue
-            else:
-                continue
-            if moved:
-                faults.append(Fault("transform", str(element.get("data-name"))))
-    except (KeyError, ValueError) as error:
-        raise BadDrawing(Where(file), "element", str(error)) from error
-    if not points:
-        raise BadDrawing(Where(file), "points")
-    return DrawingFile(file, tuple(vectors), tuple(points), tuple(written), _claims(file, root), tuple(faults))
-
-
-def _walk(root: Element) -> Iterator[tuple[Element, bool]]:
-    """Every element, and whether a transform stands on it or above it."""
-    stack = [(root, False)]
-    while stack:
-        element, moved = stack.pop()
-        moved = moved or "transform" in element.attrib or "transform" in element.get("style", "")
-        yield element, moved
-        stack.extend((child, moved) for child in reversed(element))
-
-
-def _place(element: Element, x: str, y: str) -> complex:
-    place = complex(float(element.attrib[x]), -float(element.attrib[y]))
-    if not (math.isfinite(place.real) and math.isfinite(place.imag)):
-        raise ValueError("finite coordinates")
-    return place
-
-
-def _paper(root: Element) -> list[Fault]:
-    """Whether one unit of the drawing is one millimetre on paper."""
-    size = f"{root.get('width', '')} {root.get('height', '')}".split()
-    box = root.get("viewBox", "").split()
-    try:
-        true = len(box) == 4 and [float(v) for v in box] == [0, 0, *(float(v.removesuffix("mm")) for v in size)]
-    except ValueError:
-        true = False
-    return [] if true and all(v.endswith("mm") for v in size) else [Fault("paper", "")]
+def _depth(root: Element) -> int:
+    """How deep elements are nested."""
+    level, depth = [root], 0
+    while level:
+        level, depth = [child for element in level for child in element], depth + 1
+    return depth
 
 
 def _claims(file: str, root: Element) -> Mapping[str, object]:
-    for element in root.iter():
-        if element.tag.rpartition("}")[2] == "sheet" and element.text:
-            try:
-                claims = json.loads(element.text)
-            except ValueError as error:
-                raise BadDrawing(Where(file), "json") from error
-            if isinstance(claims, dict) and claims.get("program") == "graphkin":
-                return claims
+    for element in _sheets(root):
+        try:
+            claims = json.loads(element.text or "")
+        except (ValueError, RecursionError) as error:
+            raise BadDrawing(Where(file), "json") from error
+        if isinstance(claims, dict) and claims.get("program") == "graphkin":
+            if claims.get("format") != FORMAT:
+                raise BadDrawing(Where(file), "older")
+            return claims
     raise BadDrawing(Where(file), "metadata")
+
+
+def _told_points(claims: Mapping[str, object]) -> bool:
+    """Whether there should be points; a first step may have none."""
+    drawn = claims.get("drawn")
+    return not isinstance(drawn, list) or any(isinstance(entry, list) and "point" in entry[:1] for entry in drawn)
+
+
+def _sheets(root: Element) -> Iterator[Element]:
+    return (element for element in root.iter() if element.tag.rpartition("}")[2] == "sheet" and element.text)
 
 
 # --- what it claims ---------------------------------------------------------------------------

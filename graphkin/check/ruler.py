@@ -1,34 +1,34 @@
-"""The ruler on a drawing file: every vector and point beside what it should be, and what else is wrong."""
+"""The ruler on a drawing file: vectors, points and lines of links beside what they should be; what else is wrong."""
 
 from __future__ import annotations
 
-import math
-import re
-from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Literal
 
 from graphkin.analytic import Motion, motion
 from graphkin.check.centre_measure import CENTRES, parted, seen_arrows, seen_centres, ways_to_move
+from graphkin.check.claims import changed, unjudged
 from graphkin.check.drawing import UNITS, DrawingFile, Fault, mechanism_of, numbers, plane_of, read, scales_of
+from graphkin.check.expected import is_called_so, is_named_so, point_value, vector_value
+from graphkin.check.heads import wrong_heads
+from graphkin.check.hidden import Layers
+from graphkin.check.links import link_name, worst_place
+from graphkin.check.transforms import Unread
 from graphkin.check.widened import Widened, widened
 from graphkin.errors import BadDrawing, Where
 from graphkin.mechanism import Mechanism
-from graphkin.naming import pair, seen
-from graphkin.readings import relative
-from graphkin.seal import seal
 from graphkin.steps import Plane
 from graphkin.value import frozen
 
-__all__ = ["Measured", "Report", "measure"]
+__all__ = ["Measured", "Report", "held", "measure"]
 
 
 @frozen
 class Measured:
-    """One vector or point of the drawing: what the ruler says, what it should be.
+    """One vector, point or line of a link: what the ruler says, what it should be.
 
-    drawn, exact  in mm on paper, x to the right and y up
+    drawn, exact  in mm on paper, x to the right and y up; of a link, the place that is farthest off
     unit_per_mm   scale of its plane, in `unit` per mm
     """
 
@@ -49,12 +49,14 @@ class Measured:
 class Report:
     """What a ruler finds in one drawing file.
 
-    faults  what is wrong with it beyond lengths: a point that is not where its vector ends, a transform
+    faults  what is wrong with it beyond lengths: a point that is not where its vector ends, a mark that is hidden
+    notes   what was not judged
     """
 
     file: str
     measured: tuple[Measured, ...]
     faults: tuple[Fault, ...]
+    notes: tuple[Fault, ...] = ()
 
     def passed(self, tolerance_mm: float) -> bool:
         return not self.faults and all(entry.off_mm <= tolerance_mm for entry in self.measured)
@@ -65,82 +67,114 @@ class Report:
 
 
 def measure(path: str | Path, tolerance_mm: float = 0.01) -> Report:
-    """Measure a drawing file against the analytic solution of the mechanism in it.
+    """Measure what a viewer shows of a drawing file against the analytic solution of the mechanism in it.
 
-    Raises `BadDrawing` where the file is no drawing of graphkin's, and the errors of `loading` and
-    `analytic` where the mechanism in it is none.
+    What that proves, and what not, says `graphkin.check.claims`. Raises `BadDrawing` where the file is no drawing of
+    graphkin's or a reader cannot tell what a viewer would show, and the errors of `loading` and `analytic` where the
+    mechanism in it is none.
     """
     drawing = read(Path(path))
-    mechanism = mechanism_of(drawing)
+    return held(drawing, mechanism_of(drawing), tolerance_mm)
+
+
+def held(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) -> Report:
+    """A drawing beside the mechanism that it should show."""
     solved = motion(mechanism, numbers(drawing, "drivers", len(mechanism.drivers)))
     planes, centres = parted(drawing)
-    exact = widened(mechanism, solved, planes)
     scales = scales_of(drawing)
-    entries = [*_vectors(planes, mechanism, exact, scales), *_points(planes, mechanism, exact, scales)]
-    if centres.points or centres.vectors:
-        entries += _centres(planes, centres, mechanism, solved, scales)
-    faults = (*drawing.faults, *_changed(drawing, scales), *_loose_ends(planes, tolerance_mm))
-    return Report(drawing.file, tuple(entries), faults)
+    ruler = _Ruler(planes, mechanism, widened(mechanism, solved, planes), scales)
+    try:
+        entries = [*ruler.vectors(), *ruler.points(), *ruler.links()]
+        if centres.points or centres.vectors:
+            entries += _centres(planes, centres, mechanism, solved, scales)
+        layers = Layers.of(drawing.sight)
+        faults = [*changed(drawing, layers.letters, mechanism, scales), *wrong_heads(drawing), *layers.hidden_marks()]
+        faults += [*ruler.misfits(), *_loose_ends(planes, tolerance_mm)]
+        notes = [*unjudged(drawing, layers.letters), *ruler.unknown()]
+    except Unread as error:
+        raise BadDrawing(Where(drawing.file), "shown", str(error)) from None
+    return Report(drawing.file, tuple(entries), tuple(faults), tuple(notes))
 
 
-# --- lengths ----------------------------------------------------------------------------------
+@frozen
+class _Ruler:
+    """A drawing without its centres, beside the solution."""
 
+    drawing: DrawingFile
+    mechanism: Mechanism
+    exact: Widened
+    scales: Mapping[Plane, float]
 
-def _vectors(
-    drawing: DrawingFile, mechanism: Mechanism, exact: Widened, scales: Mapping[Plane, float]
-) -> Iterator[Measured]:
-    for attributes, tail, head in drawing.vectors:
-        plane, name = plane_of(drawing, attributes), attributes.get("data-name", "")
-        value = _exact(mechanism, exact, plane, name)
-        if value is None:
-            raise BadDrawing(Where(drawing.file), "value", f"data-name={name}")
-        yield Measured(plane, name, "vector", head - tail, value / scales[plane], scales[plane], UNITS[plane])
+    def _measured(self, plane: Plane, name: str, kind: str, drawn: complex, right: complex) -> Measured:
+        return Measured(plane, name, kind, drawn, right, self.scales[plane], UNITS[plane])
 
+    def vectors(self) -> Iterator[Measured]:
+        for attributes, tail, head in self.drawing.vectors:
+            plane, name = plane_of(self.drawing, attributes), attributes.get("data-name", "")
+            value = vector_value(self.exact, plane, attributes)
+            if value is None or plane == "position" or not is_called_so(self.exact, plane, attributes):
+                raise BadDrawing(Where(self.drawing.file), "value", f"data-name={name}")
+            yield self._measured(plane, name, "vector", head - tail, value / self.scales[plane])
 
-def _exact(mechanism: Mechanism, exact: Widened, plane: Plane, name: str) -> complex | None:
-    """What a vector called `v_CB`, `a^k_B3B2` or `v_DG+v_S4D` should be, from the analytic solution."""
-    if "+" in name:
-        parts = [_exact(mechanism, exact, plane, part) for part in name.split("+")]
-        return sum((part for part in parts if part is not None), 0j) if None not in parts else None
-    head, _, sites = name.partition("_")
-    letter, _, part = head.partition("^")
-    if letter != {"velocity": "v", "acceleration": "a"}.get(plane):
-        return None
-    if (site := seen(mechanism, sites, exact.added)) is not None and not part:
-        at = exact.velocity_at if plane == "velocity" else exact.acceleration_at
-        return complex(at(site.point, site.link))
-    if (both := pair(mechanism, sites, exact.added)) is None:
-        return None
-    value = relative(mechanism, exact, plane, part, *both)
-    return None if value is None else complex(value)
+    def _placed(self, plane: Plane) -> list[tuple[str, complex, complex]]:
+        """Name, place on paper and right place of the points that are known, the latter from the origin [mm]."""
+        found = []
+        for attributes, place in self.drawing.points:
+            if attributes.get("data-plane") == plane:
+                value = point_value(self.mechanism, self.exact, plane, attributes)
+                if value is not None:
+                    found.append((attributes.get("data-name", ""), place, value / self.scales[plane]))
+        return found
 
+    def _origin(self, plane: Plane) -> complex:
+        return _origin([(place, right) for _, place, right in self._placed(plane)])
 
-def _points(
-    drawing: DrawingFile, mechanism: Mechanism, exact: Widened, scales: Mapping[Plane, float]
-) -> Iterator[Measured]:
-    """Points of the mechanism against each other; points of a polygon against its pole."""
-    for plane in dict.fromkeys(plane_of(drawing, attributes) for attributes, _ in drawing.points):
-        placed = [(a, place) for a, place in drawing.points if a.get("data-plane") == plane]
-        wanted = {}
-        for attributes, place in placed:
-            value = _exact_point(mechanism, exact, plane, attributes.get("data-of", ""))
-            if value is not None:
-                wanted[attributes.get("data-name", "")] = (place, value / scales[plane])
-        origin = _origin(list(wanted.values()))
-        for name, (place, right) in wanted.items():
-            yield Measured(plane, name, "point", place - origin, right, scales[plane], UNITS[plane])
+    def points(self) -> Iterator[Measured]:
+        """Points of the mechanism against each other; points of a polygon against its pole."""
+        for plane in self.scales:
+            if placed := self._placed(plane):
+                origin = self._origin(plane)
+                for name, place, right in placed:
+                    yield self._measured(plane, name, "point", place - origin, right)
 
+    def links(self) -> Iterator[Measured]:
+        """Lines of links against the places where the points should be."""
+        origins: dict[Plane, complex] = {}
+        for mark in self.drawing.of_class("link") if self.drawing.points else ():
+            plane, name = plane_of(self.drawing, mark.attributes), link_name(mark.attributes)
+            try:
+                origin = origins[plane] = origins.get(plane) or self._origin(plane)
+                found = worst_place(mark, self.exact, self._places(plane, origin), self.scales[plane])
+            except (KeyError, ValueError):
+                found = None
+            if found is None:
+                raise BadDrawing(Where(self.drawing.file), "value", f"data-link={name}")
+            yield self._measured(plane, name, "link", found[0] - origin, found[1] - origin)
 
-def _exact_point(mechanism: Mechanism, exact: Widened, plane: Plane, of: str) -> complex | None:
-    if of == "pole":
-        return 0j
-    site = seen(mechanism, of, exact.added)
-    if site is None:
-        return None
-    if plane == "position":
-        return complex(exact.position[site.point])
-    at = exact.velocity_at if plane == "velocity" else exact.acceleration_at
-    return complex(at(site.point, site.link))
+    def _places(self, plane: Plane, origin: complex) -> Callable[[str], complex]:
+        """Where a point should be on paper, by the name of its mark."""
+        if plane == "position":
+            return lambda point: self.exact.place(point) / self.scales[plane] + origin
+        right = {name: value + origin for name, _, value in self._placed(plane)}
+        return right.__getitem__
+
+    def misfits(self) -> Iterator[Fault]:
+        """Points whose name is not that of the site they are measured by."""
+        for attributes, _ in self.drawing.points:
+            if not is_named_so(self.exact, attributes):
+                yield Fault("name", attributes.get("data-name", ""))
+
+    def unknown(self) -> Iterator[Fault]:
+        """Points of which nobody says what they are, and at which no arrow ends."""
+        keys = ("data-tail", "data-head")
+        ends = [(said.get("data-plane"), said.get(key)) for said, *_ in self.drawing.vectors for key in keys]
+        if not self.drawing.points:
+            yield Fault("nothing", "")
+        for attributes, _ in self.drawing.points:
+            plane, name = attributes.get("data-plane", ""), attributes.get("data-name", "")
+            known = plane in self.scales and point_value(self.mechanism, self.exact, plane, attributes) is not None  # type: ignore[arg-type]
+            if not known and (plane, name) not in ends:
+                yield Fault("unknown", name)
 
 
 def _centres(
@@ -169,49 +203,16 @@ def _origin(pairs: list[tuple[complex, complex]]) -> complex:
     return min(origins, key=lambda origin: sorted(abs(other - origin) for other in origins)[len(origins) // 2])
 
 
-# --- what is no length ------------------------------------------------------------------------
-
-
-def _changed(drawing: DrawingFile, scales: Mapping[Plane, float]) -> Iterator[Fault]:
-    """What the file says of itself must be as it was when it was drawn, and the printed scales the same."""
-    if drawing.claims.get("seal") != seal(drawing.claims):
-        yield Fault("changed", "")
-    letters: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "acceleration"}
-    for letter, text in dict.fromkeys(drawing.written):
-        plane = letters[letter]
-        if plane in scales and not _as_written(text, scales[plane]):
-            yield Fault("scale", f"μ_{letter} = {text}")
-    yield from _missing(drawing)
-
-
-def _missing(drawing: DrawingFile) -> Iterator[Fault]:
-    """Every vector and point that was drawn must be there, once."""
-    given = drawing.claims.get("drawn")
-    told = given if isinstance(given, list) else []
-    wanted = Counter(tuple(entry) for entry in told if isinstance(entry, list))
-    kinds = (("vector", drawing.vectors), ("point", drawing.points))
-    found = Counter((a.get("data-plane"), kind, a.get("data-name")) for kind, every in kinds for a, *_ in every)
-    for plane, _, name in (wanted - found).elements():
-        yield Fault("missing", f"{name} ({plane})")
-    for plane, _, name in (found - wanted).elements():
-        yield Fault("extra", f"{name} ({plane})")
-
-
-def _as_written(text: str, scale: float) -> bool:
-    mantissa, *power = re.split(r"\s*[×·]\s*10", text.replace("−", "-"))
-    try:
-        return math.isclose(float(mantissa) * 10.0 ** int(power[0] if power else 0), scale, rel_tol=1e-3)
-    except ValueError:
-        return False
-
-
 def _loose_ends(drawing: DrawingFile, tolerance_mm: float) -> Iterator[Fault]:
     """Vectors must start and end at the points they name."""
-    places = {(a.get("data-plane"), a.get("data-name")): place for a, place in drawing.points}
+    places: dict[tuple[str | None, str | None], list[complex]] = {}
+    for attributes, place in drawing.points:
+        places.setdefault((attributes.get("data-plane"), attributes.get("data-name")), []).append(place)
     for attributes, tail, head in drawing.vectors:
         for key, end in (("data-tail", tail), ("data-head", head)):
             point, name = (attributes.get("data-plane"), attributes.get(key)), attributes.get("data-name")
-            if point not in places:
+            apart = [abs(place - end) for place in places.get(point, ())]
+            if not apart:
                 yield Fault("loose", f"{name}: {point[1]}")
-            elif not abs(places[point] - end) <= tolerance_mm:
-                yield Fault("end", f"{name} - {point[1]}: {abs(places[point] - end):.4f} mm")
+            elif not min(apart) <= tolerance_mm:
+                yield Fault("end", f"{name} - {point[1]}: {min(apart):.4f} mm")

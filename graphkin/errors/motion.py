@@ -357,5 +357,10 @@ REASONS: dict[str, dict[Lang, str]] = {
     "metadata": {"en": "it does not come from graphkin", "zh": "不是 graphkin 画的图"},
     "mechanism": {"en": "it carries no mechanism", "zh": "图中没有机构数据"},
     "element": {"en": "a vector or a point lacks {what}", "zh": "某个矢量或点缺少 {what}"},
+    "older": {"en": "it was drawn by another version of graphkin", "zh": "它是由另一版本的 graphkin 画的"},
+    "shown": {
+        "en": "{what} in it may move, hide or add lines, so that a ruler cannot tell what a viewer shows",
+        "zh": "其中的 {what} 可能移动、遮盖或增添图线，无法判断看图程序显示的是什么",
+    },
     "value": {"en": "{what} means nothing here", "zh": "{what} 没有意义"},
 }

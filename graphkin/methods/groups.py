@@ -98,21 +98,24 @@ def _leg(polygon: Polygon, leg: Leg, point: Site) -> tuple[Term, ...]:
     terms = list(polygon.absolute(leg.start))
     tail = terms[-1].head if terms else polygon.name(leg.start)
     link = polygon.structure.home(leg.end.link)
-    for of, seen_from, part, size in _known_of(polygon, leg, point):
+    label = polygon.labels.label
+    for sites, part, size in _known_of(polygon, leg, point):
+        of, seen_from = map(label, sites)
         head = polygon.between("k" if part == "k" else "n", link, f"a^{part}_{of}{seen_from}")
-        terms.append(Term(of, seen_from, part, size, _direction_of(size, leg), tail, head))
+        terms.append(Term(of, seen_from, part, size, _direction_of(size, leg), tail, head, sites=sites))
         tail = head
     seen_from, part = _unknown_of(polygon, leg.unknown)
-    label, over = polygon.labels.label(point), polygon.labels.label(leg.end)
-    terms.append(Term(label, seen_from, part, None, leg.way, tail, polygon.name(point), over))
+    sites = (point, leg.unknown.seen_from, leg.unknown.of, leg.end)
+    over, onto = label(leg.unknown.of), label(leg.end)
+    onto = "" if onto == over else onto
+    terms.append(Term(label(point), seen_from, part, None, leg.way, tail, polygon.name(point), over, onto, sites))
     return tuple(terms)
 
 
-def _known_of(polygon: Polygon, leg: Leg, point: Site) -> list[tuple[str, str, str, Size]]:
-    """Of, seen from, part and size of each known arrow of a leg, and of the normal one from its end to the point."""
-    label = polygon.labels.label
-    known = [
-        (label(hop.of), label(hop.seen_from), part, size)
+def _known_of(polygon: Polygon, leg: Leg, point: Site) -> list[tuple[tuple[Site, ...], str, Size]]:
+    """Sites, part and size of each known arrow of a leg, and of the normal one from its end to the point."""
+    known: list[tuple[tuple[Site, ...], str, Size]] = [
+        ((hop.of, hop.seen_from), part, size)
         for hop in leg.hops
         for part, size, _ in polygon.pieces(hop)
         if size is not None
@@ -120,7 +123,7 @@ def _known_of(polygon: Polygon, leg: Leg, point: Site) -> list[tuple[str, str, s
     if polygon.plane == "acceleration":
         part, size, _ = polygon.pieces(Lever(leg.end, point, True))[0]
         assert size is not None
-        known.append((label(point), label(leg.end), part, size))
+        known.append(((point, leg.end), part, size))
     return known
 
 

@@ -77,6 +77,7 @@ def _without_tangential(polygon: Polygon, right: tuple[Term, ...]) -> tuple[Term
         normal.direction,
         normal.tail,
         tangential.head,
+        sites=normal.sites,
     )
     return (*right[:-2], only)
 
@@ -99,4 +100,4 @@ def add_up(polygon: Polygon, of: Site, right: tuple[Term, ...]) -> None:
     if len(right) == 1:
         polygon.parts.append(LayOff(right[0], right[0].tail, right[0].head))
     else:
-        polygon.parts.append(known_sum(label, Term(label, "", "", None, None, polygon.pole, node), right))
+        polygon.parts.append(known_sum(label, Term(label, "", "", None, None, polygon.pole, node, sites=(of,)), right))

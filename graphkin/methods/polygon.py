@@ -119,11 +119,12 @@ class Polygon:
         node = self.name(site)
         if node == self.pole:
             return ()
-        return (Term(self.labels.label(site), "", "", Drawn(self.pole, node), None, self.pole, node),)
+        return (Term(self.labels.label(site), "", "", Drawn(self.pole, node), None, self.pole, node, sites=(site,)),)
 
     def rest(self, site: Site) -> Term:
         """A point at rest where a side has nothing else."""
-        return Term(self.labels.label(site), "", "", Drawn(self.pole, self.pole), None, self.pole, self.pole)
+        size = Drawn(self.pole, self.pole)
+        return Term(self.labels.label(site), "", "", size, None, self.pole, self.pole, sites=(site,))
 
     def terms(self, hop: Hop, last: bool) -> list[Term]:
         """The arrows of one hop from `seen_from` outward to `of`.
@@ -133,7 +134,7 @@ class Polygon:
         pieces = self.pieces(hop)
         if last:
             pieces.reverse()
-        tail, terms = self.name(hop.seen_from), list[Term]()
+        tail, terms, sites = self.name(hop.seen_from), list[Term](), (hop.of, hop.seen_from)
         of, seen_from = self.labels.label(hop.of), self.seen_from(hop)
         for k, (part, size, direction) in enumerate(pieces):
             if k == len(pieces) - 1:
@@ -141,7 +142,7 @@ class Polygon:
             else:
                 letter = "k" if "k" in (part, pieces[k + 1][0]) else part[-1]
                 head = self.between(letter, self.structure.home(hop.of.link), f"a^{part}_{of}{seen_from}")
-            terms.append(Term(of, seen_from, part, size, direction, tail, head))
+            terms.append(Term(of, seen_from, part, size, direction, tail, head, sites=sites))
             if size is None:
                 self.unknown[hop] = terms[-1]
             tail = head

@@ -51,7 +51,7 @@ def _roll_acceleration(polygon: Polygon, contact: Contact, centre: Site, of: Sit
     label, other = polygon.labels.label(of), polygon.labels.label(at)
     start = polygon.absolute(at)
     tail = start[-1].head if start else polygon.pole
-    sliding = Term(label, other, "", None, normal, tail, polygon.name(of))
+    sliding = Term(label, other, "", None, normal, tail, polygon.name(of), sites=(of, at))
     polygon.equate(of, left, (*start, sliding))
     polygon.measure_unknown(lever)
 

@@ -22,7 +22,7 @@ from graphkin.outputs.files import beside
 from graphkin.seal import seal
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import SMALL, Label, scripts
-from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
 from graphkin.sheet.scales import KEYS
 
@@ -139,6 +139,9 @@ class _Pen:
                 element = self._point(mark)
             case Text():
                 element = self._text(mark)
+        if told := stated(mark):
+            element["class"] = _class(mark)
+            element.attribs |= {f"data-{key}": value for key, value in told.items()}
         if mark.step is not None:
             element["data-step"] = str(mark.step)
         self.drawing.add(element)
@@ -160,8 +163,6 @@ class _Pen:
             element = self.drawing.path(d="M" + "L".join(f"{x} {y}" for x, y in places) + ("Z" if mark.closed else ""))
         self._line(element, mark.pen, mark.new, mark.fill)
         element["stroke-linejoin"] = element["stroke-linecap"] = "round"
-        if mark.link:
-            element["class"], element["data-link"] = "link", mark.link
         return element
 
     def _arc(self, mark: Arc) -> Any:
@@ -176,9 +177,6 @@ class _Pen:
     def _vector(self, mark: VectorMark) -> Any:
         element = self.drawing.line(_xy(mark.start), _xy(mark.end))
         self._line(element, "vector", mark.new)
-        element["class"] = "vector"
-        for key in ("plane", "name", "tail", "head"):
-            element[f"data-{key}"] = getattr(mark, key)
         if mark.length > 0.05:
             _head(element, mark.new, 1.0 if mark.length > 1.6 * _TIP else 0.5)
         return element
@@ -186,9 +184,6 @@ class _Pen:
     def _point(self, mark: PointMark) -> Any:
         element = self.drawing.circle(_xy(mark.at), mm(mark.radius))
         self._line(element, "outline" if mark.fill == "paper" else "construction", mark.new, mark.fill)
-        element["class"] = "point"
-        for key in ("plane", "name", "of"):
-            element[f"data-{key}"] = getattr(mark, key)
         return element
 
     def _text(self, mark: Text) -> Any:
@@ -198,6 +193,30 @@ class _Pen:
         for span in writer.spans(mark.label):
             element.add(span)
         return element
+
+
+def stated(mark: Mark) -> dict[str, str]:
+    """What a mark says that it shows, for a reader to hold it to: the element's `data-*`."""
+    match mark:
+        case VectorMark():
+            known: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "tail", "head")}
+            sites = zip(("of", "seen-from", "over", "onto"), mark.sites, strict=False)
+            return _filled(known | {"part": mark.part} | dict(sites))
+        case PointMark():
+            named: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "of")}
+            return _filled(named | {"site": mark.site})
+        case Stroke(shows=Shows() as shows) | Disc(shows=Shows() as shows):
+            lies = {"plane": shows.plane, "link": shows.link, "form": shows.form, "points": " ".join(shows.points)}
+            return _filled(lies | {"line": shows.line})
+    return {}
+
+
+def _filled(said: dict[str, str]) -> dict[str, str]:
+    return {key: value for key, value in said.items() if value}
+
+
+def _class(mark: Mark) -> str:
+    return {VectorMark: "vector", PointMark: "point"}.get(type(mark), "link")
 
 
 def _tip(new: bool, part: float) -> str:
@@ -246,24 +265,28 @@ class _Line:
         return self.drawing.tspan(text, **words)
 
 
+def _rounded(place: Place) -> list[float]:
+    return [round(place.real, 4), round(place.imag, 4)]
+
+
 def _metadata(sheet: Sheet) -> ET.Element:
     """What a reader needs to solve the same problem anew; a checker trusts only the lines."""
     machine = sheet.mechanism
     data: dict[str, object] = {
-        "format": 1,
+        "format": 2,
         "program": "graphkin",
         "mechanism": machine.text,
         "name": machine.name,
         "file": Path(machine.file).name,
         "drivers": list(sheet.drivers),
         "scales": {KEYS[plane]: scale for plane, scale in sheet.scales.items()},
-        "origin": {plane: [round(o.real, 4), round(o.imag, 4)] for plane, o in sheet.origins.items()},
+        "origin": {plane: _rounded(origin) for plane, origin in sheet.origins.items()},
     }
-    data["drawn"] = sorted(
-        [mark.plane, "vector" if isinstance(mark, VectorMark) else "point", mark.name]
-        for mark in sheet.marks
-        if isinstance(mark, VectorMark | PointMark)
-    )
+    drawn = [(_class(mark), told) for mark in sheet.marks if (told := stated(mark))]
+    data["drawn"] = sorted([kind, *sorted(f"{key}={value}" for key, value in told.items())] for kind, told in drawn)
+    texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
+    data["letters"] = sorted(["".join(run.text for run in text.label), *_rounded(text.at)] for text in texts)
+    data["signs"] = len(sheet.marks) - len(texts) - len(drawn)
     data["seal"] = seal(data)
     element = ET.Element("gk:sheet")
     element.text = json.dumps(data, ensure_ascii=False)

@@ -7,7 +7,7 @@ import math
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Cam, Profile, Slide
 from graphkin.sheet import symbols
-from graphkin.sheet.marks import Disc, Mark, Stroke
+from graphkin.sheet.marks import Disc, Mark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wheels import straight
 from graphkin.sheet.window import Figure
@@ -23,21 +23,26 @@ _ROD, _BUSH = 34.0, (15.0, 27.0)
 def cams(skeleton: Skeleton) -> Figure:
     """The profiles that touch."""
     figure = Figure()
-    for cam in skeleton.mechanism.cams:
+    for number, cam in enumerate(skeleton.mechanism.cams):
         step = skeleton.step(*(p.centre for p in cam.profiles if p.centre is not None))
         others = (cam.profiles[1], cam.profiles[0])
         for link, profile, other in zip(cam.links, cam.profiles, others, strict=True):
-            figure.marks += _profile(skeleton, link, profile, other, step)
+            figure.marks += _profile(skeleton, (link, f"c{number}"), profile, other, step)
     return figure
 
 
-def _profile(skeleton: Skeleton, link: str, profile: Profile, other: Profile, step: int | None) -> list[Mark]:
+def _profile(
+    skeleton: Skeleton, of: tuple[str, str], profile: Profile, other: Profile, step: int | None
+) -> list[Mark]:
+    """A profile of a link in a cam pair (`of`: their names)."""
     scale = skeleton.window.scale
     if profile.centre is not None:
         radius = profile.radius / scale
-        return [Disc(skeleton.at(profile.centre), radius, "outline", link=link, step=step)] if radius > 0 else []
+        shows = Shows(of[0], "wheel", (profile.centre,))
+        return [Disc(skeleton.at(profile.centre), radius, "outline", shows=shows, step=step)] if radius > 0 else []
     assert profile.line is not None
-    return [straight(skeleton, profile.line, other.centre or profile.line.origin, other.radius / scale + 8, step)]
+    near = other.centre or profile.line.origin
+    return [straight(skeleton, profile.line, of[1], near, other.radius / scale + 8, step)]
 
 
 def equivalents(skeleton: Skeleton) -> list[Mark]:
@@ -87,14 +92,15 @@ def follower(skeleton: Skeleton, slide: Slide) -> list[Mark] | None:
 def _rod(skeleton: Skeleton, slide: Slide, radius: float, cam_centre: str) -> list[Mark]:
     at, along = skeleton.at(slide.point), skeleton.along(slide)
     out = along * math.copysign(1, (along.conjugate() * (at - skeleton.at(cam_centre))).real)
-    side, step, link = 1j * out, skeleton.step(slide.point), slide.block or ""
+    side, step = 1j * out, skeleton.step(slide.point)
+    shows = Shows(slide.block or "", "guide", (), slide.name)
     near, far = (max(0.0, radius - 3) + reach for reach in _BUSH)
     foot = 2.6 if radius == 0 else 0.0
-    rod = Stroke((at + out * foot, at + out * (far - _BUSH[1] + _ROD)), "visible", link=link, step=step)
+    rod = Stroke((at + out * foot, at + out * (far - _BUSH[1] + _ROD)), "visible", shows=shows, step=step)
     marks: list[Mark] = [rod]
     if radius == 0:
         tip = (at, at + out * 3.4 + side * 1.1, at + out * 3.4 - side * 1.1)
-        marks.append(Stroke(tip, "outline", closed=True, fill="ink", link=link, step=step))
+        marks.append(Stroke(tip, "outline", closed=True, fill="ink", step=step))
     for wall in (side, -side):
         marks += symbols.guide(at + out * near + wall * 1.1, at + out * far + wall * 1.1, wall, step)
     return marks

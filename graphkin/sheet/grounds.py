@@ -10,7 +10,7 @@ from graphkin.sheet import symbols
 from graphkin.sheet.cams import follower
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import link_label
-from graphkin.sheet.marks import Mark, Place
+from graphkin.sheet.marks import Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure
 
@@ -64,17 +64,20 @@ class _Run:
     side: complex
     pins: bool
     step: int | None
+    line: str
+    points: tuple[str, ...]
 
     def end(self, t: float) -> Place:
         return self.foot + self.along * t
 
     def marks(self) -> list[Mark]:
         start, end = self.end(self.low), self.end(self.high)
+        shows = Shows(FRAME, "slot" if self.pins else "guide", self.points, self.line)
         if not self.pins:
-            return symbols.guide(start, end, self.side, self.step)
+            return symbols.guide(start, end, self.side, self.step, shows)
         wall = self.side * 1.75
         return [
-            *symbols.slot(start, end, "", "outline", self.step),
+            *symbols.slot(start, end, shows, "outline", self.step),
             *symbols.hatch(start + wall, end + wall, self.side, self.step),
         ]
 
@@ -90,6 +93,7 @@ def _runs(skeleton: Skeleton) -> list[_Run]:
             if _touch(run, fresh):
                 t = (run.along.conjugate() * (fresh.foot - run.foot)).real
                 run.low, run.high = min(run.low, t + fresh.low), max(run.high, t + fresh.high)
+                run.points += fresh.points
                 break
         else:
             runs.append(fresh)
@@ -111,7 +115,8 @@ def _run(skeleton: Skeleton, slide: Slide) -> _Run:
     if along.real < -1e-9 or (abs(along.real) < 1e-9 and along.imag < 0):
         along = -along
     step = skeleton.step(slide.line.origin)
-    return _Run(at, along, -_REACH, _REACH, _ground_side(skeleton, at, along), slide.block is None, step)
+    side, pins = _ground_side(skeleton, at, along), slide.block is None
+    return _Run(at, along, -_REACH, _REACH, side, pins, step, slide.name, (slide.point,))
 
 
 def _ground_side(skeleton: Skeleton, at: Place, along: complex) -> complex:

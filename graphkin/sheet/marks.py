@@ -14,21 +14,40 @@ from graphkin.sheet.paper import PenName
 from graphkin.steps import Plane
 from graphkin.value import frozen
 
-__all__ = ["Arc", "Disc", "Fill", "Mark", "Place", "PointMark", "Stroke", "Text", "VectorMark"]
+__all__ = ["Arc", "Disc", "Fill", "Form", "Mark", "Place", "PointMark", "Shows", "Stroke", "Text", "VectorMark"]
 
 Place = complex
 Fill = Literal["none", "paper", "ink", "grey"]
+Form = Literal["bar", "guide", "block", "slot", "wheel"]
+
+
+@frozen
+class Shows:
+    """What a line of a link says, so that a ruler can hold it against the link.
+
+    form    "bar": corners at `points`, one by one; "guide": on a line of the link, reaching over `points`;
+            "block": about its point, sides along and across the line; "slot": its middle on the line, sides along it,
+            reaching over `points`; "wheel": a circle about its point
+    points  of the plane, as their marks are called
+    line    the slide, roll or cam whose line it is
+    """
+
+    link: str
+    form: Form
+    points: tuple[str, ...] = ()
+    line: str = ""
+    plane: Plane = "position"
 
 
 @frozen
 class Stroke:
-    """A line through `places`; `closed` back to the first; `link`: name of the link it shows."""
+    """A line through `places`; `closed` back to the first; `shows`: of lines of links."""
 
     places: tuple[Place, ...]
     pen: PenName = "outline"
     closed: bool = False
     fill: Fill = "none"
-    link: str = ""
+    shows: Shows | None = None
     step: int | None = None
     new: bool = False
 
@@ -41,7 +60,7 @@ class Disc:
     radius: float
     pen: PenName = "outline"
     fill: Fill = "none"
-    link: str = ""
+    shows: Shows | None = None
     step: int | None = None
     new: bool = False
 
@@ -72,7 +91,12 @@ class Text:
 
 @frozen
 class VectorMark:
-    """An arrow of a polygon from `start` to `end`; a zero vector has both at one place."""
+    """An arrow of a polygon from `start` to `end`; a zero vector has both at one place.
+
+    sites  of, seen from, over and onto (as in `Term`), each as `B@3`: the point, then the link of which it is meant to
+           be a part
+    part   which part of the motion, as in `Term`
+    """
 
     plane: Plane
     name: str
@@ -82,6 +106,8 @@ class VectorMark:
     end: Place
     step: int | None = None
     new: bool = False
+    sites: tuple[str, ...] = ()
+    part: str = ""
 
     @property
     def length(self) -> float:
@@ -91,7 +117,10 @@ class VectorMark:
 
 @frozen
 class PointMark:
-    """A named point of a plane and what it belongs to (`B`, `B3`, `pole`): a dot, or a hinge's white circle."""
+    """A named point of a plane and what it belongs to (`B`, `B3`, `pole`): a dot, or a hinge's white circle.
+
+    site  the point and the link of which it is meant to be a part, as `B@3`; "" for what is no point of a link
+    """
 
     plane: Plane
     name: str
@@ -101,6 +130,7 @@ class PointMark:
     fill: Fill = "ink"
     step: int | None = None
     new: bool = False
+    site: str = ""
 
 
 Mark = Stroke | Disc | Arc | Text | VectorMark | PointMark

@@ -15,7 +15,7 @@ from graphkin.sheet.drives import drives
 from graphkin.sheet.grounds import grounds
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import link_label, point_label
-from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
+from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton, hull, in_line
 from graphkin.sheet.specials import contacts, specials
 from graphkin.sheet.wheels import wheels, wheels_of
@@ -60,20 +60,22 @@ def _link(skeleton: Skeleton, link: str, figure: Figure) -> None:
     for slide in skeleton.guides(link):
         figure.marks += _guide(skeleton, slide)
     if len(names) > 1:
-        figure.marks += _body(places, link, step)
+        figure.marks += _body(names, places, link, step)
     figure.wanted += _link_number(skeleton, link, places, step)
 
 
-def _body(places: list[Place], link: str, step: int | None) -> list[Mark]:
+def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | None) -> list[Mark]:
     """A bar, or the outline of three and more points; points inside it hang on two corners."""
     if (ends := in_line(places)) is not None:
-        return symbols.bar([places[ends[0]], places[ends[1]]], link, step)
+        return symbols.bar([places[k] for k in ends], Shows(link, "bar", tuple(names[k] for k in ends)), step)
     round_about = hull(places)
-    marks = symbols.plate([places[k] for k in round_about], link, step)
+    outline = Shows(link, "bar", tuple(names[k] for k in round_about))
+    marks = symbols.plate([places[k] for k in round_about], outline, step)
     for k in range(len(places)):
         if k not in round_about:
-            near = sorted((places[c] for c in round_about), key=lambda p, k=k: abs(p - places[k]))[:2]  # type: ignore[misc]
-            marks.append(Stroke((near[0], places[k], near[1]), "visible", link=link, step=step))
+            one, other = sorted(round_about, key=lambda c, k=k: abs(places[c] - places[k]))[:2]  # type: ignore[misc]
+            hung = Shows(link, "bar", (names[one], names[k], names[other]))
+            marks.append(Stroke((places[one], places[k], places[other]), "visible", shows=hung, step=step))
     return marks
 
 
@@ -81,9 +83,9 @@ def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     """A moving guide's own bar, welded to the rest of its link."""
     origin, step = slide.line.origin, skeleton.step(slide.line.origin, slide.point)
     if skeleton.is_cylinder(slide):
-        return symbols.cylinder(skeleton.at(origin), skeleton.at(slide.point), step)
+        return symbols.cylinder(skeleton.at(origin), skeleton.at(slide.point), _cylinder(slide), step)
     start, end = skeleton.guide_bar(slide)
-    marks = symbols.bar([start, end], slide.guide, step)
+    marks = symbols.bar([start, end], Shows(slide.guide, "guide", (origin, slide.point), slide.name), step)
     if skeleton.is_welded(slide) and origin[0].isupper():
         foot = skeleton.at(origin)
         far = max((start, end), key=lambda p: abs(p - foot))
@@ -91,6 +93,13 @@ def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
         for other in others[:1]:
             marks += symbols.corner(foot, far, other, step)
     return marks
+
+
+def _cylinder(slide: Slide) -> tuple[Shows, Shows, Shows]:
+    """Foot and tube of the guide; the rod, which ends at the point that slides."""
+    rod = slide.block or f"pin {slide.name}"
+    foot, tube = (Shows(slide.guide, "guide", points, slide.name) for points in ((slide.line.origin,), ()))
+    return foot, tube, Shows(rod, "guide", (slide.point,), slide.name)
 
 
 def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
@@ -102,7 +111,7 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     if slide.block is not None:
         if skeleton.is_cylinder(slide):
             return []
-        marks = symbols.block(at, along, slide.block, step)
+        marks = symbols.block(at, along, Shows(slide.block, "block", (slide.point,), slide.name), step)
         others = [skeleton.at(p) for p in skeleton.named(slide.block) if p != slide.point]
         if others and skeleton.blocks[slide.block] is not slide:
             return marks
@@ -110,7 +119,8 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     if slide.guide == FRAME:
         return []
     reach = min(9.0, max(4.0, abs(at - skeleton.at(slide.line.origin)) - 3.0))
-    return symbols.slot(at - reach * along, at + 9.0 * along, slide.guide, step=step)
+    shows = Shows(slide.guide, "slot", (slide.point,), slide.name)
+    return symbols.slot(at - reach * along, at + 9.0 * along, shows, step=step)
 
 
 def _through_bars(skeleton: Skeleton) -> list[Mark]:
@@ -128,7 +138,7 @@ def _through_bars(skeleton: Skeleton) -> list[Mark]:
                 continue
             taken.add(point)
             half = way / abs(way) * symbols.HINGE
-            marks += symbols.bar([places[k] - half, places[k] + half], link, skeleton.step(point))
+            marks += symbols.bar([places[k] - half, places[k] + half], None, skeleton.step(point))
     return marks
 
 
@@ -143,7 +153,8 @@ def _points(skeleton: Skeleton) -> list[Mark]:
         radius = symbols.HINGE if hinged else 0.6
         step = skeleton.step(point)
         fill = "paper" if hinged else "ink"
-        marks.append(PointMark("position", point, point, skeleton.at(point), radius, fill, step))  # type: ignore[arg-type]
+        site = f"{point}@{skeleton.mechanism.owners[point][0]}"
+        marks.append(PointMark("position", point, point, skeleton.at(point), radius, fill, step, site=site))  # type: ignore[arg-type]
     return marks
 
 

@@ -11,13 +11,13 @@ from graphkin.sheet import gear_images
 from graphkin.sheet.gear_images import GearImage
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import joined, point_label, vector_label
-from graphkin.sheet.marks import Mark, Place, PointMark, Stroke, VectorMark
+from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke, VectorMark
 from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.window import Figure, Window
-from graphkin.steps import LETTER, Construction, Given, Plot
+from graphkin.steps import LETTER, Construction, Given, Plot, Site, Term
 from graphkin.value import frozen
 
-__all__ = ["Polygon", "polygon_figure"]
+__all__ = ["Polygon", "named_site", "polygon_figure"]
 
 _SAME = 0.15
 """Closer than this two points are one on paper [mm]."""
@@ -66,18 +66,29 @@ class Polygon:
         for name, term in self.construction.vectors().items():
             drawn.add((term.tail, term.head))
             if term.tail in self.points and term.head in self.points:
-                yield self._vector(name, term.tail, term.head)
+                yield self._vector(name, term.tail, term.head, self._sites(term), term.part)
         pole = self.construction.pole
         for name in self.points:
             node = self.construction.nodes.get(name)
             if node is None or node.site is None or name in self.fixed or (pole, name) in drawn:
                 continue
             if node.site.point[0].isupper():
-                yield self._vector(f"{LETTER[self.construction.plane]}_{node.of}", pole, name)
+                yield self._vector(f"{LETTER[self.construction.plane]}_{node.of}", pole, name, (node.site,))
 
-    def _vector(self, name: str, tail: str, head: str) -> VectorMark:
-        start, end = self.points[tail], self.points[head]
-        return VectorMark(self.construction.plane, name, tail, head, start, end, self.step(tail, head))
+    def _vector(self, name: str, tail: str, head: str, sites: tuple[Site, ...], part: str = "") -> VectorMark:
+        start, end, step = self.points[tail], self.points[head], self.step(tail, head)
+        named = tuple(map(named_site, sites))
+        return VectorMark(self.construction.plane, name, tail, head, start, end, step, sites=named, part=part)
+
+    def _sites(self, term: Term) -> tuple[Site, ...]:
+        """What an arrow is the motion of, and what it is seen from."""
+        sites = {node.of: node.site for node in self.construction.nodes.values() if node.site is not None}
+        return term.sites or tuple(sites[text] for text in (term.of, term.seen_from) if text in sites)
+
+    def site(self, name: str) -> str:
+        """A point of the polygon as the point of a link; nothing for the pole and for corners between arrows."""
+        node = self.construction.nodes.get(name)
+        return named_site(node.site) if node is not None and node.site is not None else ""
 
     def images(self) -> Iterator[tuple[str, list[str]]]:
         """Points of the polygon that are the image of a link of three or more points."""
@@ -98,6 +109,11 @@ class Polygon:
                 yield link, list(dict.fromkeys(names))
 
 
+def named_site(site: Site) -> str:
+    """`B@3`: no point has an `@` in its name."""
+    return f"{site.point}@{site.link}"
+
+
 def polygon_figure(polygon: Polygon) -> Figure:
     """Images as thin lines, then arrows, then points."""
     figure = Figure()
@@ -108,7 +124,8 @@ def polygon_figure(polygon: Polygon) -> Figure:
     figure.marks += vectors
     plane = polygon.construction.plane
     for name, at in polygon.named.items():
-        figure.marks.append(PointMark(plane, name, polygon.of(name), at, step=polygon.step(name)))
+        of, step, site = polygon.of(name), polygon.step(name), polygon.site(name)
+        figure.marks.append(PointMark(plane, name, of, at, step=step, site=site))
     figure.wanted += _point_names(polygon) + _vector_names(polygon, vectors) + rims.wanted
     return figure
 
@@ -124,7 +141,8 @@ def _image_lines(polygon: Polygon, vectors: list[VectorMark]) -> list[Mark]:
             if pair not in drawn and abs(places[a] - places[b]) > _SAME:
                 drawn.add(pair)
                 step = polygon.step(*names)
-                marks.append(Stroke((places[a], places[b]), "thin", link=link, step=step))
+                shows = Shows(link, "bar", (names[a], names[b]), plane=polygon.construction.plane)
+                marks.append(Stroke((places[a], places[b]), "thin", shows=shows, step=step))
     return marks
 
 

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from graphkin.mechanism import FRAME
 from graphkin.methods import Method
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import plain, point_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
+from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.window import Figure, first_steps
-from graphkin.steps import Along, Arc, Direction, Meet, Plot, Ray, Touch
+from graphkin.steps import Along, Arc, Direction, Meet, Plot, Ray, Site, Touch
 from graphkin.value import frozen
 
 __all__ = ["contacts", "named_specials", "specials"]
@@ -26,10 +28,11 @@ _FAR = 1.9
 
 @frozen
 class _Special:
-    """A special point: its letter, its site as written (`S4`), and the two lines."""
+    """A special point: its letter, its site as written (`S4`) and as `S@4`, and the two lines."""
 
     name: str
     of: str
+    site: str
     rays: tuple[Ray, Ray]
     step: int
 
@@ -44,7 +47,8 @@ def _found(method: Method) -> Iterator[_Special]:
         if isinstance(step.first, Arc) or isinstance(step.second, Arc):
             continue
         of = sites.get(node.site, node.of) if node.site is not None else node.of
-        yield _Special(step.point, of, (step.first, step.second), number)
+        site = named_site(node.site) if node.site is not None else ""
+        yield _Special(step.point, of, site, (step.first, step.second), number)
 
 
 def named_specials(method: Method, plot: Plot, others: list[complex]) -> Mapping[str, complex]:
@@ -69,7 +73,8 @@ def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure
         if complex(skeleton.plot.position[special.name]) in drawn:
             for ray in special.rays:
                 figure.marks += _line(skeleton, ray, at, special.step)
-            figure.marks.append(PointMark("position", special.name, special.of, at, 0.6, step=special.step))
+            dot = PointMark("position", special.name, special.of, at, 0.6, step=special.step, site=special.site)
+            figure.marks.append(dot)
             figure.wanted.append(Wanted(point_label(special.name), at, gap=0.8, step=special.step))
         else:
             for ray in special.rays:
@@ -114,6 +119,7 @@ def contacts(method: Method, skeleton: Skeleton) -> Figure:
     for number, step in enumerate(method.position.steps, start=first_steps(method)["position"] + 1):
         if isinstance(step, Touch):
             at = skeleton.at(step.point)
-            figure.marks.append(PointMark("position", step.point, step.point, at, 0.6, step=number))
+            site = named_site(Site(step.point, FRAME))
+            figure.marks.append(PointMark("position", step.point, step.point, at, 0.6, step=number, site=site))
             figure.wanted.append(Wanted(point_label(step.point), at, gap=0.8, away=1 - 1j, step=number))
     return figure

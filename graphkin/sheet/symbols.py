@@ -9,7 +9,7 @@ import cmath
 import math
 from collections.abc import Sequence
 
-from graphkin.sheet.marks import Arc, Mark, Place, Stroke
+from graphkin.sheet.marks import Arc, Mark, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName
 
 __all__ = [
@@ -77,14 +77,14 @@ def centre_mark(at: Place, reach: float, step: int | None = None) -> list[Mark]:
     return [Stroke((at - reach * way, at + reach * way), "thin", step=step) for way in (1, 1j)]
 
 
-def bar(places: Sequence[Place], link: str, step: int | None = None) -> list[Mark]:
+def bar(places: Sequence[Place], shows: Shows | None, step: int | None = None) -> list[Mark]:
     """A link as a thick line."""
-    return [Stroke(tuple(places), "visible", link=link, step=step)]
+    return [Stroke(tuple(places), "visible", shows=shows, step=step)]
 
 
-def plate(corners: Sequence[Place], link: str, step: int | None = None) -> list[Mark]:
+def plate(corners: Sequence[Place], shows: Shows, step: int | None = None) -> list[Mark]:
     """A link of three or more points: its outline, with filled corners that say: one rigid piece."""
-    marks: list[Mark] = [Stroke(tuple(corners), "visible", closed=True, link=link, step=step)]
+    marks: list[Mark] = [Stroke(tuple(corners), "visible", closed=True, shows=shows, step=step)]
     for k, at in enumerate(corners):
         marks += corner(at, corners[k - 1], corners[(k + 1) % len(corners)], step)
     return marks
@@ -103,30 +103,32 @@ def corner(at: Place, one: Place, other: Place, step: int | None = None) -> list
     return [Stroke((at, at + a * reach, at + b * reach), "thin", closed=True, fill="ink", step=step)]
 
 
-def block(at: Place, along: complex, link: str, step: int | None = None) -> list[Mark]:
+def block(at: Place, along: complex, shows: Shows, step: int | None = None) -> list[Mark]:
     """A sliding block: a white rectangle over its guide."""
     x, y = along * BLOCK.real / 2, 1j * along * BLOCK.imag / 2
     corners = (at + x + y, at + x - y, at - x - y, at - x + y)
-    return [Stroke(corners, "outline", closed=True, fill="paper", link=link, step=step)]
+    return [Stroke(corners, "outline", closed=True, fill="paper", shows=shows, step=step)]
 
 
-def guide(start: Place, end: Place, side: complex, step: int | None = None) -> list[Mark]:
+def guide(
+    start: Place, end: Place, side: complex, step: int | None = None, shows: Shows | None = None
+) -> list[Mark]:
     """A fixed guide: a line with the ground hatched on one side."""
-    return [Stroke((start, end), "outline", step=step), *hatch(start, end, side, step)]
+    return [Stroke((start, end), "outline", shows=shows, step=step), *hatch(start, end, side, step)]
 
 
-def slot(start: Place, end: Place, link: str, pen: PenName = "outline", step: int | None = None) -> list[Mark]:
+def slot(start: Place, end: Place, shows: Shows, pen: PenName = "outline", step: int | None = None) -> list[Mark]:
     """A slot with round ends, cut into a link or the ground: white, over the link's bar."""
     along = (end - start) / abs(end - start)
     side = 1j * along * _SLOT
     turn = [cmath.rect(1, -math.pi * k / 10) for k in range(11)]
     far = [end + side * t for t in turn]
     near = [start - side * t for t in turn]
-    return [Stroke((*far, *near), pen, closed=True, fill="paper", link=link, step=step)]
+    return [Stroke((*far, *near), pen, closed=True, fill="paper", shows=shows, step=step)]
 
 
-def cylinder(foot: Place, rod_end: Place, step: int | None = None) -> list[Mark]:
-    """A cylinder hinged at its foot, with piston and rod."""
+def cylinder(foot: Place, rod_end: Place, shows: tuple[Shows, Shows, Shows], step: int | None = None) -> list[Mark]:
+    """A cylinder hinged at its foot, with piston and rod. `shows`: what its foot, its tube and its rod do."""
     length = abs(rod_end - foot)
     along = (rod_end - foot) / length
     side = 1j * along * 2.6
@@ -134,10 +136,10 @@ def cylinder(foot: Place, rod_end: Place, step: int | None = None) -> list[Mark]
     piston = foot + along * 0.42 * length
     tube = (near + side, far + side, far - side, near - side)
     return [
-        Stroke((foot, near), "visible", step=step),
-        Stroke(tube, "outline", closed=True, fill="paper", step=step),
+        Stroke((foot, near), "visible", shows=shows[0], step=step),
+        Stroke(tube, "outline", closed=True, fill="paper", shows=shows[1], step=step),
         Stroke((piston + side, piston - side), "visible", step=step),
-        Stroke((piston, rod_end), "visible", step=step),
+        Stroke((piston, rod_end), "visible", shows=shows[2], step=step),
     ]
 
 

@@ -11,7 +11,7 @@ from graphkin.pairs import Line, Roll
 from graphkin.sheet import symbols
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import link_label
-from graphkin.sheet.marks import Disc, Mark, Place, Stroke
+from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure
 from graphkin.value import frozen
@@ -80,20 +80,21 @@ def wheels(skeleton: Skeleton) -> Figure:
 def _wheel(skeleton: Skeleton, wheel: Wheel) -> Iterator[Mark]:
     at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale
     step = skeleton.step(wheel.centre)
-    yield Disc(at, radius, "centre" if wheel.gear else "outline", link=wheel.link, step=step)
+    shows = Shows(wheel.link, "wheel", (wheel.centre,))
+    yield Disc(at, radius, "centre" if wheel.gear else "outline", shows=shows, step=step)
     fixed = wheel.link == FRAME
     if wheel.gear:
         yield from symbols.centre_mark(at, _CROSS, step)
     if wheel.ring:
         rim = radius + _RIM if wheel.gear else radius
         if wheel.gear:
-            yield Disc(at, rim, "outline", link=wheel.link, step=step)
+            yield Disc(at, rim, "outline", step=step)
         if fixed:
             yield from symbols.rim_hatch(at, rim, 1.0, step)
     elif fixed:
         rim = max(0.0, radius - _RIM) if wheel.gear else radius
         if wheel.gear and rim > _RIM:
-            yield Disc(at, rim, "outline", link=wheel.link, step=step)
+            yield Disc(at, rim, "outline", step=step)
         yield from symbols.rim_hatch(at, rim, -1.0, step)
 
 
@@ -125,15 +126,17 @@ def _free_way(skeleton: Skeleton, centre: str) -> complex:
 def _track(skeleton: Skeleton, roll: Roll, line: Line) -> list[Mark]:
     """The line a wheel rolls on: hatched ground, or a bar of its link."""
     step = skeleton.step(roll.centre)
-    track = straight(skeleton, line, roll.centre, roll.radius / skeleton.window.scale + 12, step)
+    track = straight(skeleton, line, roll.name, roll.centre, roll.radius / skeleton.window.scale + 12, step)
     if line.link != FRAME:
         return [track]
     under = (1j if roll.left else -1j) * skeleton.direction(line)
-    return symbols.guide(track.places[0], track.places[1], under, step)
+    return symbols.guide(track.places[0], track.places[1], under, step, track.shows)
 
 
-def straight(skeleton: Skeleton, line: Line, near: str, reach: float, step: int | None) -> Stroke:
-    """A line of a link, `reach` mm to both sides of the foot of a point on it; as far as the link's points on it."""
+def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float, step: int | None) -> Stroke:
+    """The line of a link in the roll or cam `name`, `reach` mm to both sides of the foot of a point on it; as far as
+    the link's points on it.
+    """
     along, foot = skeleton.direction(line), skeleton.at(line.origin)
     t = (along.conjugate() * (skeleton.at(near) - foot)).real
     low, high = t - reach, t + reach
@@ -145,7 +148,8 @@ def straight(skeleton: Skeleton, line: Line, near: str, reach: float, step: int 
         low, high = min(max(low, min(stops)), t - 6), max(min(high, max(stops)), t + 6)
     elif stops:
         low, high = (stops[0], high) if stops[0] < t else (low, stops[0])
-    return Stroke((foot + along * low, foot + along * high), "visible", link=line.link, step=step)
+    shows = Shows(line.link, "guide", (near,), name)
+    return Stroke((foot + along * low, foot + along * high), "visible", shows=shows, step=step)
 
 
 def circles(skeleton: Skeleton) -> Iterator[tuple[Place, float]]:

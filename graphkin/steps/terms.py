@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
-    from graphkin.steps.kinds import Step
+    from graphkin.steps.kinds import Site, Step
 
 __all__ = [
     "LETTER",
@@ -199,6 +199,8 @@ class Term:
     direction       where it points, None while unknown
     tail, head      the points of the plane between which it lies
     over            a point between: two arrows on one line, of `over` and of `of` seen from `over`, drawn as one
+    onto            the point from which the second of these is seen, where known arrows lie between it and `over`
+    sites           of, seen_from (and over, onto) as points of links: what they are, however they are written
     """
 
     of: str
@@ -209,6 +211,8 @@ class Term:
     tail: str
     head: str
     over: str = ""
+    onto: str = ""
+    sites: tuple[Site, ...] = ()
 
     def name(self, plane: Plane) -> str:
         """`v_CB`, `a^n_CB`, `a^k_B3B2`; `v_DG+v_S4D` where two lie on one line."""
@@ -216,7 +220,7 @@ class Term:
             turned = "t" if plane == "acceleration" else ""
             halves = (
                 Term(self.over, self.seen_from, self.part, None, None, "", ""),
-                Term(self.of, self.over, turned, None, None, "", ""),
+                Term(self.of, self.onto or self.over, turned, None, None, "", ""),
             )
             return "+".join(half.name(plane) for half in halves)
         part = f"^{self.part}" if self.part else ""

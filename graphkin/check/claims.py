@@ -1,0 +1,145 @@
+"""What a drawing file says of itself, beside what it shows: every mark that was drawn, every text, the scales.
+
+A seal tells that the claims are as they were written. It is no lock: whoever changes them can seal them anew. So what
+`check` promises does not hang on it: whatever the file shows is right for the mechanism whose text it carries, at the
+drivers' values and the scales that it gives, and these scales are printed on it. A drawing that was sealed anew may
+show less than graphkin drew, and where its letters stand is never measured.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from statistics import median
+
+from graphkin.check.drawing import DrawingFile, Fault, stated
+from graphkin.mechanism import Mechanism
+from graphkin.seal import seal
+from graphkin.steps import Plane
+
+__all__ = ["changed", "unjudged"]
+
+WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+|[−-][0-9]+)?)")
+"""A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm; 2×10⁻⁵ and 10⁻⁵ with their exponents raised."""
+Letters = tuple[str, complex]
+"""A text, and where it begins [mm, y up]."""
+_SAME, _APART = 1.0, 3.0
+"""Texts nearer than this stand at one place; farther apart, at two [mm]."""
+LETTERS: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "acceleration"}
+_NAMES = ("vector", "point", "link")
+
+
+def changed(
+    drawing: DrawingFile, read: Sequence[Letters], mechanism: Mechanism, scales: Mapping[Plane, float]
+) -> Iterator[Fault]:
+    """What the file says of itself must be as it was when it was drawn, and the sheet must say the same.
+
+    read  the texts on it
+    """
+    texts = [text for text, _ in read]
+    if drawing.claims.get("seal") != seal(drawing.claims):
+        yield Fault("changed", "")
+    yield from _printed(texts, scales)
+    titles = _titles(mechanism)
+    if titles and not any(_begins(title, text) for text in texts for title in titles):
+        yield Fault("title", titles[0])
+    told = _claimed_letters(drawing)
+    for text in (Counter(text for text, _ in told) - Counter(texts)).elements():
+        yield Fault("letters", text)
+    yield from (Fault("letters", text) for text in _exchanged(told, read))
+    for gone in (_claimed_marks(drawing) - _marks(drawing)).elements():
+        yield Fault("missing", _named(gone))
+
+
+def _titles(mechanism: Mechanism) -> list[str]:
+    titles = (" ".join(title.split()) for title in mechanism.title.values())
+    return [title for title in titles if title]
+
+
+def _begins(title: str, text: str) -> bool:
+    """A long title is broken into lines; a single letter is none."""
+    return title.startswith(text) and len(text) >= min(len(title), 6)
+
+
+def _printed(read: Sequence[str], scales: Mapping[Plane, float]) -> Iterator[Fault]:
+    """Every scale is printed, and no other."""
+    written = [found for text in read for found in WRITTEN.findall(text)]
+    for letter, plane in LETTERS.items():
+        texts = [text for found, text in written if found == letter]
+        if plane in scales and not texts:
+            yield Fault("unscaled", f"μ_{letter}")
+        for text in dict.fromkeys(texts):
+            if plane in scales and not _as_written(text, scales[plane]):
+                yield Fault("scale", f"μ_{letter} = {text}")
+
+
+def _as_written(text: str, scale: float) -> bool:
+    """Raised letters read like others: `104` may be ten to the fourth."""
+    mantissa, *power = re.split(r"\s*[×·]\s*10", text.replace("−", "-"))
+    tens = re.fullmatch(r"10(-?[0-9]+)", mantissa)
+    readings = [(mantissa, power[0] if power else "0"), *([("1", tens[1])] if tens and not power else [])]
+    return any(math.isclose(_number(*reading), scale, rel_tol=1e-3) for reading in readings)
+
+
+def _number(mantissa: str, power: str) -> float:
+    try:
+        return float(mantissa) * 10.0 ** int(power)
+    except (ValueError, OverflowError):
+        return math.nan
+
+
+def _claimed_letters(drawing: DrawingFile) -> list[Letters]:
+    given = drawing.claims.get("letters")
+    found = []
+    for entry in given if isinstance(given, list) else ():
+        match entry:
+            case [str(text), int() | float() as x, int() | float() as y] if text.strip():
+                found.append((" ".join(text.split()), complex(x, -y)))
+    return found
+
+
+def _exchanged(told: Sequence[Letters], read: Sequence[Letters]) -> Iterator[str]:
+    """Texts that now stand where others stood, and not where they did; the sheet as a whole may have been moved."""
+    now = [min((at for other, at in read if other == text), key=lambda p, q=place: abs(p - q), default=place)  # type: ignore[misc]
+           for text, place in told]  # fmt: skip
+    moved = [at - place for at, (_, place) in zip(now, told, strict=True)]
+    shift = complex(median(m.real for m in moved), median(m.imag for m in moved)) if moved else 0j
+    for (text, place), at in zip(told, now, strict=True):
+        taken = any(other != text and abs(there + shift - at) < _SAME for other, there in told)
+        if abs(at - place - shift) > _APART and taken:
+            yield text
+
+
+def _claimed_marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
+    given = drawing.claims.get("drawn")
+    told = given if isinstance(given, list) else []
+    return Counter(tuple(map(str, entry)) for entry in told if isinstance(entry, list))
+
+
+def _marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
+    return Counter(stated(mark) for kind in _NAMES for mark in drawing.of_class(kind))
+
+
+def _named(told: tuple[str, ...]) -> str:
+    said = dict(part.partition("=")[::2] for part in told[1:])
+    name = said.get("name") or f"{said.get('link', '')}: {said.get('points') or said.get('line', '')}"
+    return f"{name} ({said.get('plane', '')})"
+
+
+# --- what is not judged -----------------------------------------------------------------------
+
+
+def unjudged(drawing: DrawingFile, read: Sequence[Letters]) -> Iterator[Fault]:
+    """What no ruler tells: signs without a length, where letters stand, what was added."""
+    signs = [e for e in drawing.sight.shown if e.tag != "text" and not any(kind in e.kind for kind in _NAMES)]
+    told = Counter(text for text, _ in _claimed_letters(drawing))
+    more = sum((Counter(text for text, _ in read) - told).values())
+    yield Fault("signs", str(len(signs)))
+    if drawing.claims.get("signs") != len(signs):
+        yield Fault("other", str(drawing.claims.get("signs")))
+    if more:
+        yield Fault("words", str(more))
+    if drawing.sight.doubt:
+        yield Fault("blank", drawing.sight.doubt)

@@ -1,0 +1,108 @@
+"""Lines of links held against the links: bars by points, guides and blocks by the line they lie on, wheels by radius.
+
+Each mark gives a place that should be where it is drawn, the worst one: [mm on paper, y up].
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable, Iterator, Mapping
+
+import numpy as np
+
+from graphkin.check.shown import Shown
+from graphkin.check.widened import Widened, lines_of
+from graphkin.mechanism import Mechanism
+
+__all__ = ["link_name", "worst_place"]
+
+Pair = tuple[complex, complex]
+"""Where something is drawn, and where it should be."""
+
+
+def link_name(attributes: Mapping[str, str]) -> str:
+    """`link 3: A B`."""
+    on = attributes.get("data-line", "") if attributes.get("data-form") != "bar" else attributes.get("data-points", "")
+    return f"{attributes.get('data-link', '')}: {on or attributes.get('data-points', '')}"
+
+
+def worst_place(mark: Shown, exact: Widened, at: Callable[[str], complex], scale: float) -> Pair | None:
+    """The place of a link's line that is farthest off; None for a mark that says nothing known.
+
+    at  where a point of its plane should be on paper [mm]; raises KeyError.  scale  [m/mm]
+    """
+    form, points = mark.attributes.get("data-form", ""), mark.attributes.get("data-points", "").split()
+    if not mark.lines or mark.attributes.get("data-link", "") not in {*exact.mechanism.links, *exact.bodies}:
+        return None
+    if form == "wheel":
+        pairs = list(_wheel(mark, exact.mechanism, at, scale)) if mark.tag == "circle" else []
+    elif not mark.plain or len(mark.lines) > 1:
+        return None
+    elif form == "bar":
+        pairs = _bar(mark, [at(point) for point in points])
+    else:
+        pairs = list(_on_line(mark, form, exact, at, points))
+    return max(pairs, key=lambda pair: abs(pair[0] - pair[1]), default=None)
+
+
+def _corners(mark: Shown) -> list[complex]:
+    places = list(mark.lines[0])
+    return places[:-1] if len(places) > 2 and abs(places[0] - places[-1]) < 1e-9 else places
+
+
+def _bar(mark: Shown, wanted: list[complex]) -> list[Pair]:
+    corners = _corners(mark)
+    return list(zip(corners, wanted, strict=True)) if len(corners) == len(wanted) else []
+
+
+def _wheel(mark: Shown, mechanism: Mechanism, at: Callable[[str], complex], scale: float) -> Iterator[Pair]:
+    """The circle's middle, and its radius beside the nearest one that its link has there."""
+    link, centre = mark.attributes["data-link"], mark.attributes.get("data-points", "")
+    middle, radius = mark.middle, abs(mark.lines[0][0] - mark.middle)
+    yield middle, at(centre)
+    radii = [r / scale for r in _radii(mechanism, link, centre)]
+    if not radii or mark.scale <= 0:
+        raise KeyError(centre)
+    yield middle + radius, middle + min(radii, key=lambda right: abs(right - radius))
+
+
+def _radii(mechanism: Mechanism, link: str, centre: str) -> set[float]:
+    """Radii of a link's circles about one point [m]."""
+    circles = {entry for gear in mechanism.gears for entry in zip(gear.links, gear.centres, gear.radii, strict=True)}
+    circles |= {(roll.wheel, roll.centre, roll.radius) for roll in mechanism.rolls}
+    circles |= {(r.track, r.track_centre, r.track_radius) for r in mechanism.rolls if r.track_centre is not None}
+    for cam in mechanism.cams:
+        circles |= {(name, p.centre, p.radius) for name, p in zip(cam.links, cam.profiles, strict=True) if p.centre}
+    return {radius for name, point, radius in circles if (name, point) == (link, centre)}
+
+
+# --- on a line of a link ----------------------------------------------------------------------
+
+
+def _on_line(
+    mark: Shown, form: str, exact: Widened, at: Callable[[str], complex], points: list[str]
+) -> Iterator[Pair]:
+    """Ends or middle on the line, sides along it, over its points; a block's middle on its point."""
+    line = lines_of(exact.mechanism)[mark.attributes.get("data-line", "")]
+    foot, along = at(line.origin), line.direction * cmath.rect(1, float(np.real(exact.motion.theta[line.link])))
+    corners = _corners(mark)
+    middle = sum(corners) / len(corners)
+    for place in corners if len(corners) == 2 else [middle]:
+        yield place, foot + along * ((place - foot) / along).real
+    sides = list(zip(corners, [*corners[1:], corners[0]], strict=True))
+    if form == "block":
+        yield middle, at(points[0])
+        yield from (_squared(side, along) for side in sides)
+    else:
+        longest = max(sides, key=lambda side: abs(side[1] - side[0]))
+        yield longest[1], longest[0] + along * ((longest[1] - longest[0]) / along).real
+    stretch = [((corner - foot) / along).real for corner in corners]
+    for point in points:
+        t = ((at(point) - foot) / along).real
+        yield foot + along * min(max(t, min(stretch)), max(stretch)), foot + along * t
+
+
+def _squared(side: Pair, along: complex) -> Pair:
+    """A side's end, and where it would be along or across the line."""
+    way = (side[1] - side[0]) / along
+    return side[1], side[0] + along * (way.real if abs(way.real) > abs(way.imag) else 1j * way.imag)

@@ -1,0 +1,104 @@
+"""Whatever graphkin draws, check measures and finds right; whatever is moved by 0.02 mm, it finds wrong.
+
+GRAPHKIN_RANDOM=2000 draws so many random mechanisms; GRAPHKIN_MOVED=all moves every coordinate there is.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from functools import lru_cache
+from pathlib import Path
+
+import pytest
+from random_mechanisms import (
+    DYADS,
+    cam,
+    chain,
+    coupler_angle,
+    cylinder,
+    dyad,
+    epicyclic,
+    geared_five_bar,
+    relative_angle,
+    rolling,
+    six_bar,
+    triad,
+)
+from renamed import renamed
+
+from graphkin import Drawing
+from graphkin.check import Report, held
+from graphkin.check.drawing import read
+from graphkin.errors import BadDrawing, DeadPoint
+from graphkin.mechanism import Mechanism
+from graphkin.outputs.svg import svg
+from graphkin.sheet.scales import TooLargeForPaper
+
+FAMILIES: dict[str, Callable[[int], Mechanism]] = {
+    **{kind: lambda seed, kind=kind: dyad(kind, seed) for kind in DYADS},
+    "cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain, "triad": triad,
+    "six": six_bar, "geared": geared_five_bar, "epicyclic": epicyclic, "rolling": rolling, "cam": cam,
+}  # fmt: skip
+EACH = max(2, int(os.environ.get("GRAPHKIN_RANDOM", "0")) // len(FAMILIES))
+MOVED = os.environ.get("GRAPHKIN_MOVED", "")
+
+
+def make(family: str, seed: int) -> Mechanism:
+    """A random mechanism; every second one with words and points' names for its links."""
+    found = replace(FAMILIES[family](seed), text="# random")
+    return renamed(found, seed) if seed % 2 else found
+
+
+@lru_cache(maxsize=64)
+def drawn(family: str, seed: int) -> str | None:
+    """A drawing; None at a dead point."""
+    try:
+        return svg(Drawing.of(make(family, seed)).sheet())
+    except (DeadPoint, TooLargeForPaper):
+        return None
+
+
+def measured(folder: Path, text: str, mechanism: Mechanism) -> Report:
+    path = folder / "drawing.svg"
+    path.write_text(text, encoding="utf-8")
+    return held(read(path), mechanism, 0.01)
+
+
+def wrong(report: Report) -> list[object]:
+    return [entry for entry in report.measured if not entry.off_mm <= 0.01] + list(report.faults)
+
+
+def moved(text: str) -> list[str]:
+    """The drawing with one coordinate of one mark moved by 0.02 mm, for every one there is, or some."""
+    found = []
+    for element in re.finditer(r"<(?:line|circle)\b[^>]*class=\"(?:vector|point|link)\"[^>]*>", text):
+        if 'data-form="guide"' in element.group():
+            continue  # a guide may be longer or shorter
+        for coordinate in re.finditer(r'\b(x1|y1|x2|y2|cx|cy)="([^"]*)"', element.group()):
+            new = f'{coordinate[1]}="{float(coordinate[2]) + 0.02:.4f}"'
+            at = element.start() + coordinate.start()
+            found.append(text[:at] + new + text[at + len(coordinate[0]) :])
+    return found
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_every_random_drawing_is_good(family: str, tmp_path: Path):
+    for seed in range(EACH):
+        if (text := drawn(family, seed)) is not None:
+            assert not wrong(measured(tmp_path, text, make(family, seed))), seed
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_anything_moved_is_seen(family: str, tmp_path: Path):
+    mechanism, text = make(family, 1), drawn(family, 1)
+    assert text is not None
+    changes = moved(text)
+    for changed in changes if MOVED else random.Random(family).sample(changes, 4):
+        try:
+            assert wrong(measured(tmp_path, changed, mechanism))
+        except BadDrawing:
+            pass
