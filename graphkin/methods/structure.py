@@ -117,6 +117,15 @@ class Structure:
         """All of them by name, those set aside included."""
         return {slide.name: slide for slide in self.mechanism.slides} | {slide.name: slide for slide in self.joining}
 
+    @cached_property
+    def idle(self) -> tuple[str, ...]:
+        """Links of one point that may turn without moving anything (局部自由度): rollers."""
+        tied = {name for slide in self.joining for name in (slide.guide, slide.block)}
+        tied |= {body for contact in self.contacts for body, _ in contact.angles}
+        tied |= {name for driver in self.mechanism.drivers for name in (driver.link, driver.from_link)}
+        links = ((name, link) for name, link in self.mechanism.links.items() if name != FRAME)
+        return tuple(name for name, link in links if len(link.points) == 1 and name not in tied)
+
     @property
     def tying(self) -> tuple[Contact, ...]:
         """The rolling contacts that are not set aside."""

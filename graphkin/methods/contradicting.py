@@ -1,0 +1,106 @@
+"""Constraints that all but repeat others, and contradict them by the rest: refused, with how much that is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from graphkin.errors import NotRepeated
+from graphkin.methods.candidates import Candidates, SetAside, over
+from graphkin.methods.ranks import CLOSED, beside, drawn_place, open_by, rank
+from graphkin.methods.restraints import Array, Restraints, Rows
+from graphkin.naming import named
+
+__all__ = ["Contradictions"]
+
+_MISSED = 1e-8
+"""A gap of more than this contradicts [size, rad]."""
+_NEAR = 0.1
+"""A constraint that repeats others but for this [rad, share of a length] was meant to."""
+
+
+@dataclass(frozen=True)
+class Contradictions:
+    """What of some constraints does not agree with the others."""
+
+    candidates: Candidates
+    restraints: Restraints
+
+    def near(self, rows: Rows) -> list[SetAside]:
+        """The constraint that leaves the drivers no freedom though it all but repeats others."""
+        freedoms = rows.slopes.shape[1] - rank(rows.slopes) - len(self.restraints.structure.idle)
+        if freedoms >= len(self.restraints.structure.mechanism.drivers):
+            return []
+        left = [each for each in self.candidates.all() if all(row in rows.labels for row in each.rows)]
+        near = [(beside(rows, each.rows), each) for each in left if each.part != "link"]
+        close = [entry for entry in near if entry[0] < _NEAR]
+        if close:
+            return [min(close, key=lambda entry: (entry[1].part != "whole", entry[0]))[1]]
+        return self._misfits([each for each in left if each.part == "link"])
+
+    def _misfits(self, links: Sequence[SetAside]) -> list[SetAside]:
+        """Of the links on hinges that all but fit one with the fewest hinges, the last in the file."""
+        return sorted((each for each in links if self._gap(each)[0] < _NEAR), key=lambda each: len(each.rows))[:1]
+
+    def _gap(self, link: SetAside) -> tuple[float, Array]:
+        """How much too long or too short a link is for its hinges at the drawn position [size], and all rows there."""
+        structure = self.restraints.structure
+        first, *rest = dict.fromkeys(row.name for row in link.rows)
+        loose = [row for row in link.rows if row.name != first]
+        q, rows = drawn_place(self.restraints, loose)
+        if open_by(rows) > CLOSED:
+            return np.inf, q
+        start, gaps = self.restraints.place(link.body, first, q)[0], []
+        for point in rest:
+            other = next(b for b in structure.owners[point] if b != link.body and not structure.is_pin(b))
+            here, there = (self.restraints.place(b, point, q)[0] - start for b in (link.body, other))
+            gaps.append(abs(abs(here) - abs(there)))
+        return max(gaps), q
+
+    def refuse(self, aside: Sequence[SetAside], near: Sequence[SetAside]) -> None:
+        """Refuses what the others do not meet at the drawn position, or do not let be when they move."""
+        for each in (*aside, *near):
+            if each.part == "link":
+                self._refuse_misfit(each)
+        if all(each.part == "link" for each in (*aside, *near)):
+            return
+        drawn = self.restraints.rows(drawn_place(self.restraints)[0])
+        pairs = over(drawn.without([row for row in drawn.labels if row.kind == "slip"]), (*aside, *near))
+        q, kept = drawn_place(self.restraints, [row for each in pairs for row in each.rows])
+        if open_by(kept) > CLOSED:
+            return  # something else does not close
+        rows = self.restraints.rows(q)
+        for each in pairs:
+            for row in each.rows:
+                gap = abs(float(rows.open[rows.labels.index(row)]))
+                if gap > _MISSED:
+                    angle = row.kind == "angle"
+                    off = float(np.degrees(gap)) if angle else gap * self.restraints.size * 1e3
+                    raise self._refusal(each, off, "deg" if angle else "mm", rows)
+        for each in near:
+            raise self._refusal(each, self._astray(each, q, rows), "deg", rows)
+
+    def _refuse_misfit(self, link: SetAside) -> None:
+        gap, q = self._gap(link)
+        if _MISSED < gap < np.inf:
+            raise self._refusal(link, gap * self.restraints.size * 1e3, "mm", self.restraints.rows(q))
+
+    def _astray(self, each: SetAside, q: Array, rows: Rows) -> float:
+        """The angle between a line and the way of its point; of anything else, how far it is from following [deg]."""
+        slide = self.restraints.structure.slides.get(each.rows[0].name)
+        if slide is None or each.rows[0].kind != "line":
+            return float(np.degrees(np.arcsin(min(1.0, beside(rows, each.rows)))))
+        kept = rows.without([*each.rows, *(row for row in rows.labels if row.kind == "given")]).slopes
+        free = np.linalg.svd(kept)[2][rank(kept) :]
+        across = self.restraints.along(slide, q)[1].imag @ free.T
+        move = across @ free  # the motion that leads farthest off the line
+        ends = (slide.guide, slide.line.origin), (self.restraints.carrier(slide), slide.point)
+        speed = max(abs(self.restraints.place(*end, q)[1] @ move) for end in ends)
+        return float(np.degrees(np.arcsin(min(1.0, across @ across / speed))))
+
+    def _refusal(self, each: SetAside, off: float, unit: str, rows: Rows) -> NotRepeated:
+        m, others = self.candidates.mechanism, self.candidates.holding(each, rows, rows.without(each.rows))
+        held = tuple(named(m, pair) for pair in others if pair != each.pair)
+        return NotRepeated(m.where(*each.pair), named(m, each.pair), held, off, unit)
