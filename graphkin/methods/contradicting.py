@@ -17,8 +17,12 @@ __all__ = ["Contradictions"]
 
 _MISSED = 1e-8
 """A gap of more than this contradicts [size, rad]."""
-_NEAR = 0.1
+_LEAST = 1e-6
+"""Lines that diverge by less do not [deg]."""
+_NEAR = 0.03
 """A constraint that repeats others but for this [rad, share of a length] was meant to."""
+_RIGID = 0.2
+"""The same where the pairs let nothing move: then it is no driver that is too much."""
 
 
 @dataclass(frozen=True)
@@ -33,16 +37,14 @@ class Contradictions:
         freedoms = rows.slopes.shape[1] - rank(rows.slopes) - len(self.restraints.structure.idle)
         if freedoms >= len(self.restraints.structure.mechanism.drivers):
             return []
+        most = _RIGID if freedoms <= 0 else _NEAR
         left = [each for each in self.candidates.all() if all(row in rows.labels for row in each.rows)]
         near = [(beside(rows, each.rows), each) for each in left if each.part != "link"]
-        close = [entry for entry in near if entry[0] < _NEAR]
+        close = [entry for entry in near if entry[0] < most]
         if close:
             return [min(close, key=lambda entry: (entry[1].part != "whole", entry[0]))[1]]
-        return self._misfits([each for each in left if each.part == "link"])
-
-    def _misfits(self, links: Sequence[SetAside]) -> list[SetAside]:
-        """Of the links on hinges that all but fit one with the fewest hinges, the last in the file."""
-        return sorted((each for each in links if self._gap(each)[0] < _NEAR), key=lambda each: len(each.rows))[:1]
+        links = [each for each in left if each.part == "link" and freedoms <= 0 and self._gap(each)[0] < _RIGID]
+        return sorted(links, key=lambda each: len(each.rows))[:1]
 
     def _gap(self, link: SetAside) -> tuple[float, Array]:
         """How much too long or too short a link is for its hinges at the drawn position [size], and all rows there."""
@@ -80,7 +82,8 @@ class Contradictions:
                     off = float(np.degrees(gap)) if angle else gap * self.restraints.size * 1e3
                     raise self._refusal(each, off, "deg" if angle else "mm", rows)
         for each in near:
-            raise self._refusal(each, self._astray(each, q, rows), "deg", rows)
+            if each.part != "link" and (off := self._astray(each, q, rows)) > _LEAST:
+                raise self._refusal(each, off, "deg", rows)
 
     def _refuse_misfit(self, link: SetAside) -> None:
         gap, q = self._gap(link)

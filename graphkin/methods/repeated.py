@@ -32,7 +32,7 @@ def repeated(mechanism: Mechanism, structure: Structure) -> tuple[SetAside, ...]
 
     Raises NotRepeated for a constraint that comes close to repeating others, but contradicts them.
     """
-    if structure.surplus + len(structure.idle) <= 0:
+    if structure.surplus <= 0:
         return ()
     restraints = Restraints(structure, tuple(_given(mechanism)))
     drawn, _ = drawn_place(restraints)

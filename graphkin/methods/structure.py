@@ -166,10 +166,10 @@ class Structure:
 
     @property
     def surplus(self) -> int:
-        """Drivers beyond the degrees of freedom by the formula F = 3 n - 2 p."""
+        """Drivers beyond the degrees of freedom by the formula F = 3 n - 2 p, idle ones apart."""
         hinges = sum(len(bodies) - 1 for bodies in self.owners.values())
         freedoms = 3 * (len(self.bodies) - 1) - 2 * (hinges + len(self.joining)) - len(self.tying) + len(self.followers)
-        return len(self.mechanism.drivers) - freedoms
+        return len(self.mechanism.drivers) + len(self.idle) - freedoms
 
     # --- links that hold their angles to one another ------------------------------------------
 
@@ -197,6 +197,8 @@ class Structure:
                 yield self.block(slide), TurnOf(body, turn)
             elif body == self.block(slide):
                 yield slide.guide, TurnOf(body, -turn)
+        if body == FRAME:
+            yield from ((idle, TurnOf(FRAME)) for idle in self.idle)
         for k, driver in enumerate(self.mechanism.drivers):
             if driver.kind == "slide":
                 continue
