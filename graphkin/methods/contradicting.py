@@ -9,7 +9,7 @@ import numpy as np
 
 from graphkin.errors import NotRepeated
 from graphkin.methods.candidates import Candidates, SetAside, over
-from graphkin.methods.ranks import CLOSED, beside, drawn_place, open_by, rank
+from graphkin.methods.ranks import CLOSED, RANK, beside, drawn_place, open_by, rank
 from graphkin.methods.restraints import Array, Restraints, Rows
 from graphkin.naming import named
 
@@ -43,8 +43,24 @@ class Contradictions:
         close = [entry for entry in near if entry[0] < most]
         if close:
             return [min(close, key=lambda entry: (entry[1].part != "whole", entry[0]))[1]]
-        links = [each for each in left if each.part == "link" and freedoms <= 0 and self._gap(each)[0] < _RIGID]
+        links = [each for each in left if each.part == "link" and freedoms <= 0 and self._almost_fits(each)]
         return sorted(links, key=lambda each: len(each.rows))[:1]
+
+    def _almost_fits(self, link: SetAside) -> bool:
+        """Whether the other pairs by themselves all but keep the distance of its first two hinges."""
+        gap, q = self._gap(link)
+        if gap >= _RIGID:
+            return False
+        structure, every = self.restraints.structure, self.restraints.rows(q)
+        first, second = list(dict.fromkeys(row.name for row in link.rows))[:2]
+        ends = [next(b for b in structure.owners[point] if b != link.body and not structure.is_pin(b))
+                for point in (first, second)]  # fmt: skip
+        (one, slope), (other, more) = (self.restraints.place(body, point, q)
+                                       for body, point in zip(ends, (first, second), strict=True))  # fmt: skip
+        length = ((more - slope) * (other - one).conjugate()).real
+        others = every.without([*link.rows, *(row for row in every.labels if row.kind == "given")]).slopes
+        rest = length - length @ (np.linalg.pinv(others, rcond=RANK) @ others)
+        return float(np.linalg.norm(rest)) < _RIGID * float(np.linalg.norm(length))
 
     def _gap(self, link: SetAside) -> tuple[float, Array]:
         """How much too long or too short a link is for its hinges at the drawn position [size], and all rows there."""
