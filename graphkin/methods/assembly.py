@@ -256,6 +256,9 @@ def _open_link(structure: Structure, plot: Plot) -> tuple[str, float]:
     for slide in structure.slides.values():
         arm = plot.arm(slide.line.origin, slide.point)
         gap = abs(cross(plot.guide_direction(slide.name), arm))
+        if slide.block is not None:  # which may not turn on its guide
+            leaning = plot.theta[slide.block] - plot.theta[slide.guide] - slide.turn
+            gap = max(gap, abs(np.exp(1j * leaning) - 1) * extent(plot))
         worst = max(worst, (structure.home(structure.block(slide)), float(gap)), key=lambda entry: entry[1])
     return worst
 

@@ -89,6 +89,7 @@ class _Drawing:
         self.parts.append(
             Measure("theta", stage.body, tail, head, span=Span((Arm(stage.body, tail, head),)))
         )
+        self.angles.add(self.structure.base(stage.body))
         self.fill(stage.body)
 
     def loop(self, stage: Loop) -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations, islice
 
 import numpy as np
 
@@ -27,6 +28,8 @@ Repeats = tuple[SetAside, ...]
 
 SAME = 1e-6
 """Values that differ by less say the same [rad, mechanism's size]: figures in files are rounded."""
+TRIES = 64
+"""So many choices of poses to leave out are tried."""
 
 
 @frozen
@@ -52,7 +55,18 @@ def as_drawn(
     drawn |= {slide_key(slide): float(value) for slide, value in plot.s.items()}
     sketch = {**lower.sketch, **{p: complex(z) for p, z in plot.position.items() if p[0].isupper()}}
     drivers = tuple(_valued(driver, plot, drawn) for driver in mechanism.drivers)
-    return drawn, replace(lower, drivers=drivers, sketch=sketch)
+    driven = replace(lower, drivers=drivers, sketch=sketch)
+    return _counted_on(replace(structure, mechanism=driven), drawn), driven
+
+
+def _counted_on(structure: Structure, drawn: dict[str, float]) -> dict[str, float]:
+    """The same with angles that count whole turns as the drivers' values do."""
+    counted = dict(drawn)
+    for body, turn in structure.turns.items():
+        values = sum(sign * (structure.mechanism.drivers[k].value or 0.0) for k, sign in turn.drivers)
+        turns = round((drawn[turn.base] + turn.constant + values - drawn[body]) / (2 * np.pi))
+        counted[body] = drawn[body] + 2 * np.pi * turns
+    return counted
 
 
 def _valued(driver: Driver, plot: Plot, drawn: Mapping[str, float]) -> Driver:
@@ -68,15 +82,41 @@ def _valued(driver: Driver, plot: Plot, drawn: Mapping[str, float]) -> Driver:
 
 
 def _standing(mechanism: Mechanism, lower: Mechanism, repeats: Repeats) -> tuple[Structure, Plot]:
-    """All that is given taken together; where that does not close, without the poses that the rest gives as well."""
-    given = tuple(_given(mechanism))
-    try:
-        structure, plot = _placed(mechanism, lower, given, repeats)
-    except (CannotAssemble, DeadPoint):
-        return _without_repeats(mechanism, lower, given, repeats)
-    if all(abs(_off(plot, each)) < _same(plot, each) for each in given):
-        return structure, plot
-    return _without_repeats(mechanism, lower, given, repeats)
+    """All that is given taken together; where that does not do, without poses that the rest gives as well.
+
+    Those must say the same as what is then found.
+    """
+    given, refusal, placed = tuple(_given(mechanism)), None, None
+    for needed in _fewer_and_fewer(given):
+        try:
+            structure, plot = _placed(mechanism, lower, needed, repeats)
+        except (CannotAssemble, DeadPoint, NotPlaced) as error:
+            refusal = refusal or error
+            continue
+        if all(_holds(plot, each) for each in needed):
+            _refuse_other(structure, plot, given, needed)
+            return structure, plot
+        placed = placed or (structure, plot)
+    if placed is None:
+        assert refusal is not None
+        raise refusal
+    return placed  # by drivers that contradict each other: there are too many of them
+
+
+def _fewer_and_fewer(given: tuple[_Given, ...]) -> Iterator[tuple[_Given, ...]]:
+    """All that is given, then without one pose, the last first, then without two, .."""
+    poses = [each for each in reversed(given) if each.posed]
+    leaving = (left for count in range(len(poses) + 1) for left in combinations(poses, count))
+    for left in islice(leaving, TRIES):
+        yield tuple(each for each in given if each not in left)
+
+
+def _refuse_other(structure: Structure, plot: Plot, given: tuple[_Given, ...], needed: tuple[_Given, ...]) -> None:
+    """A pose that was not needed must hold all the same."""
+    for each in given:
+        if each not in needed and not _holds(plot, each):
+            others = tuple(other.where for other in _beside(structure, each, needed))
+            raise PosesDiffer(each.where, each.fixes.name, *_told(each, _off(plot, each)), others)
 
 
 def _given(mechanism: Mechanism) -> Iterator[_Given]:
@@ -86,29 +126,6 @@ def _given(mechanism: Mechanism) -> Iterator[_Given]:
     for k, pose in enumerate(mechanism.poses):
         fixes = Driver(pose.kind, pose.link, pose.vector, pose.from_link, pose.from_vector, pose.value)
         yield _Given(fixes, True, mechanism.where("pose", k))
-
-
-def _without_repeats(
-    mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats
-) -> tuple[Structure, Plot]:
-    """The mechanism placed by what is needed; the poses that repeat it must say the same."""
-    needed = _needed(mechanism, lower, given, repeats)
-    structure, plot = _placed(mechanism, lower, needed, repeats)
-    for each in given:
-        if each not in needed and abs(off := _off(plot, each)) >= _same(plot, each):
-            others = tuple(other.where for other in _beside(structure, each, needed))
-            raise PosesDiffer(each.where, each.fixes.name, *_told(each, off), others)
-    return structure, plot
-
-
-def _needed(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats) -> tuple[_Given, ...]:
-    """What is given, less the poses (the last first) without which all links are placed as well."""
-    needed = given
-    for each in reversed([each for each in given if each.posed]):
-        fewer = tuple(other for other in needed if other is not each)
-        if not _left(_with(mechanism, lower, fewer, repeats)):
-            needed = fewer
-    return needed
 
 
 def _beside(structure: Structure, given: _Given, needed: Sequence[_Given]) -> list[_Given]:
@@ -158,20 +175,16 @@ def _shows_nothing(mechanism: Mechanism, structure: Structure, body: str) -> boo
     """Whether one cannot see how a wheel stands: it hangs on its centre alone, and has no other point."""
     wheels = {wheel for gear in mechanism.gears for wheel in gear.joins}
     wheels |= {wheel for roll in mechanism.rolls for wheel in roll.joins}
-    spun = {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
-    joints = list(structure.joints(body))
-    if body not in wheels | spun or len(joints) > 1:
-        return False
-    places = set(structure.shapes[body].values())
-    return len(places) == 1 or body in spun
+    wheels |= {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
+    hinges = list(structure.joints(body))
+    return body in wheels and len(hinges) < 2 and len(set(structure.shapes[body].values())) == 1
 
 
 def _left(structure: Structure) -> tuple[str, ...]:
     """The links that nothing places, those first whose direction is open."""
-    left = stages(structure)[1]
+    left = [body for body in stages(structure)[1] if not structure.is_pin(body)]
     turning = [body for body in left if structure.base(body) != FRAME]
-    homes = dict.fromkeys(structure.home(body) for body in turning or left)
-    return tuple(name for name in homes if " " not in name)
+    return tuple(name for name in turning or left if " " not in name)
 
 
 # --- comparing --------------------------------------------------------------------------------
@@ -194,8 +207,8 @@ def _off(plot: Plot, given: _Given) -> float:
     return off if given.fixes.kind == "slide" else float(np.angle(np.exp(1j * off)))
 
 
-def _same(plot: Plot, given: _Given) -> float:
-    return SAME * extent(plot) if given.fixes.kind == "slide" else SAME
+def _holds(plot: Plot, given: _Given) -> bool:
+    return abs(_off(plot, given)) < (SAME * extent(plot) if given.fixes.kind == "slide" else SAME)
 
 
 def _told(given: _Given, off: float) -> tuple[str, str, str]:
