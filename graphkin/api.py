@@ -103,7 +103,7 @@ def sweep(mechanism: Mechanism, ranges: Sequence[str] = (), of: Sequence[str] = 
 
 @frozen
 class Drawing:
-    """A mechanism, planned and drawn at one position; a notebook shows its sheet.
+    """A mechanism, planned and drawn at one position, and held against the analysis; a notebook shows its sheet.
 
     >>> drawing = Drawing.of(load("ex3-1"))
     >>> drawing.answers()["omega 3"].unit
@@ -117,8 +117,14 @@ class Drawing:
     @classmethod
     def of(cls, mechanism: Mechanism, values: Sequence[float] | None = None) -> Drawing:
         """Plan a mechanism and draw it, at the drawn position or at other driver values [rad, m]."""
-        method = plan(mechanism)
-        return cls(mechanism, method, replay(method, values))
+        return cls.at(plan(mechanism), values)
+
+    @classmethod
+    def at(cls, method: Method, values: Sequence[float] | None = None) -> Drawing:
+        """Draw a planned mechanism. Raises RoadsDiffer where the analysis does not confirm the drawing."""
+        from graphkin.agreement import held
+
+        return cls(method.mechanism, method, held(method, values).plot)
 
     def sheet(self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None) -> Sheet:
         """The sheet: mechanism and polygons to scale, in millimetres on paper."""

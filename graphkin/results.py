@@ -6,13 +6,12 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from graphkin.analytic import motion
+from graphkin.agreement import held
 from graphkin.centres import centre_of, centres, place
-from graphkin.check import compare
-from graphkin.errors import Lang, RoadsDiffer
+from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method, replay_all
+from graphkin.methods import Method
 from graphkin.naming import Seen
 from graphkin.readings import Motions, Readings, answer, relative
 from graphkin.steps import Plot, Site
@@ -20,8 +19,6 @@ from graphkin.steps import Plot, Site
 __all__ = ["driver_values", "results"]
 
 Json = dict[str, Any]
-AGREE = 1e-6
-"""Results of the two roads that differ by more are not given; the tests hold them to 1e-9."""
 
 
 def driver_values(method: Method) -> Iterator[tuple[float, ...]]:
@@ -42,18 +39,15 @@ def results(mechanism: Mechanism, method: Method, lang: Lang = "en") -> Json:
 
 
 def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...]) -> Json:
-    plot = replay_all(method, values)
-    exact = motion(mechanism, plot.facts.values)
-    readings, worst = Readings(method, plot), compare(method, plot, exact)
-    if not worst < AGREE:
-        raise RoadsDiffer(mechanism.where("driver", 0), worst)
+    found = held(method, values)
+    plot, readings = found.plot, Readings(method, found.plot)
     return {
         "drivers": list(values),
         **_motions(mechanism, readings),
         "coincident": dict(_coincident(mechanism, method, readings)),
         "ask": {question: _answer(method, plot, readings, question) for question in mechanism.ask},
-        "analytic": _motions(mechanism, exact),
-        "worst": worst,
+        "analytic": _motions(mechanism, found.exact),
+        "worst": found.worst,
     }
 
 

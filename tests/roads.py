@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable
 
 import numpy as np
 
+from graphkin.agreement import compare
 from graphkin.analytic import motion
-from graphkin.check import compare
 from graphkin.errors import DeadPoint
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method, plan, replay_all

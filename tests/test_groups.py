@@ -10,8 +10,8 @@ import random_mechanisms
 from roads import hold_derivatives, hold_roads_together
 
 from graphkin import library
+from graphkin.agreement import compare
 from graphkin.analytic import motion
-from graphkin.check import compare
 from graphkin.errors import GearsApart
 from graphkin.loading import loads
 from graphkin.methods import Method, plan, replay_all

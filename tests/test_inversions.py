@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from graphkin import library
+from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.api import plan
-from graphkin.check import compare
 from graphkin.errors import DeadPoint, NoFixing
 from graphkin.linkages import inverted
 from graphkin.loading import loads

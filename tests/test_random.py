@@ -12,8 +12,8 @@ import pytest
 from random_mechanisms import DYADS, chain, coupler_angle, cylinder, dyad, relative_angle
 from roads import hold_derivatives, hold_roads_together
 
+from graphkin.agreement import compare
 from graphkin.analytic import motion
-from graphkin.check import compare
 from graphkin.errors import DeadPoint
 from graphkin.mechanism import Mechanism
 from graphkin.methods import plan, replay_all

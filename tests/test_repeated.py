@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from repeating import FAMILIES
 
+from graphkin.agreement import compare
 from graphkin.analytic import mobility, motion
 from graphkin.api import Drawing, plan
 from graphkin.assur import structure_lines
-from graphkin.check import compare
 from graphkin.errors import NotRepeated, TooManyDrivers
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism

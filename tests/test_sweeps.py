@@ -14,7 +14,7 @@ from click.testing import CliRunner, Result
 from random_mechanisms import DYADS, chain, coupler_angle, cylinder, dyad, triad
 
 from graphkin import library
-from graphkin.check.comparison import apart
+from graphkin.agreement import apart
 from graphkin.cli import main
 from graphkin.errors import BadRange, GraphkinError, NoPosition, NoSuchDriver
 from graphkin.loading import loads

@@ -12,17 +12,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from graphkin.analytic.branching import Judge, branched
 from graphkin.analytic.loops import Loops, loops_of
 from graphkin.analytic.newton import Closure, close, search
 from graphkin.analytic.rules import Relation, driven, placing
 from graphkin.analytic.singular import NoAssembly
 from graphkin.analytic.sketch import guess
-from graphkin.analytic.vectors import Real
+from graphkin.analytic.vectors import Complex, Real
 from graphkin.mechanism import FRAME, Mechanism
 
 __all__ = ["Assembled", "Drawn", "assemble", "drawn", "held", "idle"]
 
 _STARTS = 128
+_MANY = 32
+"""Unknowns with which fewer starts are tried, all loops at once; an assembly is rarely found so, only the gap."""
 _MET = 1e-6
 """A loop open by less than this (in units of size) is closed, once Newton has settled: lengths in files are rounded."""
 _SAME = 1e-4
@@ -84,14 +87,24 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
     """Put the mechanism together, its drivers and poses at their values unless not `driving`."""
     relations, c = _standing(mechanism, loops, driving)
     closure = Closure.of(loops, relations)
-    starts = _starts(guess(mechanism, loops), mechanism, loops)
+    seen = guess(mechanism, loops)
+    starts = _starts(seen, mechanism, loops)
     first, _ = _closed(closure, starts[:1], c)
     if len(first) and _as_sketched(mechanism, loops, first[0]):
         return Assembled(first[0], 0.0)
-    found, ends = _closed(closure, starts, c)
+    found, ends = _closed(closure, branched(closure, _judge(mechanism, loops), seen, starts, c), c)
+    if not len(found):
+        found, ends = _closed(closure, starts[:: 1 + len(closure.known.free) // _MANY], c)
     if not len(found):
         return Assembled(None, _smallest_gap(closure, ends, c) * loops.size)
     return Assembled(choose(mechanism, loops, _distinct(found)), 0.0)
+
+
+def _judge(mechanism: Mechanism, loops: Loops) -> Judge:
+    """What the sketch and custom say of positions that are found in part."""
+    rows, places = _sketched(mechanism, loops)
+    lengths, forwards = _lengths(mechanism, loops), _forwards(mechanism)
+    return Judge(rows, places / loops.size, _columns(loops, lengths), _columns(loops, forwards))
 
 
 def _closed(closure: Closure, starts: Real, c: Real) -> tuple[Real, Real]:
@@ -165,11 +178,16 @@ def choose(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
 
 def _from_sketch(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
     """Distance of all sketched points together from their places in the sketch [m]: (a,)."""
+    rows, sketched = _sketched(mechanism, loops)
+    away = np.abs(loops.vectors.at(found) @ rows.T * loops.size - sketched) ** 2
+    return np.asarray(np.sqrt(away.sum(axis=-1)))
+
+
+def _sketched(mechanism: Mechanism, loops: Loops) -> tuple[Complex, Complex]:
+    """The sketched points' rows (k, m), and their places in the sketch [m]: (k,)."""
     names = [name for name in mechanism.sketch if name in loops.points]
     rows = np.array([loops.points[name] for name in names]).reshape(len(names), len(loops.vectors.base))
-    places = loops.vectors.at(found) @ rows.T * loops.size
-    away = np.abs(places - np.array([mechanism.sketch[name] for name in names])) ** 2
-    return np.asarray(np.sqrt(away.sum(axis=-1)))
+    return rows, np.array([mechanism.sketch[name] for name in names], dtype=np.complex128)
 
 
 def _negative(loops: Loops, found: Real, names: set[str]) -> Real:

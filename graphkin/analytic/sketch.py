@@ -20,8 +20,8 @@ __all__ = ["guess"]
 def guess(mechanism: Mechanism, loops: Loops) -> Real:
     """The unknowns (n,) as far as the sketch and the drivers show them, in internal units; nan elsewhere."""
     seen = _Seen(mechanism, loops.joints)
-    for _ in mechanism.links:
-        seen.look()
+    while seen.look():
+        pass
     seen.join_centres()
     found = {theta(link): angle for link, angle in seen.angles.items()}
     for joint in loops.joints:
@@ -42,16 +42,19 @@ class _Seen:
     def __post_init__(self) -> None:
         self.points = {**self.mechanism.sketch, **self.mechanism.links[FRAME].points}
 
-    def look(self) -> None:
+    def look(self) -> bool:
+        """Add what follows from what is seen; whether anything did."""
+        before = len(self.points), len(self.angles)
         for given, value in placing(self.mechanism):
             if given.kind == "angle":
                 self._driven(given, value)
             elif given.kind == "slide":
                 self._pushed(next(joint for joint in self.joints if joint.slide == given.link), value)
-        for pair in self.mechanism.slides:
-            self._aligned(pair)
         for link in self.mechanism.links.values():
             self._fitted(link)
+        for pair in self.mechanism.slides:
+            self._aligned(pair)
+        return before != (len(self.points), len(self.angles))
 
     def _driven(self, given: Driver | Pose, value: float) -> None:
         if given.from_link in self.angles and given.vector is not None:

@@ -115,7 +115,7 @@ class _Asked:
         from graphkin.centres import centres as find
 
         method = api.plan(read(source))
-        return find(method, api.replay(method, at_values(method, self.angles, self.displacements)))
+        return find(method, api.Drawing.at(method, at_values(method, self.angles, self.displacements)).plot)
 
     def curves(self, found: Centres) -> Centrodes:
         """The centrodes, or the path of a centre, that is asked for."""

@@ -113,7 +113,7 @@ def drawn(
     if coincident and coincident not in machine.points:
         raise click.UsageError(f"--coincident: {machine.name} has no point {coincident}")
     planned = api.plan(machine, coincident, centres=method == "centre")
-    return api.Drawing(machine, planned, api.replay(planned, at_values(planned, angles, displacements)))
+    return api.Drawing.at(planned, at_values(planned, angles, displacements))
 
 
 def at_values(method: Method, angles: Sequence[float], displacements: Sequence[float]) -> list[float] | None:

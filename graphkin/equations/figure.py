@@ -12,7 +12,6 @@ from graphkin.equations.model import Model
 from graphkin.equations.polygons import Arrow
 from graphkin.equations.readers import place
 from graphkin.equations.symbols import Symbol
-from graphkin.methods import replay_all
 from graphkin.sheet.labels import Room, Wanted, settle
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.marks import Arc, Mark, Place, Stroke, VectorMark
@@ -38,7 +37,7 @@ _VECTORS = 1
 
 def figure(model: Model, caption: str) -> Figure:
     """Drawn at the drawn position, at the finest standard scale that fits a page of text."""
-    plot = replay_all(model.method)
+    plot = model.plot
     machine = model.method.mechanism
     named = [complex(value) for name, value in plot.position.items() if name in machine.points]
     values = [*named, *rims(machine, plot.position)]

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from graphkin.analytic import Motion, motion
+from graphkin.agreement import held
+from graphkin.analytic import Motion
 from graphkin.equations.bodies import Bodies
 from graphkin.equations.expressions import Sum
 from graphkin.equations.ledger import Ledger, settled, values
@@ -17,6 +18,7 @@ from graphkin.methods import Method
 from graphkin.methods.equivalent import Contact
 from graphkin.methods.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.methods.structure import Hinge
+from graphkin.steps import Plot
 from graphkin.value import frozen
 
 __all__ = ["Model", "Task", "model_of"]
@@ -48,6 +50,7 @@ class Model:
 
     drivers  the symbol of each driver, in their order
     drawn    the analytic solution at the drawn position
+    plot     the construction replayed there
     """
 
     method: Method
@@ -57,6 +60,7 @@ class Model:
     tasks: tuple[Task, ...]
     drivers: tuple[Symbol, ...]
     drawn: Motion
+    plot: Plot
 
     @property
     def alias(self) -> Mapping[Symbol, Angle]:
@@ -73,14 +77,14 @@ class Model:
 
 
 def model_of(method: Method) -> Model:
-    """Write the loops of a planned mechanism. Raises where the drawn position is a dead point."""
-    ledger = Ledger()
-    drawn = motion(method.mechanism)
+    """Write the loops of a planned mechanism. Raises where the drawn position is a dead point, or the roads differ."""
+    ledger, found = Ledger(), held(method)
+    drawn = found.exact
     bodies = Bodies(method.structure, ledger, drawn)
     arrows = Arrows(bodies, ledger)
     drivers = tuple(_driver(bodies, arrows, number) for number in range(len(method.drivers)))
     tasks = tuple(_tasks(method, arrows, drawn))
-    return Model(method, ledger, bodies, arrows, tasks, drivers, drawn)
+    return Model(method, ledger, bodies, arrows, tasks, drivers, drawn, found.plot)
 
 
 def _driver(bodies: Bodies, arrows: Arrows, number: int) -> Symbol:

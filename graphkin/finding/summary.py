@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from graphkin.errors import Lang
-from graphkin.finding.conditions import Comparison, Extreme, Scaling
+from graphkin.finding.conditions import Comparison, Extreme, Scaling, Slowest
 from graphkin.finding.found import Found
 from graphkin.finding.wording import quantity
 
@@ -32,13 +32,14 @@ def header(found: Found, lang: Lang) -> list[str]:
             return [say("min"), say("max"), say("stroke"), "K"]
         case Extreme(which="range"):
             return [say("min"), say("max"), say("swing")]
-        case Extreme(which="max" | "min" as which):
+        case Extreme(which=which):
             return [say(which), at]
         case Comparison():
             return [at]
         case Scaling():
             return [driver.name for driver in found.drivers]
-    return [say("along", first=found.slow[0].points[0] if found.slow else ""), say("speed")]
+        case Slowest():
+            return [say("along", first=found.slow[0].points[0] if found.slow else ""), say("speed")]
 
 
 def summary(found: Found) -> list[str]:
@@ -52,8 +53,9 @@ def summary(found: Found) -> list[str]:
             kinds = [driver.kind for driver in found.drivers]
             rates = found.speeds[0].rates if found.speeds else ()
             return [quantity(rate, "m/s" if kind == "slide" else "rad/s") for kind, rate in zip(kinds, rates)]
-    first = found.slow[0]
-    return ["-" if first.along is None else quantity(first.along, "m"), quantity(first.speed, "m/s")]
+        case Slowest():
+            first = found.slow[0]
+            return ["-" if first.along is None else quantity(first.along, "m"), quantity(first.speed, "m/s")]
 
 
 def _driven(found: Found, value: float) -> str:

@@ -102,31 +102,19 @@ def _equal_angles(a: complex, b: complex, angle: float) -> list[Curve]:
 
 def crossings(one: Curve, other: Curve) -> list[complex]:
     """The points two curves share: none, one or two; none if they coincide."""
-    match one, other:
-        case Circle(), Circle():
-            return _two_circles(one, other)
-        case Circle(), StraightLine():
-            return _line_and_circle(other, one)
-        case StraightLine(), Circle():
-            return _line_and_circle(one, other)
-        case StraightLine(), StraightLine():
-            return _two_lines(one, other)
-    return []
+    if isinstance(one, Circle):
+        return _two_circles(one, other) if isinstance(other, Circle) else _line_and_circle(other, one)
+    return _line_and_circle(one, other) if isinstance(other, Circle) else _two_lines(one, other)
 
 
 def gap(one: Curve, other: Curve) -> float:
     """How far two curves that do not cross stay apart; 0 if they coincide."""
-    match one, other:
-        case Circle(), Circle():
-            apart = abs(one.centre - other.centre)
-            return max(apart - one.radius - other.radius, abs(one.radius - other.radius) - apart, 0.0)
-        case Circle(), StraightLine():
-            return max(other.distance(one.centre) - one.radius, 0.0)
-        case StraightLine(), Circle():
-            return gap(other, one)
-        case StraightLine(), StraightLine():
-            return one.distance(other.point)
-    return 0.0
+    if isinstance(one, StraightLine):
+        return one.distance(other.point) if isinstance(other, StraightLine) else gap(other, one)
+    if isinstance(other, StraightLine):
+        return max(other.distance(one.centre) - one.radius, 0.0)
+    apart = abs(one.centre - other.centre)
+    return max(apart - one.radius - other.radius, abs(one.radius - other.radius) - apart, 0.0)
 
 
 def _two_circles(one: Circle, other: Circle) -> list[complex]:

@@ -1,21 +1,20 @@
 """Which of the possible assemblies is meant, and positions that are none.
 
-Every crossing of circles leaves two possibilities. All combinations are drawn at once, as arrays; the sketch
-picks the nearest. A sketch that says nothing of a choice leaves it to custom: displacements count as positive.
+Every crossing of circles leaves two possibilities. `branches` draws all combinations that the sketch may mean; the
+nearest is the one. A sketch that says nothing of a choice leaves it to custom: displacements count as positive.
 """
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterator, Mapping
 
 import numpy as np
 
 from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
 from graphkin.geometry import Value, cross
-from graphkin.mechanism import FRAME
+from graphkin.methods.branches import BETWEEN, Branches, DeadEnd, branches, told_slides
 from graphkin.methods.structure import Structure
-from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, replay, slide_key
+from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, slide_key
 from graphkin.value import frozen
 
 __all__ = ["DEAD_SINE", "Assembly", "assemble", "extent", "links_of", "refuse_bad_positions", "refuse_open"]
@@ -25,10 +24,6 @@ DEAD_DEG = 0.5
 DEAD_SINE = float(np.sin(np.radians(DEAD_DEG)))
 CLOSED = 1e-9
 """A gap of less than this part of the mechanism's size is none."""
-
-
-STARTS = 96
-"""Assemblies tried from as many places where a group is found by fitting."""
 
 
 @frozen
@@ -46,102 +41,44 @@ def assemble(
 
     known  angles and displacements where the drawn position has them already
     """
-    fits = [step for step in construction.steps if isinstance(step, Fit)]
-    combinations = np.array(list(itertools.product((1, -1), repeat=choices)), dtype=int).reshape(2**choices, choices)
-    near: dict[str, Value] = {}
-    if fits:
-        combinations = np.repeat(combinations, STARTS, axis=0)
-        near = _starts(structure, fits, len(combinations))
-        near |= {name: np.full(len(combinations), known[name]) for name in near if name in known}
-    sides = {k: combinations[:, k] for k in range(choices)}
-    plot = replay(construction, Plot(facts, {**known, **near}), sides)
-    possible = _possible(structure, plot, len(combinations))
-    if not possible.any():
-        raise _refusal(structure, construction, plot)
-    best = _nearest(structure, plot, possible)
+    try:
+        found = branches(structure, construction, facts, known)
+    except DeadEnd as dead:
+        raise _refusal(structure, construction, dead.plot) from None
+    best = _nearest(structure, found)
+    plot, sides = found.plot, found.sides[best]
     drawn = {base: _at(plot.theta[base], best).real for base in structure.bases if base in plot.theta}
     drawn |= {slide_key(slide): _at(value, best).real for slide, value in plot.s.items()}
-    return Assembly(tuple(int(side) for side in combinations[best]), drawn)
+    return Assembly(tuple(int(side) for side in sides), drawn)
 
 
-def _starts(structure: Structure, fits: list[Fit], count: int) -> dict[str, Value]:
-    """Where fitting starts: angles and displacements as in the sketch where it tells them, else at random."""
-    rng = np.random.default_rng(20)
-    near: dict[str, Value] = {}
-    for fit in fits:
-        for base in fit.angles:
-            hint = _sketched_angle(structure, base)
-            spread = rng.uniform(-np.pi, np.pi, count) * (1.0 if hint is None else rng.choice((0.03, 0.3, 1.0), count))
-            near[base] = (hint or 0.0) + spread
-        size = _sketch_size(structure)
-        for slide in fit.slides:
-            near[slide_key(slide)] = rng.uniform(-1.5, 1.5, count) * size
-    return near
-
-
-def _sketched_angle(structure: Structure, base: str) -> float | None:
-    """The angle of a base link by two places of one of its group that the sketch, or the frame, tells."""
-    mechanism = structure.mechanism
-    places = {**mechanism.sketch, **mechanism.links[FRAME].points}
-    for body, turn in structure.turns.items():
-        told = [p for p in structure.bodies[body] if p in places]
-        if turn.base == base and len(told) > 1 and not turn.drivers:
-            shape = structure.shapes[body]
-            far = max(told, key=lambda point: abs(shape[point] - shape[told[0]]))
-            arm, drawn = shape[far] - shape[told[0]], places[far] - places[told[0]]
-            if abs(arm) > 0:
-                return float(np.angle(drawn / arm)) - turn.constant
-    return None
-
-
-def _sketch_size(structure: Structure) -> float:
-    mechanism = structure.mechanism
-    places = [*mechanism.sketch.values(), *mechanism.links[FRAME].points.values()]
-    return max((abs(a - places[0]) for a in places), default=1.0) or 1.0
-
-
-def _possible(structure: Structure, plot: Plot, count: int) -> np.ndarray:
-    """Combinations that close, with cylinders at the positive displacement they were drawn with."""
-    possible = np.ones(count, dtype=bool)
-    for value in plot.position.values():
-        possible &= np.isfinite(np.broadcast_to(value, count))
-    for name, slide in structure.slides.items():
-        if name in plot.s and slide.guide != FRAME and _bare(structure, slide.guide):
-            possible &= np.broadcast_to(plot.s[name], count) > 0
-    return possible
-
-
-def _bare(structure: Structure, guide: str) -> bool:
-    """Whether a guide is a cylinder: a link of one point, with no direction but its line."""
-    return len(structure.bodies[guide]) == 1
-
-
-def _nearest(structure: Structure, plot: Plot, possible: np.ndarray) -> int:
-    """The combination nearest to the sketch; raises where the sketch lies between two."""
-    sketch = structure.mechanism.sketch
-    count = len(possible)
+def _nearest(structure: Structure, found: Branches) -> int:
+    """The assembly nearest to the sketch; raises where the sketch lies between two."""
+    plot, sketch, count = found.plot, structure.mechanism.sketch, found.count
     sketched = np.array([np.broadcast_to(plot.position[p], count) for p in sketch if p in plot.position])
     target = np.array([sketch[p] for p in sketch if p in plot.position])
     sketched = sketched.reshape(len(target), count)
-    far = np.where(possible, (np.abs(sketched - target[:, None]) ** 2).sum(axis=0), np.inf)
+    far = (np.abs(sketched - target[:, None]) ** 2).sum(axis=0)
     best = int(np.argmin(far))
-    for other in np.argsort(far, kind="stable"):
-        if other == best or not possible[other] or _same(plot, best, other):
+    same = _same(plot, best, count)
+    for other in map(int, np.argsort(far, kind="stable")):
+        if same[other]:
             continue
         apart = float((np.abs(sketched[:, best] - sketched[:, other]) ** 2).sum())
         if apart <= (1e-9 * _size(plot, best)) ** 2:
-            best = _by_custom(structure, plot, best, int(other))
-        elif far[other] - far[best] < 0.04 * apart:
-            raise _ambiguous(structure, plot, best, int(other))
+            best = _by_custom(structure, plot, best, other)
+            same = _same(plot, best, count)
+        elif far[other] - far[best] < BETWEEN * apart:
+            raise _ambiguous(structure, plot, best, other)
     return best
 
 
-def _same(plot: Plot, first: int, second: int) -> bool:
-    """Whether two combinations are one and the same assembly (at a dead point)."""
-    size = _size(plot, first)
-    return all(
-        abs(_at(value, first) - _at(value, second)) <= 1e-9 * size for value in plot.position.values()
-    ) and all(abs(_at(value, first) - _at(value, second)) <= 1e-9 * size for value in plot.s.values())
+def _same(plot: Plot, best: int, count: int) -> np.ndarray:
+    """Which branches are one and the same assembly as one of them, itself or another (at a dead point): (w,)."""
+    size, same = _size(plot, best), np.ones(count, dtype=bool)
+    for value in (*plot.position.values(), *plot.s.values()):
+        same &= np.abs(value - _at(value, best)) <= 1e-9 * size
+    return same
 
 
 def _size(plot: Plot, k: int) -> float:
@@ -150,12 +87,12 @@ def _size(plot: Plot, k: int) -> float:
 
 
 def _at(value: Value, k: int) -> complex:
-    return complex(np.broadcast_to(value, (k + 1,) if np.ndim(value) == 0 else np.shape(value))[k])
+    return complex(value[k] if np.ndim(value) else value)
 
 
 def _by_custom(structure: Structure, plot: Plot, first: int, second: int) -> int:
     """Assemblies that the sketch cannot tell apart: more positive displacements win, of the file's own slides."""
-    told = [plot.s[name] for name, pair in structure.slides.items() if not pair.line.origin.endswith(" origin")]
+    told = [plot.s[name] for name in told_slides(structure)]
     score = [sum(float(np.sign(_at(value, k).real)) for value in told) for k in (first, second)]
     if score[0] == score[1]:
         raise _ambiguous(structure, plot, first, second)
@@ -214,11 +151,13 @@ def _crossings(construction: Construction) -> Iterator[tuple[Meet | Swing | Fit,
 
 
 def _refusal(structure: Structure, construction: Construction, plot: Plot) -> CannotAssemble | DeadPoint:
-    """Of the first crossing at which no combination is left."""
+    """Of the crossing at which no branch is left."""
     for step, key in _crossings(construction):
-        if not np.isfinite(plot.sines["position", key]).any():
-            return _refusal_at(structure, step, key, plot)
-    return _refusal_at(structure, step, key, plot)
+        if ("position", key) in plot.sines:
+            last = step, key
+            if not np.isfinite(plot.sines["position", key]).any():
+                break
+    return _refusal_at(structure, *last, plot)
 
 
 def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: Plot) -> CannotAssemble | DeadPoint:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, count
 
 import numpy as np
 
@@ -126,7 +126,8 @@ def _worth(pair: tuple[Leg, Leg], legs: list[Leg], plot: Plot) -> float:
 
 def special_points(structure: Structure, order: tuple[Stage, ...], plot: Plot) -> dict[Group, Ternary]:
     """The special point of each Class III group, with a letter of its own."""
-    letters = (letter for letter in "STUVWXYZ" if letter not in structure.owners)
+    named = (letter + "'" * primes for primes in count() for letter in "STUVWXYZ")
+    letters = (letter for letter in named if letter not in structure.owners)
     found: dict[Group, Ternary] = {}
     for stage in order:
         if isinstance(stage, Group) and (one := ternary(structure, stage, plot, next(letters))) is not None:

@@ -8,7 +8,7 @@ slides alone (the lower-pair form a textbook gives the half joint).
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -144,15 +144,22 @@ class Structure:
                 owners[point] = (*owners.get(point, ()), body)
         return owners
 
-    def joints(self, body: str) -> Iterator[tuple[Joint, tuple[str, ...]]]:
+    def joints(self, body: str) -> Sequence[tuple[Joint, tuple[str, ...]]]:
         """The joints of a body, each with the other bodies there."""
-        for point in self.bodies[body]:
-            if others := tuple(other for other in self.owners[point] if other != body):
-                yield Hinge(point), others
+        return self._joints[body]
+
+    @cached_property
+    def _joints(self) -> dict[str, list[tuple[Joint, tuple[str, ...]]]]:
+        """The joints of every body: hinges first, then slides, in the order of the file."""
+        joints: dict[str, list[tuple[Joint, tuple[str, ...]]]] = {}
+        for body, points in self.bodies.items():
+            others = {point: tuple(other for other in self.owners[point] if other != body) for point in points}
+            joints[body] = [(Hinge(point), those) for point, those in others.items() if those]
         for slide in self.joining:
-            pair = (slide.guide, self.block(slide))
-            if body in pair:
-                yield Sliding(slide.name), (pair[1] if body == pair[0] else pair[0],)
+            guide, block = slide.guide, self.block(slide)
+            joints[guide].append((Sliding(slide.name), (block,)))
+            joints[block].append((Sliding(slide.name), (guide,)))
+        return joints
 
     def slide_point(self, slide: str, body: str) -> str:
         """Where a slide's line holds on to a body: its origin on the guide, its point on the block."""

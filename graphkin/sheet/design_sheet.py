@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from graphkin import loading, methods
+from graphkin.agreement import held
 from graphkin.design import Design, Solution, as_toml
 from graphkin.errors import Lang
 from graphkin.methods import Method
@@ -43,7 +44,7 @@ class _Drawn:
     @classmethod
     def of(cls, design: Design, solution: Solution) -> _Drawn:
         method = methods.plan(loading.loads(as_toml(solution, design.kind), name="design", file="design.toml"))
-        return cls(solution, method, methods.replay_all(method))
+        return cls(solution, method, held(method).plot)
 
 
 def design_sheet(

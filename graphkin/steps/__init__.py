@@ -16,6 +16,7 @@ NumPy calls of them, and `program` carries these out; `replayed` is the plot it 
 
 from __future__ import annotations
 
+from graphkin.steps.fitting import unknowns_of
 from graphkin.steps.kinds import (
     Arc,
     Chain,
@@ -122,4 +123,5 @@ __all__ = [
     "Unknown",
     "replay",
     "slide_key",
+    "unknowns_of",
 ]

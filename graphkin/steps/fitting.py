@@ -15,7 +15,7 @@ from graphkin.steps.kinds import Chain, Closure, Fit, InStep, Roll, Simultaneous
 from graphkin.steps.plot import Plot, slide_key
 from graphkin.steps.terms import Arm, Plane, Slid
 
-__all__ = ["fit", "roll", "solve_together"]
+__all__ = ["fit", "roll", "solve_together", "unknowns_of"]
 
 Row = tuple[Value, Mapping[str, Value]]
 
@@ -88,7 +88,7 @@ def fit(step: Fit, plot: Plot) -> None:
     _keep_what_fits(step, plot, x, size, units)
 
 
-def _unknowns(step: Fit | Simultaneous) -> tuple[str, ...]:
+def unknowns_of(step: Fit | Simultaneous) -> tuple[str, ...]:
     """What is to be found, as rows name it."""
     return step.angles + tuple(map(slide_key, step.slides))
 
@@ -97,7 +97,7 @@ def _first_trial(step: Fit, plot: Plot) -> np.ndarray:
     """The unknowns at the position close by (n,), over positions."""
     known = (*plot.position.values(), *plot.theta.values(), *plot.s.values(), *plot.near.values())
     shape = np.broadcast_shapes(*(np.shape(value) for value in known))
-    return np.array([np.broadcast_to(plot.near[name], shape) for name in _unknowns(step)], dtype=float)
+    return np.array([np.broadcast_to(plot.near[name], shape) for name in unknowns_of(step)], dtype=float)
 
 
 def _reach(step: Fit, plot: Plot) -> float:
@@ -150,7 +150,7 @@ def _gaps(step: Fit, plot: Plot, shape: tuple[int, ...], size: float) -> tuple[n
     for contact in step.contacts:
         gap, _ = _in_step(contact, plot, "position", set(), set())
         rows.append((gap, _in_step(contact, plot, "position", set(step.angles), set(step.slides))[1]))
-    known, slope = _system(rows, _unknowns(step), shape)
+    known, slope = _system(rows, unknowns_of(step), shape)
     return known / size, slope / size
 
 
@@ -185,7 +185,7 @@ def solve_together(step: Simultaneous, plot: Plot, plane: Plane) -> None:
     shape = np.broadcast_shapes(*(np.shape(v) for v in (*plot.position.values(), *plot.theta.values())))
     rows = [row for chain in step.chains for row in _two(*_chain(chain, plot, plane))]
     rows += [_in_step(contact, plot, plane, set(step.angles), set(step.slides)) for contact in step.contacts]
-    known, matrix = _system(rows, _unknowns(step), shape)
+    known, matrix = _system(rows, unknowns_of(step), shape)
     found = _solve(matrix, -known)
     for k, base in enumerate(step.angles):
         plot.settle("omega" if plane == "velocity" else "alpha", base, found[k][()])

@@ -1,19 +1,51 @@
-"""A replay beside the analytic solution."""
+"""A replay beside the analytic solution.
+
+`held` is the one reader of a position for whatever is drawn or told: it replays the construction, solves the
+mechanism anew by the matrix method, and gives neither where they differ.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from graphkin.analytic import Motion
+from graphkin.analytic import Motion, motion
+from graphkin.errors import RoadsDiffer
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method
+from graphkin.methods import Method, replay_all
 from graphkin.readings import Motions, Readings
 from graphkin.steps import Plot
+from graphkin.value import frozen
 
-__all__ = ["apart", "compare"]
+__all__ = ["AGREE", "Held", "apart", "compare", "held"]
+
+AGREE = 1e-6
+"""Results of the two roads that differ by more are not given; the tests hold them to 1e-9."""
+
+
+@frozen
+class Held:
+    """One position by both roads: the replayed construction, the analytic solution, and how far they differ."""
+
+    plot: Plot
+    exact: Motion
+    worst: float
+
+
+def held(method: Method, values: Sequence[float] | None = None) -> Held:
+    """The drawn position, or the one at driver `values` [rad, m], proved.
+
+    Raises RoadsDiffer where the two roads differ by more than `AGREE`, and what either road raises: dead points,
+    positions that are not reached, mechanisms that cannot be assembled.
+    """
+    plot = replay_all(method, values)
+    exact = motion(method.mechanism, plot.facts.values)
+    worst = compare(method, plot, exact)
+    if not worst < AGREE:
+        raise RoadsDiffer(method.mechanism.where("driver", 0), worst)
+    return Held(plot, exact, worst)
 
 
 def compare(method: Method, plot: Plot, exact: Motion) -> float:
@@ -22,7 +54,7 @@ def compare(method: Method, plot: Plot, exact: Motion) -> float:
 
 
 def apart(mechanism: Mechanism, readings: Motions, exact: Motions) -> float:
-    """The worst relative difference between motions found by two roads.
+    """The worst relative difference between motions found by two roads; nan where either has none.
 
     Each kind of quantity is measured by the largest of its kind in the mechanism, or by what the lengths and
     speeds make of it (an angular acceleration of 0 by omega^2); angles in radians.
@@ -43,7 +75,7 @@ def apart(mechanism: Mechanism, readings: Motions, exact: Motions) -> float:
         (acceleration, right_acceleration, rate**2 * size),
     ]
     turned = [np.abs(np.exp(1j * (readings.theta[link] - exact.theta[link])) - 1) for link in readings.theta]
-    return max(float(np.max(turned, initial=0.0)), *(_worst(*entry) for entry in pairs))
+    return _largest([_largest(turned), *(_worst(*entry) for entry in pairs)])
 
 
 def _sizes(exact: Motions, velocity: Mapping[str, Value]) -> tuple[float, float]:
@@ -55,8 +87,11 @@ def _sizes(exact: Motions, velocity: Mapping[str, Value]) -> tuple[float, float]
 
 
 def _worst(drawn: Mapping[str, Value], right: Mapping[str, Value], natural: float) -> float:
-    if not drawn:
-        return 0.0
-    size = max(natural, *(float(np.max(np.abs(right[name]))) for name in drawn))
-    off = max(float(np.max(np.abs(drawn[name] - right[name]))) for name in drawn)
+    size = max(natural, _largest([right[name] for name in drawn]))
+    off = _largest([drawn[name] - right[name] for name in drawn])
     return off / size if size > 0 else off
+
+
+def _largest(values: Sequence[Value]) -> float:
+    """The largest size of all values (nan where one is nan), 0 of none."""
+    return float(np.max([np.max(np.abs(value)) for value in values], initial=0.0))

@@ -1,0 +1,128 @@
+"""Loops in the order in which they can be closed: the fewest at a time that have as many equations as unknowns.
+
+A loop gives two equations. Each takes an unknown for itself; a loop then waits for those that have taken its other
+unknowns, and loops that wait for one another make a block. So a long chain is closed dyad by dyad, and a search
+from many starts never has to hit upon all of it at once.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphkin.analytic.elimination import Elimination
+from graphkin.analytic.newton import Closure
+from graphkin.analytic.vectors import Complex, Real, Vectors
+
+__all__ = ["Block", "blocks_of", "moved_by"]
+
+_NOTHING = 1e-12
+"""Coefficients below this are rounding, in units of size."""
+
+Indices = NDArray[np.intp]
+Flags = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Block:
+    """Some loops and the unknowns left (of y) that they give, with all others known.
+
+    part     the loops' own closure: q is (y of the block, angles and lengths that the rest gives its arrows); what
+             does not move with y is one arrow a loop
+    moving, still  the arrows in its loops
+    rows     the loops (r, m)
+    """
+
+    columns: Indices
+    moving: Indices
+    still: Indices
+    rows: Complex
+    part: Closure
+    whole: Closure
+
+    def given(self, q: Real) -> Real:
+        """What the other unknowns give the arrows, from all unknowns q (b, n): angles, then lengths (b, 2m + 2r)."""
+        vectors, left = self.whole.loops.vectors, self.whole.known.left[:, self.columns]
+        others = q - q[:, self.whole.known.free[self.columns]] @ left.T
+        angles, lengths = others @ vectors.turning[self.moving].T, others @ vectors.stretching[self.moving].T
+        sums = vectors.at(others)[:, self.still] @ self.rows[:, self.still].T
+        return np.hstack([angles, np.angle(sums), lengths + vectors.base[self.moving], np.abs(sums)])
+
+    def at(self, y: Real, given: Real) -> Real:
+        """The part's own q from its unknowns (b, k)."""
+        return np.hstack([y, given])
+
+
+def blocks_of(closure: Closure) -> tuple[Block, ...]:
+    """The blocks in order; none where equations and unknowns do not match."""
+    uses = moved_by(closure, closure.loops.rows)
+    takers = _matched(uses)
+    if takers is None or not takers.size:
+        return ()
+    return tuple(_block(closure, rows, np.flatnonzero(np.isin(takers, rows))) for rows in _in_order(uses, takers))
+
+
+def moved_by(closure: Closure, rows: Complex) -> Flags:
+    """Which of the unknowns left move what rows (r, m) give: (r, y)."""
+    vectors = closure.loops.vectors
+    on = (np.abs(rows) > _NOTHING) @ (np.abs(vectors.turning) + np.abs(vectors.stretching)) > 0
+    return np.asarray(on.astype(np.float64) @ (np.abs(closure.known.left) > _NOTHING) > 0)
+
+
+def _matched(uses: Flags) -> Indices | None:
+    """For each unknown the loop that takes it, two for each loop; None where it does not come out even."""
+    loops, unknowns = uses.shape
+    if 2 * loops != unknowns:
+        return None
+    takers = np.full(unknowns, -1)
+    for loop in (*range(loops), *range(loops)):
+        if not _taken(loop, uses, takers, np.zeros(unknowns, dtype=bool)):
+            return None
+    return takers
+
+
+def _taken(loop: int, uses: Flags, takers: Indices, seen: Flags) -> bool:
+    """One more unknown for a loop, others changing theirs where they can."""
+    for unknown in np.flatnonzero(uses[loop] & (takers != loop)):
+        if seen[unknown]:
+            continue
+        seen[unknown] = True
+        if takers[unknown] < 0 or _taken(int(takers[unknown]), uses, takers, seen):
+            takers[unknown] = loop
+            return True
+    return False
+
+
+def _in_order(uses: Flags, takers: Indices) -> list[Indices]:
+    """Loops that wait for one another together, those they wait for before them."""
+    waits = np.eye(len(uses), dtype=bool)
+    for loop, row in enumerate(uses):
+        waits[loop, takers[row]] = True
+    for _ in range(max(1, len(uses)).bit_length()):
+        waits = (waits.astype(np.float64) @ waits) > 0
+    together = waits & waits.T
+    heads = np.flatnonzero(np.argmax(together, axis=1) == np.arange(len(uses)))
+    return [np.flatnonzero(together[head]) for head in sorted(heads, key=lambda head: int(waits[head].sum()))]
+
+
+def _block(closure: Closure, rows: Indices, columns: Indices) -> Block:
+    """The closure of some loops alone: the other unknowns only turn and stretch their arrows."""
+    loops, left = closure.loops, closure.known.left[:, columns]
+    there = (np.abs(loops.rows[rows]) > _NOTHING).any(axis=0)
+    turning, stretching = loops.vectors.turning @ left, loops.vectors.stretching @ left
+    moves = (np.abs(turning) + np.abs(stretching) > _NOTHING).any(axis=1)
+    moving, still = np.flatnonzero(there & moves), np.flatnonzero(there & ~moves)
+    count, size = len(columns), len(moving) + len(rows)
+    one, none, idle = np.eye(size), np.zeros((size, size)), np.zeros((len(rows), count))
+    vectors = Vectors(
+        np.hstack([np.vstack([turning[moving], idle]), one, none]),
+        np.hstack([np.vstack([stretching[moving], idle]), none, one]),
+        np.zeros(size),
+    )
+    given = np.vstack([np.zeros((count, 2 * size)), np.eye(2 * size)])
+    free = np.vstack([np.eye(count), np.zeros((2 * size, count))])
+    known = Elimination(given, free, np.arange(count), np.zeros((0, 2 * size)))
+    part = replace(loops, vectors=vectors, rows=np.hstack([loops.rows[np.ix_(rows, moving)], np.eye(len(rows))]))
+    return Block(columns, moving, still, loops.rows[rows], Closure(part, given.T, known), closure)

@@ -1,0 +1,170 @@
+"""The assemblies near the sketch, block by block: ways to close one block branch off each way to close those before.
+
+A block starts from the sketch. Where that shows all of the block, and so nearly that no other way to close it can be as
+near, there is one way on; else the search starts from many places. The branches nearest to the sketch are kept. Where
+not every block was as sketched, all are searched again for what lies nearer to the sketch as a whole.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from graphkin.analytic.blocks import Block, Flags, Indices, blocks_of, moved_by
+from graphkin.analytic.newton import Closure, close, inverse, search
+from graphkin.analytic.vectors import Complex, Real
+
+__all__ = ["Judge", "branched"]
+
+_WIDTHS = (1, 8, 64)
+"""Branches kept."""
+_STARTS = 24
+"""Starts for each unknown of a block, as far as there are as many."""
+_NEAR = 0.05
+"""A block this near to the sketch, as part of its condition, has no other assembly as near."""
+_MET = 1e-6
+_SAME = 1e-4
+"""As in `assembly`: when loops are closed, and when two positions are one."""
+
+
+@dataclass(frozen=True)
+class Judge:
+    """What branches are judged by, each with the unknowns left that it hangs on.
+
+    places    rows of the sketched points, and where they are sketched, in units of size
+    backwards, forwards   columns of displacements that must be, or are taken, positive
+    """
+
+    rows: Complex
+    places: Complex
+    backwards: list[int]
+    forwards: list[int]
+
+
+def branched(closure: Closure, judge: Judge, seen: Real, starts: Real, c: Real) -> Real:
+    """Positions (a, n) that close every block, the one nearest to the sketch among them; none where none is found.
+
+    seen    what the sketch shows of the unknowns (n,), nan elsewhere
+    starts  (b, n), the first of them at the sketch
+    """
+    blocks = blocks_of(closure)
+    if not blocks:
+        return np.zeros((0, len(seen)))
+    for width in _WIDTHS:
+        walk = _Walk(closure, judge, seen, starts, c, width, np.inf)
+        found = walk.through(blocks)
+        if len(found):
+            break
+    if not len(found) or walk.sure:
+        return found
+    nearest = float(np.sqrt(walk.away(found, np.ones(len(closure.known.free), dtype=bool)).min()))
+    again = _Walk(closure, judge, seen, starts, c, _WIDTHS[-1], (nearest + _SAME) ** 2)
+    more = again.through(blocks)
+    return np.vstack([found, more])
+
+
+@dataclass
+class _Walk:
+    """One search through the blocks; `limit`: branches farther from the sketch than this are left [size²]."""
+
+    closure: Closure
+    judge: Judge
+    seen: Real
+    starts: Real
+    c: Real
+    width: int
+    limit: float
+    sure: bool = True
+
+    @cached_property
+    def moved(self) -> Flags:
+        """Which unknowns left move each sketched point: (k, y)."""
+        return moved_by(self.closure, self.judge.rows)
+
+    def through(self, blocks: tuple[Block, ...]) -> Real:
+        known = self.closure.known
+        q = known.unknowns(np.zeros((1, len(known.free))), self.c)
+        solved = np.zeros(len(known.free), dtype=bool)
+        for block in blocks:
+            q = self._closed(block, q)
+            solved[block.columns] = True
+            q = self._thinned(q, solved)
+            if not len(q):
+                break
+        return q
+
+    # --- one block ----------------------------------------------------------------------------
+
+    def _closed(self, block: Block, q: Real) -> Real:
+        """Each branch with every way to close a block."""
+        free = self.closure.known.free[block.columns]
+        given, told = block.given(q), self.seen[free]
+        y, met = self._tried(block, np.repeat(np.nan_to_num(told)[None], len(q), axis=0), given)
+        single = met & self._only(block, y, given, told) & np.isinf(self.limit)
+        if single.all():
+            return self._with(block, q, y)
+        self.sure = False
+        places = self.starts[:: max(1, len(self.starts) // max(1, _STARTS * len(free)))][:, free]
+        unsure = np.flatnonzero(~single)
+        parent = np.repeat(unsure, len(places))
+        more, met = self._tried(block, np.tile(places, (len(unsure), 1)), given[parent])
+        parent, more = parent[met], more[met]
+        kept = _different(parent, more)
+        parent = np.concatenate([np.flatnonzero(single), parent[kept]])
+        order = np.argsort(parent, kind="stable")
+        return self._with(block, q[parent[order]], np.vstack([y[single], more[kept]])[order])
+
+    def _tried(self, block: Block, y: Real, given: Real) -> tuple[Real, Flags]:
+        """Where the search from y (b, k) ends, and whether the block is closed there."""
+        ends = search(block.part, block.at(y, given), given)
+        closed = close(block.part, ends, given, steps=40)
+        return closed.q[:, : y.shape[1]], (closed.gap < _MET) & (closed.step < _MET)
+
+    def _only(self, block: Block, y: Real, given: Real, told: Real) -> Flags:
+        """Whether the sketch shows all of a block, so near that no other way to close it is as near: (b,)."""
+        condition = inverse(block.part.matrix(block.at(y, given)))[1]
+        return np.asarray(np.max(np.abs(y - told), axis=1, initial=0.0) < _NEAR * condition)
+
+    def _with(self, block: Block, q: Real, y: Real) -> Real:
+        """Branches with a block's unknowns."""
+        left = self.closure.known.left[:, block.columns]
+        return q + (y - q[:, self.closure.known.free[block.columns]]) @ left.T
+
+    # --- what the sketch says -----------------------------------------------------------------
+
+    def _thinned(self, q: Real, solved: Flags) -> Real:
+        """The nearest branches: cylinders the right way round, then near the sketch, then displacements positive."""
+        away = self.away(q, solved)
+        q, away = q[away <= self.limit], away[away <= self.limit]
+        if len(q) <= self.width:
+            return q
+        steps = np.round(np.sqrt(away) / _SAME)
+        ranks = self._negative(q, self.judge.forwards, solved), steps, self._negative(q, self.judge.backwards, solved)
+        return q[np.sort(np.lexsort(ranks)[: self.width])]
+
+    def away(self, q: Real, solved: Flags) -> Real:
+        """Squared distance of the sketched points that are found from their places [size²]: (b,)."""
+        there = ~(self.moved & ~solved).any(axis=1)
+        places = self.closure.loops.vectors.at(q) @ self.judge.rows[there].T
+        return np.asarray((np.abs(places - self.judge.places[there]) ** 2).sum(axis=1))
+
+    def _negative(self, q: Real, columns: list[int], solved: Flags) -> Real:
+        """How many of some displacements that are found are negative: (b,)."""
+        left = np.abs(self.closure.known.left) > 0
+        there = [column for column in columns if not (left[column] & ~solved).any()]
+        return np.asarray((q[:, there] < 0).sum(axis=1))
+
+
+def _different(parent: Indices, y: Real) -> Indices:
+    """The first of each way to close a block (b, k), of each branch (b,)."""
+    left, kept = np.arange(len(parent)), list[int]()
+    while left.size:
+        branch, first = np.unique(parent[left], return_index=True)
+        heads = left[first]
+        kept += heads.tolist()
+        head = heads[np.searchsorted(branch, parent[left])]
+        apart = np.max(np.abs(np.exp(1j * (y[left] - y[head])) - 1), axis=1, initial=0.0)
+        left = left[apart >= _SAME]
+    return np.array(sorted(kept), dtype=np.intp)

@@ -1,0 +1,78 @@
+"""Laws of constructions, over the library and random mechanisms of every kind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import pytest
+import random_mechanisms
+
+from graphkin import library
+from graphkin.errors import GraphkinError
+from graphkin.mechanism import Mechanism
+from graphkin.methods import plan
+from graphkin.steps import (
+    Across,
+    Along,
+    AlongGuide,
+    Coriolis,
+    Direction,
+    Drawn,
+    Driven,
+    Normal,
+    Quarter,
+    Relative,
+    Size,
+    Tangential,
+    Term,
+    Turning,
+)
+
+MAKERS = {kind: partial(random_mechanisms.dyad, kind) for kind in random_mechanisms.DYADS} | {
+    name: getattr(random_mechanisms, name)
+    for name in (
+        "cylinder", "relative_angle", "coupler_angle", "chain", "triad", "six_bar", "geared_five_bar", "epicyclic", "rolling", "cam",
+    )
+}  # fmt: skip
+
+
+def way_of(size: Size) -> Direction | None:
+    """Where a known arrow points: that follows from what its length is made of."""
+    match size:
+        case Normal(_, tail, head) | Relative(_, _, tail, head, "n"):
+            return Along(head, tail)
+        case Turning(_, tail, head) | Tangential(_, tail, head) | Relative(_, _, tail, head, _):
+            return Across(tail, head)
+        case Coriolis(link, tail, head):
+            return Quarter(link, tail, head)
+        case Driven(slide, _):
+            return AlongGuide(slide)
+        case _:
+            return None
+
+
+def known_terms(mechanism: Mechanism) -> Iterator[Term]:
+    method = plan(mechanism)
+    for construction in (method.velocity, method.acceleration):
+        for equation in construction.equations:
+            yield from (t for t in (*equation.left, *equation.right) if t.size is not None and not isinstance(t.size, Drawn))
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_direction_is_that_of_the_size(name: str):
+    for term in known_terms(library.load(name)):
+        assert way_of(term.size) == term.direction, term
+
+
+@pytest.mark.parametrize("kind", MAKERS)
+def test_direction_is_that_of_the_size_in_random_mechanisms(kind: str):
+    tried = 0
+    for seed in range(12):
+        try:
+            terms = [*known_terms(MAKERS[kind](seed))]
+        except GraphkinError:  # dead points and the like, which random lengths meet
+            continue
+        tried += 1
+        assert all(way_of(term.size) == term.direction for term in terms)
+    assert tried > 3
