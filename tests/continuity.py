@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from graphkin.agreement import apart
 
+from graphkin.agreement import apart
 from graphkin.mechanism import Mechanism
 from graphkin.methods import plan
 from graphkin.readings import Motions

@@ -10,6 +10,7 @@ import cmath
 import math
 import random
 from collections.abc import Callable, Iterable
+from itertools import pairwise
 
 Maker = Callable[[random.Random, float], str]
 
@@ -200,7 +201,7 @@ def carriage(rng: random.Random, off: float) -> str:
     a = cmath.rect(crank, math.radians(phi))
     x = a.real + math.sqrt(rod**2 - (a.imag - r) ** 2)
     places = [0.0, *sorted(rng.uniform(30, 200) for _ in range(3))]
-    while min(q - p for p, q in zip(places, places[1:])) < 15:
+    while min(q - p for p, q in pairwise(places)) < 15:
         places = [0.0, *sorted(rng.uniform(30, 200) for _ in range(3))]
     axles = "ABCD"
     shape = ", ".join(f"{w}1 = [{p!r}, 0]" for w, p in zip(axles, places, strict=True))
@@ -249,7 +250,7 @@ vector = "OC"
 angle = {b.angle(phi)}
 omega = {rng.uniform(-6, 6)!r}
 alpha = {rng.uniform(-6, 6)!r}
-{'' if off or rng.random() < 0.5 else ''}{b.sketch(C=c, P=p)}"""
+{b.sketch(C=c, P=p)}"""
 
 
 def twin_cams(rng: random.Random, off: float) -> str:

@@ -17,8 +17,8 @@ import pytest
 from large_mechanisms import dyads, ladder, triads
 from random_mechanisms import chain
 
-from graphkin.analytic import motion
 from graphkin.agreement import compare
+from graphkin.analytic import motion
 from graphkin.errors import AmbiguousSketch, CannotAssemble, GraphkinError
 from graphkin.mechanism import Mechanism
 from graphkin.methods import plan, replay_all

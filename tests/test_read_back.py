@@ -31,7 +31,7 @@ from random_mechanisms import (
 from renamed import renamed
 
 from graphkin import Drawing
-from graphkin.check import Report, held
+from graphkin.check import Report, measured
 from graphkin.check.drawing import read
 from graphkin.errors import BadDrawing, DeadPoint
 from graphkin.mechanism import Mechanism
@@ -65,7 +65,7 @@ def drawn(family: str, seed: int) -> str | None:
 def measured(folder: Path, text: str, mechanism: Mechanism) -> Report:
     path = folder / "drawing.svg"
     path.write_text(text, encoding="utf-8")
-    return held(read(path), mechanism, 0.01)
+    return measured(read(path), mechanism, 0.01)
 
 
 def wrong(report: Report) -> list[object]:

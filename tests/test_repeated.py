@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from repeating import FAMILIES
 
+from graphkin.agreement import compare
 from graphkin.analytic import mobility, motion
 from graphkin.api import Drawing, plan
 from graphkin.assur import structure_lines
-from graphkin.agreement import compare
-from graphkin.errors import NotRepeated
+from graphkin.errors import NotRepeated, TooManyDrivers
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method, replay_all
@@ -258,3 +258,61 @@ B = [110, 0]
     third = third.replace("[[driver]]", "[links.4]\nHC = 30\n[[driver]]").replace("B = [110", "C = [70, 0]\nB = [110")
     assert aside_of(loads(flat)) == []
     assert aside_of(loads(third)) == [(("links", "4"), "link")]
+
+
+ROLLERS = """
+[frame]
+O = [0, 0]
+[links.1]
+OA = 20
+[links.2]
+BC = 100
+[links.3]
+points = ["B"]
+[links.4]
+points = ["C"]
+[[cam]]
+links = ["1", "3"]
+profiles = [{ centre = "A", radius = 30 }, { centre = "B", radius = 10 }]
+[[slide]]
+name = "f"
+block = "2"
+point = "B"
+guide = "frame"
+through = "O"
+tilt = 0
+[[slide]]
+name = "roller"
+pin = "C"
+guide = "frame"
+through = "O"
+[[driver]]
+vector = "OA"
+angle = 30
+omega = 2
+alpha = 1
+[sketch]
+A = [17, 10]
+B = [56, 0]
+C = [156, 0]
+"""
+
+
+def test_rollers_may_turn_as_they_like() -> None:
+    """Two rollers of a follower: their own turning is an idle freedom, and the second one in the guide repeats it."""
+    mechanism = loads(ROLLERS)
+    method = plan(mechanism)
+    plot = replay_all(method)
+    assert method.structure.idle == ("3", "4")
+    assert [(each.pair, each.part) for each in method.aside] == [(("slide", 1), "whole")]
+    assert compare(method, plot, motion(mechanism)) < 1e-9
+    assert plot.s_rate["roller"] == pytest.approx(plot.s_rate["f"])
+
+
+def test_too_many_drivers_are_no_contradicting_pair() -> None:
+    """A second crank's driver is too much; the rod between the two is not to blame."""
+    text = TABLE.format(driver=CRANK, a=[10, 28], b=[106, 0], c=106)
+    text = text[: text.index('[[slide]]\nname = "high"')] + text[text.index("[[driver]]") :]
+    more = text.replace("[sketch]", '[[driver]]\nslide = "low"\nat = 110\nvelocity = 1\n[sketch]')
+    with pytest.raises(TooManyDrivers):
+        plan(loads(more))

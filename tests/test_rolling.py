@@ -13,9 +13,9 @@ import pytest
 from contacts import touching
 from rolling_machines import FAMILIES
 
+from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.api import Drawing
-from graphkin.agreement import compare
 from graphkin.errors import GearsApart, GraphkinError, Lang, NotPlaced, OffTrack, PosesDiffer
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism

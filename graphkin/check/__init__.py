@@ -1,16 +1,17 @@
 """A ruler on a drawing: the drawing file beside the analytic solution.
 
-`measure` takes a drawing file, sees of it what a viewer would show (`shown`, made of `transforms`, `styles` and `outlines`), lays a ruler on its vectors, points and
-lines of links (`ruler`), solves the mechanism it carries anew by the matrix method, and compares. Of the numbers in
-the file it uses the scales and the drivers' values to know what the drawing claims, and nothing else (`claims` says
-what that proves). What a mark should be follows from the sites it names (`expected`, `links`); marks of instant centres
-are held against the velocities of that solution (`centre_measure`). Beside lengths: arrow `heads`, what is `hidden`.
+`measure` takes a drawing file, sees of it what a viewer would show (`shown`, made of `transforms`, `styles` and
+`outlines`), lays a ruler on its vectors, points and lines of links (`ruler`), solves the mechanism it carries anew by
+the matrix method, and compares. Of the numbers in the file it uses the scales and the drivers' values to know what the
+drawing claims, and nothing else (`claims` says what that proves). What a mark should be follows from the sites it names
+(`expected`, `links`); marks of instant centres are held against the velocities of that solution (`centre_measure`).
+Beside lengths: arrow `heads`, what is `hidden`.
 """
 
 from __future__ import annotations
 
 from graphkin.check.drawing import Fault
-from graphkin.check.ruler import Measured, Report, held, measure
+from graphkin.check.ruler import Measured, Report, measure, measured
 from graphkin.check.widened import added_point
 
-__all__ = ["Fault", "Measured", "Report", "added_point", "held", "measure"]
+__all__ = ["Fault", "Measured", "Report", "added_point", "measure", "measured"]

@@ -21,7 +21,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.steps import Plane
 from graphkin.value import frozen
 
-__all__ = ["Measured", "Report", "held", "measure"]
+__all__ = ["Measured", "Report", "measure", "measured"]
 
 
 @frozen
@@ -74,10 +74,10 @@ def measure(path: str | Path, tolerance_mm: float = 0.01) -> Report:
     mechanism in it is none.
     """
     drawing = read(Path(path))
-    return held(drawing, mechanism_of(drawing), tolerance_mm)
+    return measured(drawing, mechanism_of(drawing), tolerance_mm)
 
 
-def held(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) -> Report:
+def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) -> Report:
     """A drawing beside the mechanism that it should show."""
     solved = motion(mechanism, numbers(drawing, "drivers", len(mechanism.drivers)))
     planes, centres = parted(drawing)

@@ -67,8 +67,14 @@ def _on_circles(arrows: Arrows, contact: Contact) -> Sum:
 
 
 def _on_line(arrows: Arrows, contact: Contact) -> Sum:
-    """s + r (θ_wheel − θ_track) where the centre lies left of the line, s − r (..) where right."""
+    """s + r (θ_wheel − θ_track) where the centre lies left of the line, s − r (..) where right.
+
+    Where other pairs keep the centre on its way, s is made up of their displacements.
+    """
     track, wheel = (_turning(arrows.bodies.angles[body]) for body in contact.wheels)
     radius = next(share for body, share in contact.angles if body == contact.wheels[1])
     turned = one(_radius(arrows, contact.wheels[1], radius)) * (wheel - track)
-    return one(arrows.displacement(contact.slide)).times(contact.on_slide) + turned
+    gone = Sum()
+    for slide, share in contact.way or ((contact.slide, 1.0),):
+        gone += one(arrows.displacement(slide)).times(share * contact.on_slide)
+    return gone + turned

@@ -117,6 +117,15 @@ class Structure:
         """All of them by name, those set aside included."""
         return {slide.name: slide for slide in self.mechanism.slides} | {slide.name: slide for slide in self.joining}
 
+    @cached_property
+    def idle(self) -> tuple[str, ...]:
+        """Links of one point that may turn without moving anything (局部自由度): rollers."""
+        tied = {name for slide in self.joining for name in (slide.guide, slide.block)}
+        tied |= {body for contact in self.contacts for body, _ in contact.angles}
+        tied |= {name for driver in self.mechanism.drivers for name in (driver.link, driver.from_link)}
+        links = ((name, link) for name, link in self.mechanism.links.items() if name != FRAME)
+        return tuple(name for name, link in links if len(link.points) == 1 and name not in tied)
+
     @property
     def tying(self) -> tuple[Contact, ...]:
         """The rolling contacts that are not set aside."""
@@ -164,10 +173,10 @@ class Structure:
 
     @property
     def surplus(self) -> int:
-        """Drivers beyond the degrees of freedom by the formula F = 3 n - 2 p."""
+        """Drivers beyond the degrees of freedom by the formula F = 3 n - 2 p, idle ones apart."""
         hinges = sum(len(bodies) - 1 for bodies in self.owners.values())
         freedoms = 3 * (len(self.bodies) - 1) - 2 * (hinges + len(self.joining)) - len(self.tying) + len(self.followers)
-        return len(self.mechanism.drivers) - freedoms
+        return len(self.mechanism.drivers) + len(self.idle) - freedoms
 
     # --- links that hold their angles to one another ------------------------------------------
 
@@ -195,6 +204,8 @@ class Structure:
                 yield self.block(slide), TurnOf(body, turn)
             elif body == self.block(slide):
                 yield slide.guide, TurnOf(body, -turn)
+        if body == FRAME:
+            yield from ((idle, TurnOf(FRAME)) for idle in self.idle)
         for k, driver in enumerate(self.mechanism.drivers):
             if driver.kind == "slide":
                 continue

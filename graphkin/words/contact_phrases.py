@@ -21,6 +21,10 @@ CONTACT_PHRASES: Mapping[str, dict[Lang, str]] = {
     "driven roll free": both("the rolling contact {slide} is driven", "滚动副 {slide} 为主动"),
     "driven line free": both("link {link} ({line}) is driven", "原动件 {link}（{line}）"),
     "posed": both("The drawn position: {poses}.", "给定位置：{poses}。"),
+    "idle": both(
+        "Idle freedom: turning moves nothing but the roller itself, so these are drawn without turning: {links}.",
+        "局部自由度：滚子的自转不影响其他构件的运动，作图时视为不转：{links}。",
+    ),
     "redundant": both("Redundant constraint, set aside: {line}.", "虚约束，求解时除去不计：{line}。"),
     "pose line": both(
         "{line} of link {link} at {angle} to +x",

@@ -25,6 +25,8 @@ def given(reading: Reading) -> Iterator[Entry]:
     if reading.mechanism.poses:
         poses = [_pose(reading, pose) for pose in reading.mechanism.poses]
         yield Sentence(reading.say("posed", poses=between.join(poses)))
+    if idle := reading.method.structure.idle:
+        yield Sentence(reading.say("idle", links=reading.listed([reading.link(link) for link in idle])))
     for line in redundant_constraints(reading.method, reading.lang):
         yield Sentence(reading.say("redundant", line=line))
     yield Sentence(reading.say("scales", scales=reading.say("and").join(_scales(reading))))

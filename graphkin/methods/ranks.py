@@ -1,0 +1,48 @@
+"""Rank of restraints: what follows from what, and the drawn position at which this is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from graphkin.methods.restraints import Array, Restraints, Row, Rows, settled
+
+__all__ = ["CLOSED", "RANK", "beside", "drawn_place", "open_by", "rank"]
+
+RANK = 1e-6
+"""Singular values below this count as zero."""
+CLOSED = 1e-9
+"""Equations that are open by less hold [size, rad]."""
+_STARTS = 12
+
+
+def rank(slopes: Array) -> int:
+    return int(np.linalg.matrix_rank(slopes, tol=RANK)) if slopes.size else 0
+
+
+def open_by(rows: Rows) -> float:
+    """The widest gap."""
+    return float(np.max(np.abs(rows.open), initial=0.0))
+
+
+def beside(rows: Rows, labels: Sequence[Row]) -> float:
+    """How far some equations are from following from the others, 0 to 1."""
+    others, own = rows.without(labels).slopes, rows.only(labels)
+    back = np.linalg.pinv(others, rcond=RANK) @ others
+    return float(np.max(np.linalg.norm(own - own @ back, axis=1) / np.linalg.norm(own, axis=1)))
+
+
+def drawn_place(restraints: Restraints, aside: Sequence[Row] = ()) -> tuple[Array, Rows]:
+    """The drawn position, as near to the sketch as it can be closed; nothing has rolled yet."""
+    rng, best = np.random.default_rng(7), None
+    for _ in range(_STARTS):
+        q = restraints.sketched(rng)
+        slips = [row for row in restraints.rows(q).labels if row.kind == "slip"]
+        found = settled(restraints, q, [*slips, *aside])
+        if best is None or np.sum(found[1].open**2) < np.sum(best[1].open**2):
+            best = found
+        if open_by(best[1]) < CLOSED:
+            break
+    assert best is not None
+    return best
