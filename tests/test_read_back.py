@@ -62,7 +62,7 @@ def drawn(family: str, seed: int) -> str | None:
         return None
 
 
-def measured(folder: Path, text: str, mechanism: Mechanism) -> Report:
+def read_back(folder: Path, text: str, mechanism: Mechanism) -> Report:
     path = folder / "drawing.svg"
     path.write_text(text, encoding="utf-8")
     return measured(read(path), mechanism, 0.01)
@@ -89,7 +89,7 @@ def moved(text: str) -> list[str]:
 def test_every_random_drawing_is_good(family: str, tmp_path: Path):
     for seed in range(EACH):
         if (text := drawn(family, seed)) is not None:
-            assert not wrong(measured(tmp_path, text, make(family, seed))), seed
+            assert not wrong(read_back(tmp_path, text, make(family, seed))), seed
 
 
 @pytest.mark.parametrize("family", FAMILIES)
@@ -99,6 +99,6 @@ def test_anything_moved_is_seen(family: str, tmp_path: Path):
     changes = moved(text)
     for changed in changes if MOVED else random.Random(family).sample(changes, 4):
         try:
-            assert wrong(measured(tmp_path, changed, mechanism))
+            assert wrong(read_back(tmp_path, changed, mechanism))
         except BadDrawing:
             pass

@@ -49,7 +49,8 @@ def outline(tag: str, attributes: Mapping[str, str]) -> list[Line]:
                 raise Unread("points")
             places = [complex(x, y) for x, y in zip(found[::2], found[1::2], strict=True)]
             return [places + places[:1] if tag == "polygon" else places]
-    return _path(attributes.get("d", ""))
+        case _:
+            return _path(attributes.get("d", ""))
 
 
 def _path(text: str) -> list[Line]:

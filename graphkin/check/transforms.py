@@ -103,7 +103,8 @@ def _call(name: str, given: list[float]) -> Affine:
             return Affine(c=math.tan(math.radians(degrees)))
         case "skewY", [degrees]:
             return Affine(b=math.tan(math.radians(degrees)))
-    raise Unread(f"transform {name}")
+        case _:
+            raise Unread(f"transform {name}")
 
 
 def paper(attributes: Mapping[str, str]) -> tuple[Affine, complex, str]:

@@ -208,7 +208,8 @@ def stated(mark: Mark) -> dict[str, str]:
         case Stroke(shows=Shows() as shows) | Disc(shows=Shows() as shows):
             lies = {"plane": shows.plane, "link": shows.link, "form": shows.form, "points": " ".join(shows.points)}
             return _filled(lies | {"line": shows.line})
-    return {}
+        case _:
+            return {}
 
 
 def _filled(said: dict[str, str]) -> dict[str, str]:
