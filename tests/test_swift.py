@@ -31,7 +31,7 @@ from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method, plan, replay_all
 from graphkin.methods.looking import look_along
-from graphkin.methods.swift import MANY, swept
+from graphkin.methods.swift import MANY, program_of, swept
 from graphkin.steps import Fit, Plot, Roll, Simultaneous, replay
 from graphkin.steps.calls import written_out
 from graphkin.steps.entries import CannotRecord
@@ -54,13 +54,9 @@ MAKERS: dict[str, Callable[[int], Mechanism]] = {
 MOVING_ON = {"triad": triad, "geared": geared_five_bar, "epicyclic": epicyclic, "rolling": rolling}
 
 
-def made(method: Method) -> Program | None:
-    return method.shelf.program(method)
-
-
 def records(method: Method) -> Program:
     """The program of a method that must have one."""
-    found = made(method)
+    found = program_of(method)
     assert found is not None, method.mechanism.name
     return found
 
@@ -149,7 +145,7 @@ def sizes_of(method: Method, plain: Plot, count: int) -> dict[str, np.ndarray]:
 def test_library_alike(name: str):
     method = plan(library.load(name))
     if method.moves_on:
-        assert made(method) is None
+        assert program_of(method) is None
         return
     values = around(method)
     assert hold_alike(method, records(method).run(values), plainly(method, values), COUNT)
@@ -173,7 +169,7 @@ def test_random_mechanisms_alike(kind: str):
 def test_what_moves_on_is_not_made_into_a_program(kind: str):
     method = plan(MOVING_ON[kind](3))
     assert any(isinstance(step, Fit | Roll | Simultaneous) for step in method.position.steps)
-    assert made(method) is None
+    assert program_of(method) is None
 
 
 @pytest.mark.parametrize("kind", ["RRR", "RPR", "cylinder"])
@@ -259,7 +255,7 @@ def test_what_can_not_be_recorded_is_replayed(monkeypatch: pytest.MonkeyPatch):
     values = around(method)
     monkeypatch.setattr("graphkin.steps.program.record", refuse)
     found, plain = replay_all(method, values), plainly(method, values)
-    assert made(method) is None
+    assert program_of(method) is None
     assert np.array_equal(found.acceleration["b3'"], plain.acceleration["b3'"])
 
 
@@ -420,5 +416,5 @@ def test_numbers_that_fail_are_refused():
 
 def test_a_program_is_made_once():
     method = plan(library.load("ex3-1"))
-    assert made(method) is made(method)
-    assert program(method.constructions, method.facts()) is not made(method)
+    assert program_of(method) is program_of(method)
+    assert program(method.constructions, method.facts()) is not program_of(method)

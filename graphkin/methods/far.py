@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 from graphkin.errors import TooFar
+from graphkin.methods.method import Method
 from graphkin.methods.way import Way, stride
-from graphkin.steps import Fit
-
-if TYPE_CHECKING:
-    from graphkin.methods import Method
 
 __all__ = ["refuse_far"]
 
@@ -22,7 +18,7 @@ FITTING = 30
 
 def refuse_far(method: Method, way: Way, look_deg: float, look_part: float) -> None:
     """Raises TooFar for a way with too many positions to be looked at."""
-    cost = max(len(method.mechanism.points), 4) * (FITTING if _fits(method) else 1)
+    cost = max(len(method.mechanism.points), 4) * (FITTING if method.fits else 1)
     most = MOST / cost * stride(method, way.pace, look_deg, look_part)
     if way.high - way.low <= most:
         return
@@ -35,10 +31,6 @@ def refuse_far(method: Method, way: Way, look_deg: float, look_part: float) -> N
     start, end = (told(way.start[moving] + way.pace[moving] * t) for t in (way.low, way.high))
     farthest = told(_round(abs(way.pace[moving]) * most))
     raise TooFar(method.mechanism.where("driver", moving), driver.name, start, end, farthest)
-
-
-def _fits(method: Method) -> bool:
-    return any(isinstance(step, Fit) for step in method.position.steps)
 
 
 def _round(value: float) -> float:

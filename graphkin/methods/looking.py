@@ -8,18 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from graphkin.geometry import Value
 from graphkin.methods.assembly import links_of
 from graphkin.methods.far import refuse_far
+from graphkin.methods.method import Method
 from graphkin.methods.way import Event, Way, along, stride, with_nodes
 from graphkin.steps import Arc, Fit, Meet, Plot, Swing, replay, slide_key
-
-if TYPE_CHECKING:
-    from graphkin.methods import Method
 
 __all__ = ["Crossing", "by_slide_key", "crossings", "event_at", "key_of", "look_along", "touching", "turned"]
 

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from graphkin.errors import NotReached
 from graphkin.geometry import Value
 from graphkin.methods.looking import look_along, turned
+from graphkin.methods.method import Method
 from graphkin.methods.swift import in_parts
 from graphkin.methods.way import Way, along, stride
 from graphkin.steps import Plot, replay
-
-if TYPE_CHECKING:
-    from graphkin.methods import Method
 
 __all__ = ["moved_to", "reached"]
 

@@ -8,17 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from graphkin.geometry import Value, dot
 from graphkin.mechanism import FRAME
+from graphkin.methods.branches import Branches
 from graphkin.methods.structure import Structure
 from graphkin.steps import Arm, Fit, Plot, unknowns_of
-
-if TYPE_CHECKING:
-    from graphkin.methods.branches import Branches
 
 __all__ = ["Starts"]
 

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from weakref import finalize
 
 import numpy as np
 
 from graphkin.geometry import Value
+from graphkin.methods.method import Method
 from graphkin.methods.way import Way, along
 from graphkin.steps import Plot, replay
+from graphkin.steps.entries import CannotRecord
+from graphkin.steps.program import Program, program
 from graphkin.steps.replayed import TABLES
 
-if TYPE_CHECKING:
-    from graphkin.methods import Method
-    from graphkin.steps.program import Program
-
-__all__ = ["MANY", "PART", "Shelf", "in_parts", "swept", "swiftly"]
+__all__ = ["MANY", "PART", "by_program", "in_parts", "program_of", "swept"]
 
 MANY = 64
 """From so many positions on a program is worth being made: a few such sweeps take as long as making it."""
@@ -24,40 +23,32 @@ PART = 4096
 """Positions that are fitted at once."""
 
 
-class Shelf:
-    """Where a method keeps its program, once it is made. It travels empty to other processes, for code can't."""
-
-    def __init__(self) -> None:
-        self._made: Program | None = None
-        self._tried = False
-
-    def __reduce__(self) -> tuple[type[Shelf], tuple[()]]:
-        return Shelf, ()
-
-    def program(self, method: Method) -> Program | None:
-        """The program; None where positions hang on one another, or where a step can't be written down."""
-        if not self._tried:
-            self._made = None if method.moves_on else _program(method)
-            self._tried = True
-        return self._made
+_PROGRAMS: dict[int, Program | None] = {}
+"""By the identity of their methods, as long as these live: methods are alike by value, and too large to be hashed."""
 
 
-def _program(method: Method) -> Program | None:
-    from graphkin.steps.entries import CannotRecord
-    from graphkin.steps.program import program
+def program_of(method: Method) -> Program | None:
+    """The program, made once; None where positions hang on one another, or where a step can't be written down."""
+    key = id(method)
+    if key not in _PROGRAMS:
+        _PROGRAMS[key] = None if method.moves_on else _made(method)
+        finalize(method, _PROGRAMS.pop, key, None)
+    return _PROGRAMS[key]
 
+
+def _made(method: Method) -> Program | None:
     try:
         return program(method.constructions, method.facts(None))
     except CannotRecord:
         return None
 
 
-def swiftly(method: Method, values: Sequence[Value], sides: Mapping[int, Value] | None = None) -> Plot | None:
+def by_program(method: Method, values: Sequence[Value], sides: Mapping[int, Value] | None = None) -> Plot | None:
     """All three constructions at driver values, scalar or (n,) each; None where they are few, or no program does it."""
     shapes = {np.shape(value) for value in values} - {()}
     if len(shapes) != 1 or len(shape := shapes.pop()) != 1 or shape[0] < MANY:
         return None
-    made = method.shelf.program(method)
+    made = program_of(method)
     return None if made is None else made.run(values, sides)
 
 
@@ -80,5 +71,5 @@ def _joined(values: Sequence[Value]) -> Value:
 
 def swept(method: Method, way: Way, t: np.ndarray) -> Plot:
     """All three constructions at t (n,) on the way, each choice on the side that is right there."""
-    found = swiftly(method, way.values(t), way.crossings(t)) if way.nodes is None else None
+    found = by_program(method, way.values(t), way.crossings(t)) if way.nodes is None else None
     return found or replay(method.acceleration, replay(method.velocity, in_parts(method, way, t)))

@@ -11,18 +11,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from graphkin.methods.looking import by_slide_key, crossings, event_at, key_of, touching, turned
+from graphkin.methods.looking import Crossing, by_slide_key, crossings, event_at, key_of, touching, turned
+from graphkin.methods.method import Method
 from graphkin.methods.way import Event, Way, along, stride
 from graphkin.steps import Fit, Meet, Plot, Roll, Swing, replay
 from graphkin.value import frozen
-
-if TYPE_CHECKING:
-    from graphkin.methods import Method
-    from graphkin.methods.looking import Crossing, by_slide_key
 
 __all__ = ["walked"]
 

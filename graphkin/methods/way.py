@@ -9,16 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from graphkin.geometry import Value
+from graphkin.methods.method import Method
 from graphkin.steps import Plot, replay
 from graphkin.value import frozen
-
-if TYPE_CHECKING:
-    from graphkin.methods import Method
 
 __all__ = ["Event", "Way", "along", "stride", "with_nodes"]
 

@@ -7,8 +7,8 @@ polygons by the small letter (`b3`, `b3'`, `n3'`, `k'`).
 
 A *site* is a point seen as part of one link: `B3` is the point of link 3 that lies under B now.
 
-`terms` holds the arrows and equations, `kinds` the steps, `plot` what a replay starts from and gives; `pencil`
-does the steps, `fitting` those that ruler and compass do not give.
+`terms` holds the arrows, `kinds` the steps, `construction` the equations and what is made of all; `plot` what a replay
+starts from and gives; `pencil` does the steps, `fitting` those that ruler and compass do not give.
 
 For many positions `recorder` writes a replay down once, as real operations in a `ledger` of `entries`; `calls` makes
 NumPy calls of them, and `program` carries these out; `replayed` is the plot it gives.
@@ -16,12 +16,12 @@ NumPy calls of them, and `program` carries these out; `replayed` is the plot it 
 
 from __future__ import annotations
 
+from graphkin.steps.construction import BrokenChain, Construction, Equation, Node, NotClosable
 from graphkin.steps.fitting import unknowns_of
 from graphkin.steps.kinds import (
     Arc,
     Chain,
     Closure,
-    Construction,
     Fit,
     Given,
     Image,
@@ -29,25 +29,16 @@ from graphkin.steps.kinds import (
     LayOff,
     Measure,
     Meet,
-    Node,
     Ray,
     Roll,
     Simultaneous,
-    Site,
     Step,
     Swing,
     Touch,
     Unknown,
 )
-from graphkin.steps.pencil import (
-    replay,
-)
-from graphkin.steps.plot import (
-    Facts,
-    Plot,
-    TurnOf,
-    slide_key,
-)
+from graphkin.steps.pencil import replay
+from graphkin.steps.plot import Facts, Plot, TurnOf, slide_key
 from graphkin.steps.terms import (
     LETTER,
     Across,
@@ -55,17 +46,15 @@ from graphkin.steps.terms import (
     Along,
     AlongGuide,
     Arm,
-    BrokenChain,
     Coriolis,
     Direction,
     Drawn,
     Driven,
-    Equation,
     Normal,
-    NotClosable,
     Plane,
     Quarter,
     Relative,
+    Site,
     Size,
     Slid,
     Span,

@@ -1,17 +1,14 @@
-"""The kinds of steps, each what the pencil does once, and the construction made of them."""
+"""The kinds of steps, each what the pencil does once."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-
-from graphkin.steps.terms import Arm, Direction, Equation, Plane, Size, Slid, Span, Term
+from graphkin.steps.terms import Arm, Direction, Size, Slid, Span, Term
 from graphkin.value import frozen
 
 __all__ = [
     "Arc",
     "Chain",
     "Closure",
-    "Construction",
     "Fit",
     "Given",
     "Image",
@@ -19,11 +16,9 @@ __all__ = [
     "LayOff",
     "Measure",
     "Meet",
-    "Node",
     "Ray",
     "Roll",
     "Simultaneous",
-    "Site",
     "Step",
     "Swing",
     "Touch",
@@ -227,56 +222,3 @@ class Simultaneous:
 
 
 Step = Given | LayOff | Ray | Arc | Meet | Swing | Image | Measure | Roll | Fit | Touch | Simultaneous
-
-
-@frozen
-class Site:
-    """A point of the mechanism as part of a link."""
-
-    point: str
-    link: str
-
-
-@frozen
-class Node:
-    """A point of a plane: its name, what it belongs to as written (`B3`, `pole`, `a^n_CB`), and its site."""
-
-    name: str
-    of: str
-    site: Site | None = None
-
-
-@frozen
-class Construction:
-    """The steps of one plane in order; those of one vector equation are grouped in it."""
-
-    plane: Plane
-    parts: tuple[Step | Equation, ...]
-    nodes: Mapping[str, Node]
-    pole: str = ""
-
-    @property
-    def steps(self) -> Iterator[Step]:
-        """Every step, one after another."""
-        for part in self.parts:
-            if isinstance(part, Equation):
-                yield from part.steps
-            else:
-                yield part
-
-    @property
-    def equations(self) -> tuple[Equation, ...]:
-        return tuple(part for part in self.parts if isinstance(part, Equation))
-
-    def vectors(self) -> dict[str, Term]:
-        """Every arrow of the finished polygon by name: absolute motions of known points, then the equations' terms."""
-        found: dict[str, Term] = {}
-        for part in self.parts:
-            terms: tuple[Term, ...] = ()
-            if isinstance(part, Equation):
-                terms = part.left + part.right
-            elif isinstance(part, LayOff):
-                terms = (part.term,)
-            for term in terms:
-                found.setdefault(term.name(self.plane), term)
-        return found

@@ -8,10 +8,10 @@ from typing import assert_never
 import numpy as np
 
 from graphkin.geometry import Value, cross, dot, leg, meet_circles, meet_line_circle, meet_lines
+from graphkin.steps.construction import Construction
 from graphkin.steps.fitting import fit, roll, solve_together
 from graphkin.steps.kinds import (
     Arc,
-    Construction,
     Fit,
     Given,
     Image,

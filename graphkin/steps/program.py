@@ -20,8 +20,8 @@ import numpy as np
 
 from graphkin.geometry import Value
 from graphkin.steps.calls import Calls, written_out
+from graphkin.steps.construction import Construction
 from graphkin.steps.entries import NUMBER
-from graphkin.steps.kinds import Construction
 from graphkin.steps.ledger import Ledger
 from graphkin.steps.pencil import replay
 from graphkin.steps.plot import Facts, Plot

@@ -17,8 +17,9 @@ import numpy as np
 from graphkin import geometry
 from graphkin.geometry import Value
 from graphkin.steps import pencil
+from graphkin.steps.construction import Construction
 from graphkin.steps.entries import CannotRecord
-from graphkin.steps.kinds import Construction, Meet, Swing
+from graphkin.steps.kinds import Meet, Swing
 from graphkin.steps.ledger import Ledger
 from graphkin.steps.plot import Facts, Plot
 from graphkin.value import frozen

@@ -1,15 +1,11 @@
-"""Arrows of a vector equation: where they point, how long they are, terms, and the equation itself."""
+"""Arrows of a vector equation: where they point, how long they are, and the terms made of both."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from itertools import pairwise
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from graphkin.value import frozen
-
-if TYPE_CHECKING:
-    from graphkin.steps.kinds import Site, Step
 
 __all__ = [
     "LETTER",
@@ -18,24 +14,21 @@ __all__ = [
     "Along",
     "AlongGuide",
     "Arm",
-    "BrokenChain",
     "Coriolis",
     "Direction",
     "Drawn",
     "Driven",
-    "Equation",
     "Normal",
-    "NotClosable",
     "Plane",
     "Quarter",
     "Relative",
+    "Site",
     "Size",
     "Slid",
     "Span",
     "Tangential",
     "Term",
     "Turning",
-    "span_of",
 ]
 
 Plane = Literal["position", "velocity", "acceleration"]
@@ -190,6 +183,14 @@ Size = Drawn | Turning | Normal | Tangential | Coriolis | Driven | Relative | Sp
 
 
 @frozen
+class Site:
+    """A point of the mechanism as part of a link."""
+
+    point: str
+    link: str
+
+
+@frozen
 class Term:
     """One arrow of a vector equation: the motion of `of` as seen from `seen_from`.
 
@@ -231,43 +232,3 @@ class Term:
     def unknowns(self) -> int:
         """How many of its size and its direction are unknown; a drawn arrow has both."""
         return (self.size is None) + (self.direction is None and not isinstance(self.size, Drawn))
-
-
-class BrokenChain(ValueError):
-    """Two sides of a vector equation that do not start and end at the same points."""
-
-
-class NotClosable(ValueError):
-    """A vector equation with more or fewer than two unknown scalars."""
-
-
-def span_of(chain: tuple[Term, ...]) -> tuple[str, str]:
-    """Start and end of a chain of arrows; refuses one whose arrows do not join tail to head."""
-    for before, after in pairwise(chain):
-        if before.head != after.tail:
-            raise BrokenChain(f"{before.head} is not {after.tail}")
-    return chain[0].tail, chain[-1].head
-
-
-@frozen
-class Equation:
-    """left = right, with the steps that draw it. Paper closes it when exactly two scalars are unknown.
-
-    of  the site whose motion both sides give
-    """
-
-    of: str
-    left: tuple[Term, ...]
-    right: tuple[Term, ...]
-    steps: tuple[Step, ...]
-
-    def __post_init__(self) -> None:
-        if span_of(self.left) != span_of(self.right):
-            raise BrokenChain(f"{span_of(self.left)} is not {span_of(self.right)}")
-        if (found := sum(term.unknowns for term in self.left + self.right)) != 2:
-            raise NotClosable(f"{found} unknown scalars, not 2")
-
-    @property
-    def double(self) -> bool:
-        """Whether a textbook writes the motion sought before both sides: `v_E = v_C + v_EC = v_D + v_ED`."""
-        return not (len(self.left) == 1 and self.left[0].of == self.of and not self.left[0].seen_from)

@@ -1,0 +1,249 @@
+"""The assemblies of a mechanism that matter, found block by block, so that their number does not grow with its length.
+
+A block is what one crossing of circles, or one group that is fitted, decides. Partial drawings stand side by side as
+arrays over branches. After each block those that do not close are left out, and those that the sketch rules out:
+
+1. a first assembly is looked for along the branches nearest to the sketch; more of them are kept where that fails;
+2. then every branch is followed that may still be nearer to the sketch than that assembly, or as near to it that the
+   sketch lies between the two. What the points still to be drawn can at most make good is known beforehand.
+
+Only where more branches than `WIDEST` remain are the farthest given up.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from graphkin.mechanism import FRAME
+from graphkin.methods.branches import Branches
+from graphkin.methods.starts import Starts
+from graphkin.methods.structure import Structure
+from graphkin.steps import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, replay, unknowns_of
+
+__all__ = ["BETWEEN", "Block", "DeadEnd", "blocks_of", "branches", "told_slides"]
+
+WIDTHS = (1, 8, 64)
+"""Branches kept while a first assembly is looked for."""
+WIDEST = 1024
+"""Branches kept at most; the same before a group is fitted, which is tried from many starts for each."""
+WIDEST_FITTED = 128
+BETWEEN = 0.04
+"""A sketch lies between two assemblies if their squared distances from it differ by less than this part of the square
+of the distance between them."""
+
+class DeadEnd(Exception):
+    """No branch closes: the plot so far, with every branch of the block at which the last of them ended."""
+
+    def __init__(self, plot: Plot) -> None:
+        self.plot = plot
+
+
+@dataclass(frozen=True)
+class Block:
+    """A step that leaves several possibilities, None before the first of them, and all that follows from it."""
+
+    opening: Meet | Swing | Fit | None
+    rest: tuple[Step, ...]
+
+
+def blocks_of(construction: Construction) -> tuple[Block, ...]:
+    """The blocks of a position construction in order."""
+    blocks, rest, opening = list[Block](), list[Step](), None
+    for step in construction.steps:
+        if isinstance(step, Fit) or (isinstance(step, Meet | Swing) and step.choice is not None):
+            blocks.append(Block(opening, tuple(rest)))
+            opening, rest = step, []
+        else:
+            rest.append(step)
+    return (*blocks, Block(opening, tuple(rest)))
+
+
+def branches(structure: Structure, construction: Construction, facts: Facts, known: Mapping[str, float]) -> Branches:
+    """Every assembly that the sketch may mean, one at least. Raises DeadEnd.
+
+    known  angles and displacements where the drawn position has them already
+    """
+    search = _Search(structure, construction, facts, known)
+    found, nearest = search.first(), np.inf
+    while (away := search.away(found)).min() < nearest:
+        nearest = float(away.min())
+        try:
+            found = search.run(WIDEST, search.bound(found, int(np.argmin(away))))
+        except DeadEnd:  # too many branches lay nearer to the sketch for a while, and none of them closed
+            break
+    return found
+
+
+@dataclass(frozen=True)
+class _Bound:
+    """What a branch is measured by: an assembly's points as drawn, and what points not drawn yet may make good [m²]."""
+
+    places: Mapping[str, complex]
+    rounding: float
+
+
+@dataclass
+class _Search:
+    structure: Structure
+    construction: Construction
+    facts: Facts
+    known: Mapping[str, float]
+    blocks: list[Block] = field(init=False)
+    late: list[Measure] = field(init=False)
+    starts: Starts = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.blocks = list(blocks_of(self.construction))
+        self.late = _late(self.blocks[-1])
+        last = self.blocks[-1]
+        self.blocks[-1] = Block(last.opening, last.rest[: len(last.rest) - len(self.late)])
+        self.starts = Starts(self.structure)
+
+    def first(self) -> Branches:
+        """The assembly nearest to the sketch as far as can be seen block by block."""
+        for width in WIDTHS:
+            try:
+                return self.run(width, None)
+            except DeadEnd:
+                continue
+        return self.run(WIDEST, None)
+
+    def run(self, width: int, bound: _Bound | None) -> Branches:
+        """All blocks, with so many branches kept at most."""
+        here = Branches(Plot(self.facts, dict(self.known)), np.zeros((1, 0), dtype=int))
+        waiting = list(self.late)
+        for block in self.blocks:
+            if isinstance(block.opening, Fit):
+                here = self._thinned(here, min(width, WIDEST_FITTED), None)
+            before = set(here.plot.position)
+            here = self._opened(here, block, self._spare(here, bound))
+            self._drawn(here.plot, [*block.rest])
+            waiting = self._measured(here.plot, waiting)
+            closed = self._closed(here, [p for p in here.plot.position if p not in before])
+            if not closed.any():
+                raise DeadEnd(here.plot)
+            if not closed.all():
+                here = here.taken(np.flatnonzero(closed))
+            here = self._thinned(here, width, bound)
+        return here
+
+    # --- one block ----------------------------------------------------------------------------
+
+    def _opened(self, here: Branches, block: Block, spare: float) -> Branches:
+        """Both ways on at a crossing; of a group every assembly that fits."""
+        match block.opening:
+            case None:
+                return here
+            case Fit():
+                return self._fitted(here, block.opening, spare)
+            case step:
+                both = np.tile((1, -1), here.count)
+                here = here.taken(np.repeat(np.arange(here.count), 2))
+                here.sides = np.column_stack([here.sides, both])
+                assert step.choice is not None
+                replay(self._part([step]), here.plot, {step.choice: both})
+                return here
+
+    def _fitted(self, here: Branches, step: Fit, spare: float) -> Branches:
+        if all(name in self.known for name in unknowns_of(step)):
+            self._drawn(here.plot, [step])
+            return here
+        return self.starts.fitted(here, step, lambda plot: self._drawn(plot, [step]), spare)
+
+    def _drawn(self, plot: Plot, steps: Sequence[Step]) -> None:
+        if steps:
+            replay(self._part(steps), plot)
+
+    def _part(self, steps: Sequence[Step]) -> Construction:
+        return Construction("position", tuple(steps), {})
+
+    def _measured(self, plot: Plot, waiting: list[Measure]) -> list[Measure]:
+        """Displacements are measured as soon as both ends are drawn; those that are not yet."""
+        lines, ready, left = plot.facts.lines, list[Step](), list[Measure]()
+        for step in waiting:
+            drawn = {step.tail, step.head} <= plot.position.keys() and lines[step.of][0] in plot.theta
+            (ready if drawn else left).append(step)
+        self._drawn(plot, ready)
+        return left
+
+    def _closed(self, here: Branches, points: Sequence[str]) -> np.ndarray:
+        """Branches whose new points have places, with cylinders at the positive displacement they were drawn with."""
+        closed = np.ones(here.count, dtype=bool)
+        for point in points:
+            closed &= np.isfinite(here.plot.position[point])
+        for name, slide in self.structure.slides.items():
+            if name in here.plot.s and slide.guide != FRAME and len(self.structure.bodies[slide.guide]) == 1:
+                closed &= here.plot.s[name] > 0
+        return closed
+
+    # --- what the sketch says -----------------------------------------------------------------
+
+    def _thinned(self, here: Branches, width: int, bound: _Bound | None) -> Branches:
+        """The branches that may still be meant, the nearest to the sketch where they are too many; in order."""
+        if here.count == 1:
+            return here
+        if bound is not None:
+            here = here.taken(np.flatnonzero(self._open(here, bound)))
+        if here.count <= width:
+            return here
+        away = self.away(here)
+        steps = np.round(away / max(1e-9 * float(away.max()), np.finfo(float).tiny))
+        return here.taken(np.sort(np.lexsort((-self._forward(here), steps))[:width]))
+
+    def away(self, here: Branches) -> np.ndarray:
+        """Squared distance of all points drawn so far from their places in the sketch [m²]: (w,)."""
+        away = np.zeros(here.count)
+        for point, target in self._sketched(here):
+            away += np.abs(here.plot.position[point] - target) ** 2
+        return away
+
+    def _sketched(self, here: Branches) -> Iterator[tuple[str, complex]]:
+        return ((p, z) for p, z in self.structure.mechanism.sketch.items() if p in here.plot.position)
+
+    def _forward(self, here: Branches) -> np.ndarray:
+        """How many displacements are positive rather than negative: (w,)."""
+        forward = np.zeros(here.count)
+        for name in told_slides(self.structure):
+            forward += np.sign(here.plot.s.get(name, 0.0))
+        return forward
+
+    def bound(self, here: Branches, k: int) -> _Bound:
+        """To follow every branch that may come nearer to the sketch than branch k, or lies with it about the sketch."""
+        places = {p: complex(np.broadcast_to(here.plot.position[p], here.count)[k]) for p, _ in self._sketched(here)}
+        reach = max((abs(z) for z in places.values()), default=1.0)
+        return _Bound(places, (1e-8 * reach) ** 2)
+
+    def _open(self, here: Branches, bound: _Bound) -> np.ndarray:
+        """Whether no more distance is lost, by `BETWEEN`, than the points still to be drawn can make good: (w,)."""
+        lost, sketch = np.zeros(here.count), self.structure.mechanism.sketch
+        for point, place in bound.places.items():
+            if point in here.plot.position:
+                apart = here.plot.position[point] - place
+                lost += (1 - BETWEEN) * np.abs(apart) ** 2 - 2 * (np.conj(apart) * (sketch[point] - place)).real
+        return np.asarray(lost <= self._spare(here, bound))
+
+    def _spare(self, here: Branches, bound: _Bound | None) -> float:
+        """What the points still to be drawn can make good at most [m²]."""
+        if bound is None:
+            return 0.0
+        sketch = self.structure.mechanism.sketch
+        left = ((point, place) for point, place in bound.places.items() if point not in here.plot.position)
+        return bound.rounding + sum(abs(sketch[point] - place) ** 2 / (1 - BETWEEN) for point, place in left)
+
+
+def _late(block: Block) -> list[Measure]:
+    """Displacements that a construction measures at its very end."""
+    late: list[Measure] = []
+    for step in reversed(block.rest):
+        if not isinstance(step, Measure) or step.quantity != "s":
+            break
+        late.insert(0, step)
+    return late
+
+
+def told_slides(structure: Structure) -> list[str]:
+    """Slides that the file speaks of, not those of an equivalent."""
+    return [name for name, pair in structure.slides.items() if not pair.line.origin.endswith(" origin")]

@@ -1,0 +1,83 @@
+"""`Method`: what planning gives."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+
+from graphkin.geometry import Value
+from graphkin.mechanism import Driver, Mechanism
+from graphkin.methods.drawn import facts_of
+from graphkin.methods.repeated import SetAside
+from graphkin.methods.special import Ternary
+from graphkin.methods.stages import Bridge, Group, Stage
+from graphkin.methods.structure import Structure
+from graphkin.steps import Construction, Facts, Fit, Roll, Site
+from graphkin.value import frozen
+
+__all__ = ["Method"]
+
+
+@frozen
+class Method:
+    """How a mechanism is solved on paper: three constructions, planned once from its topology.
+
+    stages  the order of solution: bodies carried along, and loops with two unknown scalars
+    coincident  points at which links move past each other, with the link whose point the hinge there is
+    near, drawn angles by link and displacements by `slide_key` at the drawn position: where fitting starts,
+                and from where rolling counts
+    ternaries   the special point of each Class III group
+    aside       the constraints that repeat others (虚约束)
+    """
+
+    mechanism: Mechanism
+    structure: Structure
+    stages: tuple[Stage, ...]
+    position: Construction
+    velocity: Construction
+    acceleration: Construction
+    coincident: Mapping[str, str]
+    near: Mapping[str, float]
+    drawn: Mapping[str, float]
+    ternaries: Mapping[Group, Ternary]
+    aside: tuple[SetAside, ...] = ()
+
+    @property
+    def drivers(self) -> tuple[Driver, ...]:
+        """The drivers, each with its value at the drawn position."""
+        return self.structure.mechanism.drivers
+
+    @property
+    def moves_on(self) -> bool:
+        """Whether positions hang on how they are reached from the drawn one: where links are fitted, or wheels roll."""
+        return any(isinstance(step, Fit | Roll) for step in self.position.steps)
+
+    @property
+    def fits(self) -> bool:
+        """Whether links are fitted: each such position is found from one close by."""
+        return any(isinstance(step, Fit) for step in self.position.steps)
+
+    @cached_property
+    def size(self) -> float:
+        """The longest reach of a link [m]: what small parts are measured by."""
+        return max(abs(z) for shape in self.structure.shapes.values() for z in shape.values()) or 1.0
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether constraints and drivers, counted by the formula, do not add up: some repeat others, or clash."""
+        bridged = any(isinstance(stage, Bridge) for stage in self.stages)
+        return bridged or bool(self.aside) or self.structure.surplus != 0
+
+    @property
+    def constructions(self) -> tuple[Construction, Construction, Construction]:
+        return self.position, self.velocity, self.acceleration
+
+    @property
+    def sites(self) -> Mapping[str, Site]:
+        """Every point written in the polygons (`C`, `B3`) as a point of the mechanism on a link."""
+        nodes = self.velocity.nodes.values()
+        return {node.of: node.site for node in nodes if node.site is not None}
+
+    def facts(self, values: Sequence[Value] | None = None) -> Facts:
+        """Dimensions, and drivers at the drawn position or at other values [rad, m]."""
+        return facts_of(self.structure, values, self.drawn)

@@ -1,0 +1,36 @@
+"""A method carried out: all three constructions, at the drawn position or at driver values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from graphkin.geometry import Value
+from graphkin.methods.assembly import refuse_bad_positions
+from graphkin.methods.drawn import refuse_contacts_apart
+from graphkin.methods.method import Method
+from graphkin.steps import Plot, replay
+
+__all__ = ["replay_all"]
+
+
+def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
+    """All three constructions at the drawn position, or at `values`: one entry a driver, scalar or (n,) [rad, m].
+
+    A single position that is a dead point, or that is not reached from the drawn one without passing a dead
+    point, raises; in arrays such positions are what the crossings give, or NaN, and `Plot.sines` tells how near
+    each position is to a dead point.
+    """
+    if values is None:
+        return _finished(method, replay(method.position, Plot(method.facts(), method.near)))
+    # loaded where a mechanism is moved: the sheet of the drawn position starts sooner without
+    from graphkin.methods.moving import moved_to
+    from graphkin.methods.swift import by_program
+
+    return by_program(method, values) or _finished(method, moved_to(method, values))
+
+
+def _finished(method: Method, plot: Plot) -> Plot:
+    """The polygons to positions, which must be fit to be drawn."""
+    refuse_bad_positions(method.structure, method.position, plot)
+    refuse_contacts_apart(method.mechanism, method.structure.contacts, plot)
+    return replay(method.acceleration, replay(method.velocity, plot))

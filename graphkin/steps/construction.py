@@ -1,0 +1,97 @@
+"""Steps put together: those of a vector equation, and the construction of a plane."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+
+from graphkin.steps.kinds import LayOff, Step
+from graphkin.steps.terms import Plane, Site, Term
+from graphkin.value import frozen
+
+__all__ = ["BrokenChain", "Construction", "Equation", "Node", "NotClosable", "span_of"]
+
+
+class BrokenChain(ValueError):
+    """Two sides of a vector equation that do not start and end at the same points."""
+
+
+class NotClosable(ValueError):
+    """A vector equation with more or fewer than two unknown scalars."""
+
+
+def span_of(chain: tuple[Term, ...]) -> tuple[str, str]:
+    """Start and end of a chain of arrows; refuses one whose arrows do not join tail to head."""
+    for before, after in pairwise(chain):
+        if before.head != after.tail:
+            raise BrokenChain(f"{before.head} is not {after.tail}")
+    return chain[0].tail, chain[-1].head
+
+
+@frozen
+class Equation:
+    """left = right, with the steps that draw it. Paper closes it when exactly two scalars are unknown.
+
+    of  the site whose motion both sides give
+    """
+
+    of: str
+    left: tuple[Term, ...]
+    right: tuple[Term, ...]
+    steps: tuple[Step, ...]
+
+    def __post_init__(self) -> None:
+        if span_of(self.left) != span_of(self.right):
+            raise BrokenChain(f"{span_of(self.left)} is not {span_of(self.right)}")
+        if (found := sum(term.unknowns for term in self.left + self.right)) != 2:
+            raise NotClosable(f"{found} unknown scalars, not 2")
+
+    @property
+    def double(self) -> bool:
+        """Whether a textbook writes the motion sought before both sides: `v_E = v_C + v_EC = v_D + v_ED`."""
+        return not (len(self.left) == 1 and self.left[0].of == self.of and not self.left[0].seen_from)
+
+
+@frozen
+class Node:
+    """A point of a plane: its name, what it belongs to as written (`B3`, `pole`, `a^n_CB`), and its site."""
+
+    name: str
+    of: str
+    site: Site | None = None
+
+
+@frozen
+class Construction:
+    """The steps of one plane in order; those of one vector equation are grouped in it."""
+
+    plane: Plane
+    parts: tuple[Step | Equation, ...]
+    nodes: Mapping[str, Node]
+    pole: str = ""
+
+    @property
+    def steps(self) -> Iterator[Step]:
+        """Every step, one after another."""
+        for part in self.parts:
+            if isinstance(part, Equation):
+                yield from part.steps
+            else:
+                yield part
+
+    @property
+    def equations(self) -> tuple[Equation, ...]:
+        return tuple(part for part in self.parts if isinstance(part, Equation))
+
+    def vectors(self) -> dict[str, Term]:
+        """Every arrow of the finished polygon by name: absolute motions of known points, then the equations' terms."""
+        found: dict[str, Term] = {}
+        for part in self.parts:
+            terms: tuple[Term, ...] = ()
+            if isinstance(part, Equation):
+                terms = part.left + part.right
+            elif isinstance(part, LayOff):
+                terms = (part.term,)
+            for term in terms:
+                found.setdefault(term.name(self.plane), term)
+        return found
