@@ -30,8 +30,8 @@ from graphkin import library
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method, plan, replay_all
-from graphkin.methods.looking import look_along
 from graphkin.methods.swift import MANY, program_of, swept
+from graphkin.methods.tracing import look_along
 from graphkin.steps import Fit, Plot, Roll, Simultaneous, replay
 from graphkin.steps.calls import written_out
 from graphkin.steps.entries import CannotRecord

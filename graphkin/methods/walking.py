@@ -14,9 +14,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from graphkin.methods.looking import Crossing, by_slide_key, crossings, event_at, key_of, touching, turned
 from graphkin.methods.method import Method
-from graphkin.methods.way import Event, Way, along, stride
+from graphkin.methods.singularities import Crossing, choice_of, crossings, event_at, key_of, touching
+from graphkin.methods.way import Event, Way, along, by_slide_key, stride, turned
 from graphkin.steps import Fit, Meet, Plot, Roll, Swing, replay
 from graphkin.value import frozen
 
@@ -191,7 +191,7 @@ class _Walk:
             return False
         for key, place in sorted(zip(turning, places, strict=True), key=lambda entry: self.side * entry[1]):
             step = self.crossings[key]
-            choice = () if isinstance(step, Fit) or step.choice is None else (step.choice,)
+            choice = choice_of(step)
             event = event_at(self.method, step, place, choice)
             self.changes = (*self.changes, event if choice else replace(event, kind="two ways"))
             self.sides |= {number: -self.sides[number] for number in choice}

@@ -14,10 +14,10 @@ import numpy as np
 
 from graphkin.geometry import Value
 from graphkin.methods.method import Method
-from graphkin.steps import Plot, replay
+from graphkin.steps import Plot, replay, slide_key
 from graphkin.value import frozen
 
-__all__ = ["Event", "Way", "along", "stride", "with_nodes"]
+__all__ = ["Event", "Way", "along", "by_slide_key", "stride", "turned", "with_nodes"]
 
 
 @frozen
@@ -113,3 +113,13 @@ def stride(method: Method, pace: Sequence[float], deg: float, part: float) -> fl
     """How far t goes while no driver goes farther than an angle, or a part of the mechanism's size."""
     units = [method.size * part if driver.kind == "slide" else float(np.radians(deg)) for driver in method.drivers]
     return min((unit / abs(p) for unit, p in zip(units, pace, strict=True) if p), default=1.0)
+
+
+def turned(method: Method, plot: Plot) -> dict[str, Value]:
+    """Angles by base link, and displacements by `slide_key`."""
+    return {base: plot.theta[base] for base in method.structure.bases} | by_slide_key(plot.s)
+
+
+def by_slide_key(displacements: Mapping[str, Value]) -> dict[str, Value]:
+    """Displacements, or how fast they change, named as `near` has them."""
+    return {slide_key(slide): value for slide, value in displacements.items()}

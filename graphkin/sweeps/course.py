@@ -13,8 +13,8 @@ from graphkin.geometry import Value
 from graphkin.loading.units import read_quantity
 from graphkin.mechanism import Driver
 from graphkin.methods import Method
-from graphkin.methods.looking import look_along
 from graphkin.methods.moving import reached
+from graphkin.methods.tracing import look_along
 from graphkin.methods.way import Event, Way
 from graphkin.naming import driver_number
 from graphkin.value import frozen

@@ -1,0 +1,93 @@
+"""A way looked along in positions half a degree apart, for dead points, where it ends, and for change points."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from graphkin.methods.method import Method
+from graphkin.methods.singularities import (
+    LOOK_DEG,
+    LOOK_PART,
+    Crossing,
+    choice_of,
+    crossings,
+    event_at,
+    first_touching,
+)
+from graphkin.methods.way import Event, Way, along, stride, turned, with_nodes
+from graphkin.steps import Plot, replay
+
+__all__ = ["scanned"]
+
+FAST, HALVINGS = 0.5, 6
+"""Where a link turns more between two positions [rad], those between are looked at, too; so often."""
+
+
+def scanned(method: Method, way: Way, end: float) -> Way:
+    """The way with what lies between the drawn position and `end` on it."""
+    begin, step = 0.0, stride(method, way.pace, LOOK_DEG, LOOK_PART)
+    side = 1.0 if end > 0 else -1.0
+    while side * (end - begin) > 1e-6 * step:
+        count = int(np.ceil(abs(end - begin) / step)) + 2
+        seen, t, plot = _seen(method, way, np.linspace(begin, end, count))
+        event = _next_event(method, seen, t, plot)
+        if event is None:
+            return seen
+        way = _as_far_as(seen, event.at)
+        if not event.choices:
+            return replace(way, stops=(*way.stops, event))
+        way = replace(way, changes=(*way.changes, event))
+        begin = event.at + side * 1e-3 * step
+    return way
+
+
+def _seen(method: Method, way: Way, t: np.ndarray) -> tuple[Way, np.ndarray, Plot]:
+    """The plot at t, from the drawn position on to one side; where rolling counts, each position from the one before.
+
+    There the way gets what is found as its nodes, and more positions where a link turns fast.
+    """
+    if way.nodes is None:
+        return way, t, along(method, way, t)
+    near = way.near(float(t[0]))
+    for halving in range(HALVINGS + 1):
+        plot = Plot(method.facts(way.values(t)), near, follows=True)
+        replay(method.position, plot, way.crossings(t))
+        tables = {name: np.array(np.broadcast_to(value, t.shape)) for name, value in turned(method, plot).items()}
+        fast = np.max([np.abs(np.diff(tables[base])) for base in method.structure.bases], axis=0, initial=0.0) > FAST
+        if not fast.any() or halving == HALVINGS:
+            break
+        t = np.insert(t, np.flatnonzero(fast) + 1, (t[:-1] + t[1:])[fast] / 2)
+    return with_nodes(way, t, {name: _filled(t, table) for name, table in tables.items()}), t, plot
+
+
+def _filled(t: np.ndarray, table: np.ndarray) -> np.ndarray:
+    """A table with what lies between where a position has no value of its own."""
+    there = np.isfinite(table)
+    order = np.argsort(t[there])
+    return table if there.all() or not there.any() else np.interp(t, t[there][order], table[there][order])
+
+
+def _as_far_as(way: Way, end: float) -> Way:
+    """The way without nodes beyond `end`."""
+    if way.nodes is None:
+        return way
+    t, tables = way.nodes
+    kept = t <= end if end > 0 else t >= end
+    return replace(way, nodes=(t[kept], {name: table[kept] for name, table in tables.items()}))
+
+
+def _next_event(method: Method, way: Way, t: np.ndarray, plot: Plot) -> Event | None:
+    """The first stop or change point among positions t, in their order."""
+    found: list[tuple[float, Crossing, bool]] = []
+    for step in crossings(method):
+        if (met := first_touching(method, way, t, step, plot)) is not None:
+            found.append((met[0], step, met[1]))
+    if not found:
+        return None
+    nearest = min(abs(place - t[0]) for place, _, _ in found)
+    here = [entry for entry in found if abs(entry[0] - t[0]) < nearest + 1e-3 * abs(t[1] - t[0])]
+    at, step, passes = here[0]
+    choices = tuple(choice for _, other, through in here if through for choice in choice_of(other))
+    return event_at(method, step, at, choices if passes else ())

@@ -1,0 +1,54 @@
+"""A way traced from the drawn position: how far it leads, and through what."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from graphkin.methods.far import refuse_far
+from graphkin.methods.method import Method
+from graphkin.methods.scanning import scanned
+from graphkin.methods.singularities import LOOK_DEG, LOOK_PART
+from graphkin.methods.walking import walked
+from graphkin.methods.way import Way
+from graphkin.steps import Meet, Swing
+
+__all__ = ["look_along"]
+
+
+def look_along(
+    method: Method, pace: Sequence[float], low: float, high: float, after: tuple[Way, float] | None = None
+) -> Way:
+    """Look along the way from t = low to t = high (low <= 0 <= high) for stops and change points.
+
+    after   a place on another way, to start from there instead of from the drawn position
+    """
+    way = _setting_out(method, tuple(float(p) for p in pace), (float(low), float(high)), after)
+    refuse_far(method, way, LOOK_DEG, LOOK_PART)
+    if method.fits:
+        return walked(method, way)
+    for end in (high, low):
+        way = scanned(method, way, end)
+    return way
+
+
+def _setting_out(
+    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[Way, float] | None
+) -> Way:
+    """A way of which only its start is known."""
+    if after is None:
+        start = tuple(float(value) for value in method.facts(None).values)
+        near, sides = dict(method.near), _sides(method)
+    else:
+        before, t = after
+        start = tuple(float(value) for value in before.values(t))
+        near = before.near(t)
+        sides = {choice: int(side) for choice, side in before.crossings(t).items()}
+    nodes = (np.zeros(1), {name: np.full(1, value) for name, value in near.items()})
+    return Way(start, pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)
+
+
+def _sides(method: Method) -> dict[int, int]:
+    steps = method.position.steps
+    return {step.choice: step.side for step in steps if isinstance(step, Meet | Swing) and step.choice is not None}
