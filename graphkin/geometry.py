@@ -7,14 +7,18 @@ decides how close to parallel is too close. No word of mechanisms here.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-__all__ = ["Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines", "unit"]
+__all__ = ["Leg", "Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines", "unit"]
 
 Value = Any
 """A float, a complex number, or an array of either."""
+
+Leg = Callable[[Value, Value], Value]
+"""How the other leg of a right-angled triangle is found: `leg`, or what stands for it where values are no numbers."""
 
 ROUNDING = 4e-15
 """What squares may be off, as part of their size, by rounding."""
@@ -53,7 +57,9 @@ def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Value]:
         return p + u * (cross(q - p, w) / sine), np.abs(sine)
 
 
-def meet_line_circle(p: Value, u: Value, c: Value, r: Value, side: Value) -> tuple[Value, Value, Value]:
+def meet_line_circle(
+    p: Value, u: Value, c: Value, r: Value, side: Value, leg: Leg = leg
+) -> tuple[Value, Value, Value]:
     """Where the line through p along u meets the circle about c; side +1 is the crossing farther along u.
 
     Returns the point, the sine of the angle between line and circle, and by how much they miss each
@@ -66,7 +72,9 @@ def meet_line_circle(p: Value, u: Value, c: Value, r: Value, side: Value) -> tup
         return foot + side * half * u, half / r, distance - r
 
 
-def meet_circles(c1: Value, r1: Value, c2: Value, r2: Value, side: Value) -> tuple[Value, Value, Value]:
+def meet_circles(
+    c1: Value, r1: Value, c2: Value, r2: Value, side: Value, leg: Leg = leg
+) -> tuple[Value, Value, Value]:
     """Where two circles meet; side +1 is the crossing to the left of the way from c1 to c2.
 
     Returns the point, the sine of the angle between the circles, and by how much they miss each other.

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import assert_never
 
 import numpy as np
 
-from graphkin.geometry import Value, cross, dot, leg, meet_circles, meet_line_circle, meet_lines
+from graphkin.geometry import Leg, Value, cross, dot, leg, meet_circles, meet_line_circle, meet_lines
 from graphkin.steps.construction import Construction
 from graphkin.steps.fitting import fit, roll, solve_together
 from graphkin.steps.kinds import (
@@ -26,26 +26,42 @@ from graphkin.steps.kinds import (
 )
 from graphkin.steps.plot import Plot
 from graphkin.steps.terms import Plane, Slid
+from graphkin.value import frozen
 
-__all__ = ["FIXED", "replay", "touch"]
+__all__ = ["COMPASS", "FIXED", "Compass", "replay", "touch"]
 
 FIXED = complex(0.0)
 """What a fixed point of the mechanism is in a polygon: on the pole, wherever that is found."""
 
 
-def replay(construction: Construction, plot: Plot, sides: Mapping[int, Value] | None = None) -> Plot:
+@frozen
+class Compass:
+    """What finds crossings with circles: of numbers by `geometry`; where a replay is recorded, what records them."""
+
+    leg: Leg = leg
+    line_circle: Callable[..., tuple[Value, Value, Value]] = meet_line_circle
+    circles: Callable[..., tuple[Value, Value, Value]] = meet_circles
+
+
+COMPASS = Compass()
+
+
+def replay(
+    construction: Construction, plot: Plot, sides: Mapping[int, Value] | None = None, compass: Compass = COMPASS
+) -> Plot:
     """Do what the steps say, on top of what the plot already holds; scalars or arrays alike.
 
     plot    the acceleration plane needs a plot with positions and velocities, and so on
     sides   crossings to take instead of those in the steps, by number of the choice: arrays try many at once
+    compass what finds the crossings, where the plot's values are no numbers
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         _begin(plot, construction.plane)
-        _draw(construction, plot, sides or {})
+        _draw(construction, plot, sides or {}, compass)
     return plot
 
 
-def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value]) -> None:
+def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value], compass: Compass) -> None:
     plane, points = construction.plane, plot.points(construction.plane)
     for step in construction.steps:
         match step:
@@ -56,11 +72,11 @@ def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value]) ->
             case Ray() | Arc():
                 pass  # alone it fixes no point
             case Meet():
-                points[step.point] = _meet(step, plot, plane, sides)
+                points[step.point] = _meet(step, plot, plane, sides, compass)
                 if step.point == construction.pole:
                     _shift(points, construction.pole)
             case Swing():
-                _swing(step, plot, sides)
+                _swing(step, plot, sides, compass)
             case Image(link, corners, base, point):
                 points[point] = _image(plot, plane, link, corners, points[base[0]], points[base[1]])
             case Measure():
@@ -109,19 +125,19 @@ def _begin(plot: Plot, plane: Plane) -> None:
     slides.update({slide: given[driver] for slide, driver in facts.slides_driven.items()})
 
 
-def _meet(step: Meet, plot: Plot, plane: Plane, sides: Mapping[int, Value]) -> Value:
+def _meet(step: Meet, plot: Plot, plane: Plane, sides: Mapping[int, Value], compass: Compass) -> Value:
     points = plot.points(plane)
     side = step.side if step.choice is None else sides.get(step.choice, step.side)
     match step.first, step.second:
         case Ray(p, u), Ray(q, w):
             point, sine = meet_lines(points[p], plot.direction(u), points[q], plot.direction(w))
         case Ray(p, u), Arc(c, reach):
-            point, sine, miss = meet_line_circle(
+            point, sine, miss = compass.line_circle(
                 points[p], plot.direction(u), points[c], np.abs(plot.span(reach)), side
             )
             plot.misses[step.point] = miss
         case Arc(c, reach), Arc(d, other):
-            point, sine, miss = meet_circles(
+            point, sine, miss = compass.circles(
                 points[c], np.abs(plot.span(reach)), points[d], np.abs(plot.span(other)), side
             )
             plot.misses[step.point] = miss
@@ -131,7 +147,7 @@ def _meet(step: Meet, plot: Plot, plane: Plane, sides: Mapping[int, Value]) -> V
     return point
 
 
-def _swing(step: Swing, plot: Plot, sides: Mapping[int, Value]) -> None:
+def _swing(step: Swing, plot: Plot, sides: Mapping[int, Value], compass: Compass) -> None:
     """|fixed part + s u| must equal the distance of the two points: s first, then the angle."""
     side = step.side if step.choice is None else sides.get(step.choice, step.side)
     line = plot.slide_line(step.slide) * (1 if Slid(step.slide) in step.span.parts else -1)
@@ -139,7 +155,7 @@ def _swing(step: Swing, plot: Plot, sides: Mapping[int, Value]) -> None:
     fixed = plot.span(step.span)
     way = plot.arm(step.pivot, step.through)
     offset, distance = cross(line, fixed), np.abs(way)
-    half = leg(distance, offset)
+    half = compass.leg(distance, offset)
     plot.s[step.slide] = side * half - dot(line, fixed)
     base = plot.facts.turns[step.link].base
     plot.settle("theta", base, np.angle(way) - np.angle(plot.span(step.span)))

@@ -9,18 +9,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from types import FunctionType
 from typing import Any, ClassVar
 
 import numpy as np
 
-from graphkin import geometry
-from graphkin.geometry import Value
-from graphkin.steps import pencil
+from graphkin.geometry import Value, leg, meet_circles, meet_line_circle
 from graphkin.steps.construction import Construction
 from graphkin.steps.entries import CannotRecord
 from graphkin.steps.kinds import Meet, Swing
 from graphkin.steps.ledger import Ledger
+from graphkin.steps.pencil import Compass, replay
 from graphkin.steps.plot import Facts, Plot
 from graphkin.value import frozen
 
@@ -57,7 +55,7 @@ def record(constructions: Sequence[Construction], facts: Facts) -> Recording:
     sides = {choice: Written(ledger, ledger.side(count + k)) for k, choice in enumerate(meant)}
     plot = Plot(replace(facts, values=values))
     for construction in constructions:
-        _replay(construction, plot, sides if construction.plane == "position" else None)
+        replay(construction, plot, sides if construction.plane == "position" else None, WRITING)
     return Recording(ledger, plot, meant)
 
 
@@ -208,7 +206,7 @@ class Written:
     }
 
 
-# --- replay, with crossings that can be written down ------------------------------------------
+# --- crossings that can be written down --------------------------------------------------------
 
 
 def _leg(hypotenuse: Value, other: Value) -> Value:
@@ -219,18 +217,18 @@ def _leg(hypotenuse: Value, other: Value) -> Value:
     """
     if isinstance(hypotenuse, Written) or isinstance(other, Written):
         return np.sqrt((hypotenuse - other) * (hypotenuse + other))
-    return geometry.leg(hypotenuse, other)
+    return leg(hypotenuse, other)
 
 
 def _meet_line_circle(p: Value, u: Value, c: Value, r: Value, side: Value) -> tuple[Value, Value, Value]:
     """The same crossing; the compass has laid its distance from the centre off, and it need not be measured again."""
-    found: tuple[Value, Value, Value] = _GEOMETRY["meet_line_circle"](p, u, c, r, side)
+    found = meet_line_circle(p, u, c, r, side, _leg)
     _know_length(found[0] - c, r)
     return found
 
 
 def _meet_circles(c1: Value, r1: Value, c2: Value, r2: Value, side: Value) -> tuple[Value, Value, Value]:
-    found: tuple[Value, Value, Value] = _GEOMETRY["meet_circles"](c1, r1, c2, r2, side)
+    found = meet_circles(c1, r1, c2, r2, side, _leg)
     _know_length(found[0] - c1, r1)
     _know_length(found[0] - c2, r2)
     return found
@@ -241,17 +239,4 @@ def _know_length(arm: Value, length: Value) -> None:
         arm.know_length(length)
 
 
-def _again(module: Any, **other: Any) -> dict[str, Any]:
-    """The names of a module, its functions once more: they call some other ones. The module itself is left alone."""
-    names = dict(vars(module))
-    for name, found in vars(module).items():
-        if isinstance(found, FunctionType) and found.__module__ == module.__name__:
-            names[name] = again = FunctionType(found.__code__, names, name, found.__defaults__, found.__closure__)
-            again.__kwdefaults__ = found.__kwdefaults__
-    names.update(other)
-    return names
-
-
-_GEOMETRY = _again(geometry, leg=_leg)
-_PENCIL = _again(pencil, leg=_leg, meet_circles=_meet_circles, meet_line_circle=_meet_line_circle)
-_replay: Callable[..., Plot] = _PENCIL["replay"]
+WRITING = Compass(_leg, _meet_line_circle, _meet_circles)
