@@ -5,7 +5,7 @@ velocity and its acceleration polygon step by step, and proves them right agains
 
     mechanism.toml -- loading --> Mechanism     what the machine is; frozen, holds no position
     Mechanism -- methods.plan --> Method        three constructions, planned once, from topology
-    Method + driver values -- replay --> Plot   named points and quantities, scalars or arrays
+    Method + driver values -- running --> Plot  named points and quantities, scalars or arrays
     Plot -- sheet --> Sheet -- outputs --> SVG
     Mechanism -- analytic --> Motion            the other road; it never reads a construction
     check: Plot, or a drawing file, beside Motion
@@ -22,9 +22,10 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "value", "errors", "geometry", "steps", "pairs", "mechanism", "naming", "loading", "library", "methods", "seal",
-    "analytic", "freedoms", "redundancy", "assur", "readings", "agreement", "centres", "linkages", "design", "sweeps",
-    "check", "results", "reports", "words", "sheet", "outputs", "equations", "finding", "api", "batches", "cli",
+    "value", "errors", "geometry", "steps", "pairs", "mechanism", "naming", "loading", "library", "methods",
+    "running", "seal", "analytic", "freedoms", "redundancy", "assur", "readings", "agreement", "centres",
+    "linkages", "design", "sweeps", "check", "results", "reports", "words", "sheet", "outputs", "equations",
+    "finding", "api", "batches", "cli",
 )  # fmt: skip
 
 _WHERE = {

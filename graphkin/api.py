@@ -17,7 +17,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from graphkin import library, loading, methods
+from graphkin import library, loading, methods, running
 from graphkin.errors import CannotAssemble, HigherClass, Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
@@ -83,7 +83,7 @@ def replay(method: Method, values: Sequence[Value] | None = None) -> Plot:
     >>> np.round(plot.omega["3"], 3)
     array([-3.919, -1.132,  0.64 ])
     """
-    return methods.replay_all(method, values)
+    return running.replay_all(method, values)
 
 
 def sweep(mechanism: Mechanism, ranges: Sequence[str] = (), of: Sequence[str] = (), by: Road = "construction") -> Sweep:

@@ -10,8 +10,9 @@ from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.errors import DeadPoint
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method, plan, replay_all
+from graphkin.methods import Method, plan
 from graphkin.readings import Readings
+from graphkin.running import replay_all
 from graphkin.steps import Plot
 
 Make = Callable[[int], Mechanism]

@@ -21,7 +21,8 @@ from graphkin.errors import GraphkinError, UnknownLink, UnknownPoint
 from graphkin.errors.centring import FrameStands, NoBobillier
 from graphkin.loading import loads
 from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.methods import plan, replay_all
+from graphkin.methods import plan
+from graphkin.running import replay_all
 
 MAKERS: dict[str, Callable[[int], Mechanism]] = {
     **{kind: lambda seed, kind=kind: dyad(kind, seed) for kind in DYADS},

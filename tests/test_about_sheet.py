@@ -10,8 +10,9 @@ from graphkin import library
 from graphkin.centres import centres
 from graphkin.centres.about import About, Circle, about
 from graphkin.centres.about_bobillier import bobillier
-from graphkin.methods import plan, replay_all
+from graphkin.methods import plan
 from graphkin.outputs.svg import svg
+from graphkin.running import replay_all
 from graphkin.sheet import Sheet, UnknownPaper
 from graphkin.sheet.about_bobillier_sheet import bobillier_sheet, bobillier_step_sheets
 from graphkin.sheet.about_sheet import about_sheet

@@ -12,8 +12,9 @@ from graphkin import library, loading, motion
 from graphkin.analytic import Motion
 from graphkin.centres import Centres, centres
 from graphkin.mechanism import Mechanism
-from graphkin.methods import plan, replay_all
+from graphkin.methods import plan
 from graphkin.readings import answer
+from graphkin.running import replay_all
 from graphkin.words import names
 from graphkin.words.centre_explained import centre_entries, explain_centres
 from graphkin.words.entries import Calculation, Sentence

@@ -15,8 +15,8 @@ from graphkin.api import plan
 from graphkin.centres import ByCentres, Centres, centre_of, centres
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.methods import replay_all
 from graphkin.readings import answer
+from graphkin.running import replay_all
 from graphkin.steps.centring import Kennedy, Pole
 from graphkin.sweeps import sweep
 

@@ -14,7 +14,8 @@ from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.errors import GearsApart
 from graphkin.loading import loads
-from graphkin.methods import Method, plan, replay_all
+from graphkin.methods import Method, plan
+from graphkin.running import replay_all
 from graphkin.steps import Equation, Simultaneous, Term
 from graphkin.sweeps import course
 from graphkin.sweeps.roads import moving

@@ -11,7 +11,7 @@ from graphkin.api import plan
 from graphkin.errors import DeadPoint, NoFixing
 from graphkin.linkages import inverted
 from graphkin.loading import loads
-from graphkin.methods import replay_all
+from graphkin.running import replay_all
 
 
 @pytest.mark.parametrize("name", library.names())

@@ -17,11 +17,12 @@ from graphkin.assur import structure_lines
 from graphkin.errors import NotRepeated, TooManyDrivers
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method, replay_all
+from graphkin.methods import Method
 from graphkin.methods.equivalent import contacts, lower_pairs
 from graphkin.methods.repeated import repeated
 from graphkin.methods.structure import Structure
 from graphkin.results import results
+from graphkin.running import replay_all
 
 COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 200)
 """Random mechanisms of each kind; more of them with GRAPHKIN_RANDOM=20000 in the environment."""

@@ -9,7 +9,8 @@ from typing import Literal
 import pytest
 
 from graphkin import library
-from graphkin.methods import Method, plan, replay_all
+from graphkin.methods import Method, plan
+from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
 from graphkin.sheet.lettering import Run
 from graphkin.sheet.marks import Disc, PointMark, Stroke, Text

@@ -11,9 +11,10 @@ import pytest
 from defusedxml.ElementTree import fromstring
 
 from graphkin import library
-from graphkin.methods import plan, replay_all
+from graphkin.methods import plan
 from graphkin.outputs.files import FileInTheWay
 from graphkin.outputs.svg import Unwritable, mm, svg, write
+from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
 
 SVG = "{http://www.w3.org/2000/svg}"

@@ -20,8 +20,9 @@ from graphkin import Drawing, library
 from graphkin.centres import centres
 from graphkin.check import measure
 from graphkin.errors import BadDrawing
-from graphkin.methods import plan, replay_all
+from graphkin.methods import plan
 from graphkin.outputs.svg import svg
+from graphkin.running import replay_all
 from graphkin.seal import seal
 from graphkin.sheet.centre_sheet import centre_sheet
 

@@ -13,8 +13,8 @@ import numpy as np
 from graphkin.centres.found import Centres
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
-from graphkin.methods.way import Way, along
 from graphkin.readings import Readings
+from graphkin.running.path import Way, along
 from graphkin.steps import Plot, replay
 from graphkin.steps.centring import STILL, Kennedy, Pole, axes_of, take
 

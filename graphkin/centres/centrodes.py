@@ -18,7 +18,7 @@ from graphkin.errors import Where
 from graphkin.errors.centring import NoCentrode, UnknownCentre
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
-from graphkin.methods.way import Way
+from graphkin.running.path import Way
 from graphkin.steps.centring import axes_of
 from graphkin.value import frozen
 

@@ -8,7 +8,7 @@ from graphkin.errors import Lang
 from graphkin.finding.found import Found
 from graphkin.finding.wording import caption
 from graphkin.methods import Method
-from graphkin.methods.moving import moved_to
+from graphkin.running.reaching import moved_to
 
 if TYPE_CHECKING:
     from graphkin.sheet import Sheet

@@ -14,8 +14,8 @@ from graphkin.finding.quantities import Reader
 from graphkin.finding.rates import pace_of, rate
 from graphkin.finding.search import Function, differences
 from graphkin.geometry import Value
-from graphkin.methods.tracing import look_along
-from graphkin.methods.way import stride
+from graphkin.running.path import stride
+from graphkin.running.tracing import look_along
 from graphkin.sweeps import Course, Road, Series
 from graphkin.value import frozen
 

@@ -12,10 +12,10 @@ from graphkin.finding.conditions import WHERE, Scaling, Slowest, value
 from graphkin.finding.found import Position, SlowPoint, Speeds
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
-from graphkin.methods.moving import reached
-from graphkin.methods.way import Way
 from graphkin.naming import common_link, pair
 from graphkin.readings import Motions
+from graphkin.running.path import Way
+from graphkin.running.reaching import reached
 from graphkin.sweeps import Road, course
 from graphkin.sweeps.quantities import series
 from graphkin.sweeps.roads import moving

@@ -9,7 +9,7 @@ import numpy as np
 from graphkin.centres.centrodes import Centrodes
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
-from graphkin.methods.way import along
+from graphkin.running.path import along
 from graphkin.sheet import Sheet
 from graphkin.sheet.about_page import (
     Page,

@@ -9,9 +9,6 @@ A *site* is a point seen as part of one link: `B3` is the point of link 3 that l
 
 `terms` holds the arrows, `kinds` the steps, `construction` the equations and what is made of all; `plot` what a replay
 starts from and gives; `pencil` does the steps, `fitting` those that ruler and compass do not give.
-
-For many positions `recorder` writes a replay down once, as real operations in a `ledger` of `entries`; `calls` makes
-NumPy calls of them, and `program` carries these out; `replayed` is the plot it gives.
 """
 
 from __future__ import annotations

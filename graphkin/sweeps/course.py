@@ -13,10 +13,10 @@ from graphkin.geometry import Value
 from graphkin.loading.units import read_quantity
 from graphkin.mechanism import Driver
 from graphkin.methods import Method
-from graphkin.methods.moving import reached
-from graphkin.methods.tracing import look_along
-from graphkin.methods.way import Event, Way
 from graphkin.naming import driver_number
+from graphkin.running.path import Event, Way
+from graphkin.running.reaching import reached
+from graphkin.running.tracing import look_along
 from graphkin.value import frozen
 
 __all__ = ["Course", "course"]

@@ -6,7 +6,7 @@ import numpy as np
 
 from graphkin.agreement import AGREE, apart
 from graphkin.errors import RoadsDiffer
-from graphkin.methods.way import stride
+from graphkin.running.path import stride
 from graphkin.sweeps.course import Course
 from graphkin.sweeps.roads import moving
 

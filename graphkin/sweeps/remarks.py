@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.errors import Lang, listed
-from graphkin.methods.way import Event
+from graphkin.running.path import Event
 from graphkin.sweeps.course import Course
 from graphkin.sweeps.quantities import Series
 from graphkin.sweeps.sweep import Sweep

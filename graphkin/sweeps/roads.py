@@ -16,10 +16,11 @@ import numpy as np
 from graphkin.centres import centres, over
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
-from graphkin.methods import Method, replay_all, with_other_points
-from graphkin.methods.swift import swept
-from graphkin.methods.way import Way, along, stride
+from graphkin.methods import Method, with_other_points
 from graphkin.readings import Motions, Readings
+from graphkin.running import replay_all
+from graphkin.running.many import swept
+from graphkin.running.path import Way, along, stride
 from graphkin.steps import Plot, replay
 from graphkin.value import frozen
 

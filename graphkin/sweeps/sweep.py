@@ -10,7 +10,7 @@ import numpy as np
 from graphkin.centres import centre_of
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
-from graphkin.methods.way import stride
+from graphkin.running.path import stride
 from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.held import held
 from graphkin.sweeps.quantities import Series, asked, series

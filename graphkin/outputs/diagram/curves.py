@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from graphkin import sweeps
-from graphkin.methods.way import Event
+from graphkin.running.path import Event
 from graphkin.sweeps import Course, Road, Series
 from graphkin.value import frozen
 

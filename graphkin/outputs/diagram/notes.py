@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from graphkin.errors import Lang
-from graphkin.methods.way import Event
 from graphkin.outputs.diagram import words
 from graphkin.outputs.diagram.curves import Curves, Peak
 from graphkin.outputs.diagram.panels import Panel, unit_of
 from graphkin.outputs.diagram.place import Note, arrange, paths_of
+from graphkin.running.path import Event
 from graphkin.value import frozen
 
 if TYPE_CHECKING:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 from graphkin.errors import Lang
-from graphkin.methods.way import Event
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import typeset, writable
 from graphkin.outputs.diagram.panels import LETTERS, unit_of
+from graphkin.running.path import Event
 from graphkin.sheet.lettering import link_label, number
 from graphkin.sweeps import Course
 from graphkin.sweeps.remarks import told

@@ -6,7 +6,7 @@ import math
 
 from graphkin.errors import TooFar
 from graphkin.methods.method import Method
-from graphkin.methods.way import Way, stride
+from graphkin.running.path import Way, stride
 
 __all__ = ["refuse_far"]
 

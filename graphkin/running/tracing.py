@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from graphkin.methods.far import refuse_far
 from graphkin.methods.method import Method
-from graphkin.methods.scanning import scanned
-from graphkin.methods.singularities import LOOK_DEG, LOOK_PART
-from graphkin.methods.walking import walked
-from graphkin.methods.way import Way
+from graphkin.running.continuation import walked
+from graphkin.running.path import Way
+from graphkin.running.scanning import scanned
+from graphkin.running.singularities import LOOK_DEG, LOOK_PART
+from graphkin.running.too_far import refuse_far
 from graphkin.steps import Meet, Swing
 
 __all__ = ["look_along"]

@@ -7,7 +7,7 @@ fails: `risky` entries are never crossed out, so that whoever carries the ledger
 
 from __future__ import annotations
 
-from graphkin.steps.entries import SIDE, Entries, Entry
+from graphkin.running.compiled.operations import SIDE, Entries, Entry
 
 __all__ = ["Ledger"]
 

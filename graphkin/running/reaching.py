@@ -10,9 +10,9 @@ import numpy as np
 from graphkin.errors import NotReached
 from graphkin.geometry import Value
 from graphkin.methods.method import Method
-from graphkin.methods.swift import in_parts
-from graphkin.methods.tracing import look_along
-from graphkin.methods.way import Way, along, stride, turned
+from graphkin.running.many import in_parts
+from graphkin.running.path import Way, along, stride, turned
+from graphkin.running.tracing import look_along
 from graphkin.steps import Plot, replay
 
 __all__ = ["moved_to", "reached"]

@@ -19,17 +19,17 @@ from typing import Any
 import numpy as np
 
 from graphkin.geometry import Value
-from graphkin.steps.calls import Calls, written_out
+from graphkin.running.compiled.calls import Calls, written_out
+from graphkin.running.compiled.lazy_plot import TABLES, Column, Numbers, Replayed, Vector
+from graphkin.running.compiled.operations import NUMBER
+from graphkin.running.compiled.recorder import Written, record
+from graphkin.running.compiled.tape import Ledger
 from graphkin.steps.construction import Construction
-from graphkin.steps.entries import NUMBER
-from graphkin.steps.ledger import Ledger
 from graphkin.steps.pencil import replay
 from graphkin.steps.plot import Facts, Plot
-from graphkin.steps.recorder import Written, record
-from graphkin.steps.replayed import TABLES, Column, Numbers, Replayed, Vector
 from graphkin.value import frozen
 
-__all__ = ["Program", "program"]
+__all__ = ["Program", "compiled_program"]
 
 CHUNK = 8192
 """Positions done at once."""
@@ -42,7 +42,7 @@ PLANES = ("position", "velocity", "acceleration")
 Registers = list[np.ndarray]
 
 
-def program(constructions: Sequence[Construction], facts: Facts) -> Program:
+def compiled_program(constructions: Sequence[Construction], facts: Facts) -> Program:
     """The program of a method's three constructions. Raises CannotRecord where they can't be written down."""
     recording = record(constructions, facts)
     ledger = recording.ledger

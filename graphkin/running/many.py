@@ -9,11 +9,9 @@ import numpy as np
 
 from graphkin.geometry import Value
 from graphkin.methods.method import Method
-from graphkin.methods.way import Way, along
+from graphkin.running.compiled import TABLES, CannotRecord, Program, compiled_program
+from graphkin.running.path import Way, along
 from graphkin.steps import Plot, replay
-from graphkin.steps.entries import CannotRecord
-from graphkin.steps.program import Program, program
-from graphkin.steps.replayed import TABLES
 
 __all__ = ["MANY", "PART", "by_program", "in_parts", "program_of", "swept"]
 
@@ -38,7 +36,7 @@ def program_of(method: Method) -> Program | None:
 
 def _made(method: Method) -> Program | None:
     try:
-        return program(method.constructions, method.facts(None))
+        return compiled_program(method.constructions, method.facts(None))
     except CannotRecord:
         return None
 

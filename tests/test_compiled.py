@@ -29,15 +29,16 @@ from random_mechanisms import (
 from graphkin import library
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method, plan, replay_all
-from graphkin.methods.swift import MANY, program_of, swept
-from graphkin.methods.tracing import look_along
+from graphkin.methods import Method, plan
+from graphkin.running import replay_all
+from graphkin.running.compiled.calls import written_out
+from graphkin.running.compiled.lazy_plot import TABLES
+from graphkin.running.compiled.operations import CannotRecord
+from graphkin.running.compiled.program import CHUNK, Program, compiled_program
+from graphkin.running.compiled.tape import Ledger
+from graphkin.running.many import MANY, program_of, swept
+from graphkin.running.tracing import look_along
 from graphkin.steps import Fit, Plot, Roll, Simultaneous, replay
-from graphkin.steps.calls import written_out
-from graphkin.steps.entries import CannotRecord
-from graphkin.steps.ledger import Ledger
-from graphkin.steps.program import CHUNK, Program, program
-from graphkin.steps.replayed import TABLES
 
 COUNT = 721
 OPEN_SINE = 0.1
@@ -253,7 +254,7 @@ def test_what_can_not_be_recorded_is_replayed(monkeypatch: pytest.MonkeyPatch):
 
     method = plan(library.load("ex3-1"))
     values = around(method)
-    monkeypatch.setattr("graphkin.steps.program.record", refuse)
+    monkeypatch.setattr("graphkin.running.compiled.program.record", refuse)
     found, plain = replay_all(method, values), plainly(method, values)
     assert program_of(method) is None
     assert np.array_equal(found.acceleration["b3'"], plain.acceleration["b3'"])
@@ -400,7 +401,7 @@ def test_a_known_length_is_not_measured():
     ],
 )  # fmt: skip
 def test_what_a_ledger_has_no_word_for(do: Callable[[Any], Any]):
-    from graphkin.steps.recorder import Written
+    from graphkin.running.compiled.recorder import Written
 
     ledger = Ledger()
     with pytest.raises(CannotRecord):
@@ -417,4 +418,4 @@ def test_numbers_that_fail_are_refused():
 def test_a_program_is_made_once():
     method = plan(library.load("ex3-1"))
     assert program_of(method) is program_of(method)
-    assert program(method.constructions, method.facts()) is not program_of(method)
+    assert compiled_program(method.constructions, method.facts()) is not program_of(method)

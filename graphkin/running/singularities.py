@@ -12,7 +12,7 @@ import numpy as np
 
 from graphkin.methods.assembly import links_of
 from graphkin.methods.method import Method
-from graphkin.methods.way import Event, Way, along, stride
+from graphkin.running.path import Event, Way, along, stride
 from graphkin.steps import Arc, Fit, Meet, Plot, Swing
 
 __all__ = [

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from graphkin.geometry import Value
-from graphkin.steps.entries import GIVEN, NUMBER, RISKY, SIDE, Entry
-from graphkin.steps.ledger import Ledger
+from graphkin.running.compiled.operations import GIVEN, NUMBER, RISKY, SIDE, Entry
+from graphkin.running.compiled.tape import Ledger
 from graphkin.value import frozen
 
 __all__ = ["Calls", "Watch", "written_out"]

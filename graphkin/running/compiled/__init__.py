@@ -1,0 +1,13 @@
+"""Constructions recorded once, as a flat program for many positions.
+
+`recorder` replays them with quantities that only write down, on a `tape` of `operations`, how they come about; `calls`
+makes NumPy calls of these, and `program` carries the calls out; `lazy_plot` is the plot that it gives.
+"""
+
+from __future__ import annotations
+
+from graphkin.running.compiled.lazy_plot import TABLES
+from graphkin.running.compiled.operations import CannotRecord
+from graphkin.running.compiled.program import Program, compiled_program
+
+__all__ = ["TABLES", "CannotRecord", "Program", "compiled_program"]
