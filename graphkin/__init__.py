@@ -4,7 +4,7 @@ A mechanism is one TOML file. graphkin draws it to scale, writes its vector equa
 velocity and its acceleration polygon step by step, and proves them right against an analytic solution.
 
     mechanism.toml -- loading --> Mechanism     what the machine is; frozen, holds no position
-    Mechanism -- methods.plan --> Method        three constructions, planned once, from topology
+    Mechanism -- planning.plan --> Method       three constructions, planned once, from topology
     Method + driver values -- running --> Plot  named points and quantities, scalars or arrays
     Plot -- sheet --> Sheet -- outputs --> SVG
     Mechanism -- analytic --> Motion            the other road; it never reads a construction
@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "value", "errors", "geometry", "steps", "pairs", "mechanism", "naming", "loading", "library", "methods",
+    "value", "errors", "geometry", "steps", "pairs", "mechanism", "naming", "loading", "library", "planning",
     "running", "seal", "analytic", "freedoms", "redundancy", "assur", "readings", "agreement", "centres",
     "linkages", "design", "sweeps", "check", "results", "reports", "words", "sheet", "outputs", "equations",
     "finding", "api", "batches", "cli",

@@ -14,7 +14,7 @@ from graphkin.analytic import Motion, motion
 from graphkin.errors import RoadsDiffer
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.readings import Motions, Readings
 from graphkin.running import replay_all
 from graphkin.steps import Plot

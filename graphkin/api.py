@@ -17,11 +17,11 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from graphkin import library, loading, methods, running
+from graphkin import library, loading, planning, running
 from graphkin.errors import CannotAssemble, HigherClass, Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.steps import Plane, Plot
 from graphkin.value import frozen
 
@@ -59,7 +59,7 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     'B3'
     """
     try:
-        method = methods.plan(mechanism, coincident, centres)
+        method = planning.plan(mechanism, coincident, centres)
         if method.doubtful:
             _refuse_wrong_drivers(mechanism)
         return method

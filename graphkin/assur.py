@@ -11,9 +11,9 @@ from collections.abc import Iterator
 from graphkin.analytic import Mobility, mobility
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.methods import Method
-from graphkin.methods.stages import Bridge, Carry, Group, Loop, Mesh
-from graphkin.methods.structure import Hinge, Joint
+from graphkin.planning import Method
+from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh
+from graphkin.planning.structure import Hinge, Joint
 from graphkin.redundancy import redundant_constraints
 
 __all__ = ["structure_lines"]

@@ -15,8 +15,8 @@ import numpy as np
 
 from graphkin.geometry import Value, dot
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.methods import Method
 from graphkin.naming import Seen, common_link, pair, seen
+from graphkin.planning import Method
 from graphkin.steps import Plane, Plot
 from graphkin.value import frozen
 

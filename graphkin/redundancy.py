@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphkin.errors import Lang, called_pair, listed
-from graphkin.methods import Method
-from graphkin.methods.repeated import SetAside
-from graphkin.methods.stages import Bridge
 from graphkin.naming import named
+from graphkin.planning import Method
+from graphkin.planning.repeated import SetAside
+from graphkin.planning.stages import Bridge
 
 __all__ = ["redundant_constraints"]
 

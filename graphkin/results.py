@@ -11,8 +11,8 @@ from graphkin.centres import centre_of, centres, place
 from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method
 from graphkin.naming import Seen
+from graphkin.planning import Method
 from graphkin.readings import Motions, Readings, answer, relative
 from graphkin.steps import Plot, Site
 

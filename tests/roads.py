@@ -10,7 +10,7 @@ from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.errors import DeadPoint
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method, plan
+from graphkin.planning import Method, plan
 from graphkin.readings import Readings
 from graphkin.running import replay_all
 from graphkin.steps import Plot

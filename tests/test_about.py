@@ -21,7 +21,7 @@ from graphkin.errors import GraphkinError, UnknownLink, UnknownPoint
 from graphkin.errors.centring import FrameStands, NoBobillier
 from graphkin.loading import loads
 from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.methods import plan
+from graphkin.planning import plan
 from graphkin.running import replay_all
 
 MAKERS: dict[str, Callable[[int], Mechanism]] = {

@@ -11,7 +11,7 @@ from graphkin.centres import centres
 from graphkin.centres.about import about
 from graphkin.centres.about_data import about_json, centrodes_json
 from graphkin.centres.centrodes import centrodes, whole
-from graphkin.methods import plan
+from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sweeps import course
 

@@ -10,8 +10,8 @@ from graphkin import library
 from graphkin.centres import centres
 from graphkin.centres.about import About, Circle, about
 from graphkin.centres.about_bobillier import bobillier
-from graphkin.methods import plan
 from graphkin.outputs.svg import svg
+from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, UnknownPaper
 from graphkin.sheet.about_bobillier_sheet import bobillier_sheet, bobillier_step_sheets

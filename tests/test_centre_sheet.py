@@ -17,8 +17,8 @@ from graphkin.centres import Centres, centres
 from graphkin.check import Report, measure
 from graphkin.check.centre_measure import pole_of, ways_to_move
 from graphkin.mechanism import Mechanism
-from graphkin.methods import plan
 from graphkin.outputs.svg import svg
+from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet
 from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets

@@ -12,7 +12,7 @@ from graphkin import library, loading, motion
 from graphkin.analytic import Motion
 from graphkin.centres import Centres, centres
 from graphkin.mechanism import Mechanism
-from graphkin.methods import plan
+from graphkin.planning import plan
 from graphkin.readings import answer
 from graphkin.running import replay_all
 from graphkin.words import names

@@ -30,8 +30,8 @@ from graphkin.centres.centrodes import Centrodes, arc_length, centrodes, path, w
 from graphkin.errors import GraphkinError, UnknownLink
 from graphkin.errors.centring import NoCentrode, UnknownCentre
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.methods import plan
 from graphkin.outputs.svg import svg
+from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet.centrode_frames import centrode_animation, centrode_frames
 from graphkin.sheet.centrode_sheet import centrode_sheet

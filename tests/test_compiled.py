@@ -29,7 +29,7 @@ from random_mechanisms import (
 from graphkin import library
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method, plan
+from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.running.compiled.calls import written_out
 from graphkin.running.compiled.lazy_plot import TABLES

@@ -29,7 +29,7 @@ from random_mechanisms import (
 from graphkin.errors import DeadPoint, RoadsDiffer
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
-from graphkin.methods import plan
+from graphkin.planning import plan
 from graphkin.sweeps import course, held, left_out, parts, sweep
 
 COUNT = int(os.environ.get("GRAPHKIN_RANDOM", "0"))

@@ -13,7 +13,7 @@ from graphkin.errors import CannotAssemble, DeadPoint
 from graphkin.finding.ground import Ground, ground
 from graphkin.finding.search import differences
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.methods import Method, plan
+from graphkin.planning import Method, plan
 from graphkin.sweeps import course
 
 KINDS: dict[str, Callable[[int], Mechanism]] = {

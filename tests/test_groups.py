@@ -14,7 +14,7 @@ from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.errors import GearsApart
 from graphkin.loading import loads
-from graphkin.methods import Method, plan
+from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.steps import Equation, Simultaneous, Term
 from graphkin.sweeps import course

@@ -21,11 +21,11 @@ from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.errors import AmbiguousSketch, CannotAssemble, GraphkinError
 from graphkin.mechanism import Mechanism
-from graphkin.methods import plan
-from graphkin.methods.drawn import facts_of
-from graphkin.methods.position import position
-from graphkin.methods.stages import stages
-from graphkin.methods.structure import Structure
+from graphkin.planning import plan
+from graphkin.planning.drawn import facts_of
+from graphkin.planning.position import position
+from graphkin.planning.stages import stages
+from graphkin.planning.structure import Structure
 from graphkin.running import replay_all
 from graphkin.steps import Plot, replay
 

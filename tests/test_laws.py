@@ -11,7 +11,7 @@ import random_mechanisms
 from graphkin import library
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
-from graphkin.methods import plan
+from graphkin.planning import plan
 from graphkin.steps import (
     Across,
     Along,

@@ -16,7 +16,7 @@ from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.errors import DeadPoint
 from graphkin.mechanism import Mechanism
-from graphkin.methods import plan
+from graphkin.planning import plan
 from graphkin.running import replay_all
 
 KINDS = (*DYADS, "cylinder", "relative", "coupler", "chain")

@@ -17,10 +17,10 @@ from graphkin.assur import structure_lines
 from graphkin.errors import NotRepeated, TooManyDrivers
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method
-from graphkin.methods.equivalent import contacts, lower_pairs
-from graphkin.methods.repeated import repeated
-from graphkin.methods.structure import Structure
+from graphkin.planning import Method
+from graphkin.planning.equivalent import contacts, lower_pairs
+from graphkin.planning.repeated import repeated
+from graphkin.planning.structure import Structure
 from graphkin.results import results
 from graphkin.running import replay_all
 

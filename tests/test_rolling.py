@@ -19,7 +19,7 @@ from graphkin.api import Drawing
 from graphkin.errors import GearsApart, GraphkinError, Lang, NotPlaced, OffTrack, PosesDiffer
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
-from graphkin.methods import plan
+from graphkin.planning import plan
 from graphkin.words import explain
 
 COUNT = int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40

@@ -11,7 +11,7 @@ import pytest
 
 from graphkin import library
 from graphkin.loading import loads
-from graphkin.methods import Method, plan
+from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_count, step_sheets
 from graphkin.sheet.labels import Room, Wanted, settle

@@ -9,7 +9,7 @@ from typing import Literal
 import pytest
 
 from graphkin import library
-from graphkin.methods import Method, plan
+from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
 from graphkin.sheet.lettering import Run

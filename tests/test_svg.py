@@ -11,9 +11,9 @@ import pytest
 from defusedxml.ElementTree import fromstring
 
 from graphkin import library
-from graphkin.methods import plan
 from graphkin.outputs.files import FileInTheWay
 from graphkin.outputs.svg import Unwritable, mm, svg, write
+from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
 

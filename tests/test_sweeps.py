@@ -19,7 +19,7 @@ from graphkin.cli import main
 from graphkin.errors import BadRange, GraphkinError, NoPosition, NoSuchDriver
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
-from graphkin.methods import plan
+from graphkin.planning import plan
 from graphkin.sweeps import at, course, sweep
 from graphkin.sweeps.roads import moving
 

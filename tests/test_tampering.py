@@ -20,8 +20,8 @@ from graphkin import Drawing, library
 from graphkin.centres import centres
 from graphkin.check import measure
 from graphkin.errors import BadDrawing
-from graphkin.methods import plan
 from graphkin.outputs.svg import svg
+from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.seal import seal
 from graphkin.sheet.centre_sheet import centre_sheet

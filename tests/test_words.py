@@ -13,7 +13,7 @@ from graphkin import library
 from graphkin.errors import GraphkinError, Lang
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method, plan
+from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.steps import Plot
 from graphkin.words import (

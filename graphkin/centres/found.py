@@ -8,8 +8,8 @@ import numpy as np
 
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method
-from graphkin.methods.centres import centre_name, with_centres
+from graphkin.planning import Method
+from graphkin.planning.centres import centre_name, with_centres
 from graphkin.steps import Plot
 from graphkin.steps.centring import Centring, direction_of, place_of
 from graphkin.value import frozen

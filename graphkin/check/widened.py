@@ -10,8 +10,8 @@ from graphkin.analytic import Motion
 from graphkin.check.drawing import DrawingFile
 from graphkin.geometry import meet_lines
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.methods import plan
 from graphkin.pairs import Line
+from graphkin.planning import plan
 from graphkin.steps import Across, AcrossGuide, Along, AlongGuide, Direction, Meet, Ray, Site, Touch
 from graphkin.value import frozen
 

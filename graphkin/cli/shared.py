@@ -21,7 +21,7 @@ from graphkin.errors import GraphkinError, Lang
 if TYPE_CHECKING:
     from graphkin.api import Drawing
     from graphkin.mechanism import Mechanism
-    from graphkin.methods import Method
+    from graphkin.planning import Method
 
 __all__ = [
     "PAPERS", "angle_option", "at_option", "at_values", "by_option", "coincident_option", "drawn", "force_option",

@@ -19,8 +19,8 @@ from graphkin.equations.readers import angle_readers, difference
 from graphkin.equations.symbols import NO_ANGLE, Angle, Symbol
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME, Driver
-from graphkin.methods.structure import Structure
 from graphkin.pairs import Slide
+from graphkin.planning.structure import Structure
 
 __all__ = ["Bodies", "quarters"]
 

@@ -15,8 +15,8 @@ from graphkin.equations.symbols import Symbol
 from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
-from graphkin.methods.structure import Hinge, Joint, Sliding
 from graphkin.naming import Seen, pair, seen
+from graphkin.planning.structure import Hinge, Joint, Sliding
 from graphkin.value import frozen
 
 __all__ = ["Chain", "asked_points", "chain", "vectors"]

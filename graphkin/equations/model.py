@@ -14,10 +14,10 @@ from graphkin.equations.rolling import Rolling, rolling
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
-from graphkin.methods import Method
-from graphkin.methods.equivalent import Contact
-from graphkin.methods.stages import Bridge, Carry, Group, Loop, Mesh, Stage
-from graphkin.methods.structure import Hinge
+from graphkin.planning import Method
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
+from graphkin.planning.structure import Hinge
 from graphkin.steps import Plot
 from graphkin.value import frozen
 

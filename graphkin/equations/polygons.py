@@ -18,8 +18,8 @@ from graphkin.equations.readers import slide_readers
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
-from graphkin.methods.structure import Hinge, Joint, Sliding, Structure
 from graphkin.pairs import Slide
+from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
 from graphkin.value import frozen
 
 __all__ = ["Arrow", "Arrows", "Polygon", "Site", "closed", "way"]

@@ -14,8 +14,8 @@ from graphkin.analytic import Motion
 from graphkin.equations.ledger import Reader
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
-from graphkin.methods.structure import Structure
 from graphkin.pairs import Slide
+from graphkin.planning.structure import Structure
 
 __all__ = ["angle_readers", "difference", "place", "slide_readers", "turned"]
 

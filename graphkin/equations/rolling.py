@@ -8,7 +8,7 @@ from graphkin.equations.ledger import values
 from graphkin.equations.polygons import Arrows
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.errors import Lang
-from graphkin.methods.equivalent import Contact
+from graphkin.planning.equivalent import Contact
 from graphkin.value import frozen
 
 __all__ = ["Rolling", "rolling"]

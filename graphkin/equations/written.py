@@ -20,7 +20,7 @@ from graphkin.equations.pretty import Pretty
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.errors import Lang
 from graphkin.geometry import Value
-from graphkin.methods import Method
+from graphkin.planning import Method
 
 __all__ = ["document"]
 

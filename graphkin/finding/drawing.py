@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from graphkin.errors import Lang
 from graphkin.finding.found import Found
 from graphkin.finding.wording import caption
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.running.reaching import moved_to
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ from graphkin.finding.ground import Ground, ground
 from graphkin.finding.points import line_of, scaled, slowest, spots
 from graphkin.finding.quantities import checked
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.sweeps import Course, Road, Series, course, held
 
 __all__ = ["check_limit", "find", "limit"]

@@ -11,8 +11,8 @@ from graphkin.errors import CannotScale, GivenTwice, NegativeSize, NoLineOf, NoS
 from graphkin.finding.conditions import WHERE, Scaling, Slowest, value
 from graphkin.finding.found import Position, SlowPoint, Speeds
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method
 from graphkin.naming import common_link, pair
+from graphkin.planning import Method
 from graphkin.readings import Motions
 from graphkin.running.path import Way
 from graphkin.running.reaching import reached

@@ -22,8 +22,8 @@ from graphkin.finding.quantities import checked
 from graphkin.finding.summary import header, summary
 from graphkin.loading.units import read_quantity
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.methods import Method
-from graphkin.methods import plan as planned
+from graphkin.planning import Method
+from graphkin.planning import plan as planned
 from graphkin.reports import table
 from graphkin.running import replay_all
 from graphkin.sweeps import Road

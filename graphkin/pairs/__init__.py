@@ -2,11 +2,11 @@
 
 A pair is a frozen value that names links and points and holds lengths in metres and angles in
 radians. It says which links it joins; what it asks of their motion is said twice, by two roads
-that never meet: `graphkin.methods` turns it into steps of a construction, `graphkin.analytic`
+that never meet: `graphkin.planning` turns it into steps of a construction, `graphkin.analytic`
 into terms of closed vector loops.
 
 How to add a pair kind: a file here with a frozen class that fulfils `Pair`, its class in `PAIRS`,
-its table in `graphkin.loading`, a rule in `graphkin.methods` and one in `graphkin.analytic`.
+its table in `graphkin.loading`, a rule in `graphkin.planning` and one in `graphkin.analytic`.
 """
 
 from __future__ import annotations

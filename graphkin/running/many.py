@@ -8,7 +8,7 @@ from weakref import finalize
 import numpy as np
 
 from graphkin.geometry import Value
-from graphkin.methods.method import Method
+from graphkin.planning.method import Method
 from graphkin.running.compiled import TABLES, CannotRecord, Program, compiled_program
 from graphkin.running.path import Way, along
 from graphkin.steps import Plot, replay

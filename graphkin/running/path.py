@@ -13,7 +13,7 @@ from dataclasses import field, replace
 import numpy as np
 
 from graphkin.geometry import Value
-from graphkin.methods.method import Method
+from graphkin.planning.method import Method
 from graphkin.steps import Plot, replay, slide_key
 from graphkin.value import frozen
 

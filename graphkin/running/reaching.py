@@ -9,7 +9,7 @@ import numpy as np
 
 from graphkin.errors import NotReached
 from graphkin.geometry import Value
-from graphkin.methods.method import Method
+from graphkin.planning.method import Method
 from graphkin.running.many import in_parts
 from graphkin.running.path import Way, along, stride, turned
 from graphkin.running.tracing import look_along

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from graphkin.geometry import Value
-from graphkin.methods.assembly import refuse_bad_positions
-from graphkin.methods.drawn import refuse_contacts_apart
-from graphkin.methods.method import Method
+from graphkin.planning.assembly import refuse_bad_positions
+from graphkin.planning.drawn import refuse_contacts_apart
+from graphkin.planning.method import Method
 from graphkin.steps import Plot, replay
 
 __all__ = ["replay_all"]

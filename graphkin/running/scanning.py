@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphkin.methods.method import Method
+from graphkin.planning.method import Method
 from graphkin.running.path import Event, Way, along, stride, turned, with_nodes
 from graphkin.running.singularities import LOOK_DEG, LOOK_PART, Crossing, choice_of, crossings, event_at, first_touching
 from graphkin.steps import Plot, replay

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphkin.methods.assembly import links_of
-from graphkin.methods.method import Method
+from graphkin.planning.assembly import links_of
+from graphkin.planning.method import Method
 from graphkin.running.path import Event, Way, along, stride
 from graphkin.steps import Arc, Fit, Meet, Plot, Swing
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from graphkin.errors import TooFar
-from graphkin.methods.method import Method
+from graphkin.planning.method import Method
 from graphkin.running.path import Way, stride
 
 __all__ = ["refuse_far"]

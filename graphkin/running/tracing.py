@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from graphkin.methods.method import Method
+from graphkin.planning.method import Method
 from graphkin.running.continuation import walked
 from graphkin.running.path import Way
 from graphkin.running.scanning import scanned

@@ -14,7 +14,7 @@ from importlib import import_module
 
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.sheet.composition import Composed, compose
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.paper import PAPERS, Paper

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from graphkin.errors import Lang
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.sheet import Sheet
 from graphkin.sheet.labels import Room, settle
 from graphkin.sheet.layout import HEAD, Extent, Layout, lay_out, papers_for

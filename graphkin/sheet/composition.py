@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from graphkin.errors import Lang
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.sheet.gear_images import GearImage, gear_images
 from graphkin.sheet.labels import Room, settle
 from graphkin.sheet.layout import HEAD, Extent, Layout, lay_out, papers_for

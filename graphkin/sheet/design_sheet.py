@@ -9,11 +9,11 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from graphkin import loading, methods
+from graphkin import loading, planning
 from graphkin.agreement import held
 from graphkin.design import Design, Solution, as_toml
 from graphkin.errors import Lang
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.sheet import Sheet
 from graphkin.sheet.about_page import Page, drawn_values, enlarged, finished, mechanism_on, page
 from graphkin.sheet.design_figure import DesignFigure
@@ -43,7 +43,7 @@ class _Drawn:
 
     @classmethod
     def of(cls, design: Design, solution: Solution) -> _Drawn:
-        method = methods.plan(loading.loads(as_toml(solution, design.kind), name="design", file="design.toml"))
+        method = planning.plan(loading.loads(as_toml(solution, design.kind), name="design", file="design.toml"))
         return cls(solution, method, held(method).plot)
 
 

@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from graphkin.errors import Lang
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.sheet import Sheet
 from graphkin.sheet.labels import Room, settle
 from graphkin.sheet.layout import papers_for

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from graphkin.mechanism import FRAME
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark

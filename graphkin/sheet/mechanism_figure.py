@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from graphkin.mechanism import FRAME
-from graphkin.methods import Method
 from graphkin.pairs import Slide
+from graphkin.planning import Method
 from graphkin.sheet import symbols
 from graphkin.sheet.cams import cams, equivalents, follower
 from graphkin.sheet.drives import drives

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.sheet.lettering import (
     Label,
     Run,

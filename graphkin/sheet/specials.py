@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from graphkin.mechanism import FRAME
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import plain, point_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Stroke

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import assert_never
 
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.marks import Mark, Place
 from graphkin.steps import (

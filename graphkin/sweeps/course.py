@@ -12,8 +12,8 @@ from graphkin.errors import BadRange, GivenTwice, GraphkinError, NoPosition, NoS
 from graphkin.geometry import Value
 from graphkin.loading.units import read_quantity
 from graphkin.mechanism import Driver
-from graphkin.methods import Method
 from graphkin.naming import driver_number
+from graphkin.planning import Method
 from graphkin.running.path import Event, Way
 from graphkin.running.reaching import reached
 from graphkin.running.tracing import look_along

@@ -16,7 +16,7 @@ import numpy as np
 from graphkin.centres import centres, over
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
-from graphkin.methods import Method, with_other_points
+from graphkin.planning import Method, with_other_points
 from graphkin.readings import Motions, Readings
 from graphkin.running import replay_all
 from graphkin.running.many import swept

@@ -9,7 +9,7 @@ import numpy as np
 
 from graphkin.centres import centre_of
 from graphkin.mechanism import Mechanism
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.running.path import stride
 from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.held import held

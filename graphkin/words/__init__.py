@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from graphkin.errors import Lang
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.steps import Equation, Plane, Plot
 from graphkin.words.entries import Arrow, Calculation, Entry, Heading, Sentence, VectorEquation
 from graphkin.words.equations import worded

@@ -9,8 +9,8 @@ from itertools import combinations
 from graphkin.errors import Lang
 from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.methods import Method
-from graphkin.methods.motion import Labels
+from graphkin.planning import Method
+from graphkin.planning.motion import Labels
 from graphkin.steps import Plot
 from graphkin.value import frozen
 from graphkin.words import names

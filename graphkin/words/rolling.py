@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from math import degrees
 
 from graphkin.mechanism import FRAME
-from graphkin.methods.equivalent import Contact
-from graphkin.methods.position import touching
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.position import touching
 from graphkin.steps import InStep, Measure, Roll, Touch, slide_key
 from graphkin.words import names
 from graphkin.words.entries import Calculation, Entry, Sentence

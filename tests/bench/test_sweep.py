@@ -21,7 +21,7 @@ import numpy as np
 import pytest
 
 import graphkin
-from graphkin.methods import Method
+from graphkin.planning import Method
 from graphkin.steps import Plot
 
 MECHANISMS = {"ex3-5": "four-bar", "p3-23a": "offset slider-crank", "ex3-7": "shaper"}

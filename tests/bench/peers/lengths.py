@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.methods import Method
+from graphkin.planning import Method
 
 
 class Lengths:

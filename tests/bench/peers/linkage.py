@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from graphkin.methods import Method
+from graphkin.planning import Method
 from peers.lengths import Lengths
 
 os.environ.setdefault("NUMBA_NUM_THREADS", "1")

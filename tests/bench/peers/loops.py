@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from graphkin.methods import Method
+from graphkin.planning import Method
 from peers.lengths import Lengths
 
 with warnings.catch_warnings():

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from graphkin.methods import Method
+from graphkin.planning import Method
 from peers.lengths import Lengths
 
 __all__ = ["Loop", "built"]

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from graphkin.methods.method import Method
-from graphkin.methods.planner import plan, with_other_points
+from graphkin.planning.method import Method
+from graphkin.planning.planner import plan, with_other_points
 
 __all__ = ["Method", "plan", "with_other_points"]

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.methods.ranks import RANK, rank
-from graphkin.methods.restraints import Row, Rows
-from graphkin.methods.structure import Structure
 from graphkin.naming import PairName
+from graphkin.planning.ranks import RANK, rank
+from graphkin.planning.restraints import Row, Rows
+from graphkin.planning.structure import Structure
 from graphkin.value import frozen
 
 __all__ = ["Candidates", "SetAside", "over"]

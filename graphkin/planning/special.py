@@ -15,9 +15,9 @@ from itertools import combinations, count
 import numpy as np
 
 from graphkin.mechanism import FRAME
-from graphkin.methods.hops import Hop, Lever, Slip, outward, way_round
-from graphkin.methods.stages import Group, Stage
-from graphkin.methods.structure import Structure
+from graphkin.planning.hops import Hop, Lever, Slip, outward, way_round
+from graphkin.planning.stages import Group, Stage
+from graphkin.planning.structure import Structure
 from graphkin.steps import Across, AcrossGuide, Along, AlongGuide, Construction, Direction, Meet, Node, Plot, Ray, Site
 from graphkin.value import frozen
 

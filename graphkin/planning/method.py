@@ -7,11 +7,11 @@ from functools import cached_property
 
 from graphkin.geometry import Value
 from graphkin.mechanism import Driver, Mechanism
-from graphkin.methods.drawn import facts_of
-from graphkin.methods.repeated import SetAside
-from graphkin.methods.special import Ternary
-from graphkin.methods.stages import Bridge, Group, Stage
-from graphkin.methods.structure import Structure
+from graphkin.planning.drawn import facts_of
+from graphkin.planning.repeated import SetAside
+from graphkin.planning.special import Ternary
+from graphkin.planning.stages import Bridge, Group, Stage
+from graphkin.planning.structure import Structure
 from graphkin.steps import Construction, Facts, Fit, Roll, Site
 from graphkin.value import frozen
 

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphkin.mechanism import FRAME, Driver
-from graphkin.methods.equivalent import Contact
-from graphkin.methods.structure import Structure
 from graphkin.pairs import Slide
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.structure import Structure
 from graphkin.value import frozen
 
 __all__ = ["Restraints", "Row", "Rows", "settled"]

@@ -16,8 +16,8 @@ from itertools import combinations
 import numpy as np
 
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.methods import Method
-from graphkin.methods.equivalent import Contact
+from graphkin.planning import Method
+from graphkin.planning.equivalent import Contact
 from graphkin.steps import AcrossGuide, Along, Plot, Ray, Touch, replay
 from graphkin.steps.centring import CLEAR, CentreStep, Centring, Far, Join, Kennedy, Pole, Seat, line_of, take
 

@@ -17,8 +17,8 @@ from dataclasses import dataclass, field
 from itertools import combinations
 
 from graphkin.mechanism import FRAME
-from graphkin.methods.equivalent import Contact
-from graphkin.methods.structure import Hinge, Joint, Sliding, Structure
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
 from graphkin.steps import slide_key
 from graphkin.value import frozen
 

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from graphkin.mechanism import FRAME
-from graphkin.methods.hops import Slip, Twist, way_round
-from graphkin.methods.stages import Carry, Group, Loop, Stage
-from graphkin.methods.structure import Sliding, Structure
+from graphkin.planning.hops import Slip, Twist, way_round
+from graphkin.planning.stages import Carry, Group, Loop, Stage
+from graphkin.planning.structure import Sliding, Structure
 from graphkin.steps import Site
 
 __all__ = ["Labels", "coincident_points"]

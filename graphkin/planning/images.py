@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from graphkin.methods.closing import known_sum
-from graphkin.methods.hops import Lever, Slip
-from graphkin.methods.polygon import Polygon
+from graphkin.planning.closing import known_sum
+from graphkin.planning.hops import Lever, Slip
+from graphkin.planning.polygon import Polygon
 from graphkin.steps import Image, LayOff, Site, Term
 
 __all__ = ["add_up", "base_of", "drive", "fill", "reach"]

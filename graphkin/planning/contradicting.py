@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from graphkin.errors import NotRepeated
-from graphkin.methods.candidates import Candidates, SetAside, over
-from graphkin.methods.ranks import CLOSED, RANK, beside, drawn_place, open_by, rank
-from graphkin.methods.restraints import Array, Restraints, Rows
 from graphkin.naming import named
+from graphkin.planning.candidates import Candidates, SetAside, over
+from graphkin.planning.ranks import CLOSED, RANK, beside, drawn_place, open_by, rank
+from graphkin.planning.restraints import Array, Restraints, Rows
 
 __all__ = ["Contradictions"]
 

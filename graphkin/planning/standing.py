@@ -13,12 +13,12 @@ import numpy as np
 
 from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, Where
 from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.methods.assembly import assemble, extent, refuse_open
-from graphkin.methods.drawn import facts_of, with_sides
-from graphkin.methods.position import position
-from graphkin.methods.repeated import SetAside, as_aside, still_repeated
-from graphkin.methods.stages import stages
-from graphkin.methods.structure import Structure
+from graphkin.planning.assembly import assemble, extent, refuse_open
+from graphkin.planning.drawn import facts_of, with_sides
+from graphkin.planning.position import position
+from graphkin.planning.repeated import SetAside, as_aside, still_repeated
+from graphkin.planning.stages import stages
+from graphkin.planning.structure import Structure
 from graphkin.steps import Plot, replay, slide_key
 from graphkin.value import frozen
 

@@ -9,17 +9,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 
 from graphkin.mechanism import FRAME
-from graphkin.methods.groups import chain, group, walk
-from graphkin.methods.hops import halves, way_round
-from graphkin.methods.images import drive, fill, reach
-from graphkin.methods.labels import Labels
-from graphkin.methods.polygon import Polygon
-from graphkin.methods.position import touching
-from graphkin.methods.repeating import measure_all_slides
-from graphkin.methods.rolling import mesh
-from graphkin.methods.special import Ternary
-from graphkin.methods.stages import Bridge, Carry, Group, Loop, Mesh, Stage
-from graphkin.methods.structure import Hinge, Structure
+from graphkin.planning.groups import chain, group, walk
+from graphkin.planning.hops import halves, way_round
+from graphkin.planning.images import drive, fill, reach
+from graphkin.planning.labels import Labels
+from graphkin.planning.polygon import Polygon
+from graphkin.planning.position import touching
+from graphkin.planning.repeating import measure_all_slides
+from graphkin.planning.rolling import mesh
+from graphkin.planning.special import Ternary
+from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
+from graphkin.planning.structure import Hinge, Structure
 from graphkin.steps import Construction, Equation, Given, LayOff, Measure, Plane, Simultaneous, Site
 
 __all__ = ["Labels", "motion"]

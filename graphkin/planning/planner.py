@@ -7,19 +7,19 @@ from dataclasses import replace
 
 from graphkin.errors import HigherClass
 from graphkin.mechanism import Mechanism
-from graphkin.methods.assembly import assemble
-from graphkin.methods.bypass import with_ways
-from graphkin.methods.drawn import facts_of, refuse_contacts_apart, with_sides
-from graphkin.methods.equivalent import contacts, lower_pairs
-from graphkin.methods.labels import Labels, coincident_points
-from graphkin.methods.method import Method
-from graphkin.methods.motion import motion
-from graphkin.methods.position import position
-from graphkin.methods.repeated import SetAside, as_aside, repeated
-from graphkin.methods.special import special_points, with_special_points
-from graphkin.methods.stages import Group, Loop, Mesh, Stage, stages
-from graphkin.methods.standing import as_drawn
-from graphkin.methods.structure import Structure
+from graphkin.planning.assembly import assemble
+from graphkin.planning.bypass import with_ways
+from graphkin.planning.drawn import facts_of, refuse_contacts_apart, with_sides
+from graphkin.planning.equivalent import contacts, lower_pairs
+from graphkin.planning.labels import Labels, coincident_points
+from graphkin.planning.method import Method
+from graphkin.planning.motion import motion
+from graphkin.planning.position import position
+from graphkin.planning.repeated import SetAside, as_aside, repeated
+from graphkin.planning.special import special_points, with_special_points
+from graphkin.planning.stages import Group, Loop, Mesh, Stage, stages
+from graphkin.planning.standing import as_drawn
+from graphkin.planning.structure import Structure
 from graphkin.steps import Construction, Meet, Plot, Swing, replay
 
 __all__ = ["plan", "with_other_points"]

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from graphkin.mechanism import FRAME
-from graphkin.methods.equivalent import Contact
-from graphkin.methods.hops import Lever
-from graphkin.methods.images import base_of, reach
-from graphkin.methods.polygon import Polygon
-from graphkin.methods.position import in_step, touching
-from graphkin.methods.repeating import measure_slide
-from graphkin.methods.stages import Group, Mesh
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.hops import Lever
+from graphkin.planning.images import base_of, reach
+from graphkin.planning.polygon import Polygon
+from graphkin.planning.position import in_step, touching
+from graphkin.planning.repeating import measure_slide
+from graphkin.planning.stages import Group, Mesh
 from graphkin.steps import AcrossGuide, Along, Direction, Measure, Roll, Site, Term
 
 __all__ = ["mesh", "train"]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from graphkin.mechanism import FRAME
-from graphkin.methods.hops import Slip
-from graphkin.methods.images import reach
-from graphkin.methods.polygon import Polygon
+from graphkin.planning.hops import Slip
+from graphkin.planning.images import reach
+from graphkin.planning.polygon import Polygon
 from graphkin.steps import LayOff, Measure, Roll, Simultaneous, Site
 
 __all__ = ["measure_all_slides", "measure_slide"]

@@ -14,11 +14,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from graphkin.mechanism import Driver, Mechanism
-from graphkin.methods.candidates import Candidates, SetAside, over
-from graphkin.methods.contradicting import Contradictions
-from graphkin.methods.ranks import CLOSED, drawn_place, open_by, rank
-from graphkin.methods.restraints import Array, Restraints, Row, Rows, settled
-from graphkin.methods.structure import Aside, Structure
+from graphkin.planning.candidates import Candidates, SetAside, over
+from graphkin.planning.contradicting import Contradictions
+from graphkin.planning.ranks import CLOSED, drawn_place, open_by, rank
+from graphkin.planning.restraints import Array, Restraints, Row, Rows, settled
+from graphkin.planning.structure import Aside, Structure
 
 __all__ = ["SetAside", "as_aside", "repeated", "still_repeated"]
 

@@ -8,8 +8,8 @@ differ from that link there by a relative motion.
 from __future__ import annotations
 
 from graphkin.mechanism import FRAME
-from graphkin.methods.stages import Loop
-from graphkin.methods.structure import Hinge, Sliding, Structure
+from graphkin.planning.stages import Loop
+from graphkin.planning.structure import Hinge, Sliding, Structure
 from graphkin.steps import Site
 from graphkin.value import frozen
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from graphkin.methods.restraints import Array, Restraints, Row, Rows, settled
+from graphkin.planning.restraints import Array, Restraints, Row, Rows, settled
 
 __all__ = ["CLOSED", "RANK", "beside", "drawn_place", "open_by", "rank"]
 

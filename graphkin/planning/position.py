@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from itertools import count
 
 from graphkin.mechanism import FRAME
-from graphkin.methods.closing import close
-from graphkin.methods.equivalent import Contact
-from graphkin.methods.stages import Bridge, Carry, Group, Loop, Mesh, Stage
-from graphkin.methods.structure import Hinge, Joint, Sliding, Structure
+from graphkin.planning.closing import close
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
+from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
 from graphkin.steps import (
     Along,
     AlongGuide,

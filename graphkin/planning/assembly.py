@@ -12,9 +12,9 @@ import numpy as np
 
 from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
 from graphkin.geometry import Value, cross
-from graphkin.methods.branch_search import BETWEEN, DeadEnd, branches, told_slides
-from graphkin.methods.branches import Branches
-from graphkin.methods.structure import Structure
+from graphkin.planning.branch_search import BETWEEN, DeadEnd, branches, told_slides
+from graphkin.planning.branches import Branches
+from graphkin.planning.structure import Structure
 from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, slide_key
 from graphkin.value import frozen
 

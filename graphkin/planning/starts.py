@@ -13,8 +13,8 @@ import numpy as np
 
 from graphkin.geometry import Value, dot
 from graphkin.mechanism import FRAME
-from graphkin.methods.branches import Branches
-from graphkin.methods.structure import Structure
+from graphkin.planning.branches import Branches
+from graphkin.planning.structure import Structure
 from graphkin.steps import Arm, Fit, Plot, unknowns_of
 
 __all__ = ["Starts"]

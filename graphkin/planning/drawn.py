@@ -10,9 +10,9 @@ import numpy as np
 from graphkin.errors import GearsApart, OffTrack
 from graphkin.geometry import Value, cross
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.methods.equivalent import Contact
-from graphkin.methods.structure import Structure
 from graphkin.pairs import Line
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.structure import Structure
 from graphkin.steps import Construction, Equation, Facts, Meet, Plot, Step, Swing
 
 __all__ = ["facts_of", "refuse_contacts_apart", "with_sides"]

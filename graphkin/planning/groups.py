@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from graphkin.mechanism import FRAME
-from graphkin.methods.hops import Hop, Lever, Slip, way_round
-from graphkin.methods.images import add_up, base_of, drive, fill, reach
-from graphkin.methods.polygon import Polygon
-from graphkin.methods.position import in_step
-from graphkin.methods.rolling import train
-from graphkin.methods.special import Leg, Ternary
-from graphkin.methods.stages import Group, Loop
+from graphkin.planning.hops import Hop, Lever, Slip, way_round
+from graphkin.planning.images import add_up, base_of, drive, fill, reach
+from graphkin.planning.polygon import Polygon
+from graphkin.planning.position import in_step
+from graphkin.planning.rolling import train
+from graphkin.planning.special import Leg, Ternary
+from graphkin.planning.stages import Group, Loop
 from graphkin.steps import (
     Across,
     Along,

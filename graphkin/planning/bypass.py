@@ -10,9 +10,9 @@ import cmath
 from collections.abc import Iterator
 from dataclasses import replace
 
-from graphkin.methods.equivalent import Contact
-from graphkin.methods.structure import Structure
 from graphkin.pairs import Slide
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.structure import Structure
 
 __all__ = ["with_ways"]
 

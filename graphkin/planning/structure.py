@@ -13,8 +13,8 @@ from dataclasses import replace
 from functools import cached_property
 
 from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.methods.equivalent import Contact
 from graphkin.pairs import Slide
+from graphkin.planning.equivalent import Contact
 from graphkin.steps import TurnOf
 from graphkin.value import frozen
 

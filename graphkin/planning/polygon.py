@@ -6,10 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from graphkin.mechanism import FRAME
-from graphkin.methods.closing import close
-from graphkin.methods.hops import Hop, Lever, Slip, Twist
-from graphkin.methods.labels import Labels
-from graphkin.methods.structure import Structure
+from graphkin.planning.closing import close
+from graphkin.planning.hops import Hop, Lever, Slip, Twist
+from graphkin.planning.labels import Labels
+from graphkin.planning.structure import Structure
 from graphkin.steps import (
     Across,
     Along,

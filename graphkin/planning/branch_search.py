@@ -18,9 +18,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from graphkin.mechanism import FRAME
-from graphkin.methods.branches import Branches
-from graphkin.methods.starts import Starts
-from graphkin.methods.structure import Structure
+from graphkin.planning.branches import Branches
+from graphkin.planning.starts import Starts
+from graphkin.planning.structure import Structure
 from graphkin.steps import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, replay, unknowns_of
 
 __all__ = ["BETWEEN", "Block", "DeadEnd", "blocks_of", "branches", "told_slides"]
