@@ -11,13 +11,13 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from graphkin.analytic import Motion, motion
+from graphkin.construction import Plot
 from graphkin.errors import RoadsDiffer
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.readings import Motions, Readings
 from graphkin.running import replay_all
-from graphkin.steps import Plot
 from graphkin.value import frozen
 
 __all__ = ["AGREE", "Held", "apart", "compare", "held"]

@@ -18,11 +18,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from graphkin import library, loading, planning, running
+from graphkin.construction import Plane, Plot
 from graphkin.errors import CannotAssemble, HigherClass, Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
-from graphkin.steps import Plane, Plot
 from graphkin.value import frozen
 
 if TYPE_CHECKING:

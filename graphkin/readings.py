@@ -13,11 +13,11 @@ from typing import Protocol
 
 import numpy as np
 
+from graphkin.construction import Plane, Plot
 from graphkin.geometry import Value, dot
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import Seen, common_link, pair, seen
 from graphkin.planning import Method
-from graphkin.steps import Plane, Plot
 from graphkin.value import frozen
 
 __all__ = ["Answer", "Motions", "Readings", "answer", "relative"]

@@ -8,13 +8,13 @@ from typing import Any
 
 from graphkin.agreement import held
 from graphkin.centres import centre_of, centres, place
+from graphkin.construction import Plot, Site
 from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
 from graphkin.naming import Seen
 from graphkin.planning import Method
 from graphkin.readings import Motions, Readings, answer, relative
-from graphkin.steps import Plot, Site
 
 __all__ = ["driver_values", "results"]
 

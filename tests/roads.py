@@ -8,12 +8,12 @@ import numpy as np
 
 from graphkin.agreement import compare
 from graphkin.analytic import motion
+from graphkin.construction import Plot
 from graphkin.errors import DeadPoint
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method, plan
 from graphkin.readings import Readings
 from graphkin.running import replay_all
-from graphkin.steps import Plot
 
 Make = Callable[[int], Mechanism]
 

@@ -13,11 +13,11 @@ from graphkin import library
 from graphkin.analytic import Motion, motion
 from graphkin.api import plan
 from graphkin.centres import ByCentres, Centres, centre_of, centres
+from graphkin.construction.centring import Kennedy, Pole
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.readings import answer
 from graphkin.running import replay_all
-from graphkin.steps.centring import Kennedy, Pole
 from graphkin.sweeps import sweep
 
 KINDS = (

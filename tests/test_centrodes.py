@@ -27,6 +27,8 @@ from graphkin.analytic import motion
 from graphkin.centres import Centres, centres
 from graphkin.centres.centrode_places import at_many, carried_to
 from graphkin.centres.centrodes import Centrodes, arc_length, centrodes, path, whole
+from graphkin.construction import Plot
+from graphkin.construction.centring import INFINITE, Kennedy, axes_of
 from graphkin.errors import GraphkinError, UnknownLink
 from graphkin.errors.centring import NoCentrode, UnknownCentre
 from graphkin.mechanism import FRAME, Mechanism
@@ -36,8 +38,6 @@ from graphkin.running import replay_all
 from graphkin.sheet.centrode_frames import centrode_animation, centrode_frames
 from graphkin.sheet.centrode_sheet import centrode_sheet
 from graphkin.sheet.marks import Stroke
-from graphkin.steps import Plot
-from graphkin.steps.centring import INFINITE, Kennedy, axes_of
 from graphkin.sweeps import Course, course
 
 

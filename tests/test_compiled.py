@@ -27,6 +27,7 @@ from random_mechanisms import (
 )
 
 from graphkin import library
+from graphkin.construction import Fit, Plot, Roll, Simultaneous, replay
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method, plan
@@ -38,7 +39,6 @@ from graphkin.running.compiled.program import CHUNK, Program, compiled_program
 from graphkin.running.compiled.tape import Ledger
 from graphkin.running.many import MANY, program_of, swept
 from graphkin.running.tracing import look_along
-from graphkin.steps import Fit, Plot, Roll, Simultaneous, replay
 
 COUNT = 721
 OPEN_SINE = 0.1

@@ -12,11 +12,11 @@ from roads import hold_derivatives, hold_roads_together
 from graphkin import library
 from graphkin.agreement import compare
 from graphkin.analytic import motion
+from graphkin.construction import Equation, Simultaneous, Term
 from graphkin.errors import GearsApart
 from graphkin.loading import loads
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
-from graphkin.steps import Equation, Simultaneous, Term
 from graphkin.sweeps import course
 from graphkin.sweeps.roads import moving
 

@@ -19,6 +19,7 @@ from random_mechanisms import chain
 
 from graphkin.agreement import compare
 from graphkin.analytic import motion
+from graphkin.construction import Plot, replay
 from graphkin.errors import AmbiguousSketch, CannotAssemble, GraphkinError
 from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
@@ -27,7 +28,6 @@ from graphkin.planning.position import position
 from graphkin.planning.stages import stages
 from graphkin.planning.structure import Structure
 from graphkin.running import replay_all
-from graphkin.steps import Plot, replay
 
 LONG = {
     "64 dyads": lambda: dyads(64),

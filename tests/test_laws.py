@@ -9,10 +9,7 @@ import pytest
 import random_mechanisms
 
 from graphkin import library
-from graphkin.errors import GraphkinError
-from graphkin.mechanism import Mechanism
-from graphkin.planning import plan
-from graphkin.steps import (
+from graphkin.construction import (
     Across,
     Along,
     AlongGuide,
@@ -28,6 +25,9 @@ from graphkin.steps import (
     Term,
     Turning,
 )
+from graphkin.errors import GraphkinError
+from graphkin.mechanism import Mechanism
+from graphkin.planning import plan
 
 MAKERS = {kind: partial(random_mechanisms.dyad, kind) for kind in random_mechanisms.DYADS} | {
     name: getattr(random_mechanisms, name)

@@ -10,6 +10,7 @@ from itertools import combinations
 import pytest
 
 from graphkin import library
+from graphkin.construction import Given, Plane, Plot
 from graphkin.loading import loads
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
@@ -30,7 +31,6 @@ from graphkin.sheet.lettering import (
 from graphkin.sheet.marks import PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.scales import finer, finest
-from graphkin.steps import Given, Plane, Plot
 
 
 @cache

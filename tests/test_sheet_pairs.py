@@ -9,12 +9,12 @@ from typing import Literal
 import pytest
 
 from graphkin import library
+from graphkin.construction import Plot
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
 from graphkin.sheet.lettering import Run
 from graphkin.sheet.marks import Disc, PointMark, Stroke, Text
-from graphkin.steps import Plot
 
 
 @cache

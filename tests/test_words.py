@@ -10,12 +10,12 @@ import pytest
 from random_mechanisms import cam, epicyclic, geared_five_bar, rolling, triad
 
 from graphkin import library
+from graphkin.construction import Plot
 from graphkin.errors import GraphkinError, Lang
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
-from graphkin.steps import Plot
 from graphkin.words import (
     Calculation,
     Entry,

@@ -17,13 +17,13 @@ from functools import cached_property
 import numpy as np
 
 from graphkin.centres.found import Centres
+from graphkin.construction import Plot, replay
+from graphkin.construction.centring import INFINITE, STILL, axes_of
 from graphkin.errors import UnknownLink, UnknownPoint, Where
 from graphkin.errors.centring import FrameStands
 from graphkin.geometry import cross, dot
 from graphkin.mechanism import FRAME
 from graphkin.readings import Readings
-from graphkin.steps import Plot, replay
-from graphkin.steps.centring import INFINITE, STILL, axes_of
 from graphkin.value import frozen
 
 __all__ = ["INFINITY", "About", "Carried", "Circle", "Line", "about", "euler_savary", "link_of"]

@@ -16,11 +16,11 @@ from typing import assert_never
 import numpy as np
 
 from graphkin.centres.about import About
+from graphkin.construction.centring import INFINITE, Far, Seat
 from graphkin.errors import Lang
 from graphkin.errors.centring import NoBobillier
 from graphkin.geometry import Value, cross
 from graphkin.mechanism import FRAME
-from graphkin.steps.centring import INFINITE, Far, Seat
 from graphkin.value import frozen
 
 __all__ = ["Bobillier", "Crossing", "Guided", "Through", "Turned", "bobillier", "guided", "replayed"]

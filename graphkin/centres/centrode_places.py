@@ -11,12 +11,12 @@ from dataclasses import replace
 import numpy as np
 
 from graphkin.centres.found import Centres
+from graphkin.construction import Plot, replay
+from graphkin.construction.centring import STILL, Kennedy, Pole, axes_of, take
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.readings import Readings
 from graphkin.running.path import Way, along
-from graphkin.steps import Plot, replay
-from graphkin.steps.centring import STILL, Kennedy, Pole, axes_of, take
 
 __all__ = ["at_many", "carried_to", "over"]
 

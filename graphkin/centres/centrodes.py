@@ -14,12 +14,12 @@ from graphkin.centres.about import link_of
 from graphkin.centres.centrode_places import at_many, carried_to
 from graphkin.centres.centrode_sampling import Piece, Sample, arc_length, joined, pieces
 from graphkin.centres.found import Centres, centre_of
+from graphkin.construction.centring import axes_of
 from graphkin.errors import Where
 from graphkin.errors.centring import NoCentrode, UnknownCentre
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.running.path import Way
-from graphkin.steps.centring import axes_of
 from graphkin.value import frozen
 
 __all__ = ["Centrodes", "Coursed", "Piece", "arc_length", "centrodes", "path", "whole"]

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from graphkin.construction import Plot
+from graphkin.construction.centring import Centring, direction_of, place_of
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.planning.centres import centre_name, with_centres
-from graphkin.steps import Plot
-from graphkin.steps.centring import Centring, direction_of, place_of
 from graphkin.value import frozen
 
 __all__ = ["Centres", "centre_of", "centres"]

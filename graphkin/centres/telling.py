@@ -9,9 +9,9 @@ import numpy as np
 
 from graphkin.centres.found import Centres
 from graphkin.centres.uses import ByCentres, advantages
+from graphkin.construction import Ray
+from graphkin.construction.centring import CentreStep, Far, Join, Kennedy, Pole, Seat
 from graphkin.errors import Lang
-from graphkin.steps import Ray
-from graphkin.steps.centring import CentreStep, Far, Join, Kennedy, Pole, Seat
 
 __all__ = ["advantage_lines", "as_json", "found_by", "place", "rows", "told"]
 

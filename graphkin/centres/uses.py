@@ -13,9 +13,9 @@ from functools import cached_property
 import numpy as np
 
 from graphkin.centres.found import Centres
+from graphkin.construction.centring import axes_of
 from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.steps.centring import axes_of
 from graphkin.value import frozen
 
 __all__ = ["ByCentres", "advantages"]

@@ -15,9 +15,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from statistics import median
 
 from graphkin.check.drawing import DrawingFile, Fault, stated
+from graphkin.construction import Plane
 from graphkin.mechanism import Mechanism
 from graphkin.seal import seal
-from graphkin.steps import Plane
 
 __all__ = ["changed", "unjudged"]
 

@@ -13,9 +13,9 @@ from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 from graphkin import loading
 from graphkin.check.shown import Shown, Sight, seen_in
 from graphkin.check.transforms import Unread
+from graphkin.construction import Plane
 from graphkin.errors import BadDrawing, NoDrawing, Where
 from graphkin.mechanism import Mechanism
-from graphkin.steps import Plane
 from graphkin.value import frozen
 
 __all__ = ["UNITS", "DrawingFile", "Fault", "mechanism_of", "numbers", "plane_of", "read", "scales_of", "stated"]

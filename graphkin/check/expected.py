@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from graphkin.check.widened import Widened
+from graphkin.construction import LETTER, Plane, Site
 from graphkin.mechanism import Mechanism
 from graphkin.naming import seen
-from graphkin.steps import LETTER, Plane, Site
 
 __all__ = ["is_called_so", "is_named_so", "point_value", "vector_value"]
 

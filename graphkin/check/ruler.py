@@ -16,9 +16,9 @@ from graphkin.check.hidden import Layers
 from graphkin.check.links import link_name, worst_place
 from graphkin.check.transforms import Unread
 from graphkin.check.widened import Widened, widened
+from graphkin.construction import Plane
 from graphkin.errors import BadDrawing, Where
 from graphkin.mechanism import Mechanism
-from graphkin.steps import Plane
 from graphkin.value import frozen
 
 __all__ = ["Measured", "Report", "measure", "measured"]

@@ -8,11 +8,11 @@ import numpy as np
 
 from graphkin.analytic import Motion
 from graphkin.check.drawing import DrawingFile
+from graphkin.construction import Across, AcrossGuide, Along, AlongGuide, Direction, Meet, Ray, Site, Touch
 from graphkin.geometry import meet_lines
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Line
 from graphkin.planning import plan
-from graphkin.steps import Across, AcrossGuide, Along, AlongGuide, Direction, Meet, Ray, Site, Touch
 from graphkin.value import frozen
 
 __all__ = ["Widened", "added_point", "lines_of", "widened"]

@@ -29,7 +29,7 @@ from graphkin.cli.shared import (
 from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
-    from graphkin.steps import Plane
+    from graphkin.construction import Plane
 
 __all__ = ["check", "draw", "explain", "solve"]
 

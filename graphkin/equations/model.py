@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from graphkin.agreement import held
 from graphkin.analytic import Motion
+from graphkin.construction import Plot
 from graphkin.equations.bodies import Bodies
 from graphkin.equations.expressions import Sum
 from graphkin.equations.ledger import Ledger, settled, values
@@ -18,7 +19,6 @@ from graphkin.planning import Method
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.planning.structure import Hinge
-from graphkin.steps import Plot
 from graphkin.value import frozen
 
 __all__ = ["Model", "Task", "model_of"]

@@ -17,11 +17,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from graphkin.construction import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, replay, unknowns_of
 from graphkin.mechanism import FRAME
 from graphkin.planning.branches import Branches
 from graphkin.planning.starts import Starts
 from graphkin.planning.structure import Structure
-from graphkin.steps import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, replay, unknowns_of
 
 __all__ = ["BETWEEN", "Block", "DeadEnd", "blocks_of", "branches", "told_slides"]
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from graphkin.construction import Plot
 from graphkin.geometry import Value
-from graphkin.steps import Plot
 
 __all__ = ["Branches"]
 

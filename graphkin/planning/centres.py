@@ -15,11 +15,11 @@ from itertools import combinations
 
 import numpy as np
 
+from graphkin.construction import AcrossGuide, Along, Plot, Ray, Touch, replay
+from graphkin.construction.centring import CLEAR, CentreStep, Centring, Far, Join, Kennedy, Pole, Seat, line_of, take
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.planning.equivalent import Contact
-from graphkin.steps import AcrossGuide, Along, Plot, Ray, Touch, replay
-from graphkin.steps.centring import CLEAR, CentreStep, Centring, Far, Join, Kennedy, Pole, Seat, line_of, take
 
 __all__ = ["centre_name", "centres", "with_centres"]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from graphkin.steps import Arc, Drawn, Equation, Given, LayOff, Meet, Ray, Span, Step, Term
+from graphkin.construction import Arc, Drawn, Equation, Given, LayOff, Meet, Ray, Span, Step, Term
 from graphkin.value import frozen
 
 __all__ = ["Aside", "close", "known_sum"]

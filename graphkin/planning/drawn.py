@@ -7,13 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.construction import Construction, Equation, Facts, Meet, Plot, Step, Swing
 from graphkin.errors import GearsApart, OffTrack
 from graphkin.geometry import Value, cross
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Line
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Structure
-from graphkin.steps import Construction, Equation, Facts, Meet, Plot, Step, Swing
 
 __all__ = ["facts_of", "refuse_contacts_apart", "with_sides"]
 

@@ -2,15 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.mechanism import FRAME
-from graphkin.planning.hops import Hop, Lever, Slip, way_round
-from graphkin.planning.images import add_up, base_of, drive, fill, reach
-from graphkin.planning.polygon import Polygon
-from graphkin.planning.position import in_step
-from graphkin.planning.rolling import train
-from graphkin.planning.special import Leg, Ternary
-from graphkin.planning.stages import Group, Loop
-from graphkin.steps import (
+from graphkin.construction import (
     Across,
     Along,
     AlongGuide,
@@ -30,6 +22,14 @@ from graphkin.steps import (
     Turning,
     Unknown,
 )
+from graphkin.mechanism import FRAME
+from graphkin.planning.hops import Hop, Lever, Slip, way_round
+from graphkin.planning.images import add_up, base_of, drive, fill, reach
+from graphkin.planning.polygon import Polygon
+from graphkin.planning.position import in_step
+from graphkin.planning.rolling import train
+from graphkin.planning.special import Leg, Ternary
+from graphkin.planning.stages import Group, Loop
 
 __all__ = ["chain", "group", "walk"]
 

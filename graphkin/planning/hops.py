@@ -7,10 +7,10 @@ differ from that link there by a relative motion.
 
 from __future__ import annotations
 
+from graphkin.construction import Site
 from graphkin.mechanism import FRAME
 from graphkin.planning.stages import Loop
 from graphkin.planning.structure import Hinge, Sliding, Structure
-from graphkin.steps import Site
 from graphkin.value import frozen
 
 __all__ = ["Hop", "Lever", "Slip", "Twist", "halves", "outward", "way_round"]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from itertools import combinations
 
+from graphkin.construction import Image, LayOff, Site, Term
 from graphkin.planning.closing import known_sum
 from graphkin.planning.hops import Lever, Slip
 from graphkin.planning.polygon import Polygon
-from graphkin.steps import Image, LayOff, Site, Term
 
 __all__ = ["add_up", "base_of", "drive", "fill", "reach"]
 

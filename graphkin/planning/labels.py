@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from graphkin.construction import Site
 from graphkin.mechanism import FRAME
 from graphkin.planning.hops import Slip, Twist, way_round
 from graphkin.planning.stages import Carry, Group, Loop, Stage
 from graphkin.planning.structure import Sliding, Structure
-from graphkin.steps import Site
 
 __all__ = ["Labels", "coincident_points"]
 

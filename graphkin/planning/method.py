@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 
+from graphkin.construction import Construction, Facts, Fit, Roll, Site
 from graphkin.geometry import Value
 from graphkin.mechanism import Driver, Mechanism
 from graphkin.planning.drawn import facts_of
@@ -12,7 +13,6 @@ from graphkin.planning.repeated import SetAside
 from graphkin.planning.special import Ternary
 from graphkin.planning.stages import Bridge, Group, Stage
 from graphkin.planning.structure import Structure
-from graphkin.steps import Construction, Facts, Fit, Roll, Site
 from graphkin.value import frozen
 
 __all__ = ["Method"]

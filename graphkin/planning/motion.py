@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
+from graphkin.construction import Construction, Equation, Given, LayOff, Measure, Plane, Simultaneous, Site
 from graphkin.mechanism import FRAME
 from graphkin.planning.groups import chain, group, walk
 from graphkin.planning.hops import halves, way_round
@@ -20,7 +21,6 @@ from graphkin.planning.rolling import mesh
 from graphkin.planning.special import Ternary
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.planning.structure import Hinge, Structure
-from graphkin.steps import Construction, Equation, Given, LayOff, Measure, Plane, Simultaneous, Site
 
 __all__ = ["Labels", "motion"]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from graphkin.construction import Construction, Meet, Plot, Swing, replay
 from graphkin.errors import HigherClass
 from graphkin.mechanism import Mechanism
 from graphkin.planning.assembly import assemble
@@ -20,7 +21,6 @@ from graphkin.planning.special import special_points, with_special_points
 from graphkin.planning.stages import Group, Loop, Mesh, Stage, stages
 from graphkin.planning.standing import as_drawn
 from graphkin.planning.structure import Structure
-from graphkin.steps import Construction, Meet, Plot, Swing, replay
 
 __all__ = ["plan", "with_other_points"]
 

@@ -5,12 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from graphkin.mechanism import FRAME
-from graphkin.planning.closing import close
-from graphkin.planning.hops import Hop, Lever, Slip, Twist
-from graphkin.planning.labels import Labels
-from graphkin.planning.structure import Structure
-from graphkin.steps import (
+from graphkin.construction import (
     Across,
     Along,
     AlongGuide,
@@ -32,6 +27,11 @@ from graphkin.steps import (
     Term,
     Turning,
 )
+from graphkin.mechanism import FRAME
+from graphkin.planning.closing import close
+from graphkin.planning.hops import Hop, Lever, Slip, Twist
+from graphkin.planning.labels import Labels
+from graphkin.planning.structure import Structure
 
 __all__ = ["Polygon"]
 

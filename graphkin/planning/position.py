@@ -6,12 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import count
 
-from graphkin.mechanism import FRAME
-from graphkin.planning.closing import close
-from graphkin.planning.equivalent import Contact
-from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
-from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
-from graphkin.steps import (
+from graphkin.construction import (
     Along,
     AlongGuide,
     Arm,
@@ -35,6 +30,11 @@ from graphkin.steps import (
     Term,
     Touch,
 )
+from graphkin.mechanism import FRAME
+from graphkin.planning.closing import close
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
+from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
 from graphkin.value import frozen
 
 __all__ = ["in_step", "position", "touching"]

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from graphkin.construction import LayOff, Measure, Roll, Simultaneous, Site
 from graphkin.mechanism import FRAME
 from graphkin.planning.hops import Slip
 from graphkin.planning.images import reach
 from graphkin.planning.polygon import Polygon
-from graphkin.steps import LayOff, Measure, Roll, Simultaneous, Site
 
 __all__ = ["measure_all_slides", "measure_slide"]
 

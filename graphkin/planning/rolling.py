@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from graphkin.construction import AcrossGuide, Along, Direction, Measure, Roll, Site, Term
 from graphkin.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.hops import Lever
@@ -10,7 +11,6 @@ from graphkin.planning.polygon import Polygon
 from graphkin.planning.position import in_step, touching
 from graphkin.planning.repeating import measure_slide
 from graphkin.planning.stages import Group, Mesh
-from graphkin.steps import AcrossGuide, Along, Direction, Measure, Roll, Site, Term
 
 __all__ = ["mesh", "train"]
 

@@ -14,11 +14,23 @@ from itertools import combinations, count
 
 import numpy as np
 
+from graphkin.construction import (
+    Across,
+    AcrossGuide,
+    Along,
+    AlongGuide,
+    Construction,
+    Direction,
+    Meet,
+    Node,
+    Plot,
+    Ray,
+    Site,
+)
 from graphkin.mechanism import FRAME
 from graphkin.planning.hops import Hop, Lever, Slip, outward, way_round
 from graphkin.planning.stages import Group, Stage
 from graphkin.planning.structure import Structure
-from graphkin.steps import Across, AcrossGuide, Along, AlongGuide, Construction, Direction, Meet, Node, Plot, Ray, Site
 from graphkin.value import frozen
 
 __all__ = ["Leg", "Ternary", "special_points", "ternary", "with_special_points"]

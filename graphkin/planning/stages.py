@@ -16,10 +16,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import combinations
 
+from graphkin.construction import slide_key
 from graphkin.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
-from graphkin.steps import slide_key
 from graphkin.value import frozen
 
 __all__ = ["Bridge", "Carry", "Group", "Loop", "Mesh", "Stage", "stages"]

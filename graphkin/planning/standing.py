@@ -11,6 +11,7 @@ from itertools import combinations, islice
 
 import numpy as np
 
+from graphkin.construction import Plot, replay, slide_key
 from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, Where
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning.assembly import assemble, extent, refuse_open
@@ -19,7 +20,6 @@ from graphkin.planning.position import position
 from graphkin.planning.repeated import SetAside, as_aside, still_repeated
 from graphkin.planning.stages import stages
 from graphkin.planning.structure import Structure
-from graphkin.steps import Plot, replay, slide_key
 from graphkin.value import frozen
 
 __all__ = ["as_drawn"]

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from graphkin.construction import Arm, Fit, Plot, unknowns_of
 from graphkin.geometry import Value, dot
 from graphkin.mechanism import FRAME
 from graphkin.planning.branches import Branches
 from graphkin.planning.structure import Structure
-from graphkin.steps import Arm, Fit, Plot, unknowns_of
 
 __all__ = ["Starts"]
 

@@ -12,10 +12,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
+from graphkin.construction import TurnOf
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.pairs import Slide
 from graphkin.planning.equivalent import Contact
-from graphkin.steps import TurnOf
 from graphkin.value import frozen
 
 __all__ = ["NOTHING", "Aside", "Hinge", "Joint", "Sliding", "Structure"]

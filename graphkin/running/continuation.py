@@ -14,10 +14,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from graphkin.construction import Fit, Meet, Plot, Roll, Swing, replay
 from graphkin.planning.method import Method
 from graphkin.running.path import Event, Way, along, by_slide_key, stride, turned
 from graphkin.running.singularities import Crossing, choice_of, crossings, event_at, key_of, touching
-from graphkin.steps import Fit, Meet, Plot, Roll, Swing, replay
 from graphkin.value import frozen
 
 __all__ = ["walked"]

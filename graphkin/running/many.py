@@ -7,11 +7,11 @@ from weakref import finalize
 
 import numpy as np
 
+from graphkin.construction import Plot, replay
 from graphkin.geometry import Value
 from graphkin.planning.method import Method
 from graphkin.running.compiled import TABLES, CannotRecord, Program, compiled_program
 from graphkin.running.path import Way, along
-from graphkin.steps import Plot, replay
 
 __all__ = ["MANY", "PART", "by_program", "in_parts", "program_of", "swept"]
 

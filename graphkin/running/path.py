@@ -12,9 +12,9 @@ from dataclasses import field, replace
 
 import numpy as np
 
+from graphkin.construction import Plot, replay, slide_key
 from graphkin.geometry import Value
 from graphkin.planning.method import Method
-from graphkin.steps import Plot, replay, slide_key
 from graphkin.value import frozen
 
 __all__ = ["Event", "Way", "along", "by_slide_key", "stride", "turned", "with_nodes"]

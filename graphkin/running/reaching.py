@@ -7,13 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.construction import Plot, replay
 from graphkin.errors import NotReached
 from graphkin.geometry import Value
 from graphkin.planning.method import Method
 from graphkin.running.many import in_parts
 from graphkin.running.path import Way, along, stride, turned
 from graphkin.running.tracing import look_along
-from graphkin.steps import Plot, replay
 
 __all__ = ["moved_to", "reached"]
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from graphkin.construction import Plot, replay
 from graphkin.geometry import Value
 from graphkin.planning.assembly import refuse_bad_positions
 from graphkin.planning.drawn import refuse_contacts_apart
 from graphkin.planning.method import Method
-from graphkin.steps import Plot, replay
 
 __all__ = ["replay_all"]
 

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.construction import Plot, replay
 from graphkin.planning.method import Method
 from graphkin.running.path import Event, Way, along, stride, turned, with_nodes
 from graphkin.running.singularities import LOOK_DEG, LOOK_PART, Crossing, choice_of, crossings, event_at, first_touching
-from graphkin.steps import Plot, replay
 
 __all__ = ["scanned"]
 

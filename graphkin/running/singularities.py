@@ -10,10 +10,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from graphkin.construction import Arc, Fit, Meet, Plot, Swing
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
 from graphkin.running.path import Event, Way, along, stride
-from graphkin.steps import Arc, Fit, Meet, Plot, Swing
 
 __all__ = [
     "LOOK_DEG",

@@ -6,13 +6,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from graphkin.construction import Meet, Swing
 from graphkin.planning.method import Method
 from graphkin.running.continuation import walked
 from graphkin.running.path import Way
 from graphkin.running.scanning import scanned
 from graphkin.running.singularities import LOOK_DEG, LOOK_PART
 from graphkin.running.too_far import refuse_far
-from graphkin.steps import Meet, Swing
 
 __all__ = ["look_along"]
 

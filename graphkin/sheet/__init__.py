@@ -12,6 +12,7 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from importlib import import_module
 
+from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
@@ -20,7 +21,6 @@ from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.paper import PAPERS, Paper
 from graphkin.sheet.scales import TooLargeForPaper, UnknownPaper
 from graphkin.sheet.window import PLANES, step_count
-from graphkin.steps import Plane, Plot
 from graphkin.value import frozen
 
 __all__ = ["PAPERS", "Paper", "Sheet", "TooLargeForPaper", "UnknownPaper", "sheet", "step_count", "step_sheets"]

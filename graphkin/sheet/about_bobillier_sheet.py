@@ -9,6 +9,7 @@ import numpy as np
 
 from graphkin.centres.about import About
 from graphkin.centres.about_bobillier import Bobillier, Crossing, Through, Turned
+from graphkin.construction.centring import INFINITE
 from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.about_page import Page, clipped, drawn_values, enlarged, finished, mechanism_on, page, within
@@ -17,7 +18,6 @@ from graphkin.sheet.lettering import Label, plain, point_label, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.window import Figure
-from graphkin.steps.centring import INFINITE
 from graphkin.value import frozen
 
 __all__ = ["bobillier_sheet", "bobillier_step_sheets"]

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.sheet import Sheet
@@ -25,7 +26,6 @@ from graphkin.sheet.specials import named_specials
 from graphkin.sheet.titleblock import strip, strip_heights
 from graphkin.sheet.wheels import rims
 from graphkin.sheet.window import Figure, Window, births, first_steps
-from graphkin.steps import Plane, Plot
 from graphkin.value import frozen
 
 __all__ = [

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from graphkin.centres.about import About, Circle, Line
+from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
 from graphkin.sheet import Sheet
@@ -29,7 +30,6 @@ from graphkin.sheet.paper import PenName
 from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.window import Figure
-from graphkin.steps import Plane
 from graphkin.value import frozen
 
 __all__ = ["about_sheet"]

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from graphkin.centres import Centres
+from graphkin.construction.centring import Far
 from graphkin.sheet.centre_lines import reach_of
 from graphkin.sheet.centre_places import Line as PaperLine
 from graphkin.sheet.centre_places import OnPaper, Spot, centre_label, clipped, inside, middle
@@ -16,7 +17,6 @@ from graphkin.sheet.marks import Mark, Place, VectorMark
 from graphkin.sheet.obstacles import tree
 from graphkin.sheet.symbols import BLOCK
 from graphkin.sheet.window import Figure
-from graphkin.steps.centring import Far
 
 __all__ = ["INFINITY", "centre_arrows", "coordinates"]
 

@@ -11,12 +11,12 @@ import math
 from collections.abc import Sequence
 
 from graphkin.centres import Centres
+from graphkin.construction.centring import CentreStep, Far, Kennedy, Pole, Seat
 from graphkin.errors import Lang
 from graphkin.sheet.labels import Room
 from graphkin.sheet.lettering import link_label, plain, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import LABEL, LEAST, PenName
-from graphkin.steps.centring import CentreStep, Far, Kennedy, Pole, Seat
 from graphkin.value import frozen
 
 __all__ = ["circle_diagram", "circle_size"]

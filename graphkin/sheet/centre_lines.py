@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
+from graphkin.construction import Ray
 from graphkin.sheet.centre_places import SAME, Laid, Line, OnPaper, Spot, clipped, inside
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Stroke
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.window import Figure
-from graphkin.steps import Ray
 
 __all__ = ["centre_lines", "reach_of"]
 

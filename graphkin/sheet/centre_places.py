@@ -12,12 +12,12 @@ from functools import cached_property
 import numpy as np
 
 from graphkin.centres import Centres
+from graphkin.construction import Ray
+from graphkin.construction.centring import CentreStep, Join, Kennedy, direction_of, place_of
 from graphkin.sheet.labels import Room
 from graphkin.sheet.lettering import Label, quantity_label
 from graphkin.sheet.marks import Place
 from graphkin.sheet.window import Window
-from graphkin.steps import Ray
-from graphkin.steps.centring import CentreStep, Join, Kennedy, direction_of, place_of
 from graphkin.value import frozen
 
 __all__ = ["Laid", "Line", "OnPaper", "Spot", "centre_label", "clipped", "spots"]

@@ -7,14 +7,14 @@ from math import degrees
 from typing import assert_never
 
 from graphkin.centres import Centres
+from graphkin.construction import Ray
+from graphkin.construction.centring import Far, Join, Kennedy, Pole, Seat, direction_of
 from graphkin.errors import Lang
 from graphkin.sheet.centre_arrows import coordinates
 from graphkin.sheet.centre_places import Spot, centre_label, spots
 from graphkin.sheet.lettering import Label, Run, number, plain, point_label
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.results import PITCH, SIZE, Table, height_of
-from graphkin.steps import Ray
-from graphkin.steps.centring import Far, Join, Kennedy, Pole, Seat, direction_of
 from graphkin.value import frozen
 
 __all__ = ["CentreTable", "centre_table"]

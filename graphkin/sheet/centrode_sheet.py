@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from graphkin.centres.centrodes import Centrodes
+from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
 from graphkin.running.path import along
@@ -26,7 +27,6 @@ from graphkin.sheet.lettering import Label, link_label, plain, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.window import Figure
-from graphkin.steps import Plot
 
 __all__ = ["centre_at", "centrode_marks", "centrode_page", "centrode_sheet", "heading", "plot_at"]
 

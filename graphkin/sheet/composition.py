@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
+from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.sheet.gear_images import GearImage, gear_images
@@ -25,7 +26,6 @@ from graphkin.sheet.specials import named_specials
 from graphkin.sheet.titleblock import strip, strip_heights
 from graphkin.sheet.wheels import rims
 from graphkin.sheet.window import Figure, Window, births, constructions, first_steps
-from graphkin.steps import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.value import frozen
 
 __all__ = ["Composed", "compose"]

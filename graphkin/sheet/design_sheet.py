@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from graphkin import loading, planning
 from graphkin.agreement import held
+from graphkin.construction import Plot
 from graphkin.design import Design, Solution, as_toml
 from graphkin.errors import Lang
 from graphkin.planning import Method
@@ -21,7 +22,6 @@ from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
 from graphkin.sheet.marks import Text
 from graphkin.sheet.paper import LABEL
-from graphkin.steps import Plot
 from graphkin.value import frozen
 
 __all__ = ["design_sheet", "design_step_sheets"]

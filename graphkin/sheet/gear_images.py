@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
+from graphkin.construction import Measure, Plot, Roll, Simultaneous
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.sheet.labels import Wanted
@@ -13,7 +14,6 @@ from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
 from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window, first_steps
-from graphkin.steps import Measure, Plot, Roll, Simultaneous
 from graphkin.value import frozen
 
 __all__ = ["GearImage", "circles", "gear_images", "points"]

@@ -15,11 +15,11 @@ from typing import Any
 
 import numpy as np
 
+from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
 from graphkin.sheet.labels import Room
 from graphkin.sheet.paper import PAPERS, Paper
 from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, finer, finest_each
-from graphkin.steps import Plane
 from graphkin.value import frozen
 
 __all__ = ["HEAD", "Extent", "Layout", "lay_out", "papers_for"]

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from typing import Literal
 
+from graphkin.construction import Plane
 from graphkin.sheet.lettering import Label
 from graphkin.sheet.paper import PenName
-from graphkin.steps import Plane
 from graphkin.value import frozen
 
 __all__ = ["Arc", "Disc", "Fill", "Form", "Mark", "Place", "PointMark", "Shows", "Stroke", "Text", "VectorMark"]

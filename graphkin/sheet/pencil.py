@@ -6,11 +6,11 @@ import cmath
 import math
 from collections.abc import Iterator
 
+from graphkin.construction import Arc, Construction, Meet, Plot, Ray
 from graphkin.sheet.labels import Room
 from graphkin.sheet.marks import Arc as ArcMark
 from graphkin.sheet.marks import Mark, Place, Stroke
 from graphkin.sheet.window import Window
-from graphkin.steps import Arc, Construction, Meet, Plot, Ray
 
 __all__ = ["pencil_lines"]
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import field
 from functools import cached_property
 
+from graphkin.construction import LETTER, Construction, Given, Plot, Site, Term
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.sheet import gear_images
 from graphkin.sheet.gear_images import GearImage
@@ -14,7 +15,6 @@ from graphkin.sheet.lettering import joined, point_label, vector_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke, VectorMark
 from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.window import Figure, Window
-from graphkin.steps import LETTER, Construction, Given, Plot, Site, Term
 from graphkin.value import frozen
 
 __all__ = ["Polygon", "named_site", "polygon_figure"]

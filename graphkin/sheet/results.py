@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from graphkin.construction import Node, Plot
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
@@ -19,7 +20,6 @@ from graphkin.sheet.lettering import (
     width,
 )
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
-from graphkin.steps import Node, Plot
 from graphkin.value import frozen
 
 __all__ = ["PITCH", "Table", "arranged", "drawn_tables", "height_of", "tables"]

@@ -10,9 +10,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, Lang, Where
 from graphkin.sheet.lettering import Label, Run, number, quantity_label
-from graphkin.steps import Plane
 
 __all__ = ["KEYS", "LETTERS", "UNITS", "TooLargeForPaper", "UnknownPaper", "finer", "finest", "finest_each", "written"]
 

@@ -6,11 +6,11 @@ import cmath
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
+from graphkin.construction import Plot
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Line, Slide
 from graphkin.sheet.marks import Place
 from graphkin.sheet.window import Window
-from graphkin.steps import Plot
 from graphkin.value import frozen
 
 __all__ = ["Skeleton", "hull", "in_line"]

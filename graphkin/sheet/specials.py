@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from graphkin.construction import Along, Arc, Direction, Meet, Plot, Ray, Site, Touch
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.sheet.labels import Wanted
@@ -13,7 +14,6 @@ from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.window import Figure, first_steps
-from graphkin.steps import Along, Arc, Direction, Meet, Plot, Ray, Site, Touch
 from graphkin.value import frozen
 
 __all__ = ["contacts", "named_specials", "specials"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
 from graphkin.sheet.labels import Room
@@ -12,7 +13,6 @@ from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.paper import BODY, LEAST, PAPERS, TITLE, Paper
 from graphkin.sheet.results import Table, arranged, drawn_tables, height_of
 from graphkin.sheet.scales import written
-from graphkin.steps import Plane
 
 __all__ = ["strip", "strip_heights"]
 

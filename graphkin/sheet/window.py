@@ -6,10 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import assert_never
 
-from graphkin.planning import Method
-from graphkin.sheet.labels import Wanted
-from graphkin.sheet.marks import Mark, Place
-from graphkin.steps import (
+from graphkin.construction import (
     Arc,
     Construction,
     Fit,
@@ -26,6 +23,9 @@ from graphkin.steps import (
     Swing,
     Touch,
 )
+from graphkin.planning import Method
+from graphkin.sheet.labels import Wanted
+from graphkin.sheet.marks import Mark, Place
 from graphkin.value import frozen
 
 __all__ = ["PLANES", "Figure", "Window", "births", "first_steps", "step_count"]

@@ -14,6 +14,7 @@ from typing import Literal
 import numpy as np
 
 from graphkin.centres import centres, over
+from graphkin.construction import Plot, replay
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method, with_other_points
@@ -21,7 +22,6 @@ from graphkin.readings import Motions, Readings
 from graphkin.running import replay_all
 from graphkin.running.many import swept
 from graphkin.running.path import Way, along, stride
-from graphkin.steps import Plot, replay
 from graphkin.value import frozen
 
 __all__ = ["Road", "centre_path", "moving"]

@@ -16,9 +16,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.steps import Equation, Plane, Plot
 from graphkin.words.entries import Arrow, Calculation, Entry, Heading, Sentence, VectorEquation
 from graphkin.words.equations import worded
 from graphkin.words.given import given

@@ -15,8 +15,8 @@ from math import inf, log10
 
 import numpy as np
 
+from graphkin.construction.centring import direction_of, place_of
 from graphkin.mechanism import FRAME
-from graphkin.steps.centring import direction_of, place_of
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.centre_steps import CentreReader

@@ -10,10 +10,10 @@ from typing import assert_never
 import numpy as np
 
 from graphkin.centres import Centres
+from graphkin.construction import Ray
+from graphkin.construction.centring import CentreStep, Far, Join, Kennedy, Pole, Seat, direction_of, place_of
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.steps import Ray
-from graphkin.steps.centring import CentreStep, Far, Join, Kennedy, Pole, Seat, direction_of, place_of
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.centre_phrases import told

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import assert_never
 
-from graphkin.steps import (
+from graphkin.construction import (
     AcrossGuide,
     Along,
     AlongGuide,

@@ -7,10 +7,7 @@ from typing import assert_never
 
 import numpy as np
 
-from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, Gear, Line
-from graphkin.pairs import Roll as RollingPair
-from graphkin.steps import (
+from graphkin.construction import (
     Arc,
     Fit,
     Given,
@@ -25,6 +22,9 @@ from graphkin.steps import (
     Swing,
     Touch,
 )
+from graphkin.mechanism import FRAME
+from graphkin.pairs import Cam, Gear, Line
+from graphkin.pairs import Roll as RollingPair
 from graphkin.words import names
 from graphkin.words.entries import Entry, Sentence
 from graphkin.words.figures import degrees, number

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.steps import Plane
 
 __all__ = [
     "LETTER", "RATE", "SCALE", "SLIDING", "UNIT", "arrow", "listed", "of_link", "of_slide", "pair", "point",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import assert_never
 
-from graphkin.steps import (
+from graphkin.construction import (
     Across,
     AcrossGuide,
     Along,

@@ -7,9 +7,7 @@ from typing import assert_never
 
 import numpy as np
 
-from graphkin.geometry import cross, dot
-from graphkin.mechanism import FRAME
-from graphkin.steps import (
+from graphkin.construction import (
     Across,
     AcrossGuide,
     Along,
@@ -33,6 +31,8 @@ from graphkin.steps import (
     Swing,
     Touch,
 )
+from graphkin.geometry import cross, dot
+from graphkin.mechanism import FRAME
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.entries import Calculation, Entry, Heading, Sentence

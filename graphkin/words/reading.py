@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from functools import cached_property
 from itertools import combinations
 
+from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning import Method
 from graphkin.planning.motion import Labels
-from graphkin.steps import Plot
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.figures import number

@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import degrees
 
+from graphkin.construction import InStep, Measure, Roll, Touch, slide_key
 from graphkin.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import touching
-from graphkin.steps import InStep, Measure, Roll, Touch, slide_key
 from graphkin.words import names
 from graphkin.words.entries import Calculation, Entry, Sentence
 from graphkin.words.figures import number

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphkin.construction import Image, Measure
 from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
-from graphkin.steps import Image, Measure
 from graphkin.words import names
 from graphkin.words.entries import Calculation, Entry, Sentence
 from graphkin.words.figures import number

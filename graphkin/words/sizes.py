@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from graphkin.steps import Coriolis, Drawn, Driven, Normal, Relative, Size, Span, Tangential, Term, Turning
+from graphkin.construction import Coriolis, Drawn, Driven, Normal, Relative, Size, Span, Tangential, Term, Turning
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.entries import Calculation

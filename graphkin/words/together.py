@@ -6,8 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import assert_never
 
-from graphkin.mechanism import FRAME
-from graphkin.steps import (
+from graphkin.construction import (
     Across,
     AcrossGuide,
     Along,
@@ -23,6 +22,7 @@ from graphkin.steps import (
     Simultaneous,
     Term,
 )
+from graphkin.mechanism import FRAME
 from graphkin.words import names
 from graphkin.words.entries import Calculation, Entry, Sentence
 from graphkin.words.figures import degrees, number

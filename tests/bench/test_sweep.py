@@ -21,8 +21,8 @@ import numpy as np
 import pytest
 
 import graphkin
+from graphkin.construction import Plot
 from graphkin.planning import Method
-from graphkin.steps import Plot
 
 MECHANISMS = {"ex3-5": "four-bar", "p3-23a": "offset slider-crank", "ex3-7": "shaper"}
 SEEN = {"ex3-5": "CE", "p3-23a": "C", "ex3-7": "DE"}

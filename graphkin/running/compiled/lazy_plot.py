@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
-from graphkin.steps.plot import Facts, Plot
 from graphkin.value import frozen
 
 __all__ = ["TABLES", "Column", "Numbers", "Replayed", "Vector"]

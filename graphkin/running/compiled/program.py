@@ -18,15 +18,15 @@ from typing import Any
 
 import numpy as np
 
+from graphkin.construction.construction import Construction
+from graphkin.construction.pencil import replay
+from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.running.compiled.calls import Calls, written_out
 from graphkin.running.compiled.lazy_plot import TABLES, Column, Numbers, Replayed, Vector
 from graphkin.running.compiled.operations import NUMBER
 from graphkin.running.compiled.recorder import Written, record
 from graphkin.running.compiled.tape import Ledger
-from graphkin.steps.construction import Construction
-from graphkin.steps.pencil import replay
-from graphkin.steps.plot import Facts, Plot
 from graphkin.value import frozen
 
 __all__ = ["Program", "compiled_program"]

@@ -13,13 +13,13 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from graphkin.construction.construction import Construction
+from graphkin.construction.kinds import Meet, Swing
+from graphkin.construction.pencil import Compass, replay
+from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value, leg, meet_circles, meet_line_circle
 from graphkin.running.compiled.operations import CannotRecord
 from graphkin.running.compiled.tape import Ledger
-from graphkin.steps.construction import Construction
-from graphkin.steps.kinds import Meet, Swing
-from graphkin.steps.pencil import Compass, replay
-from graphkin.steps.plot import Facts, Plot
 from graphkin.value import frozen
 
 __all__ = ["Recording", "Written", "record"]

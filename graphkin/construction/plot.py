@@ -8,8 +8,7 @@ from typing import assert_never
 
 import numpy as np
 
-from graphkin.geometry import Value, unit
-from graphkin.steps.terms import (
+from graphkin.construction.terms import (
     Across,
     AcrossGuide,
     Along,
@@ -28,6 +27,7 @@ from graphkin.steps.terms import (
     Tangential,
     Turning,
 )
+from graphkin.geometry import Value, unit
 from graphkin.value import frozen
 
 __all__ = ["Facts", "Plot", "TurnOf", "slide_key"]

@@ -7,10 +7,9 @@ from typing import assert_never
 
 import numpy as np
 
-from graphkin.geometry import Leg, Value, cross, dot, leg, meet_circles, meet_line_circle, meet_lines
-from graphkin.steps.construction import Construction
-from graphkin.steps.fitting import fit, roll, solve_together
-from graphkin.steps.kinds import (
+from graphkin.construction.construction import Construction
+from graphkin.construction.fitting import fit, roll, solve_together
+from graphkin.construction.kinds import (
     Arc,
     Fit,
     Given,
@@ -24,8 +23,9 @@ from graphkin.steps.kinds import (
     Swing,
     Touch,
 )
-from graphkin.steps.plot import Plot
-from graphkin.steps.terms import Plane, Slid
+from graphkin.construction.plot import Plot
+from graphkin.construction.terms import Plane, Slid
+from graphkin.geometry import Leg, Value, cross, dot, leg, meet_circles, meet_line_circle, meet_lines
 from graphkin.value import frozen
 
 __all__ = ["COMPASS", "FIXED", "Compass", "replay", "touch"]

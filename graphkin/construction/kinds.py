@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.steps.terms import Arm, Direction, Size, Slid, Span, Term
+from graphkin.construction.terms import Arm, Direction, Size, Slid, Span, Term
 from graphkin.value import frozen
 
 __all__ = [

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
-from graphkin.steps.kinds import LayOff, Step
-from graphkin.steps.terms import Plane, Site, Term
+from graphkin.construction.kinds import LayOff, Step
+from graphkin.construction.terms import Plane, Site, Term
 from graphkin.value import frozen
 
 __all__ = ["BrokenChain", "Construction", "Equation", "Node", "NotClosable", "span_of"]

@@ -13,9 +13,9 @@ starts from and gives; `pencil` does the steps, `fitting` those that ruler and c
 
 from __future__ import annotations
 
-from graphkin.steps.construction import BrokenChain, Construction, Equation, Node, NotClosable
-from graphkin.steps.fitting import unknowns_of
-from graphkin.steps.kinds import (
+from graphkin.construction.construction import BrokenChain, Construction, Equation, Node, NotClosable
+from graphkin.construction.fitting import unknowns_of
+from graphkin.construction.kinds import (
     Arc,
     Chain,
     Closure,
@@ -34,9 +34,9 @@ from graphkin.steps.kinds import (
     Touch,
     Unknown,
 )
-from graphkin.steps.pencil import replay
-from graphkin.steps.plot import Facts, Plot, TurnOf, slide_key
-from graphkin.steps.terms import (
+from graphkin.construction.pencil import replay
+from graphkin.construction.plot import Facts, Plot, TurnOf, slide_key
+from graphkin.construction.terms import (
     LETTER,
     Across,
     AcrossGuide,

@@ -11,10 +11,10 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin.construction.kinds import Ray, Touch
+from graphkin.construction.pencil import touch
+from graphkin.construction.plot import Plot
 from graphkin.geometry import Value
-from graphkin.steps.kinds import Ray, Touch
-from graphkin.steps.pencil import touch
-from graphkin.steps.plot import Plot
 from graphkin.value import frozen
 
 __all__ = [

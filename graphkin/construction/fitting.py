@@ -10,10 +10,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
+from graphkin.construction.kinds import Chain, Closure, Fit, InStep, Roll, Simultaneous, Unknown
+from graphkin.construction.plot import Plot, slide_key
+from graphkin.construction.terms import Arm, Plane, Slid
 from graphkin.geometry import Value
-from graphkin.steps.kinds import Chain, Closure, Fit, InStep, Roll, Simultaneous, Unknown
-from graphkin.steps.plot import Plot, slide_key
-from graphkin.steps.terms import Arm, Plane, Slid
 
 __all__ = ["fit", "roll", "solve_together", "unknowns_of"]
 
