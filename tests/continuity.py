@@ -31,26 +31,26 @@ def hold_continuous(mechanism: Mechanism, turns: float = 2, step: float = 1.0) -
     moved = course(method, ranges)
     held(moved)
     t = _places(moved, step)
-    roads = [moving(method, moved.way, t, by) for by in ("construction", "analysis")]
-    rate = method.drivers[moved.swept].rate / moved.way.pace[moved.swept]
+    roads = [moving(method, moved.path, t, by) for by in ("construction", "analysis")]
+    rate = method.drivers[moved.swept].rate / moved.path.pace[moved.swept]
     for road in roads:
         _hold_slopes(method.mechanism, road, t, rate, method.size)
     clear = roads[1].condition > SHARP
-    for event in (*moved.way.changes, *moved.way.stops):
+    for event in (*moved.path.changes, *moved.path.stops):
         clear &= np.abs(t - event.at) > BESIDE * (1 if moved.angular else method.size)
     if clear.any():
-        assert apart(method.mechanism, *(moving(method, moved.way, t[clear], by) for by in ("construction", "analysis"))) < 1e-9
+        assert apart(method.mechanism, *(moving(method, moved.path, t[clear], by) for by in ("construction", "analysis"))) < 1e-9
 
 
 def _places(moved: Course, step: float) -> np.ndarray:
     """Closely over what is asked for, and every change point; not right beside a stop."""
-    way = moved.way
+    path = moved.path
     low, high = float(moved.t.min()), float(moved.t.max())
-    trim = 0.02 * (way.last - way.first)
-    if way.stops:
-        low, high = max(low, way.first + trim), min(high, way.last - trim)
+    trim = 0.02 * (path.last - path.first)
+    if path.stops:
+        low, high = max(low, path.first + trim), min(high, path.last - trim)
     count = 361 if not moved.angular else max(361, round(math.degrees(high - low) / step))
-    inside = [change.at for change in way.changes if low <= change.at <= high]
+    inside = [change.at for change in path.changes if low <= change.at <= high]
     return np.unique(np.concatenate([np.linspace(low, high, count), inside]))
 
 

@@ -47,15 +47,15 @@ def moved(mechanism: Mechanism) -> tuple[Centres, Course]:
 
 
 def rolled(name: str, first: str, second: str) -> Centrodes:
-    found, way = moved(library.load(name))
-    return centrodes(found, first, second, way, whole(way))
+    found, drive = moved(library.load(name))
+    return centrodes(found, first, second, drive, whole(drive))
 
 
-def all_of(found: Centres, way: Course) -> list[Centrodes]:
+def all_of(found: Centres, drive: Course) -> list[Centrodes]:
     curves = []
     for first, second in found.pairs:
         try:
-            curves.append(centrodes(found, first, second, way, whole(way)))
+            curves.append(centrodes(found, first, second, drive, whole(drive)))
         except NoCentrode:
             continue
     return curves
@@ -89,8 +89,8 @@ def hold_rolling(curves: Centrodes) -> None:
 
 @pytest.mark.parametrize("name", library.names())
 def test_centrodes_of_the_library_roll(name: str):
-    found, way = moved(library.load(name))
-    for curves in all_of(found, way):
+    found, drive = moved(library.load(name))
+    for curves in all_of(found, drive):
         hold_rolling(curves)
 
 
@@ -131,21 +131,21 @@ def test_where_lines_coincide():
     sought = 0
     for name in library.names():
         mechanism = library.load(name)
-        found, way = moved(mechanism)
-        low, high = whole(way)
+        found, drive = moved(mechanism)
+        low, high = whole(drive)
         t = np.linspace(low + 0.03 * (high - low), high - 0.03 * (high - low), 721)
-        one = [at for step in found.centring.steps if isinstance(step, Kennedy) for at in _leanest(found, way, step, t)]
+        one = [at for step in found.centring.steps if isinstance(step, Kennedy) for at in _leanest(found, drive, step, t)]
         if one:
             sought += len(one)
             hold_every_position(mechanism, np.array(one))
     assert sought > 10
 
 
-def _leanest(found: Centres, way: Course, step: Kennedy, t: np.ndarray) -> list[float]:
+def _leanest(found: Centres, drive: Course, step: Kennedy, t: np.ndarray) -> list[float]:
     """Where the lines of a centre come to be one within 1e-8."""
     least = []
     for _ in range(9):
-        lean = np.broadcast_to(at_many(found, way.way, t).lean[step.centre], t.shape)
+        lean = np.broadcast_to(at_many(found, drive.path, t).lean[step.centre], t.shape)
         k = int(np.nanargmin(lean)) if np.isfinite(lean).any() else 0
         least = [float(t[k])] if lean[k] < 1e-8 else []
         t = np.linspace(t[max(k - 1, 0)], t[min(k + 1, t.size - 1)], 41)
@@ -154,12 +154,12 @@ def _leanest(found: Centres, way: Course, step: Kennedy, t: np.ndarray) -> list[
 
 def hold_every_position(mechanism: Mechanism, t: np.ndarray | None = None) -> None:
     """Each centre at many positions is the one by the analysis' velocities, as homogeneous coordinates."""
-    found, way = moved(mechanism)
-    low, high = whole(way)
+    found, drive = moved(mechanism)
+    low, high = whole(drive)
     t = np.linspace(low + 0.03 * (high - low), high - 0.03 * (high - low), 149) if t is None else t
-    plot, (origin, size) = at_many(found, way.way, t), axes_of(found.plot)
-    paced = tuple(replace(d, rate=p) for d, p in zip(mechanism.drivers, way.way.pace, strict=True))
-    exact = motion(replace(mechanism, drivers=paced), [np.broadcast_to(value, t.shape) for value in way.way.values(t)])
+    plot, (origin, size) = at_many(found, drive.path, t), axes_of(found.plot)
+    paced = tuple(replace(d, rate=p) for d, p in zip(mechanism.drivers, drive.path.pace, strict=True))
+    exact = motion(replace(mechanism, drivers=paced), [np.broadcast_to(value, t.shape) for value in drive.path.values(t)])
     pace = np.max(np.broadcast_arrays(*(np.abs(value) for value in exact.omega.values())), axis=0)
     drawn = np.all([np.broadcast_to(np.isfinite(value), t.shape) for value in plot.velocity.values()], axis=0)
     assert drawn.mean() > 0.5
@@ -212,14 +212,14 @@ def test_centrodes_of_gears_are_their_pitch_circles(first: str, second: str, rad
 def test_a_hinge_is_a_point_and_a_slide_has_none():
     assert rolled("fig3-4", "2", "3").is_point
     assert not rolled("fig3-4", "2", "4").is_point
-    found, way = moved(library.load("ex3-7"))
+    found, drive = moved(library.load("ex3-7"))
     for links in (("2", "3"), ("3", "3")):
         with pytest.raises(NoCentrode):
-            centrodes(found, *links, way)
+            centrodes(found, *links, drive)
     with pytest.raises(UnknownLink):
-        centrodes(found, "3", "x", way)
+        centrodes(found, "3", "x", drive)
     with pytest.raises(UnknownCentre):
-        path(found, "P99", way)
+        path(found, "P99", drive)
 
 
 def test_cut_at_infinity_and_closed():
@@ -245,13 +245,13 @@ def test_lengths_to_the_fourth_order():
 
 def test_path_of_the_suspension_pole():
     """Figure 3-10: the path holds the drawn position's centre, and each place is where AB and DC meet."""
-    found, way = moved(library.load("fig3-10"))
-    curves = path(found, "P13", way, whole(way))
+    found, drive = moved(library.load("fig3-10"))
+    curves = path(found, "P13", drive, whole(drive))
     assert curves.axes == (FRAME,)
     places = np.concatenate(curves.fixed)
     assert np.min(np.abs(places - complex(found.place(FRAME, "3")))) < 0.05
     for piece in curves.pieces:
-        moved_ = at_many(found, way.way, piece.t)
+        moved_ = at_many(found, drive.path, piece.t)
         for one, other in (("A", "B"), ("D", "C")):
             arm, away = moved_.position[other] - moved_.position[one], piece.places[0] - moved_.position[one]
             assert np.all(np.abs(np.imag(np.conj(arm) * away)) < 1e-9 * np.abs(arm) * (0.1 + np.abs(away)))
@@ -259,8 +259,8 @@ def test_path_of_the_suspension_pole():
 
 def test_class_three_far_from_the_drawn_position():
     """A triad, whose poles come from velocities at some positions."""
-    found, way = moved(triad(1))
-    for curves in all_of(found, way)[:5]:
+    found, drive = moved(triad(1))
+    for curves in all_of(found, drive)[:5]:
         hold_rolling(curves)
 
 
@@ -297,9 +297,9 @@ def test_drawn_curves_touch_at_the_centre():
 
 def _distance(place: complex, places: tuple[complex, ...]) -> float:
     starts, ends = np.array(places[:-1]), np.array(places[1:])
-    way = ends - starts
-    share = np.clip(np.real(np.conj(way) * (place - starts)) / np.abs(way) ** 2, 0, 1)
-    return float(np.min(np.abs(starts + share * way - place)))
+    drive = ends - starts
+    share = np.clip(np.real(np.conj(drive) * (place - starts)) / np.abs(drive) ** 2, 0, 1)
+    return float(np.min(np.abs(starts + share * drive - place)))
 
 
 def test_animation_shows_one_frame_at_a_time():
@@ -331,15 +331,15 @@ def test_infinite_is_what_centring_says():
 @pytest.mark.parametrize("name", library.names())
 def test_no_slip_by_differences(name: str):
     """The centre goes along both curves with one velocity: each curve's own, by differences over five positions."""
-    found, way = moved(library.load(name))
+    found, drive = moved(library.load(name))
     size, step = axes_of(found.plot)[1], 1e-4
     weights = np.array([1, -8, 0, 8, -1]) / (12 * step)
-    for curves in all_of(found, way):
+    for curves in all_of(found, drive):
         for piece in curves.pieces:
             if piece.t[-1] - piece.t[0] < 100 * step:
                 continue  # differences would reach beyond it
             t = piece.t[0] + (piece.t[-1] - piece.t[0]) * np.linspace(0.12, 0.88, 9)
-            plot = at_many(found, way.way, (t[:, None] + step * np.arange(-2, 3)).ravel())
+            plot = at_many(found, drive.path, (t[:, None] + step * np.arange(-2, 3)).ravel())
             centre = _places(found, plot, curves)
             velocities = []
             for link in curves.axes:

@@ -36,9 +36,9 @@ from graphkin.running.compiled.calls import written_out
 from graphkin.running.compiled.lazy_plot import TABLES
 from graphkin.running.compiled.operations import CannotRecord
 from graphkin.running.compiled.program import CHUNK, Program, compiled_program
-from graphkin.running.compiled.tape import Ledger
-from graphkin.running.many import MANY, program_of, swept
-from graphkin.running.tracing import look_along
+from graphkin.running.compiled.tape import Tape
+from graphkin.running.many import MANY, program_of, replay_along
+from graphkin.running.tracing import trace
 
 COUNT = 721
 OPEN_SINE = 0.1
@@ -226,11 +226,11 @@ def test_along_a_way_through_change_points():
             continue
         pace = [1.0, *[0.0] * (len(method.drivers) - 1)]
         far = 2 * np.pi if method.drivers[0].kind != "slide" else method.size
-        way = look_along(method, pace, -far, far)
-        t = np.linspace(0.999 * way.first, 0.999 * way.last, COUNT)
-        plain = plainly(method, way.values(t), way.crossings(t))
-        assert hold_alike(method, swept(method, way, t), plain, COUNT), name
-        changed += len(way.changes)
+        path = trace(method, pace, -far, far)
+        t = np.linspace(0.999 * path.first, 0.999 * path.last, COUNT)
+        plain = plainly(method, path.values(t), path.crossings(t))
+        assert hold_alike(method, replay_along(method, path, t), plain, COUNT), name
+        changed += len(path.changes)
     assert changed
 
 
@@ -331,12 +331,12 @@ def test_plots_are_replaced_and_added_to_as_any_plot():
         plot.omega["another"]
 
 
-# --- the ledger -------------------------------------------------------------------------------
+# --- the tape -------------------------------------------------------------------------------
 
 
-def carried_out(ledger: Ledger, places: Sequence[int], *given: np.ndarray) -> list[np.ndarray]:
+def carried_out(tape: Tape, places: Sequence[int], *given: np.ndarray) -> list[np.ndarray]:
     """What entries come to."""
-    calls = written_out(ledger, len(given), (), places)
+    calls = written_out(tape, len(given), (), places)
     block = np.empty((len(calls.rows), given[0].size))
     calls.run(given, block, [np.empty(given[0].size) for _ in range(calls.registers)])
     return [block[calls.rows[place]] for place in places]
@@ -346,8 +346,8 @@ def test_cosine_and_sine_by_one_tangent():
     """To 4e-16, near and at multiples of a quarter turn and far out as well."""
     near = np.add.outer(np.arange(-40, 41) * np.pi / 2, np.linspace(-1e-8, 1e-8, 11)).ravel()
     angle = np.concatenate([near, np.linspace(-1000, 1000, 100_003), [0.0, 1e-300, 12345678.9]])
-    ledger = Ledger()
-    cos, sin = carried_out(ledger, ledger.turned(ledger.given(0)), angle)
+    tape = Tape()
+    cos, sin = carried_out(tape, tape.turned(tape.given(0)), angle)
     assert np.max(np.abs(cos - np.cos(angle))) <= 4e-16
     assert np.max(np.abs(sin - np.sin(angle))) <= 4e-16
 
@@ -380,17 +380,17 @@ ALGEBRA: list[tuple[str, Callable[..., int], Callable[..., int]]] = [
 @pytest.mark.parametrize(("found", "meant"), [row[1:] for row in ALGEBRA], ids=[row[0] for row in ALGEBRA])
 def test_algebra(found: Callable[..., int], meant: Callable[..., int]):
     """What is one and the same is entered once, and it is the same for numbers, too."""
-    ledger = Ledger()
-    given = ledger.given(X), ledger.given(Y), ledger.side(SIDE)
-    assert found(ledger, *given) == meant(ledger, *given)
+    tape = Tape()
+    given = tape.given(X), tape.given(Y), tape.side(SIDE)
+    assert found(tape, *given) == meant(tape, *given)
 
 
 def test_a_known_length_is_not_measured():
-    ledger = Ledger()
-    x, y, radius = ledger.given(X), ledger.given(Y), ledger.number(3.0)
-    ledger.know_length(x, y, radius)
-    assert ledger.length(ledger.negative(y), x) == radius
-    assert ledger.number_at(ledger.add(ledger.multiply(x, x), ledger.multiply(y, y))) == 9.0
+    tape = Tape()
+    x, y, radius = tape.given(X), tape.given(Y), tape.number(3.0)
+    tape.know_length(x, y, radius)
+    assert tape.length(tape.negative(y), x) == radius
+    assert tape.number_at(tape.add(tape.multiply(x, x), tape.multiply(y, y))) == 9.0
 
 
 @pytest.mark.parametrize(
@@ -403,14 +403,14 @@ def test_a_known_length_is_not_measured():
 def test_what_a_ledger_has_no_word_for(do: Callable[[Any], Any]):
     from graphkin.running.compiled.recorder import Written
 
-    ledger = Ledger()
+    tape = Tape()
     with pytest.raises(CannotRecord):
-        do(Written(ledger, ledger.given(0)))
+        do(Written(tape, tape.given(0)))
 
 
 def test_numbers_that_fail_are_refused():
-    ledger = Ledger()
-    for do in (lambda: ledger.reciprocal(ledger.number(0)), lambda: ledger.sqrt(ledger.number(-1))):
+    tape = Tape()
+    for do in (lambda: tape.reciprocal(tape.number(0)), lambda: tape.sqrt(tape.number(-1))):
         with pytest.raises(CannotRecord):
             do()
 

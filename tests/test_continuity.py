@@ -113,7 +113,7 @@ def test_a_fit_ends_where_it_stands_at_right_angles():
     moved = course(plan(loads(RACK, name="rack", file="rack.toml")), ["0:720:5"])
     s = 0.04 / math.tan(math.radians(60))
     turned = s / 0.04 - math.atan2(s, 0.04)
-    (stop,) = moved.way.stops
+    (stop,) = moved.path.stops
     assert stop.at == pytest.approx(-turned, abs=1e-6)
     assert held(moved) < 1e-9
 
@@ -128,7 +128,7 @@ def test_roads_that_differ_give_no_sweep(monkeypatch: pytest.MonkeyPatch):
     other = course(plan(folding("parallelogram", "crank", 1)), ["0:360:30"])
     told = module.moving
     monkeypatch.setattr(
-        module, "moving", lambda method, way, t, by: told(*((other.method, other.way) if by == "analysis" else (method, way)), t, by)
+        module, "moving", lambda method, path, t, by: told(*((other.method, other.path) if by == "analysis" else (method, path)), t, by)
     )
     with pytest.raises(RoadsDiffer):
         held(moved)

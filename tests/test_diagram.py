@@ -155,7 +155,7 @@ def test_span(name: str, ranges: tuple[str, ...], low: float, high: float):
 @pytest.mark.parametrize("name", ["fig3-10", "s4-ex3", "p3-22"])
 def test_span_goes_on_to_the_stops(name: str):
     found = moved(name)[0]
-    assert span(found) == pytest.approx((found.way.first, found.way.last), rel=1e-12)
+    assert span(found) == pytest.approx((found.path.first, found.path.last), rel=1e-12)
 
 
 def test_without_bound():

@@ -135,7 +135,7 @@ def test_positions_by_fit_keep_the_branch():
     mechanism = library.load("p3-15")
     method = plan(mechanism)
     moved = course(method, ["135:495:2"])
-    drawn, exact = (moving(method, moved.way, moved.t, by) for by in ("construction", "analysis"))
+    drawn, exact = (moving(method, moved.path, moved.t, by) for by in ("construction", "analysis"))
     for link in mechanism.moving:
         assert np.max(np.abs(drawn.omega[link] - exact.omega[link])) < 1e-7
     plot = replay_all(method, [method.drivers[0].value + np.linspace(0, 2 * np.pi, 181)])

@@ -32,11 +32,11 @@ def run(*words: str) -> Result:
 
 def both(mechanism: Mechanism, count: int = 181, margin: float = 0.02) -> float:
     """How far the two roads are apart over everything that is reached, but for the neighbourhood of dead points."""
-    way = course(plan(mechanism))
-    low, high = way.way.first, way.way.last
+    drive = course(plan(mechanism))
+    low, high = drive.path.first, drive.path.last
     trim = margin * (high - low)
-    t = np.linspace(low + trim * (low != way.way.low), high - trim * (high != way.way.high), count)
-    roads = [moving(way.method, way.way, t, by) for by in ("construction", "analysis")]
+    t = np.linspace(low + trim * (low != drive.path.low), high - trim * (high != drive.path.high), count)
+    roads = [moving(drive.method, drive.path, t, by) for by in ("construction", "analysis")]
     assert all(np.isfinite(value).all() for value in roads[1].alpha.values()), mechanism.name
     return apart(mechanism, *roads)
 
@@ -128,11 +128,11 @@ def test_a_parallelogram_stays_one():
 )
 def test_change_points_are_gone_through_smoothly(lengths: tuple[float, ...], sketch: list[float], changes: int, by: str):
     """Speeds are the slopes of angles everywhere, also at the change point itself."""
-    way = course(plan(four_bar(*lengths, sketch)), ["0:360:1"])
-    assert len(way.way.changes) == changes  # a turn to either side
+    drive = course(plan(four_bar(*lengths, sketch)), ["0:360:1"])
+    assert len(drive.path.changes) == changes  # a turn to either side
     step = 1e-3
-    t = np.concatenate([[way.at(v) + k * step for k in (-2, -1, 0, 1, 2)] for v in np.radians([0.0, 90, 180, 180.3, 270])])
-    found = at(way, ["theta 2", "theta 3", "omega 2", "omega 3"], t, by)
+    t = np.concatenate([[drive.at(v) + k * step for k in (-2, -1, 0, 1, 2)] for v in np.radians([0.0, 90, 180, 180.3, 270])])
+    found = at(drive, ["theta 2", "theta 3", "omega 2", "omega 3"], t, by)
     for link in "23":
         angles = found[f"theta {link}"].values.reshape(-1, 5)
         slope = angles @ np.array([1, -8, 0, 8, -1]) / (12 * step)
@@ -172,11 +172,11 @@ E = [60, 40]
 @pytest.mark.parametrize("name", LIMITED)
 def test_the_way_ends_where_the_analysis_ends(name: str):
     """Just before a stop both roads have a position, just beyond it neither has."""
-    way = course(plan(library.load(name)))
-    assert way.stops
-    for stop in way.stops:
-        out = math.copysign(1e-4 * (way.way.last - way.way.first), stop.at)
-        before, beyond = moving(way.method, way.way, np.array([stop.at - out, stop.at + out]), "analysis").theta.values(), None
+    drive = course(plan(library.load(name)))
+    assert drive.stops
+    for stop in drive.stops:
+        out = math.copysign(1e-4 * (drive.path.last - drive.path.first), stop.at)
+        before, beyond = moving(drive.method, drive.path, np.array([stop.at - out, stop.at + out]), "analysis").theta.values(), None
         for angles in before:
             angles = np.broadcast_to(angles, 2)
             beyond = bool(np.isnan(angles[1])) if beyond is None else beyond or bool(np.isnan(angles[1]))

@@ -75,7 +75,7 @@ def centrodes_json(curves: Centrodes) -> Json:
         "pieces": [
             {
                 "closed": piece.closed,
-                "drivers": [np.broadcast_to(value, piece.t.shape).tolist() for value in curves.way.values(piece.t)],
+                "drivers": [np.broadcast_to(value, piece.t.shape).tolist() for value in curves.path.values(piece.t)],
                 "curves": [[[z.real, z.imag] for z in places.tolist()] for places in piece.places],
             }
             for piece in curves.pieces

@@ -16,7 +16,7 @@ from graphkin.construction.centring import STILL, Kennedy, Pole, axes_of, take
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.readings import Readings
-from graphkin.running.path import Way, along
+from graphkin.running.path import Path, along
 
 __all__ = ["at_many", "carried_to", "over"]
 
@@ -24,19 +24,19 @@ LEAN = 0.02
 """Two lines that are less than this far from being one do not tell where they meet."""
 
 
-def over(found: Centres, way: Way, t: np.ndarray) -> Centres:
+def over(found: Centres, path: Path, t: np.ndarray) -> Centres:
     """The same centres at other positions t (n,) on a way."""
-    return Centres(found.method, found.centring, at_many(found, way, t))
+    return Centres(found.method, found.centring, at_many(found, path, t))
 
 
-def at_many(found: Centres, way: Way, t: np.ndarray) -> Plot:
+def at_many(found: Centres, path: Path, t: np.ndarray) -> Plot:
     """A plot of the positions t (n,) on the way, with velocities along it and all centres.
 
     Drivers move as the way goes, whatever their speeds are: with several of them the centres hang on that.
     """
     method = found.method
-    plot = along(method, way, t)
-    plot = replace(plot, facts=replace(plot.facts, rates=way.pace), centres={}, lean={})
+    plot = along(method, path, t)
+    plot = replace(plot, facts=replace(plot.facts, rates=path.pace), centres={}, lean={})
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         replay(method.velocity, plot)
         readings = Readings(method, plot)

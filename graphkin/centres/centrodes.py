@@ -19,7 +19,7 @@ from graphkin.errors import Where
 from graphkin.errors.centring import NoCentrode, UnknownCentre
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
-from graphkin.running.path import Way
+from graphkin.running.path import Path
 from graphkin.value import frozen
 
 __all__ = ["Centrodes", "Coursed", "Piece", "arc_length", "centrodes", "path", "whole"]
@@ -37,7 +37,7 @@ class Coursed(Protocol):
     """What is needed of a course: the way, the positions asked for on it, whether the driver goes all round."""
 
     @property
-    def way(self) -> Way: ...
+    def path(self) -> Path: ...
     @property
     def t(self) -> np.ndarray: ...
     @property
@@ -54,7 +54,7 @@ class Centrodes:
     """
 
     found: Centres
-    way: Way
+    path: Path
     first: str
     second: str
     axes: tuple[str, ...]
@@ -85,7 +85,7 @@ class Centrodes:
 
     def standing(self, link: str, t: Value) -> tuple[Value, Value]:
         """Where a link's axes stand at t, scalar or (n,): origin [m] and unit vector of the x axis."""
-        plot = at_many(self.found, self.way, np.atleast_1d(np.asarray(t, dtype=float)))
+        plot = at_many(self.found, self.path, np.atleast_1d(np.asarray(t, dtype=float)))
         origin, turn = carried_to(self.found, plot, link)
         shape = np.shape(t)
         count = np.atleast_1d(t).shape
@@ -101,7 +101,7 @@ def whole(course: Coursed) -> tuple[float, float]:
     """From which t to which the mechanism gets: a full turn, or all that is reached."""
     if course.full_turn:
         return float(course.t.min()), float(course.t.min()) + 2 * np.pi
-    return course.way.first, course.way.last
+    return course.path.first, course.path.last
 
 
 def centrodes(
@@ -145,7 +145,7 @@ def _traced(
     name, (origin, size) = found.name(first, second), axes_of(found.plot)
 
     def at(t: np.ndarray) -> Sample:
-        plot = at_many(found, course.way, t)
+        plot = at_many(found, course.path, t)
         seen = np.broadcast_to(plot.centres.get(name, np.full((3, 1), np.nan)).reshape(3, -1), (3, t.size))
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             there = origin + size * (seen[0] + 1j * seen[1]) / seen[2]
@@ -158,15 +158,15 @@ def _traced(
         machine = found.method.mechanism
         raise NoCentrode(WHERE, machine.called(first), machine.called(second))
     parts = joined(parts, high - low, CLOSE * size) if course.full_turn else parts
-    return Centrodes(found, course.way, first, second, axes, tuple(parts), (low, high))
+    return Centrodes(found, course.path, first, second, axes, tuple(parts), (low, high))
 
 
 def _inside(course: Coursed, span: tuple[float, float] | None) -> tuple[float, float]:
     """From which t to which; a little inside of dead points."""
     low, high = (float(course.t.min()), float(course.t.max())) if span is None else span
-    way = course.way
-    margin = MARGIN * (way.last - way.first)
-    stops = [stop.at for stop in way.stops]
-    first = way.first + margin if any(at < 0 for at in stops) else -np.inf
-    last = way.last - margin if any(at > 0 for at in stops) else np.inf
+    path = course.path
+    margin = MARGIN * (path.last - path.first)
+    stops = [stop.at for stop in path.stops]
+    first = path.first + margin if any(at < 0 for at in stops) else -np.inf
+    last = path.last - margin if any(at > 0 for at in stops) else np.inf
     return max(low, first), min(high, last)

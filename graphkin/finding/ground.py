@@ -15,7 +15,7 @@ from graphkin.finding.rates import pace_of, rate
 from graphkin.finding.search import Function, differences
 from graphkin.geometry import Value
 from graphkin.running.path import stride
-from graphkin.running.tracing import look_along
+from graphkin.running.tracing import trace
 from graphkin.sweeps import Course, Road, Series
 from graphkin.value import frozen
 
@@ -52,7 +52,7 @@ class Ground:
 
     @cached_property
     def step(self) -> float:
-        fine = stride(self.course.method, self.course.way.pace, FINE_DEG, FINE_PART)
+        fine = stride(self.course.method, self.course.path.pace, FINE_DEG, FINE_PART)
         return (self.high - self.low) / (min(max(LEAST, math.ceil((self.high - self.low) / fine)), MOST) - 1)
 
     @cached_property
@@ -62,12 +62,12 @@ class Ground:
         closer = self.step * 0.5 ** np.arange(1, HALVINGS + 1)
         beyond = self.step * np.arange(1, BEYOND + 1)
         begin, end = (even[1:] if self.stopped[0] else even), (-1 if self.stopped[1] else None)
-        way = self.course.way
+        path = self.course.path
         low = self.low + closer[::-1] if self.stopped[0] else self.low - beyond[::-1]
         high = self.high - closer if self.stopped[1] else self.high + beyond
         t = np.concatenate([low[::-1] if self.stopped[0] else low, begin[:end], high])
-        t = np.unique(t[(t >= way.low) & (t <= way.high)])
-        return np.asarray(t[np.broadcast_to(way.leads_to(t), t.shape)])
+        t = np.unique(t[(t >= path.low) & (t <= path.high)])
+        return np.asarray(t[np.broadcast_to(path.leads_to(t), t.shape)])
 
     @cached_property
     def reader(self) -> Reader:
@@ -115,7 +115,7 @@ class Ground:
         return slope
 
     def position(self, t: float, kind: Kind, values: tuple[float, ...] | None = None) -> Position:
-        drivers = tuple(float(value) for value in self.course.way.values(t))
+        drivers = tuple(float(value) for value in self.course.path.values(t))
         if values is None:
             values = tuple(float(entry.signed[0]) for entry in self.read(np.array([t])))
         return Position(float(t), drivers, values, kind)
@@ -180,12 +180,12 @@ def ground(course: Course, ranges: tuple[str, ...], names: tuple[str, ...], by: 
     gap = float(np.max(np.diff(t))) * 1.5 if t.size > 1 else math.inf
     before, after = False, False
     if course.dropped.size or not ranges:
-        for stop in course.way.stops:
+        for stop in course.path.stops:
             if stop.at > high and stop.at - high <= gap:
                 high, after = stop.at, True
             elif stop.at < low and low - stop.at <= gap:
                 low, before = stop.at, True
-    turn = course.angular and not course.way.stops and sum(map(bool, course.way.pace)) == 1
+    turn = course.angular and not course.path.stops and sum(map(bool, course.path.pace)) == 1
     if turn and not course.method.structure.contacts and high - low > TURN:
         high = low + TURN
     return Ground(course, by, names, low, high, (before, after))
@@ -193,8 +193,8 @@ def ground(course: Course, ranges: tuple[str, ...], names: tuple[str, ...], by: 
 
 def _looked_far_enough(course: Course, low: float, high: float) -> Course:
     """The same course on a way that was looked along as far as its positions lie."""
-    way = course.way
-    if way.low <= low and high <= way.high:
+    path = course.path
+    if path.low <= low and high <= path.high:
         return course
-    farther = look_along(course.method, way.pace, min(way.low, low), max(way.high, high), (way, 0.0))
-    return replace(course, way=farther)
+    farther = trace(course.method, path.pace, min(path.low, low), max(path.high, high), (path, 0.0))
+    return replace(course, path=farther)

@@ -14,7 +14,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.naming import common_link, pair
 from graphkin.planning import Method
 from graphkin.readings import Motions
-from graphkin.running.path import Way
+from graphkin.running.path import Path
 from graphkin.running.reaching import reached
 from graphkin.sweeps import Road, course
 from graphkin.sweeps.quantities import series
@@ -28,13 +28,13 @@ __all__ = ["Spots", "line_of", "scaled", "slowest", "spots"]
 class Spots:
     """Positions t (n,) on a way, and the motions there."""
 
-    way: Way
+    path: Path
     swept: int
     t: np.ndarray
     motions: Motions
 
     def position(self, k: int, values: tuple[float, ...]) -> Position:
-        drivers = tuple(float(value) for value in self.way.values(float(self.t[k])))
+        drivers = tuple(float(value) for value in self.path.values(float(self.t[k])))
         return Position(float(self.t[k]), drivers, values, "here")
 
 
@@ -42,10 +42,10 @@ def spots(method: Method, ranges: Sequence[str], by: Road) -> Spots:
     """The drawn position; with `AB=30` (no steps) that one; with ranges all of theirs."""
     if any(":" in text for text in ranges):
         moved = course(method, ranges)
-        return Spots(moved.way, moved.swept, moved.t, moving(method, moved.way, moved.t, by))
-    way, t = reached(method, _held(method, ranges))
+        return Spots(moved.path, moved.swept, moved.t, moving(method, moved.path, moved.t, by))
+    path, t = reached(method, _held(method, ranges))
     at = np.array([t])
-    return Spots(way, 0, at, moving(method, way, at, by))
+    return Spots(path, 0, at, moving(method, path, at, by))
 
 
 def _held(method: Method, ranges: Sequence[str]) -> list[float]:

@@ -52,7 +52,7 @@ class Reader:
         self.tables: dict[str, tuple[np.ndarray, np.ndarray]] = {}
 
     def motions(self, t: np.ndarray) -> Motions:
-        return moving(self.course.method, self.course.way, t, self.by)
+        return moving(self.course.method, self.course.path, t, self.by)
 
     def read(self, t: np.ndarray, motions: Motions | None = None) -> list[Series]:
         """Every quantity at places t (n,), from the motions there where these are known."""

@@ -32,11 +32,11 @@ class Pace:
 
 def pace_of(course: Course) -> Pace | None:
     """The pace of a way that is gone as the drivers go; None for any other way."""
-    drivers, way = course.method.drivers, course.way
-    speed = drivers[course.swept].rate / way.pace[course.swept]
+    drivers, path = course.method.drivers, course.path
+    speed = drivers[course.swept].rate / path.pace[course.swept]
     together = all(
-        abs(driver.rate - speed * pace) <= 1e-12 * abs(speed * way.pace[course.swept])
-        for driver, pace in zip(drivers, way.pace, strict=True)
+        abs(driver.rate - speed * pace) <= 1e-12 * abs(speed * path.pace[course.swept])
+        for driver, pace in zip(drivers, path.pace, strict=True)
     )
     if not speed or not together:
         return None

@@ -1,8 +1,8 @@
-"""A way walked step by step, where links are fitted: each position is found from one close by.
+"""A path continued step by step, where links are fitted: each position is found from one close by.
 
 Each step is foretold from the two before, and halved where it does not come to that. Where the angle of a crossing, or
 of a fit, is about to become 0, one step goes from well before to well after, crossings changed over: if the links come
-smoothly there, and the loci touch between, it is a change point. Else the way is felt for in ever smaller steps; where
+smoothly there, and the loci touch between, it is a change point. Else the path is felt for in ever smaller steps; where
 none leads on, it ends.
 """
 
@@ -16,11 +16,11 @@ import numpy as np
 
 from graphkin.construction import Fit, Meet, Plot, Roll, Swing, replay
 from graphkin.planning.method import Method
-from graphkin.running.path import Event, Way, along, by_slide_key, stride, turned
+from graphkin.running.path import Event, Path, along, by_slide_key, stride, turned
 from graphkin.running.singularities import Crossing, choice_of, crossings, event_at, key_of, touching
 from graphkin.value import frozen
 
-__all__ = ["walked"]
+__all__ = ["continued"]
 
 STEP_DEG, STEP_PART = 3.0, 0.02
 """The longest step [deg, of the mechanism's size]."""
@@ -40,7 +40,7 @@ BETWEEN = 8
 
 @frozen
 class _Node:
-    """Angles and displacements x (n,) at a place t of the way, their slopes, and the signed sine of each crossing."""
+    """Angles and displacements x (n,) at a place t of the path, their slopes, and the signed sine of each crossing."""
 
     t: float
     x: np.ndarray
@@ -48,34 +48,34 @@ class _Node:
     sines: Mapping[str, float]
 
 
-def walked(method: Method, way: Way) -> Way:
-    """The way walked both ways from the drawn position; it ends where no step leads on."""
-    forth, back = _Walk(method, way, 1), _Walk(method, way, -1)
-    forth.walk(way.high)
-    back.walk(way.low)
+def continued(method: Method, path: Path) -> Path:
+    """The path continued both ways from the drawn position; it ends where no step leads on."""
+    forth, back = _Walk(method, path, 1), _Walk(method, path, -1)
+    forth.walk(path.high)
+    back.walk(path.low)
     changes = (*back.changes, *forth.changes)
     return replace(forth.so_far(back.nodes), stops=(*back.stops, *forth.stops), changes=changes)
 
 
 class _Walk:
-    """One direction of a way: positions found so far, change points gone through, and what ended it.
+    """One direction of a path: positions found so far, change points gone through, and what ended it.
 
     missed   where loci only came near touching
     """
 
-    def __init__(self, method: Method, way: Way, side: int) -> None:
-        self.method, self.way, self.side = method, way, side
-        self.sides = dict(way.sides)
+    def __init__(self, method: Method, path: Path, side: int) -> None:
+        self.method, self.path, self.side = method, path, side
+        self.sides = dict(path.sides)
         self.stops: tuple[Event, ...] = ()
         self.changes: tuple[Event, ...] = ()
         self.missed = -np.inf
-        self.stride = stride(method, way.pace, STEP_DEG, STEP_PART)
+        self.stride = stride(method, path.pace, STEP_DEG, STEP_PART)
         self.crossings = {key_of(step): step for step in crossings(method)}
-        self.names = tuple(turned(method, along(method, way, 0.0)))
+        self.names = tuple(turned(method, along(method, path, 0.0)))
         rolled = {step.angle for step in method.position.steps if isinstance(step, Roll)}
         self.heard = np.array([name not in rolled for name in self.names])
         self.units = np.array([1.0 if name in method.structure.bases else method.size for name in self.names])
-        near = way.near(0.0)
+        near = path.near(0.0)
         start = self._looked_at(0.0, np.array([float(near.get(name, 0.0)) for name in self.names]), self.sides)
         self.nodes = [start]
 
@@ -106,7 +106,7 @@ class _Walk:
 
     def _looked_at(self, t: float, near: np.ndarray, sides: Mapping[int, int]) -> _Node:
         """Angles, displacements and their slopes at t, from some close by."""
-        facts = replace(self.method.facts(self.way.values(t)), rates=self.way.pace)
+        facts = replace(self.method.facts(self.path.values(t)), rates=self.path.pace)
         plot = Plot(facts, dict(zip(self.names, near, strict=True)))
         replay(self.method.velocity, replay(self.method.position, plot, sides))
         found, rates = turned(self.method, plot), {**plot.omega, **by_slide_key(plot.s_rate)}
@@ -184,8 +184,8 @@ class _Walk:
 
     def _gone_through(self, beyond: _Node, turning: list[str]) -> bool:
         """Take the change points between here and there, if each crossing that changes over touches."""
-        here, way = self.last, self.so_far(self.nodes[:1], beyond)
-        found = [touching(self.method, way, self.crossings[key], here.t, beyond.t) for key in turning]
+        here, path = self.last, self.so_far(self.nodes[:1], beyond)
+        found = [touching(self.method, path, self.crossings[key], here.t, beyond.t) for key in turning]
         places = [place for place in found if place is not None]
         if not places or len(places) < len(found):
             return False
@@ -200,18 +200,18 @@ class _Walk:
 
     # --- what is found ------------------------------------------------------------------------
 
-    def so_far(self, others: list[_Node], *beyond: _Node) -> Way:
-        """The way as far as it has been walked, with what lies between positions; `others` are on its other side."""
+    def so_far(self, others: list[_Node], *beyond: _Node) -> Path:
+        """The path as far as it is continued, with what lies between positions; `others` are on its other side."""
         nodes = sorted([*others[1:], *self.nodes, *beyond], key=lambda node: node.t)
         t, x = [nodes[-1].t], [nodes[-1].x]
         for left, right in reversed(list(pairwise(nodes))):
             t[:0] = between = [left.t + (right.t - left.t) * k / BETWEEN for k in range(BETWEEN)]
             x[:0] = [_cubic(left, right, place)[0] for place in between]
         tables = dict(zip(self.names, np.array(x).T, strict=True))
-        return replace(self.way, nodes=(np.array(t), tables), changes=self.changes)
+        return replace(self.path, nodes=(np.array(t), tables), changes=self.changes)
 
     def _stop(self) -> None:
-        """The way ends here, to the last digit that stepping on gives, at the crossing that is flattest."""
+        """The path ends here, to the last digit that stepping on gives, at the crossing that is flattest."""
         flattest = min(self.crossings, key=lambda key: abs(self.last.sines[key]))
         self.stops = (event_at(self.method, self.crossings[flattest], self.last.t, ()),)
 

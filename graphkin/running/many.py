@@ -11,9 +11,9 @@ from graphkin.construction import Plot, replay
 from graphkin.geometry import Value
 from graphkin.planning.method import Method
 from graphkin.running.compiled import TABLES, CannotRecord, Program, compiled_program
-from graphkin.running.path import Way, along
+from graphkin.running.path import Path, along
 
-__all__ = ["MANY", "PART", "by_program", "in_parts", "program_of", "swept"]
+__all__ = ["MANY", "PART", "along_in_parts", "by_program", "program_of", "replay_along"]
 
 MANY = 64
 """From so many positions on a program is worth being made: a few such sweeps take as long as making it."""
@@ -50,12 +50,12 @@ def by_program(method: Method, values: Sequence[Value], sides: Mapping[int, Valu
     return None if made is None else made.run(values, sides)
 
 
-def in_parts(method: Method, way: Way, t: Value) -> Plot:
-    """The positions at t on the way by plain replay; many in parts, so that what they need stays in the cache."""
+def along_in_parts(method: Method, path: Path, t: Value) -> Plot:
+    """The positions at t on the path by plain replay; many in parts, so that what they need stays in the cache."""
     if np.ndim(t) != 1 or t.size <= PART:
-        return along(method, way, t)
-    plots = [along(method, way, part) for part in np.array_split(t, -(-t.size // PART))]
-    whole = Plot(method.facts(way.values(t)), way.near(t))
+        return along(method, path, t)
+    plots = [along(method, path, part) for part in np.array_split(t, -(-t.size // PART))]
+    whole = Plot(method.facts(path.values(t)), path.near(t))
     for table in TABLES:
         for name in getattr(plots[0], table):
             getattr(whole, table)[name] = _joined([getattr(plot, table)[name] for plot in plots])
@@ -67,7 +67,7 @@ def _joined(values: Sequence[Value]) -> Value:
     return np.concatenate(values) if np.ndim(values[0]) else values[0]
 
 
-def swept(method: Method, way: Way, t: np.ndarray) -> Plot:
-    """All three constructions at t (n,) on the way, each choice on the side that is right there."""
-    found = by_program(method, way.values(t), way.crossings(t)) if way.nodes is None else None
-    return found or replay(method.acceleration, replay(method.velocity, in_parts(method, way, t)))
+def replay_along(method: Method, path: Path, t: np.ndarray) -> Plot:
+    """All three constructions at t (n,) on the path, each choice on the side that is right there."""
+    found = by_program(method, path.values(t), path.crossings(t)) if path.nodes is None else None
+    return found or replay(method.acceleration, replay(method.velocity, along_in_parts(method, path, t)))

@@ -1,8 +1,8 @@
-"""The way of a mechanism along a line of driver values: how far it leads from the drawn position, and through what.
+"""The path of a mechanism along a line of driver values: how far it leads from the drawn position, and through what.
 
-Two circles (or a line and a circle) that touch on the way and part again are a dead point: there the way ends.
+Two circles (or a line and a circle) that touch on the path and part again are a dead point: there the path ends.
 Where they touch without parting, all links of the group in line, it is a change point: the mechanism goes through
-smoothly, and from there on the other crossing is the right one. Two lines that become parallel end the way, too.
+smoothly, and from there on the other crossing is the right one. Two lines that become parallel end the path, too.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from graphkin.geometry import Value
 from graphkin.planning.method import Method
 from graphkin.value import frozen
 
-__all__ = ["Event", "Way", "along", "by_slide_key", "stride", "turned", "with_nodes"]
+__all__ = ["Event", "Path", "along", "by_slide_key", "stride", "turned", "with_nodes"]
 
 
 @frozen
 class Event:
-    """A stop or a change point on a way.
+    """A stop or a change point on a path.
 
-    at       where on the way
+    at       where on the path
     kind     "in line" (two links), "right angle" (a link and a guide), "tangent" (a guide and its circle),
              "parallel" (two lines), "fit" (a group that is fitted), "two ways" (such a group at a change point)
     links    the links of the group
@@ -38,10 +38,10 @@ class Event:
 
 
 @frozen
-class Way:
+class Path:
     """Driver values start + t pace [rad, m]; t is 0 at the drawn position.
 
-    low, high   how far it was looked; beyond a stop the way does not lead
+    low, high   how far it was looked; beyond a stop the path does not lead
     stops       where it ends, before the drawn position and after it: at most one each
     changes     change points on it
     nodes       where positions hang on how they are reached: t (m,), angles by base link and displacements (m,) each
@@ -77,7 +77,7 @@ class Way:
         return np.all([np.less(t, at) for at in after] + [np.greater(t, at) for at in before], axis=0)
 
     def crossings(self, t: Value) -> dict[int, Value]:
-        """Which crossing is right at each t, for those choices that change over on the way."""
+        """Which crossing is right at each t, for those choices that change over on the path."""
         found: dict[int, Value] = {**self.sides}
         for change in self.changes:
             beyond = np.greater(t, change.at) if change.at > 0 else np.less(t, change.at)
@@ -93,20 +93,20 @@ class Way:
         return {name: np.interp(t, at, table)[()] for name, table in tables.items()}
 
 
-def with_nodes(way: Way, t: np.ndarray, tables: Mapping[str, np.ndarray]) -> Way:
-    """The way with what is found at t (m,), which goes on from the drawn position to one side; nodes there are left."""
-    assert way.nodes is not None
-    at, before = way.nodes
+def with_nodes(path: Path, t: np.ndarray, tables: Mapping[str, np.ndarray]) -> Path:
+    """The path with what is found at t (m,), which goes on from the drawn position to one side; nodes there go."""
+    assert path.nodes is not None
+    at, before = path.nodes
     kept = at < t[0] if t[-1] > t[0] else at > t[0]
     order = np.argsort(found := np.concatenate([at[kept], t]))
     joined = {name: np.concatenate([before[name][kept], table])[order] for name, table in tables.items()}
-    return replace(way, nodes=(found[order], joined))
+    return replace(path, nodes=(found[order], joined))
 
 
-def along(method: Method, way: Way, t: Value) -> Plot:
-    """The positions at t, scalar or (n,), on the way."""
-    plot = Plot(method.facts(way.values(t)), way.near(t))
-    return replay(method.position, plot, way.crossings(t))
+def along(method: Method, path: Path, t: Value) -> Plot:
+    """The positions at t, scalar or (n,), on the path."""
+    plot = Plot(method.facts(path.values(t)), path.near(t))
+    return replay(method.position, plot, path.crossings(t))
 
 
 def stride(method: Method, pace: Sequence[float], deg: float, part: float) -> float:

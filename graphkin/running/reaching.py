@@ -11,9 +11,9 @@ from graphkin.construction import Plot, replay
 from graphkin.errors import NotReached
 from graphkin.geometry import Value
 from graphkin.planning.method import Method
-from graphkin.running.many import in_parts
-from graphkin.running.path import Way, along, stride, turned
-from graphkin.running.tracing import look_along
+from graphkin.running.many import along_in_parts
+from graphkin.running.path import Path, along, stride, turned
+from graphkin.running.tracing import trace
 
 __all__ = ["moved_to", "reached"]
 
@@ -28,25 +28,25 @@ SHORTEST = 1 / 256
 # --- single positions -------------------------------------------------------------------------
 
 
-def reached(method: Method, values: Sequence[Value]) -> tuple[Way, float]:
-    """The way to a position, and how far on it; the other way round where only that one is free of dead points."""
-    way, t = _to(method, values)
-    if not way.leads_to(t):
+def reached(method: Method, values: Sequence[Value]) -> tuple[Path, float]:
+    """The path to a position, and how far on it; the other way round where only that one is free of dead points."""
+    path, t = _to(method, values)
+    if not path.leads_to(t):
         other = _other_way_round(method, values)
         second, far = _to(method, other)
         if method.structure.contacts or not second.leads_to(far):
-            raise _not_reached(method, way, t)
+            raise _not_reached(method, path, t)
         return second, far
-    return way, t
+    return path, t
 
 
-def _to(method: Method, values: Sequence[Value]) -> tuple[Way, float]:
-    """The straight way from the drawn position: t counts the driver that goes farthest."""
+def _to(method: Method, values: Sequence[Value]) -> tuple[Path, float]:
+    """The straight path from the drawn position: t counts the driver that goes farthest."""
     start = np.array([float(value) for value in method.facts(None).values])
     change = np.array([float(value) for value in values]) - start
     t = float(np.max(np.abs(change), initial=0.0))
     pace = change / t if t else np.zeros_like(change)
-    return look_along(method, tuple(pace), 0.0, t), t
+    return trace(method, tuple(pace), 0.0, t), t
 
 
 def _other_way_round(method: Method, values: Sequence[Value]) -> Sequence[Value]:
@@ -57,16 +57,16 @@ def _other_way_round(method: Method, values: Sequence[Value]) -> Sequence[Value]
     ]
 
 
-def _not_reached(method: Method, way: Way, t: float) -> NotReached:
-    moving = int(np.argmax(np.abs(way.pace)))
+def _not_reached(method: Method, path: Path, t: float) -> NotReached:
+    moving = int(np.argmax(np.abs(path.pace)))
     driver = method.drivers[moving]
 
     def told(at: float) -> str:
-        value = float(way.values(at)[moving])
+        value = float(path.values(at)[moving])
         return f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{np.degrees(value):.6g}°"
 
     where = method.mechanism.where("driver", moving)
-    return NotReached(where, driver.name, told(0.0), told(t), told(way.last))
+    return NotReached(where, driver.name, told(0.0), told(t), told(path.last))
 
 
 # --- positions --------------------------------------------------------------------------------
@@ -85,31 +85,31 @@ def moved_to(method: Method, values: Sequence[Value]) -> Plot:
 
 
 def _moved_on(method: Method, values: Sequence[Value]) -> Plot:
-    """Positions each on its own way, or on one: step by step, each foretold from the two before."""
+    """Positions each on its own path, or on one: step by step, each foretold from the two before."""
     start = np.array(method.facts(None).values)
     change = np.array([value - begin for value, begin in zip(np.broadcast_arrays(*values), start, strict=True)])
     far = change.reshape(len(start), -1)
     line = far[:, int(np.argmax(np.abs(far).sum(axis=0)))]
     along_it = np.tensordot(line, change, 1) / max(float(line @ line), np.finfo(float).tiny)
     if np.allclose(np.multiply.outer(line, along_it), change, rtol=0, atol=1e-12):
-        way = look_along(method, tuple(line), float(min(along_it.min(), 0.0)), float(max(along_it.max(), 0.0)))
-        return in_parts(method, way, np.where(way.leads_to(along_it), along_it, np.nan)[()])
+        path = trace(method, tuple(line), float(min(along_it.min(), 0.0)), float(max(along_it.max(), 0.0)))
+        return along_in_parts(method, path, np.where(path.leads_to(along_it), along_it, np.nan)[()])
     return _fanned(method, values)
 
 
 def _fanned(method: Method, values: Sequence[Value]) -> Plot:
-    """Every position on its own straight way; a step that surprises one of them is halved for all."""
+    """Every position on its own straight path; a step that surprises one of them is halved for all."""
     facts = method.facts(values)
     start = method.facts(None).values
-    ways = [np.asarray(end) - begin for begin, end in zip(start, facts.values, strict=True)]
-    farthest = tuple(float(np.max(np.abs(way))) for way in ways)
+    changes = [np.asarray(end) - begin for begin, end in zip(start, facts.values, strict=True)]
+    farthest = tuple(float(np.max(np.abs(change))) for change in changes)
     longest = min(1.0, stride(method, farthest, STEP_DEG, STEP_PART))
     done, step = 0.0, longest
     near: dict[str, Value] = {**method.near}
     slope: dict[str, Value] = dict.fromkeys(near, 0.0)
     while True:
         there = min(1.0, done + step)
-        at = tuple(begin + way * there for begin, way in zip(start, ways, strict=True))
+        at = tuple(begin + change * there for begin, change in zip(start, changes, strict=True))
         guess = {name: near[name] + slope[name] * (there - done) for name in near}
         plot = replay(method.position, Plot(replace(facts, values=at), guess))
         now = turned(method, plot)

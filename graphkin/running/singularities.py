@@ -1,4 +1,4 @@
-"""Singular positions: dead points, where a way ends, and change points, which it goes through.
+"""Singular positions: dead points, where a path ends, and change points, which it goes through.
 
 Between two positions, the angle under which two loci cross is looked at more closely where it is small: the loci part
 (a dead point), touch (a change point, or parallel lines), or neither.
@@ -13,7 +13,7 @@ import numpy as np
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
-from graphkin.running.path import Event, Way, along, stride
+from graphkin.running.path import Event, Path, along, stride
 
 __all__ = [
     "LOOK_DEG",
@@ -28,7 +28,7 @@ __all__ = [
 ]
 
 LOOK_DEG, LOOK_PART = 0.5, 0.002
-"""How closely the way is looked at [deg, of the mechanism's size]."""
+"""How closely the path is looked at [deg, of the mechanism's size]."""
 TOUCH = 1e-11
 """Circles that miss each other by less than this part of the mechanism's size touch."""
 TOUCHING_SINE = 3e-6
@@ -37,7 +37,7 @@ LOW_SINE = 0.3
 """Below this a least angle between two loci is looked at more closely."""
 ROUNDS, FINE = 3, 201
 CENTRING = 1e-3
-"""How far to both sides of a touching it is weighed, as part of how closely the way is looked at."""
+"""How far to both sides of a touching it is weighed, as part of how closely the path is looked at."""
 
 Crossing = Meet | Swing | Fit
 
@@ -82,14 +82,14 @@ def _called(method: Method, step: Crossing) -> tuple[str, ...]:
     return tuple(method.mechanism.called(link) for link in links_of(method.structure, step))
 
 
-def first_touching(method: Method, way: Way, t: np.ndarray, step: Crossing, plot: Plot) -> tuple[float, bool] | None:
+def first_touching(method: Method, path: Path, t: np.ndarray, step: Crossing, plot: Plot) -> tuple[float, bool] | None:
     """Where the two loci of a crossing first touch or part, and whether the mechanism goes through."""
     sine, miss = _angle(method, step, plot, t.shape)
     apart = ~np.isfinite(sine) | (miss > 0)
     low = _lows(sine) & ~apart
     for k in map(int, np.flatnonzero(low | apart)):
         around = float(t[max(k - 1, 0)]), float(t[min(k + 1, t.size - 1)])
-        if (found := _closer(method, way, step, *around)) is not None:
+        if (found := _closer(method, path, step, *around)) is not None:
             return found
         if apart[k]:
             return float(t[max(k - 1, 0)]), False
@@ -118,30 +118,30 @@ def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -
     return sine, miss
 
 
-def _closer(method: Method, way: Way, step: Crossing, begin: float, end: float) -> tuple[float, bool] | None:
+def _closer(method: Method, path: Path, step: Crossing, begin: float, end: float) -> tuple[float, bool] | None:
     """Look closer between two positions: (where, whether it goes through), None where nothing happens."""
     parted: float | None = None
     for _ in range(ROUNDS):
         t = np.linspace(begin, end, FINE)
-        sine, miss = _angle(method, step, along(method, way, t), t.shape)
+        sine, miss = _angle(method, step, along(method, path, t), t.shape)
         apart = np.flatnonzero(~np.isfinite(sine) | (miss > 0))
         if apart.size and parted is None:
-            parted = _edge(method, way, step, t, int(apart[0]))
+            parted = _edge(method, path, step, t, int(apart[0]))
         k = _lowest(sine[: apart[0]] if apart.size else sine)
         if k is None:
             return (parted, False) if parted is not None else None
         begin, end = float(t[max(k - 1, 0)]), float(t[min(k + 1, FINE - 1)])
     if sine[k] > TOUCHING_SINE:
         return (parted, False) if parted is not None else None
-    centre = _centred(method, way, step, float(t[k]))
+    centre = _centred(method, path, step, float(t[k]))
     if not np.isfinite(centre):  # they part on one side: as flat as this only by rounding
         return (float(t[k]) if parted is None else parted), False
     return centre, _kind(step) != "parallel"
 
 
-def touching(method: Method, way: Way, step: Crossing, begin: float, end: float) -> float | None:
+def touching(method: Method, path: Path, step: Crossing, begin: float, end: float) -> float | None:
     """Where the loci of a crossing touch between two places, to go on beyond; None where they do not."""
-    found = _closer(method, way, step, begin, end)
+    found = _closer(method, path, step, begin, end)
     return found[0] if found is not None and found[1] else None
 
 
@@ -155,22 +155,22 @@ def _lowest(sine: np.ndarray) -> int | None:
     return int(np.argmin(sine)) if whole else None
 
 
-def _centred(method: Method, way: Way, step: Crossing, at: float) -> float:
+def _centred(method: Method, path: Path, step: Crossing, at: float) -> float:
     """Where the sine, which falls and rises in straight lines, comes to 0."""
-    aside = CENTRING * stride(method, way.pace, LOOK_DEG, LOOK_PART)
+    aside = CENTRING * stride(method, path.pace, LOOK_DEG, LOOK_PART)
     t = at + aside * np.array([-1.0, 1.0])
-    (before, after), _ = _angle(method, step, along(method, way, t), t.shape)
+    (before, after), _ = _angle(method, step, along(method, path, t), t.shape)
     return at + aside * float((before - after) / (before + after))
 
 
-def _edge(method: Method, way: Way, step: Crossing, t: np.ndarray, k: int) -> float:
+def _edge(method: Method, path: Path, step: Crossing, t: np.ndarray, k: int) -> float:
     """The last position at which the loci still meet, before position k."""
     if k == 0:
         return float(t[0])
     begin, end = float(t[k - 1]), float(t[k])
     for _ in range(5):
         t = np.linspace(begin, end, FINE)
-        sine, miss = _angle(method, step, along(method, way, t), t.shape)
+        sine, miss = _angle(method, step, along(method, path, t), t.shape)
         apart = ~np.isfinite(sine) | (miss > 0)
         first = int(np.flatnonzero(apart)[0]) if apart.any() else FINE - 1
         begin, end = float(t[max(first - 1, 0)]), float(t[first])

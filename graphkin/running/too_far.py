@@ -1,4 +1,4 @@
-"""How far a mechanism can be moved at once: it is looked along the way there, every half degree."""
+"""How far a mechanism can be moved at once: it is looked along the path there, every half degree."""
 
 from __future__ import annotations
 
@@ -6,30 +6,30 @@ import math
 
 from graphkin.errors import TooFar
 from graphkin.planning.method import Method
-from graphkin.running.path import Way, stride
+from graphkin.running.path import Path, stride
 
 __all__ = ["refuse_far"]
 
 MOST = 1e7
-"""Points looked at on a way, at most: some 0.3 GB."""
+"""Points looked at on a path, at most: some 0.3 GB."""
 FITTING = 30
 """How much more a position costs where links are fitted."""
 
 
-def refuse_far(method: Method, way: Way, look_deg: float, look_part: float) -> None:
-    """Raises TooFar for a way with too many positions to be looked at."""
+def refuse_far(method: Method, path: Path, look_deg: float, look_part: float) -> None:
+    """Raises TooFar for a path with too many positions to be looked at."""
     cost = max(len(method.mechanism.points), 4) * (FITTING if method.fits else 1)
-    most = MOST / cost * stride(method, way.pace, look_deg, look_part)
-    if way.high - way.low <= most:
+    most = MOST / cost * stride(method, path.pace, look_deg, look_part)
+    if path.high - path.low <= most:
         return
-    moving = max(range(len(way.pace)), key=lambda k: abs(way.pace[k]))
+    moving = max(range(len(path.pace)), key=lambda k: abs(path.pace[k]))
     driver = method.drivers[moving]
 
     def told(value: float) -> str:
         return f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{math.degrees(value):.6g}°"
 
-    start, end = (told(way.start[moving] + way.pace[moving] * t) for t in (way.low, way.high))
-    farthest = told(_round(abs(way.pace[moving]) * most))
+    start, end = (told(path.start[moving] + path.pace[moving] * t) for t in (path.low, path.high))
+    farthest = told(_round(abs(path.pace[moving]) * most))
     raise TooFar(method.mechanism.where("driver", moving), driver.name, start, end, farthest)
 
 

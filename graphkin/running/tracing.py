@@ -1,4 +1,4 @@
-"""A way traced from the drawn position: how far it leads, and through what."""
+"""A path traced from the drawn position: how far it leads, and through what."""
 
 from __future__ import annotations
 
@@ -8,35 +8,35 @@ import numpy as np
 
 from graphkin.construction import Meet, Swing
 from graphkin.planning.method import Method
-from graphkin.running.continuation import walked
-from graphkin.running.path import Way
+from graphkin.running.continuation import continued
+from graphkin.running.path import Path
 from graphkin.running.scanning import scanned
 from graphkin.running.singularities import LOOK_DEG, LOOK_PART
 from graphkin.running.too_far import refuse_far
 
-__all__ = ["look_along"]
+__all__ = ["trace"]
 
 
-def look_along(
-    method: Method, pace: Sequence[float], low: float, high: float, after: tuple[Way, float] | None = None
-) -> Way:
-    """Look along the way from t = low to t = high (low <= 0 <= high) for stops and change points.
+def trace(
+    method: Method, pace: Sequence[float], low: float, high: float, after: tuple[Path, float] | None = None
+) -> Path:
+    """Look along the path from t = low to t = high (low <= 0 <= high) for stops and change points.
 
-    after   a place on another way, to start from there instead of from the drawn position
+    after   a place on another path, to start from there instead of from the drawn position
     """
-    way = _setting_out(method, tuple(float(p) for p in pace), (float(low), float(high)), after)
-    refuse_far(method, way, LOOK_DEG, LOOK_PART)
+    path = _setting_out(method, tuple(float(p) for p in pace), (float(low), float(high)), after)
+    refuse_far(method, path, LOOK_DEG, LOOK_PART)
     if method.fits:
-        return walked(method, way)
+        return continued(method, path)
     for end in (high, low):
-        way = scanned(method, way, end)
-    return way
+        path = scanned(method, path, end)
+    return path
 
 
 def _setting_out(
-    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[Way, float] | None
-) -> Way:
-    """A way of which only its start is known."""
+    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[Path, float] | None
+) -> Path:
+    """A path of which only its start is known."""
     if after is None:
         start = tuple(float(value) for value in method.facts(None).values)
         near, sides = dict(method.near), _sides(method)
@@ -46,7 +46,7 @@ def _setting_out(
         near = before.near(t)
         sides = {choice: int(side) for choice, side in before.crossings(t).items()}
     nodes = (np.zeros(1), {name: np.full(1, value) for name, value in near.items()})
-    return Way(start, pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)
+    return Path(start, pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)
 
 
 def _sides(method: Method) -> dict[int, int]:

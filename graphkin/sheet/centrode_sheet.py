@@ -79,7 +79,7 @@ def heading(curves: Centrodes, lang: Lang) -> str:
 
 def plot_at(curves: Centrodes, t: float) -> Plot:
     """The mechanism at t on the way."""
-    return along(curves.found.method, curves.way, t)
+    return along(curves.found.method, curves.path, t)
 
 
 def centrode_page(curves: Centrodes, times: Sequence[float], paper: str | None) -> Page:

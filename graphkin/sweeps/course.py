@@ -14,9 +14,9 @@ from graphkin.loading.units import read_quantity
 from graphkin.mechanism import Driver
 from graphkin.naming import driver_number
 from graphkin.planning import Method
-from graphkin.running.path import Event, Way
+from graphkin.running.path import Event, Path
 from graphkin.running.reaching import reached
-from graphkin.running.tracing import look_along
+from graphkin.running.tracing import trace
 from graphkin.value import frozen
 
 __all__ = ["Course", "course"]
@@ -30,16 +30,16 @@ ROWS = 36
 
 @frozen
 class Course:
-    """A mechanism moved along a way, and the positions asked for on it.
+    """A mechanism moved along a path, and the positions asked for on it.
 
     swept   number of the driver by whose value positions are named
-    t       where on the way the positions are (n,)
+    t       where on the path the positions are (n,)
     values  of the swept driver there, as they were asked for (n,) [rad, m]
     dropped values of the swept driver that were asked for and are not reached [rad, m]
     """
 
     method: Method
-    way: Way
+    path: Path
     swept: int
     t: np.ndarray
     values: np.ndarray
@@ -56,43 +56,43 @@ class Course:
 
     def value(self, t: Value) -> Value:
         """The swept driver's value [rad, m]."""
-        return self.way.start[self.swept] + self.way.pace[self.swept] * t
+        return self.path.start[self.swept] + self.path.pace[self.swept] * t
 
     def at(self, value: Value) -> Value:
-        """Where on the way the swept driver has a value."""
-        return (value - self.way.start[self.swept]) / self.way.pace[self.swept]
+        """Where on the path the swept driver has a value."""
+        return (value - self.path.start[self.swept]) / self.path.pace[self.swept]
 
     @cached_property
     def reach(self) -> tuple[float, float]:
-        """The least and the greatest value of the swept driver on the way [rad, m]."""
-        ends = self.value(self.way.first), self.value(self.way.last)
+        """The least and the greatest value of the swept driver on the path [rad, m]."""
+        ends = self.value(self.path.first), self.value(self.path.last)
         return min(ends), max(ends)
 
     @property
     def stops(self) -> tuple[Event, ...]:
-        """Dead points at which the way ends, in the order of the swept driver's values."""
-        return tuple(sorted(self.way.stops, key=lambda stop: float(self.value(stop.at))))
+        """Dead points at which the path ends, in the order of the swept driver's values."""
+        return tuple(sorted(self.path.stops, key=lambda stop: float(self.value(stop.at))))
 
     @property
     def changes(self) -> tuple[Event, ...]:
         """Change points among the positions, in the order of the swept driver's values."""
-        margin = 1e-9 * (self.way.high - self.way.low)
+        margin = 1e-9 * (self.path.high - self.path.low)
         low, high = float(self.t.min()) - margin, float(self.t.max()) + margin
-        return tuple(sorted((c for c in self.way.changes if low <= c.at <= high), key=lambda change: change.at))
+        return tuple(sorted((c for c in self.path.changes if low <= c.at <= high), key=lambda change: change.at))
 
     @property
     def full_turn(self) -> bool:
         """Whether the swept driver goes all round."""
-        return self.angular and not self.way.stops
+        return self.angular and not self.path.stops
 
     def fine(self, count: int) -> np.ndarray:
         """t at `count` positions evenly over what is asked for, as far as it is reached."""
-        low, high = (float(self.t.min()), float(self.t.max())) if self.t.size else (self.way.first, self.way.last)
+        low, high = (float(self.t.min()), float(self.t.max())) if self.t.size else (self.path.first, self.path.last)
         return np.linspace(low, high, count)
 
 
 def course(method: Method, ranges: Sequence[str] = ()) -> Course:
-    """The way that a sweep takes.
+    """The path that a sweep takes.
 
     ranges   `0:360:10`, `AB=0:360:10`, `ram=50 mm:90 mm:5 mm`, or `DH=90`: for each driver named, or in their order.
              None: the first driver that moves, a full turn or as far as it gets; the others keep pace with it.
@@ -130,15 +130,15 @@ def _pace(method: Method, swept: int, still: tuple[int, ...]) -> tuple[float, ..
 
 
 def _over(
-    method: Method, swept: int, pace: tuple[float, ...], wanted: tuple[float, ...], before: tuple[Way, float] | None
+    method: Method, swept: int, pace: tuple[float, ...], wanted: tuple[float, ...], before: tuple[Path, float] | None
 ) -> Course:
     start = float(before[0].values(before[1])[swept]) if before else float(method.facts(None).values[swept])
     driver = method.drivers[swept]
     low, high = _ends(method, driver, start, wanted)
-    way = look_along(method, pace, low - start, high - start, before)
-    values = _steps(wanted) if wanted else _usual(method, driver, way, swept)
-    t, there = _turned_back(method, way, driver, values - start)
-    found = Course(method, way, swept, t[there], values[there], values[~there])
+    path = trace(method, pace, low - start, high - start, before)
+    values = _steps(wanted) if wanted else _usual(method, driver, path, swept)
+    t, there = _turned_back(method, path, driver, values - start)
+    found = Course(method, path, swept, t[there], values[there], values[~there])
     if not there.any():
         raise _none(found)
     return found
@@ -153,28 +153,28 @@ def _ends(method: Method, driver: Driver, start: float, wanted: tuple[float, ...
     return min((usual[0], *wanted[:2])), max((usual[1], *wanted[:2]))
 
 
-def _turned_back(method: Method, way: Way, driver: Driver, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _turned_back(method: Method, path: Path, driver: Driver, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Positions whole turns away are the same ones, where nothing rolls; and which of all are reached."""
-    turns_alike = driver.kind != "slide" and not method.structure.contacts and sum(map(bool, way.pace)) == 1
-    if turns_alike and way.stops:
-        middle = (way.first + way.last) / 2
+    turns_alike = driver.kind != "slide" and not method.structure.contacts and sum(map(bool, path.pace)) == 1
+    if turns_alike and path.stops:
+        middle = (path.first + path.last) / 2
         turned = t - TURN * np.round((t - middle) / TURN)
-        t = np.where(way.leads_to(t), t, turned)
-    return t, np.broadcast_to(way.leads_to(t), t.shape)
+        t = np.where(path.leads_to(t), t, turned)
+    return t, np.broadcast_to(path.leads_to(t), t.shape)
 
 
-def _usual(method: Method, driver: Driver, way: Way, swept: int) -> np.ndarray:
+def _usual(method: Method, driver: Driver, path: Path, swept: int) -> np.ndarray:
     """Every 10 degrees of a turn, or of what is reached; of a slide's range, some forty round values."""
-    start = way.start[swept]
+    start = path.start[swept]
     if driver.kind != "slide":
         step = math.radians(10)
-        if not way.stops:
+        if not path.stops:
             return _multiples(0.0, TURN, step)
-        low, high = start + way.first, start + way.last
+        low, high = start + path.first, start + path.last
         while (high - low) / step < 12:
             step /= 2
         return _inside(_multiples(low, high, step), low, high)
-    low, high = start + way.first, start + way.last
+    low, high = start + path.first, start + path.last
     return _inside(_multiples(low, high, _round_step((high - low) / ROWS)), low, high)
 
 
@@ -203,8 +203,8 @@ def _none(found: Course) -> NoPosition:
 # --- several drivers told apart ---------------------------------------------------------------
 
 
-def _moved(method: Method, given: dict[int, tuple[float, ...]]) -> tuple[Way, float] | None:
-    """The way to where drivers that are given one value stand."""
+def _moved(method: Method, given: dict[int, tuple[float, ...]]) -> tuple[Path, float] | None:
+    """The path to where drivers that are given one value stand."""
     held = {k: spec[0] for k, spec in given.items() if len(spec) == 1}
     if not held:
         return None
@@ -224,10 +224,10 @@ def _together(method: Method, given: dict[int, tuple[float, ...]], moving: list[
     length = given[swept][1] - given[swept][0]
     paces = [(given[k][1] - given[k][0]) / length if k in moving else 0.0 for k in range(len(begin))]
     ends = min(0.0, float(wanted.min())), max(0.0, float(wanted.max()))
-    way = look_along(method, paces, *ends, before)
-    there = np.broadcast_to(way.leads_to(wanted), wanted.shape)
+    path = trace(method, paces, *ends, before)
+    there = np.broadcast_to(path.leads_to(wanted), wanted.shape)
     values = wanted + begin[swept]
-    found = Course(method, way, swept, wanted[there], values[there], values[~there])
+    found = Course(method, path, swept, wanted[there], values[there], values[~there])
     if not there.any():
         raise _none(found)
     return found

@@ -23,7 +23,7 @@ def held(course: Course) -> float:
     t = _places(course)
     if not t.size:
         return 0.0
-    drawn, exact = (moving(course.method, course.way, t, by) for by in ("construction", "analysis"))
+    drawn, exact = (moving(course.method, course.path, t, by) for by in ("construction", "analysis"))
     worst = apart(course.method.mechanism, drawn, exact)
     if not worst < AGREE:
         where = course.method.mechanism.where("driver", course.swept)
@@ -34,8 +34,8 @@ def held(course: Course) -> float:
 def _places(course: Course) -> np.ndarray:
     """Twelve places, evenly over what is asked for, none right beside a stop."""
     low, high = float(course.t.min()), float(course.t.max())
-    aside = stride(course.method, course.way.pace, ASIDE_DEG, ASIDE_PART)
-    aside = min(aside, (course.way.last - course.way.first) / 4)
-    for stop in course.way.stops:
+    aside = stride(course.method, course.path.pace, ASIDE_DEG, ASIDE_PART)
+    aside = min(aside, (course.path.last - course.path.first) / 4)
+    for stop in course.path.stops:
         low, high = (low, min(high, stop.at - aside)) if stop.at > 0 else (max(low, stop.at + aside), high)
     return np.unique(np.linspace(low, high, PLACES)) if low <= high else np.empty(0)

@@ -75,7 +75,7 @@ def shown(value: float, unit: str) -> str:
 
 
 def at(course: Course, t: float) -> str:
-    """`AB = 41.2°`, by where on the way."""
+    """`AB = 41.2°`, by where on the path."""
     return named(course, float(course.value(t)))
 
 
@@ -85,7 +85,7 @@ def named(course: Course, value: float) -> str:
 
 
 def told(event: Event, lang: Lang) -> str:
-    """Why a way stops, or what happens at a change point."""
+    """Why a path stops, or what happens at a change point."""
     return WORDS[event.kind][lang].format(links=listed(event.links, lang))
 
 
@@ -105,7 +105,7 @@ def remarks(course: Course, lang: Lang) -> Iterator[str]:
         yield WORDS["change"][lang].format(at=at(course, change.at), why=told(change, lang))
     if course.dropped.size:
         yield WORDS["dropped"][lang].format(count=course.dropped.size)
-    if sum(map(bool, course.way.pace)) > 1:
+    if sum(map(bool, course.path.pace)) > 1:
         yield WORDS["together"][lang]
 
 
@@ -116,9 +116,9 @@ def left_out(course: Course, undefined: np.ndarray, lang: Lang) -> Iterator[str]
 
 
 def _open_ends(course: Course, lang: Lang) -> Iterator[str]:
-    """Ends of the way at which nothing stops it but that no one looked farther."""
-    stops = [stop.at for stop in course.way.stops]
-    for end, side in ((course.way.low, -1), (course.way.high, 1)):
+    """Ends of the path at which nothing stops it but that no one looked farther."""
+    stops = [stop.at for stop in course.path.stops]
+    for end, side in ((course.path.low, -1), (course.path.high, 1)):
         if not any(stop * side > 0 for stop in stops):
             yield WORDS["open"][lang].format(at=at(course, end))
 

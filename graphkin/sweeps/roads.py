@@ -20,8 +20,8 @@ from graphkin.mechanism import FRAME
 from graphkin.planning import Method, with_other_points
 from graphkin.readings import Motions, Readings
 from graphkin.running import replay_all
-from graphkin.running.many import swept
-from graphkin.running.path import Way, along, stride
+from graphkin.running.many import replay_along
+from graphkin.running.path import Path, along, stride
 from graphkin.value import frozen
 
 __all__ = ["Road", "centre_path", "moving"]
@@ -39,32 +39,32 @@ FAR_SINE, OTHER_POINTS = 0.05, 4
 """Where the lines of a special point meet under a smaller angle, another one is taken; so often at most."""
 
 
-def moving(method: Method, way: Way, t: np.ndarray, by: Road) -> Motions:
-    """Position, velocity and acceleration at t (n,) on the way, by one of the roads."""
+def moving(method: Method, path: Path, t: np.ndarray, by: Road) -> Motions:
+    """Position, velocity and acceleration at t (n,) on the path, by one of the roads."""
     if by == "analysis":
         from graphkin.analytic import motion
 
-        return motion(method.mechanism, [np.broadcast_to(value, t.shape) for value in way.values(t)])
-    rows, patches = _drawn(method, way, t)
-    patches += [patch for change in way.changes if (patch := _beside(method, way, t, change.at))]
+        return motion(method.mechanism, [np.broadcast_to(value, t.shape) for value in path.values(t)])
+    rows, patches = _drawn(method, path, t)
+    patches += [patch for change in path.changes if (patch := _beside(method, path, t, change.at))]
     return Mended(rows, t.size, tuple(patches)) if patches else rows
 
 
-def _drawn(method: Method, way: Way, t: np.ndarray) -> tuple[Motions, list[Patch]]:
+def _drawn(method: Method, path: Path, t: np.ndarray) -> tuple[Motions, list[Patch]]:
     """Motions by the construction, but for change points."""
-    plot = swept(method, way, t)
-    return Readings(method, plot), _by_other_points(method, way, t, plot)
+    plot = replay_along(method, path, t)
+    return Readings(method, plot), _by_other_points(method, path, t, plot)
 
 
-def _beside(method: Method, way: Way, t: np.ndarray, centre: float) -> Patch | None:
+def _beside(method: Method, path: Path, t: np.ndarray, centre: float) -> Patch | None:
     """The rows at a change point, by their neighbours on both sides, which no other change point or stop is near."""
-    others = [event.at for event in (*way.changes, *way.stops) if event.at != centre]
+    others = [event.at for event in (*path.changes, *path.stops) if event.at != centre]
     clear = min((abs(centre - other) for other in others), default=np.inf)
-    aside = min(stride(method, way.pace, ASIDE_DEG, ASIDE_PART), clear / CLEAR)
+    aside = min(stride(method, path.pace, ASIDE_DEG, ASIDE_PART), clear / CLEAR)
     if not np.any(np.abs(t - centre) < aside):
         return None
     for _ in range(NEARER):
-        neighbours, patches = _drawn(method, way, centre + aside * PLACES)
+        neighbours, patches = _drawn(method, path, centre + aside * PLACES)
         if patches:
             neighbours = Mended(neighbours, PLACES.size, tuple(patches))
         if _alike(method, neighbours):
@@ -88,7 +88,7 @@ def _alike(method: Method, neighbours: Motions) -> bool:
 # --- special points far off -------------------------------------------------------------------
 
 
-def _by_other_points(method: Method, way: Way, t: np.ndarray, plot: Plot) -> list[Patch]:
+def _by_other_points(method: Method, path: Path, t: np.ndarray, plot: Plot) -> list[Patch]:
     """Rows at which the lines of a special point hardly meet, by other special points."""
     sines = _special_sines(method, plot, t.shape)
     rows, patches = np.flatnonzero(sines < FAR_SINE), []
@@ -96,8 +96,8 @@ def _by_other_points(method: Method, way: Way, t: np.ndarray, plot: Plot) -> lis
         if not rows.size:
             break
         worst = float(t[rows[np.argmin(sines[rows])]])
-        other = with_other_points(method, along(method, way, worst))
-        there = replay(other.acceleration, replay(other.velocity, along(other, way, t[rows])))
+        other = with_other_points(method, along(method, path, worst))
+        there = replay(other.acceleration, replay(other.velocity, along(other, path, t[rows])))
         better = _special_sines(other, there, rows.shape)
         good = np.flatnonzero(better > sines[rows])
         patches.append(Patch(rows[good], Readings(other, there), good[:, None], np.ones((good.size, 1))))
@@ -198,12 +198,12 @@ class Mended:
 # --- instant centres --------------------------------------------------------------------------
 
 
-def centre_path(method: Method, way: Way, t: np.ndarray, by: Road, links: tuple[str, str]) -> np.ndarray:
-    """Where the instant centre of two links lies at t (n,) on the way [m]; infinite at infinity."""
+def centre_path(method: Method, path: Path, t: np.ndarray, by: Road, links: tuple[str, str]) -> np.ndarray:
+    """Where the instant centre of two links lies at t (n,) on the path [m]; infinite at infinity."""
     if by == "construction":
-        found = over(centres(method, replay_all(method)), way, t)
+        found = over(centres(method, replay_all(method)), path, t)
         return np.array(np.broadcast_to(found.place(*links), t.shape))
-    motions = moving(method, way, t, by)
+    motions = moving(method, path, t, by)
     point = method.mechanism.points[0]
     moves = [0j * t if link == FRAME else motions.velocity_at(point, link) for link in links]
     turns = [0.0 * t if link == FRAME else motions.omega[link] for link in links]

@@ -29,7 +29,7 @@ FINE_DEG, FINE_PART = 0.5, 0.002
 class Sweep:
     """Quantities over positions.
 
-    t       where on the way (n,)
+    t       where on the path (n,)
     values  of the driver that names the positions (n,) [rad, m]
     undefined   its values at positions that are reached but have no definite motion, and are left out
     """
@@ -92,7 +92,7 @@ def at(course: Course, names: Sequence[str], t: np.ndarray, by: Road = "construc
 
 def _at(course: Course, names: Sequence[str], t: np.ndarray, by: Road, turned: _Turned) -> Sweep:
     mechanism = course.method.mechanism
-    motions = moving(course.method, course.way, t, by)
+    motions = moving(course.method, course.path, t, by)
     found = [_centre(course, name, t, by) or series(mechanism, motions, name, t.size) for name in names]
     told = tuple(turned.on(entry, t) for entry in found if entry)
     return Sweep(course, t, np.asarray(course.value(t)), told, np.empty(0))
@@ -103,7 +103,7 @@ def _centre(course: Course, name: str, t: np.ndarray, by: Road) -> Series | None
     links = centre_of(course.method.mechanism, name)
     if links is None:
         return None
-    places = centre_path(course.method, course.way, t, by, links)
+    places = centre_path(course.method, course.path, t, by, links)
     return Series(name, "m", np.abs(places), places)
 
 
@@ -115,9 +115,9 @@ class _Turned:
         if not names:
             return
         low, high = float(course.t.min()), float(course.t.max())
-        count = 2 + int((high - low) / stride(course.method, course.way.pace, FINE_DEG, FINE_PART))
+        count = 2 + int((high - low) / stride(course.method, course.path.pace, FINE_DEG, FINE_PART))
         self.t = np.linspace(low, high, count)
-        motions = moving(course.method, course.way, self.t, by)
+        motions = moving(course.method, course.path, self.t, by)
         first = np.interp(course.t[0], self.t, np.arange(count))
         for name in names:
             entry = series(course.method.mechanism, motions, name, count)

@@ -61,7 +61,7 @@ class Curves:
     def events(self) -> tuple[Event, ...]:
         """Stops and change points that are shown, in their order."""
         margin = 1e-6 * (self.high - self.low)
-        found = (event for event in (*self.course.way.stops, *self.course.way.changes))
+        found = (event for event in (*self.course.path.stops, *self.course.path.changes))
         return tuple(sorted((e for e in found if self.low - margin <= e.at <= self.high + margin), key=lambda e: e.at))
 
     @cached_property
@@ -92,7 +92,7 @@ class Curves:
         part = np.abs(self.t - end) / (self.high - self.low)
         sizes = np.abs(self.series[k].signed)
         known = np.isfinite(sizes) & (part < 1e-3)
-        stops = [stop.at for stop in self.course.way.stops]
+        stops = [stop.at for stop in self.course.path.stops]
         if not known.any() or not any(abs(end - at) <= 1e-6 * (self.high - self.low) for at in stops):
             return False
         nearest, farther = part[known] < 1e-6, part[known] > 1e-4
@@ -205,16 +205,16 @@ def curves(course: Course, names: Sequence[str], by: Road = "construction") -> C
 
 def span(course: Course) -> tuple[float, float]:
     """The shown part of the way: what is asked for; to a full turn, or to the way's end, if only a step is missing."""
-    way, asked = course.way, np.unique(course.t)
+    path, asked = course.path, np.unique(course.t)
     low, high = float(asked[0]), float(asked[-1])
     step = 1.01 * float(np.diff(asked).max()) if asked.size > 1 else np.inf
     if course.full_turn and asked.size == 1:
-        low = high = min(float(course.at(TURN * np.floor(course.value(low) / TURN))), way.high - TURN)
+        low = high = min(float(course.at(TURN * np.floor(course.value(low) / TURN))), path.high - TURN)
     if course.full_turn and TURN - step <= high - low < TURN:
-        low, high = (low, low + TURN) if low + TURN <= way.high + 1e-9 else (high - TURN, high)
+        low, high = (low, low + TURN) if low + TURN <= path.high + 1e-9 else (high - TURN, high)
     if not course.full_turn:
-        low = way.first if low - way.first <= step else low
-        high = way.last if way.last - high <= step else high
+        low = path.first if low - path.first <= step else low
+        high = path.last if path.last - high <= step else high
     return low, high
 
 
@@ -223,7 +223,7 @@ def _first_positions(course: Course, low: float, high: float) -> np.ndarray:
     size = high - low
     turns = size / TURN if course.angular else 1.0
     t = np.linspace(low, high, int(min(max(POSITIONS, turns * POSITIONS / 2), 40 * POSITIONS)))
-    for stop in course.way.stops:
+    for stop in course.path.stops:
         if abs(stop.at - low) < 1e-9 * size:
             t = np.append(t[t > low], low + NEAR * size)
         if abs(stop.at - high) < 1e-9 * size:

@@ -196,7 +196,7 @@ def _across(first: Axes, found: Curves, lang: Lang, last: bool) -> None:
     course = found.course
     factor = unit_of("rad" if course.angular else "m").factor
     low, high = sorted(float(course.value(t)) * factor for t in (found.low, found.high))
-    beyond = 0.015 * (high - low) if course.way.stops else 0.0
+    beyond = 0.015 * (high - low) if course.path.stops else 0.0
     first.set_xlim(low - beyond, high + beyond)
     ticks = division(low, high, most=13, degrees=course.angular)
     first.set_xticks(ticks, labels=[_tick(value, ticks, 0) for value in ticks] if last else [""] * len(ticks))

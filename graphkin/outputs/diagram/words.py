@@ -85,13 +85,13 @@ def about_drivers(course: Course, lang: Lang) -> str:
     told = []
     for k, driver in enumerate(course.method.drivers):
         speed, per_second, gain, per_square = _RATES.get(driver.kind, ("ω", "rad/s", "α", "rad/s²"))
-        still = not course.way.pace[k]
+        still = not course.path.pace[k]
         parts = [] if still and not driver.rate else [f"{speed} = {_signed(f'{driver.rate:.6g}')} {per_second}"]
         if driver.acceleration:
             parts.append(f"{gain} = {_signed(f'{driver.acceleration:.6g}')} {per_square}")
         if still:
             unit, factor = (" mm", 1000.0) if driver.kind == "slide" else ("°", unit_of("rad").factor)
-            parts.insert(0, _signed(f"{course.way.start[k] * factor:.6g}{unit}"))
+            parts.insert(0, _signed(f"{course.path.start[k] * factor:.6g}{unit}"))
         told.append(f"{writable(driver.name)}{colon}{comma.join(parts)}")
     word = {"en": "driver ", "zh": "原动件 "} if len(told) == 1 else {"en": "drivers ", "zh": "原动件 "}
     return word[lang] + semicolon.join(told)

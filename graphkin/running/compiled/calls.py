@@ -1,4 +1,4 @@
-"""A ledger written out as a Python function of NumPy calls, `multiply(r3, k7, r0)`, one an entry."""
+"""A tape written out as a Python function of NumPy calls, `multiply(r3, k7, r0)`, one an operation."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 
 from graphkin.geometry import Value
-from graphkin.running.compiled.operations import GIVEN, NUMBER, RISKY, SIDE, Entry
-from graphkin.running.compiled.tape import Ledger
+from graphkin.running.compiled.operations import GIVEN, NUMBER, RISKY, SIDE, Operation
+from graphkin.running.compiled.tape import Tape
 from graphkin.value import frozen
 
 __all__ = ["Calls", "Watch", "written_out"]
 
 Watch = Callable[[np.ndarray], None]
-"""Is shown what each risky entry gives."""
+"""Is shown what each risky operation gives."""
 
 
 @frozen
@@ -30,11 +30,11 @@ class Line:
 
 @frozen
 class Calls:
-    """What is left of a ledger.
+    """What is left of a tape.
 
     lines      calls in their order
     constants  numbers by their names in the calls
-    rows       which row of the result an entry is, by its place; the first `sines` of them are sines
+    rows       which row of the result an operation is, by its place; the first `sines` of them are sines
     given, registers  how many there are
     """
 
@@ -52,7 +52,7 @@ class Calls:
 
     @cached_property
     def run_watched(self) -> Callable[[Sequence[Value], Iterable[np.ndarray], Iterable[np.ndarray], Watch], None]:
-        """`run_watched(given, rows, registers, watch)`: the same, and shows what each risky entry gives."""
+        """`run_watched(given, rows, registers, watch)`: the same, and shows what each risky operation gives."""
         return self._made("given, rows, registers, watch", "; watch({})")
 
     def _made(self, parameters: str, after: str) -> Callable[..., None]:
@@ -70,69 +70,69 @@ def _unpacked(letter: str, count: int, name: str) -> str:
     return "".join(f"{letter}{k}," for k in range(count)) + f" = {name}" if count else "pass"
 
 
-def written_out(ledger: Ledger, given: int, sines: Iterable[int], shown: Iterable[int]) -> Calls:
-    """Of the entries those that are shown, those they are made of, and those that may fail; the rest is left out."""
-    sines = [place for place in dict.fromkeys(sines) if _works(ledger.entries[place])]
-    results = dict.fromkeys([*sines, *(place for place in shown if _works(ledger.entries[place]))])
+def written_out(tape: Tape, given: int, sines: Iterable[int], shown: Iterable[int]) -> Calls:
+    """Of the operations those that are shown, those they are made of, and those that may fail; the rest is left out."""
+    sines = [place for place in dict.fromkeys(sines) if _works(tape.operations[place])]
+    results = dict.fromkeys([*sines, *(place for place in shown if _works(tape.operations[place]))])
     rows = {place: row for row, place in enumerate(results)}
-    writer = _Writer(ledger, rows)
-    for place in _needed(ledger, rows):
+    writer = _Writer(tape, rows)
+    for place in _needed(tape, rows):
         writer.write(place)
     return Calls(tuple(writer.lines), writer.constants, rows, len(sines), given, writer.registers)
 
 
-def _works(entry: Entry) -> bool:
-    return entry.does not in (NUMBER, GIVEN, SIDE)
+def _works(operation: Operation) -> bool:
+    return operation.does not in (NUMBER, GIVEN, SIDE)
 
 
-def _needed(ledger: Ledger, rows: Iterable[int]) -> list[int]:
+def _needed(tape: Tape, rows: Iterable[int]) -> list[int]:
     """Places of operations to be done, in their order."""
-    waiting = [*rows, *(place for place, entry in enumerate(ledger.entries) if entry.does in RISKY)]
+    waiting = [*rows, *(place for place, operation in enumerate(tape.operations) if operation.does in RISKY)]
     found: set[int] = set()
     while waiting:
         place = waiting.pop()
-        if place not in found and _works(ledger.entries[place]):
+        if place not in found and _works(tape.operations[place]):
             found.add(place)
-            waiting += _operation(ledger.entries, place).of
+            waiting += _to_do(tape.operations, place).of
     return sorted(found)
 
 
-def _operation(entries: Sequence[Entry], place: int) -> Entry:
+def _to_do(operations: Sequence[Operation], place: int) -> Operation:
     """What is to be done: the negative of a difference is a difference, too."""
-    entry = entries[place]
-    if entry.does == "negative" and (inside := entries[entry.of[0]]).does == "subtract":
-        return Entry("subtract", inside.of[::-1])
-    return entry
+    operation = operations[place]
+    if operation.does == "negative" and (inside := operations[operation.of[0]]).does == "subtract":
+        return Operation("subtract", inside.of[::-1])
+    return operation
 
 
 class _Writer:
     """Writes calls, and deals out registers: one is free again after the last call that needs what is in it."""
 
-    def __init__(self, ledger: Ledger, rows: Mapping[int, int]) -> None:
-        self.entries, self.rows = ledger.entries, rows
+    def __init__(self, tape: Tape, rows: Mapping[int, int]) -> None:
+        self.operations, self.rows = tape.operations, rows
         # NumPy takes an array of no dimensions quicker than a float
         self.constants: dict[str, np.ndarray] = {"one": np.array(1.0)}
-        self.last = {of: place for place in _needed(ledger, rows) for of in _operation(self.entries, place).of}
+        self.last = {of: place for place in _needed(tape, rows) for of in _to_do(self.operations, place).of}
         self.names: dict[int, str] = {}
         self.lines: list[Line] = []
         self.free: list[str] = []
         self.registers = 0
 
     def write(self, place: int) -> None:
-        entry = _operation(self.entries, place)
-        operands = [self._name(of) for of in entry.of]
-        self.free += {name for of, name in zip(entry.of, operands) if self.last[of] == place and name[0] == "r"}
+        operation = _to_do(self.operations, place)
+        operands = [self._name(of) for of in operation.of]
+        self.free += {name for of, name in zip(operation.of, operands) if self.last[of] == place and name[0] == "r"}
         into = self.names[place] = f"y{self.rows[place]}" if place in self.rows else self._register()
         if place not in self.last and into[0] == "r":
             self.free.append(into)
-        self.lines.append(Line(_call(entry, operands, into), into, entry.does in RISKY))
+        self.lines.append(Line(_call(operation, operands, into), into, operation.does in RISKY))
 
     def _name(self, place: int) -> str:
-        entry = self.entries[place]
-        if entry.does in (GIVEN, SIDE):
-            return f"x{int(entry.number)}"
-        if entry.does == NUMBER:
-            self.constants[f"k{place}"] = np.array(entry.number)
+        operation = self.operations[place]
+        if operation.does in (GIVEN, SIDE):
+            return f"x{int(operation.number)}"
+        if operation.does == NUMBER:
+            self.constants[f"k{place}"] = np.array(operation.number)
             return f"k{place}"
         return self.names[place]
 
@@ -143,11 +143,11 @@ class _Writer:
         return f"r{self.registers - 1}"
 
 
-def _call(entry: Entry, operands: Sequence[str], into: str) -> str:
-    if entry.does == "reciprocal":  # NumPy's own reciprocal is not vectorised
+def _call(operation: Operation, operands: Sequence[str], into: str) -> str:
+    if operation.does == "reciprocal":  # NumPy's own reciprocal is not vectorised
         return f"divide(one, {operands[0]}, {into})"
-    if entry.does == "multiply" and operands[0] == operands[1]:
+    if operation.does == "multiply" and operands[0] == operands[1]:
         return f"square({operands[0]}, {into})"
-    if entry.does == "maximum":  # the one that wants its result named; the others take it quicker by place
+    if operation.does == "maximum":  # the one that wants its result named; the others take it quicker by place
         into = f"out={into}"
-    return f"{entry.does}({', '.join(operands)}, {into})"
+    return f"{operation.does}({', '.join(operands)}, {into})"

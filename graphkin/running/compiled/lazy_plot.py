@@ -12,7 +12,7 @@ from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.value import frozen
 
-__all__ = ["TABLES", "Column", "Numbers", "Replayed", "Vector"]
+__all__ = ["TABLES", "Column", "LazyPlot", "Numbers", "Vector"]
 
 TABLES = tuple(field.name for field in fields(Plot) if field.name not in ("facts", "near", "follows"))
 
@@ -92,13 +92,13 @@ class Table(MutableMapping[Any, Value]):
         return repr(dict(self))
 
 
-class Replayed(Plot):
+class LazyPlot(Plot):
     """A finished plot; of what it holds, only what is read is put into arrays by itself."""
 
     @classmethod
     def of(
         cls, standing: Facts, columns: Mapping[str, Mapping[Any, Column | Vector]], numbers: Numbers
-    ) -> Replayed:
+    ) -> LazyPlot:
         """The plot of what a program gives.
 
         standing  facts with the drivers at other values

@@ -1,4 +1,4 @@
-"""Entries of a ledger: real operations, each entered once."""
+"""Operations of a tape: real operations, each entered once."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
-__all__ = ["GIVEN", "NUMBER", "RISKY", "SIDE", "CannotRecord", "Entries", "Entry"]
+__all__ = ["GIVEN", "NUMBER", "RISKY", "SIDE", "CannotRecord", "Operation", "Operations"]
 
 NUMBER, GIVEN, SIDE = "number", "given", "side"
 RISKY = ("reciprocal", "sqrt")
@@ -29,14 +29,14 @@ WITH_NUMBERS: Mapping[str, Callable[..., float]] = {
 
 
 class CannotRecord(Exception):
-    """A construction does what the ledger has no word for; it is replayed as ever."""
+    """A construction does what the tape has no word for; it is replayed as ever."""
 
 
-class Entry(NamedTuple):
-    """A line of the ledger.
+class Operation(NamedTuple):
+    """A line of the tape.
 
     does    "number", "given", "side", or the NumPy function
-    of      places of the entries it is done with
+    of      places of the operations it is done with
     number  the number; which of what is given it is
     """
 
@@ -45,39 +45,39 @@ class Entry(NamedTuple):
     number: float = 0.0
 
 
-class Entries:
-    """Entries in the order in which they can be carried out; spoken of by their places."""
+class Operations:
+    """Operations in the order in which they can be carried out; spoken of by their places."""
 
     def __init__(self) -> None:
-        self.entries: list[Entry] = []
-        self._places: dict[Entry, int] = {}
+        self.operations: list[Operation] = []
+        self._places: dict[Operation, int] = {}
 
     def number(self, value: float) -> int:
-        return self._entered(Entry(NUMBER, number=float(value)))
+        return self._entered(Operation(NUMBER, number=float(value)))
 
     def given(self, which: int) -> int:
-        return self._entered(Entry(GIVEN, number=which))
+        return self._entered(Operation(GIVEN, number=which))
 
     def side(self, which: int) -> int:
         """Given, too, and always 1 or -1."""
-        return self._entered(Entry(SIDE, number=which))
+        return self._entered(Operation(SIDE, number=which))
 
     def number_at(self, place: int) -> float | None:
-        """The number at a place, None where another kind of entry stands."""
-        entry = self.entries[place]
-        return entry.number if entry.does == NUMBER else None
+        """The number at a place, None where another kind of operation stands."""
+        operation = self.operations[place]
+        return operation.number if operation.does == NUMBER else None
 
-    def _entered(self, entry: Entry) -> int:
-        place = self._places.setdefault(entry, len(self.entries))
-        if place == len(self.entries):
-            self.entries.append(entry)
+    def _entered(self, operation: Operation) -> int:
+        place = self._places.setdefault(operation, len(self.operations))
+        if place == len(self.operations):
+            self.operations.append(operation)
         return place
 
     def _done(self, does: str, *of: int) -> int:
-        """A function of entries: a number where all of them are."""
+        """A function of operations: a number where all of them are."""
         numbers = [self.number_at(place) for place in of]
         if None in numbers:
-            return self._entered(Entry(does, of))
+            return self._entered(Operation(does, of))
         try:
             return self.number(WITH_NUMBERS[does](*numbers))
         except (ValueError, ZeroDivisionError) as error:
@@ -85,12 +85,12 @@ class Entries:
 
     def _inside(self, place: int, does: str) -> int | None:
         """What a function is of, where this very function stands at the place."""
-        entry = self.entries[place]
-        return entry.of[0] if entry.does == does else None
+        operation = self.operations[place]
+        return operation.of[0] if operation.does == does else None
 
     def _beside(self, does: str, one: int, whole: int) -> int | None:
         """The other one of two that were added or multiplied; None where `whole` is nothing like that."""
-        entry = self.entries[whole]
-        if entry.does != does or one not in entry.of:
+        operation = self.operations[whole]
+        if operation.does != does or one not in operation.of:
             return None
-        return entry.of[1 - entry.of.index(one)]
+        return operation.of[1 - operation.of.index(one)]

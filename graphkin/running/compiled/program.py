@@ -1,8 +1,8 @@
 """A replay made into a program: one NumPy call after another, on all positions at once.
 
-    steps -- recorder.record --> ledger -- calls.written_out --> Calls -- Program.run --> Replayed, a plot
+    steps -- recorder.record --> tape -- calls.written_out --> Calls -- Program.run --> LazyPlot, a plot
 
-The ledger's entries become calls of NumPy functions that write into registers, which are used again as soon as nothing
+The tape's operations become calls of NumPy functions that write into registers, which are used again as soon as nothing
 needs what is in them, or into the rows of the result. Nothing is allocated on the way, and registers stay in the
 processor's cache, for positions are done in chunks. The steps remain the one place that says what is drawn.
 
@@ -23,10 +23,10 @@ from graphkin.construction.pencil import replay
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.running.compiled.calls import Calls, written_out
-from graphkin.running.compiled.lazy_plot import TABLES, Column, Numbers, Replayed, Vector
+from graphkin.running.compiled.lazy_plot import TABLES, Column, LazyPlot, Numbers, Vector
 from graphkin.running.compiled.operations import NUMBER
 from graphkin.running.compiled.recorder import Written, record
-from graphkin.running.compiled.tape import Ledger
+from graphkin.running.compiled.tape import Tape
 from graphkin.value import frozen
 
 __all__ = ["Program", "compiled_program"]
@@ -45,41 +45,41 @@ Registers = list[np.ndarray]
 def compiled_program(constructions: Sequence[Construction], facts: Facts) -> Program:
     """The program of a method's three constructions. Raises CannotRecord where they can't be written down."""
     recording = record(constructions, facts)
-    ledger = recording.ledger
+    tape = recording.tape
     tables: dict[str, Mapping[Any, Value]] = {name: getattr(recording.plot, name) for name in TABLES}
     sines = [value.real_at for value in tables["sines"].values() if isinstance(value, Written)]
-    shown = [place for table in tables.values() for value in table.values() for place in _places(value, ledger)]
-    calls = written_out(ledger, len(facts.values) + len(recording.sides), sines, shown)
+    shown = [place for table in tables.values() for value in table.values() for place in _places(value, tape)]
+    calls = written_out(tape, len(facts.values) + len(recording.sides), sines, shown)
     columns = {
-        name: {key: _found(value, ledger, calls, name in PLANES) for key, value in table.items()}
+        name: {key: _found(value, tape, calls, name in PLANES) for key, value in table.items()}
         for name, table in tables.items()
     }
     return Program(tuple(constructions), facts, recording.sides, calls, columns, [])
 
 
-def _places(value: Value, ledger: Ledger) -> tuple[int, ...]:
-    """Where what is shown stands in the ledger; a negative is shown by what it is the negative of."""
+def _places(value: Value, tape: Tape) -> tuple[int, ...]:
+    """Where what is shown stands in the tape; a negative is shown by what it is the negative of."""
     if not isinstance(value, Written):
         return ()
-    return tuple(ledger.unsigned(place)[0] for place in (value.real_at, value.imag_at))
+    return tuple(tape.unsigned(place)[0] for place in (value.real_at, value.imag_at))
 
 
-def _found(value: Value, ledger: Ledger, calls: Calls, vector: bool) -> Column | Vector:
+def _found(value: Value, tape: Tape, calls: Calls, vector: bool) -> Column | Vector:
     """Where a quantity of the plot is found after a run."""
     if isinstance(value, Written):
-        x, y = (_column(*ledger.unsigned(place), ledger, calls) for place in (value.real_at, value.imag_at))
+        x, y = (_column(*tape.unsigned(place), tape, calls) for place in (value.real_at, value.imag_at))
     else:
         x, y = (Column(number=float(part)) for part in (np.real(value), np.imag(value)))
     return Vector(x, y) if vector else x
 
 
-def _column(place: int, sign: int, ledger: Ledger, calls: Calls) -> Column:
-    entry = ledger.entries[place]
+def _column(place: int, sign: int, tape: Tape, calls: Calls) -> Column:
+    operation = tape.operations[place]
     if place in calls.rows:
         return Column(row=calls.rows[place], sign=sign)
-    if entry.does == NUMBER:
-        return Column(number=sign * entry.number)
-    return Column(given=int(entry.number), sign=sign)
+    if operation.does == NUMBER:
+        return Column(number=sign * operation.number)
+    return Column(given=int(operation.number), sign=sign)
 
 
 @frozen
@@ -105,7 +105,7 @@ class Program:
         given = tuple(np.array(value, dtype=float) for value in (*values, *taken.values()))
         block = np.empty((len(self.calls.rows), max(value.size for value in given)))
         failed = self._filled(block, given)
-        plot = Replayed.of(self.facts, self.columns, Numbers(block, given))
+        plot = LazyPlot.of(self.facts, self.columns, Numbers(block, given))
         # not least > .. : NaN, too
         if failed or not np.minimum.reduce(block[: self.calls.sines], axis=None, initial=1.0) > FLAT_SINE:
             return self._mended(plot, self._doubtful(block, given, failed), taken)

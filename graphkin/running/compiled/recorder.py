@@ -1,8 +1,8 @@
-"""What the pencil did, written down: a replay with quantities that only keep a ledger.
+"""What the pencil did, written down: a replay with quantities that only keep a tape.
 
 `record` replays constructions once. Where plain replay has numbers, this one has `Written` quantities: complex numbers
-whose two parts are places in a ledger. Whatever is done with them, by operators or by NumPy, is entered there. So the
-steps stay the one place that says how a mechanism is drawn; `program` reads the ledger.
+whose two parts are places in a tape. Whatever is done with them, by operators or by NumPy, is entered there. So the
+steps stay the one place that says how a mechanism is drawn; `program` reads the tape.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from graphkin.construction.pencil import Compass, replay
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value, leg, meet_circles, meet_line_circle
 from graphkin.running.compiled.operations import CannotRecord
-from graphkin.running.compiled.tape import Ledger
+from graphkin.running.compiled.tape import Tape
 from graphkin.value import frozen
 
 __all__ = ["Recording", "Written", "record"]
@@ -30,11 +30,11 @@ class Recording:
     """A replay written down.
 
     plot   its plot: every value a number, or `Written`
-    sides  of the crossings that may be taken either way, as the steps have them, by number of the choice; the ledger is
+    sides  of the crossings that may be taken either way, as the steps have them, by number of the choice; the tape is
            given the drivers' values, then a side of each of these
     """
 
-    ledger: Ledger
+    tape: Tape
     plot: Plot
     sides: Mapping[int, int]
 
@@ -44,89 +44,89 @@ def record(constructions: Sequence[Construction], facts: Facts) -> Recording:
 
     The drivers' rates and accelerations are numbers: what stands still costs nothing. Raises CannotRecord.
     """
-    ledger = Ledger()
+    tape = Tape()
     count = len(facts.values)
-    values = tuple(Written(ledger, ledger.given(k)) for k in range(count))
+    values = tuple(Written(tape, tape.given(k)) for k in range(count))
     meant = {
         step.choice: step.side
         for step in constructions[0].steps
         if isinstance(step, Meet | Swing) and step.choice is not None
     }
-    sides = {choice: Written(ledger, ledger.side(count + k)) for k, choice in enumerate(meant)}
+    sides = {choice: Written(tape, tape.side(count + k)) for k, choice in enumerate(meant)}
     plot = Plot(replace(facts, values=values))
     for construction in constructions:
         replay(construction, plot, sides if construction.plane == "position" else None, WRITING)
-    return Recording(ledger, plot, meant)
+    return Recording(tape, plot, meant)
 
 
-# --- a quantity that keeps a ledger -----------------------------------------------------------
+# --- a quantity that keeps a tape -----------------------------------------------------------
 
 
 class Written:
     """A complex number of which only is known how it comes about: places of its real and its imaginary part."""
 
-    __slots__ = ("imag_at", "ledger", "real_at")
+    __slots__ = ("imag_at", "real_at", "tape")
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, ledger: Ledger, real_at: int, imag_at: int | None = None) -> None:
-        self.ledger, self.real_at = ledger, real_at
-        self.imag_at = ledger.number(0.0) if imag_at is None else imag_at
+    def __init__(self, tape: Tape, real_at: int, imag_at: int | None = None) -> None:
+        self.tape, self.real_at = tape, real_at
+        self.imag_at = tape.number(0.0) if imag_at is None else imag_at
 
     def _lifted(self, value: Value) -> Written:
-        """A number as a quantity of the same ledger."""
+        """A number as a quantity of the same tape."""
         if isinstance(value, Written):
             return value
         if np.ndim(value):
             raise CannotRecord("an array")
         number = complex(value)
-        return Written(self.ledger, self.ledger.number(number.real), self.ledger.number(number.imag))
+        return Written(self.tape, self.tape.number(number.real), self.tape.number(number.imag))
 
     @property
     def real(self) -> Written:
-        return Written(self.ledger, self.real_at)
+        return Written(self.tape, self.real_at)
 
     @property
     def imag(self) -> Written:
-        return Written(self.ledger, self.imag_at)
+        return Written(self.tape, self.imag_at)
 
     @property
     def _is_real(self) -> bool:
-        return self.ledger.number_at(self.imag_at) == 0
+        return self.tape.number_at(self.imag_at) == 0
 
     def __add__(self, other: Value) -> Written:
-        do, more = self.ledger.add, self._lifted(other)
-        return Written(self.ledger, do(self.real_at, more.real_at), do(self.imag_at, more.imag_at))
+        do, more = self.tape.add, self._lifted(other)
+        return Written(self.tape, do(self.real_at, more.real_at), do(self.imag_at, more.imag_at))
 
     __radd__ = __add__
 
     def __sub__(self, other: Value) -> Written:
-        do, less = self.ledger.subtract, self._lifted(other)
-        return Written(self.ledger, do(self.real_at, less.real_at), do(self.imag_at, less.imag_at))
+        do, less = self.tape.subtract, self._lifted(other)
+        return Written(self.tape, do(self.real_at, less.real_at), do(self.imag_at, less.imag_at))
 
     def __rsub__(self, other: Value) -> Written:
         return self._lifted(other) - self
 
     def __neg__(self) -> Written:
-        return Written(self.ledger, self.ledger.negative(self.real_at), self.ledger.negative(self.imag_at))
+        return Written(self.tape, self.tape.negative(self.real_at), self.tape.negative(self.imag_at))
 
     def __mul__(self, other: Value) -> Written:
-        ledger, times = self.ledger, self._lifted(other)
+        tape, times = self.tape, self._lifted(other)
         (a, b), (c, d) = (self.real_at, self.imag_at), (times.real_at, times.imag_at)
         return Written(
-            ledger,
-            ledger.subtract(ledger.multiply(a, c), ledger.multiply(b, d)),
-            ledger.add(ledger.multiply(a, d), ledger.multiply(b, c)),
+            tape,
+            tape.subtract(tape.multiply(a, c), tape.multiply(b, d)),
+            tape.add(tape.multiply(a, d), tape.multiply(b, c)),
         )
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Value) -> Written:
-        ledger, by = self.ledger, self._lifted(other)
+        tape, by = self.tape, self._lifted(other)
         if by._is_real:
-            return Written(ledger, ledger.divide(self.real_at, by.real_at), ledger.divide(self.imag_at, by.real_at))
+            return Written(tape, tape.divide(self.real_at, by.real_at), tape.divide(self.imag_at, by.real_at))
         square = (by * by.conjugate()).real_at
         whole = self * by.conjugate()
-        return Written(ledger, ledger.divide(whole.real_at, square), ledger.divide(whole.imag_at, square))
+        return Written(tape, tape.divide(whole.real_at, square), tape.divide(whole.imag_at, square))
 
     def __rtruediv__(self, other: Value) -> Written:
         return self._lifted(other) / self
@@ -137,11 +137,11 @@ class Written:
         return self * self
 
     def conjugate(self) -> Written:
-        return Written(self.ledger, self.real_at, self.ledger.negative(self.imag_at))
+        return Written(self.tape, self.real_at, self.tape.negative(self.imag_at))
 
     def know_length(self, length: Value) -> None:
         """How long it is, where that was laid off."""
-        self.ledger.know_length(self.real_at, self.imag_at, self._lifted(length).real_at)
+        self.tape.know_length(self.real_at, self.imag_at, self._lifted(length).real_at)
 
     # --- by NumPy -----------------------------------------------------------------------------
 
@@ -154,7 +154,7 @@ class Written:
     def __array_function__(self, function: Any, types: Any, inputs: Sequence[Value], more: Any) -> Written:
         if function is not np.angle or more or len(inputs) > 1:
             raise CannotRecord(function.__name__)
-        return Written(self.ledger, self.ledger.angle(self.real_at, self.imag_at))
+        return Written(self.tape, self.tape.angle(self.real_at, self.imag_at))
 
     def __array__(self, *_: Any, **__: Any) -> np.ndarray:
         raise CannotRecord("an array of it")
@@ -168,14 +168,14 @@ class Written:
     __lt__ = __le__ = __gt__ = __ge__ = __eq__ = __ne__ = _refused
 
     def _length(self) -> Written:
-        return Written(self.ledger, self.ledger.length(self.real_at, self.imag_at))
+        return Written(self.tape, self.tape.length(self.real_at, self.imag_at))
 
     __abs__ = _length
 
     def _exponential(self) -> Written:
-        if self.ledger.number_at(self.real_at) != 0:
+        if self.tape.number_at(self.real_at) != 0:
             raise CannotRecord("exp of other than i times an angle")
-        return Written(self.ledger, *self.ledger.turned(self.imag_at))
+        return Written(self.tape, *self.tape.turned(self.imag_at))
 
     def _real_only(self) -> int:
         if not self._is_real:
@@ -183,13 +183,13 @@ class Written:
         return self.real_at
 
     def _sqrt(self) -> Written:
-        return Written(self.ledger, self.ledger.sqrt(self._real_only()))
+        return Written(self.tape, self.tape.sqrt(self._real_only()))
 
     def _sign(self) -> Written:
-        return Written(self.ledger, self.ledger.sign(self._real_only()))
+        return Written(self.tape, self.tape.sign(self._real_only()))
 
     def _maximum(self, other: Written) -> Written:
-        return Written(self.ledger, self.ledger.maximum(self._real_only(), other._real_only()))
+        return Written(self.tape, self.tape.maximum(self._real_only(), other._real_only()))
 
     UFUNCS: ClassVar[Mapping[str, Callable[..., Written]]] = {
         "add": __add__,
@@ -212,7 +212,7 @@ class Written:
 def _leg(hypotenuse: Value, other: Value) -> Value:
     """`geometry.leg` as a plain root.
 
-    What that makes of squares below 0 is left to it: their roots fail, and whoever carries the ledger out does such
+    What that makes of squares below 0 is left to it: their roots fail, and whoever carries the tape out does such
     positions by plain replay.
     """
     if isinstance(hypotenuse, Written) or isinstance(other, Written):

@@ -1,18 +1,18 @@
-"""A ledger of real operations: each is entered once, and simplified as far as algebra goes.
+"""A tape of real operations: each is entered once, and simplified as far as algebra goes.
 
-An entry is a number, a given quantity, a side (1 or -1), or what one NumPy function makes of entries before it; it is
-spoken of by its place in the ledger. What is found here holds for all numbers but those at which a division or a root
-fails: `risky` entries are never crossed out, so that whoever carries the ledger out sees where that happens.
+An operation is a number, a given quantity, a side (1 or -1), or what one NumPy function makes of those before it; it is
+spoken of by its place on the tape. What is found here holds for all numbers but those at which a division or a root
+fails: `risky` operations are never crossed out, so that whoever carries the tape out sees where that happens.
 """
 
 from __future__ import annotations
 
-from graphkin.running.compiled.operations import SIDE, Entries, Entry
+from graphkin.running.compiled.operations import SIDE, Operation, Operations
 
-__all__ = ["Ledger"]
+__all__ = ["Tape"]
 
 
-class Ledger(Entries):
+class Tape(Operations):
     """Each method enters an operation, and gives the place of its result."""
 
     def __init__(self) -> None:
@@ -75,7 +75,7 @@ class Ledger(Entries):
 
     def _by_number(self, one: int, other: int) -> int | None:
         """A product with 0, 1 or -1; numbers of two factors are drawn together."""
-        number, factors = self.number_at(one), self.entries[other]
+        number, factors = self.number_at(one), self.operations[other]
         if number == 0:
             return one
         if number in (1.0, -1.0):
@@ -90,16 +90,16 @@ class Ledger(Entries):
         """(1/d) d is 1, (1/d) (d x) is x, so it is with a side for 1/d; and a root times itself is its square."""
         if one == other and (square := self._inside(one, "sqrt")) is not None:
             return square
-        divisor = one if self.entries[one].does == SIDE else self._inside(one, "reciprocal")
+        divisor = one if self.operations[one].does == SIDE else self._inside(one, "reciprocal")
         if divisor is None:
             return None
         return self.number(1.0) if divisor == other else self._beside("multiply", divisor, other)
 
     def _side_of(self, product: int) -> tuple[int, int] | None:
         """The side and the other factor, where a side is one of two factors."""
-        entry = self.entries[product]
-        sides = [of for of in entry.of if self.entries[of].does == SIDE] if entry.does == "multiply" else []
-        return (sides[0], entry.of[1 - entry.of.index(sides[0])]) if sides else None
+        operation = self.operations[product]
+        sides = [of for of in operation.of if self.operations[of].does == SIDE] if operation.does == "multiply" else []
+        return (sides[0], operation.of[1 - operation.of.index(sides[0])]) if sides else None
 
     def _bare(self, a: int) -> int:
         """What is as long, where a sign makes no difference."""
@@ -149,14 +149,14 @@ class Ledger(Entries):
 
     def _root(self, place: int) -> int | None:
         """What a place is the square of."""
-        entry = self.entries[place]
-        return entry.of[0] if entry.does == "multiply" and entry.of[0] == entry.of[1] else None
+        operation = self.operations[place]
+        return operation.of[0] if operation.does == "multiply" and operation.of[0] == operation.of[1] else None
 
     def absolute(self, a: int) -> int:
         if (inside := self._inside(a, "negative")) is not None:
             return self.absolute(inside)
         a = self._bare(a)
-        return a if self.entries[a].does == "sqrt" else self._done("absolute", a)
+        return a if self.operations[a].does == "sqrt" else self._done("absolute", a)
 
     def sign(self, a: int) -> int:
         return self._done("sign", a)
@@ -172,19 +172,19 @@ class Ledger(Entries):
 
     def turned(self, angle: int) -> tuple[int, int]:
         """Cosine and sine. Of an angle that was measured they are quotients of lengths: no angle is needed for them."""
-        entry = self.entries[angle]
-        match entry.does:
+        operation = self.operations[angle]
+        match operation.does:
             case "given":
                 return self._half_tangent(angle)
             case "arctan2":
-                y, x = entry.of
+                y, x = operation.of
                 length = self.length(x, y)
                 return self.divide(x, length), self.divide(y, length)
             case "negative":
-                cos, sin = self.turned(entry.of[0])
+                cos, sin = self.turned(operation.of[0])
                 return cos, self.negative(sin)
             case "add" | "subtract":
-                return self._turned_further(entry)
+                return self._turned_further(operation)
             case _:
                 return self._done("cos", angle), self._done("sin", angle)
 
@@ -200,10 +200,10 @@ class Ledger(Entries):
         twice = self.divide(self.number(2.0), square)
         return self.subtract(twice, self.number(1.0)), self.multiply(tangent, twice)
 
-    def _turned_further(self, entry: Entry) -> tuple[int, int]:
+    def _turned_further(self, operation: Operation) -> tuple[int, int]:
         """Of a sum or difference of angles."""
-        (cos, sin), (more_cos, more_sin) = (self.turned(place) for place in entry.of)
-        if entry.does == "subtract":
+        (cos, sin), (more_cos, more_sin) = (self.turned(place) for place in operation.of)
+        if operation.does == "subtract":
             more_sin = self.negative(more_sin)
         return (
             self.subtract(self.multiply(cos, more_cos), self.multiply(sin, more_sin)),
