@@ -148,7 +148,8 @@ class _Inversion:
         """The table, and what is said of it."""
         if driver.kind == "slide":
             at = self.now.values[self.machine.drivers.index(driver)]
-            rates = {"velocity": f"{driver.rate:.12g}", "acceleration": f"{driver.acceleration:.12g}"}
+            rates = {"velocity": f"{driver.rate:.12g}"}
+            rates |= {"acceleration": f"{driver.acceleration:.12g}"} if driver.acceleration else {}
             note = f"The slide {driver.link} stays driven. 移动副 {driver.link} 仍为主动副。"
             return {"slide": quoted(driver.link), "at": f"{float(at) * 1e3:.13g}", **rates}, note
         one, other, sense = driver.link, driver.from_link, 1.0
@@ -161,10 +162,8 @@ class _Inversion:
             start = self._vector(other, driver.from_vector if other == driver.from_link else driver.vector)
             table["from"] = quoted("".join(start))
             turned -= self._direction(other, start)
-        table |= {
-            "angle": degrees(_wrapped(turned)), "omega": f"{sense * driver.rate:.12g}",
-            "alpha": f"{sense * driver.acceleration:.12g}",
-        }  # fmt: skip
+        table |= {"angle": degrees(_wrapped(turned)), "omega": f"{sense * driver.rate + 0.0:.12g}"}
+        table |= {"alpha": f"{sense * driver.acceleration:.12g}"} if driver.acceleration else {}
         return table, self._note(driver, other)
 
     def _vector(self, link: str, given: tuple[str, str] | None) -> tuple[str, str]:
