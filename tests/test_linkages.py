@@ -16,28 +16,25 @@ from graphkin.analytic import motion
 from graphkin.api import Drawing
 from graphkin.errors import CannotClose, CannotDriveBy, GraphkinError, NoFixing, NoLinkage, NotALength, OnlyStretched
 from graphkin.linkages import (
+    FAMILY,
     FourBar,
     GuideBar,
     SliderCrank,
     as_json,
-    as_mechanism,
     found_in,
     from_lengths,
     inverted,
-    kind_name,
-    lines,
     report,
     reported,
     some_found_in,
 )
-from graphkin.linkages.family import FAMILY, family_lines
-from graphkin.linkages.wording import found_lines
 from graphkin.loading import loads
 from graphkin.outputs.svg import svg
 from graphkin.sheet.lettering import box
 from graphkin.sheet.linkage_family import family_sheet
 from graphkin.sheet.linkage_sheet import limit_sheet
 from graphkin.sheet.marks import Text
+from graphkin.words.linkages import family_lines, found_lines, held, kind_name, lines, titled
 
 deg = math.degrees
 
@@ -378,13 +375,34 @@ def close(one, other):
 @pytest.mark.parametrize(("lengths", "more", "kind", "family"), [case for case in DRIVEN if case[2] != "change-point"])
 def test_a_file_of_a_linkage_is_that_linkage(lengths, more, kind, family):
     linkage = from_lengths(lengths[0], *(length / 1e3 for length in lengths[1:]), **more)
-    machine = read(as_mechanism(linkage))
+    machine = read(titled(linkage).text)
     (one,) = found_in(machine)
     mine, theirs = report(linkage), report(one.linkage)
     assert theirs.kind == mine.kind or {mine.kind, theirs.kind} == {"crank-rocker", "rocker-crank"}
     for name in ("swing", "stroke", "gamma_min", "k"):
         assert close(getattr(theirs, name), getattr(mine, name)), name
     assert Drawing.of(machine).plot is not None
+
+
+@pytest.mark.parametrize(("lengths", "more", "kind", "family"), DRIVEN)
+@pytest.mark.parametrize("block", [False, True])
+def test_a_file_says_what_the_mechanism_is(lengths, more, kind, family, block):
+    linkage = from_lengths(lengths[0], *(length / 1e3 for length in lengths[1:]), **more)
+    machine = titled(linkage if isinstance(linkage, FourBar) else replace(linkage, block=block))
+    told = read(machine.text, machine.name)
+    assert (told.points, told.title, told.scales) == (machine.points, machine.title, machine.scales)
+    for mine, theirs in zip(machine.links.values(), told.links.values(), strict=True):
+        assert theirs.name == mine.name
+        assert theirs.points == pytest.approx(mine.points, abs=1e-12)
+    for mine, theirs in zip(machine.slides, told.slides, strict=True):
+        assert theirs.line.direction == pytest.approx(mine.line.direction, abs=1e-12)
+        assert theirs.tilt == pytest.approx(mine.tilt, abs=1e-12)
+        assert replace(theirs, line=mine.line, tilt=mine.tilt) == mine
+        assert theirs.line.origin == mine.line.origin
+    for mine, theirs in zip(machine.drivers, told.drivers, strict=True):
+        assert theirs.value == pytest.approx(mine.value, abs=1e-12)
+        assert replace(theirs, value=mine.value) == mine
+    assert told.sketch == pytest.approx(machine.sketch, abs=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -398,7 +416,7 @@ def test_a_file_of_a_linkage_is_that_linkage(lengths, more, kind, family):
 )  # fmt: skip
 def test_inversions(name, fixed, kind, block):
     machine = library.load(name)
-    new = read(inverted(machine, fixed))
+    new = inverted(machine, fixed)
     (one,) = found_in(new)
     assert report(one.linkage).kind == kind
     assert block is None or one.linkage.block is block
@@ -421,7 +439,7 @@ def test_every_link_of_the_library_can_be_held():
             continue
         before = motion(machine)
         for link in machine.moving:
-            new = read(inverted(machine, link))
+            new = read(held(machine, link).text)
             after = motion(new)
             for point in machine.points:
                 assert complex(after.position[point]) == pytest.approx(complex(before.position[point]), abs=1e-8), (name, link)
@@ -494,7 +512,7 @@ def moved(linkage, turn):
     ],
 )  # fmt: skip
 def test_turned_and_written_and_found(linkage, turn):
-    before, (one,) = report(linkage), found_in(read(as_mechanism(moved(linkage, turn))))
+    before, (one,) = report(linkage), found_in(moved(linkage, turn).mechanism())
     after = report(one.linkage)
     assert (after.kind, after.family, after.slow) == (before.kind, before.family, before.slow)
     for name in ("swing", "stroke", "gamma_min", "theta", "k"):

@@ -38,7 +38,7 @@ def list_(kinds: bool, output: Path | None, force: bool, lang: Lang) -> None:
 
 
 def _kinds(output: Path | None, force: bool, lang: Lang) -> None:
-    from graphkin.linkages import family_lines
+    from graphkin.words.linkages import family_lines
 
     click.echo("\n".join(family_lines(lang)))
     if output is not None:

@@ -7,15 +7,11 @@ changes nothing: an eccentric is a crank as long as its eccentricity (s2-1a, s2-
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from graphkin.errors import Lang
-from graphkin.linkages.model import FourBar, GuideBar, Linkage, SliderCrank
-from graphkin.linkages.report import report
-from graphkin.linkages.wording import kind_name
+from graphkin.linkages.four import FourBar
+from graphkin.linkages.guide import GuideBar
+from graphkin.linkages.linkage import Linkage
+from graphkin.linkages.slider import SliderCrank
 from graphkin.value import frozen
-
-__all__ = ["FAMILY", "Member", "family_lines"]
 
 
 @frozen
@@ -41,11 +37,3 @@ FAMILY: tuple[Member, ...] = (
     Member(SliderCrank(0.040, 0.040, 0.0)),
 )
 """In the order in which textbooks derive them: four hinges first, then the inversions of the slider-crank."""
-
-
-def family_lines(lang: Lang) -> Iterator[str]:
-    """One line a kind: its name, and where the library has it."""
-    for member in FAMILY:
-        name = kind_name(report(member.linkage), lang)
-        gap = ": " if lang == "en" else "："
-        yield name + (gap + ", ".join(member.library) if member.library else "")

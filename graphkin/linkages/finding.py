@@ -8,12 +8,14 @@ from dataclasses import replace
 
 from graphkin.analytic import Motion, motion
 from graphkin.errors import NoLinkage
+from graphkin.linkages.four import FourBar
+from graphkin.linkages.guide import GuideBar
+from graphkin.linkages.linkage import Linkage, Scale
 from graphkin.linkages.loops import Loop, loops, pin_block
-from graphkin.linkages.model import FourBar, GuideBar, Linkage, Scale, SliderCrank, even
+from graphkin.linkages.slider import SliderCrank
+from graphkin.linkages.triangles import even
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.value import frozen
-
-__all__ = ["Found", "found_in", "some_found_in"]
 
 
 @frozen
@@ -36,12 +38,9 @@ class Found:
     @property
     def output(self) -> str:
         """The link on the frame that it turns; none where the output slides, or two links could be meant."""
-        driver = self.linkage.driver
-        if isinstance(self.linkage, FourBar):
-            return self.links[2] if driver == "crank" else ""
-        if isinstance(self.linkage, SliderCrank):
-            return self.links[0] if driver == "slider" else ""
-        return {"crank": self.links[2], "bar": self.links[0]}.get(driver, "")
+        if self.linkage.driver not in ("crank", "bar", "slider"):
+            return ""
+        return {"crank": self.links[0], "rocker": self.links[2], "bar": self.links[2]}.get(self.linkage.output, "")
 
 
 def found_in(mechanism: Mechanism) -> list[Found]:

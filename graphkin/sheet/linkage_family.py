@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from graphkin.errors import Lang
-from graphkin.linkages import FourBar, GuideBar, Linkage, as_mechanism, kind_name, report
-from graphkin.linkages.family import FAMILY, Member
-from graphkin.linkages.parts import Position
-from graphkin.loading import loads
+from graphkin.linkages import FAMILY, Linkage, report
+from graphkin.linkages.family import Member
 from graphkin.sheet import Sheet
 from graphkin.sheet.labels import Room, settle
 from graphkin.sheet.layout import papers_for
@@ -19,6 +18,7 @@ from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import BODY, TITLE, Paper
 from graphkin.sheet.titleblock import broken
 from graphkin.sheet.window import Figure, Window
+from graphkin.words.linkages import kind_name, titled
 
 __all__ = ["family_sheet"]
 
@@ -35,7 +35,7 @@ def family_sheet(lang: Lang = "en", *, paper: str | None = None) -> Sheet:
     marks: list[Mark] = list(_frame(chosen, lang))
     for member, cell in zip(FAMILY, _cells(chosen)):
         marks += _cell(member, cell, lang)
-    machine = loads(as_mechanism(FAMILY[0].linkage), name="linkages", file="linkages.toml")
+    machine = replace(titled(FAMILY[0].linkage), name="linkages", file="linkages.toml")
     drivers = tuple(float(driver.value or 0.0) for driver in machine.drivers)
     return Sheet(chosen, tuple(marks), {}, {}, machine, drivers, _TITLE[lang], lang)
 
@@ -59,9 +59,7 @@ def _cells(paper: Paper) -> Iterator[Room]:
 
 
 def _figure(linkage: Linkage, window: Window) -> Figure:
-    turn = linkage.turn if isinstance(linkage, GuideBar) else 0.0
-    turn = turn if isinstance(linkage, FourBar | GuideBar) else linkage.way
-    return drawn_over(linkage, [Position(linkage.places, turn, 0.0, 0.0, None, "")], window)
+    return drawn_over(linkage, [linkage.drawn], window)
 
 
 def _cell(member: Member, cell: Room, lang: Lang) -> list[Mark]:

@@ -6,7 +6,7 @@ import cmath
 from collections.abc import Sequence
 
 from graphkin.linkages import FourBar, GuideBar, Linkage, SliderCrank
-from graphkin.linkages.parts import Position
+from graphkin.linkages.linkage import Position
 from graphkin.sheet import symbols
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run, point_label

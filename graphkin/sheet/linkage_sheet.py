@@ -10,10 +10,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from graphkin.errors import Lang
-from graphkin.linkages import FourBar, Report, as_mechanism, kind_name
-from graphkin.linkages.parts import Position
-from graphkin.linkages.wording import amount, degrees
-from graphkin.loading import loads
+from graphkin.linkages import Report
+from graphkin.linkages.linkage import Position
 from graphkin.mechanism import Mechanism
 from graphkin.sheet import Sheet
 from graphkin.sheet.labels import Room, settle
@@ -28,6 +26,7 @@ from graphkin.sheet.scales import finest
 from graphkin.sheet.titleblock import broken, strip, strip_heights
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
+from graphkin.words.linkages import amount, degrees, kind_name, titled
 
 __all__ = ["limit_sheet"]
 
@@ -74,8 +73,7 @@ def limit_sheet(report: Report, lang: Lang = "en", *, paper: str | None = None, 
 
 def _mechanism(report: Report, headline: str) -> Mechanism:
     """The linkage as a mechanism, for what the drawing file says of it."""
-    found = loads(as_mechanism(report.linkage), name="linkage", file="linkage.toml")
-    return replace(found, title={"en": headline, "zh": headline})
+    return replace(titled(report.linkage), title={"en": headline, "zh": headline})
 
 
 # --- what is drawn ------------------------------------------------------------------------------
@@ -151,8 +149,8 @@ def _gamma_caption(report: Report, lang: Lang) -> tuple[str, ...]:
 
 def _dead(report: Report, driver: str, lang: Lang) -> str:
     values = report.dead[driver]
-    turns = isinstance(report.linkage, FourBar) or driver != tuple(report.dead)[-1]
-    said = ", ".join(_degrees(value) if turns else f"{value * 1e3:.5g} mm" for value in values)
+    slides = driver == report.slide
+    said = ", ".join(f"{value * 1e3:.5g} mm" if slides else _degrees(value) for value in values)
     return _WORDS["dead" if values else "none"][lang].format(driver=driver, values=said)
 
 
