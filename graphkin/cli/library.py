@@ -76,9 +76,10 @@ def structure(mechanism: str, lang: Lang) -> None:
     Example:
       graphkin structure p3-15
     """
-    from graphkin import api, assur
+    from graphkin import api
+    from graphkin.words.structure import structure_lines
 
-    for line in assur.structure_lines(api.plan(read(mechanism)), lang):
+    for line in structure_lines(api.plan(read(mechanism)), lang):
         click.echo(line)
 
 
