@@ -33,7 +33,7 @@ from graphkin.outputs.svg import svg
 from graphkin.sheet.lettering import box
 from graphkin.sheet.linkage_family import family_sheet
 from graphkin.sheet.linkage_sheet import limit_sheet
-from graphkin.sheet.marks import Text
+from graphkin.sheet.marks import PointMark, Stroke, Text
 from graphkin.words.linkages import family_lines, found_lines, held, kind_name, lines, titled
 
 deg = math.degrees
@@ -529,3 +529,13 @@ def test_lengths_from_the_command_line_are_named():
     with pytest.raises(CannotClose) as raised:
         from_lengths("fourbar", 0.01, 0.01, 0.01, 0.05)
     assert raised.value.message("en").startswith("--fourbar: ")
+
+
+@pytest.mark.parametrize("turn", [0.0, 1.1, -2.5])
+@pytest.mark.parametrize("offset", [0.010, -0.030])
+def test_a_block_on_the_frame_stands_on_the_ground(offset, turn):
+    machine = moved(SliderCrank(0.02, 0.065, offset, block=True), turn).mechanism()
+    marks = Drawing.of(machine).sheet(only="position").marks
+    at = next(mark.at for mark in marks if isinstance(mark, PointMark) and mark.name == "P")
+    hatch = [mark for mark in marks if isinstance(mark, Stroke) and mark.pen == "hatch" and len(mark.places) == 2]
+    assert sum(abs(mark.places[0] - at) < 8 for mark in hatch) > 5

@@ -30,6 +30,7 @@ def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:
     for run in _runs(skeleton, *others):
         figure.marks += run.marks()
         spots.append(run.end(run.high) + run.side * 2)
+    figure.marks += _under_blocks(skeleton, *others)
     for point in skeleton.points:
         owners = skeleton.mechanism.owners[point]
         if FRAME in owners and len(owners) > 1:
@@ -82,6 +83,18 @@ class _Run:
         ]
 
 
+def _under_blocks(skeleton: Skeleton, *others: Skeleton) -> list[Mark]:
+    """The ground under a block that the frame carries; on a pivot it stands on the pivot's."""
+    marks: list[Mark] = []
+    for slide in skeleton.mechanism.slides:
+        if slide.block == FRAME and len(skeleton.mechanism.owners[slide.point]) == 1:
+            at, along = skeleton.at(slide.point), skeleton.along(slide)
+            side = _ground_side(at, along, skeleton, *others)
+            foot, half = at + side * symbols.BLOCK.imag / 2, 0.7 * symbols.BLOCK.real * along
+            marks += symbols.guide(foot - half, foot + half, side, skeleton.step(slide.point))
+    return marks
+
+
 def _runs(skeleton: Skeleton, *others: Skeleton) -> list[_Run]:
     """Fixed guides; stretches of one line that touch are one."""
     runs: list[_Run] = []
@@ -115,9 +128,13 @@ def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _Run:
     if along.real < -1e-9 or (abs(along.real) < 1e-9 and along.imag < 0):
         along = -along
     stops = [0.0, *((along.conjugate() * (other.at(slide.point) - at)).real for other in others)]
-    side = away_from(at, along, [one.at(p) for one in (skeleton, *others) for p in one.points])
+    side = _ground_side(at, along, skeleton, *others)
     step = skeleton.step(slide.line.origin)
     return _Run(at, along, min(stops) - _REACH, max(stops) + _REACH, side, slide.block is None, step)
+
+
+def _ground_side(at: Place, along: complex, *skeletons: Skeleton) -> complex:
+    return away_from(at, along, [skeleton.at(point) for skeleton in skeletons for point in skeleton.points])
 
 
 def away_from(at: Place, along: complex, places: list[Place]) -> complex:
