@@ -3,7 +3,7 @@
 `report(linkage)` for lengths, `found_in(mechanism)` for the linkages that a mechanism holds.
 
     linkage               the contract of a kind, `Linkage`, and the values it answers with
-    four, slider, guide   a kind each, on `triangles`, `lengths`, `drawn`; `assembled` makes mechanisms of them
+    four, slider, guide   a kind each, on `triangles`, `lengths`, `first_position`; `assembled` makes mechanisms of them
     kinds, family         all of them; every one that has a name of its own
     report                everything there is to say of one; `loops`, `finding`, `chain`: of those in a mechanism
     inversion             another link as frame

@@ -8,12 +8,12 @@ from dataclasses import replace
 
 from graphkin.analytic import Motion, motion
 from graphkin.errors import NoLinkage
+from graphkin.linkages.equal import even
 from graphkin.linkages.four import FourBar
 from graphkin.linkages.guide import GuideBar
 from graphkin.linkages.linkage import Linkage, Scale
 from graphkin.linkages.loops import Loop, loops, pin_block
 from graphkin.linkages.slider import SliderCrank
-from graphkin.linkages.triangles import even
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.value import frozen
 

@@ -14,10 +14,11 @@ from dataclasses import replace
 from typing import ClassVar
 
 from graphkin.linkages.assembled import assembled, turning
-from graphkin.linkages.drawn import TURNS, sine, well_drawn
+from graphkin.linkages.equal import even
+from graphkin.linkages.first_position import TURNS, sine, well_drawn
 from graphkin.linkages.lengths import check_closing, check_driver, check_links
 from graphkin.linkages.linkage import Angle, Position, Range, Scale, Sums, Turn
-from graphkin.linkages.triangles import angles, apex, even, folded, phase, spanned, whole
+from graphkin.linkages.triangles import angles, apex, folded, phase, spanned, whole
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.value import frozen
 
@@ -36,6 +37,7 @@ class FourBar:
     """
 
     word: ClassVar[str] = "fourbar"
+    drivers: ClassVar[tuple[str, ...]] = ("crank", "coupler", "rocker")
 
     crank: float
     coupler: float
@@ -49,7 +51,7 @@ class FourBar:
     def __post_init__(self) -> None:
         sizes = self.sizes
         check_links(sizes)
-        check_driver(self.driver, ("crank", "coupler", "rocker"))
+        check_driver(self.driver, self.drivers)
         long = max(sizes, key=lambda link: sizes[link])
         others = [link for link in sizes if link != long]
         check_closing(long, sizes[long], others, sum(self.lengths) - sizes[long])
@@ -99,8 +101,7 @@ class FourBar:
 
     def kind(self) -> tuple[str, str]:
         """The kind, and for a change point its family."""
-        sums = self.sums()
-        gap = even(sums.sum_ends - sums.sum_middle, sums.sum_ends + sums.sum_middle)
+        gap = self.sums().gap
         if gap > 0:
             return "triple-rocker", ""
         return ("change-point", _family(self)) if gap == 0 else (_by_shortest(self), "")
@@ -138,15 +139,6 @@ class FourBar:
     def critical(self) -> tuple[Position, ...]:
         """The driver in line with the frame, and its own ends."""
         return _lettered(self, _critical(_from_driver(self)))
-
-    def dead(self) -> dict[str, tuple[float, ...]]:
-        """A driver at AB, and one at CD: directions of those links [rad]."""
-        first = self if self.driver != "rocker" else replace(self, driver="crank", scale=None)
-        second = self if self.driver == "rocker" else replace(self, driver="rocker", scale=None)
-        called = self.called
-        return {
-            called["crank"]: _dead(replace(first, driver="crank")), called["rocker"]: _dead(_from_driver(second)),
-        }  # fmt: skip
 
     def direction(self, position: Position) -> float:
         a, b, c, d = position.places
@@ -313,7 +305,3 @@ def _at(bar: FourBar, angle: float, side: float, how: str) -> Position:
 def _over_pivot(bar: FourBar, b: complex, how: str) -> Position:
     """AB lies on AD, BC on DC, the two of one length each: C may be anywhere about D."""
     return replace(_position(bar, (bar.places[0], b, bar.places[2], bar.places[3]), how), gamma=0.0)
-
-
-def _dead(bar: FourBar) -> tuple[float, ...]:
-    return tuple(sorted({end.driver for end in _critical(bar) if end.gamma == 0}))

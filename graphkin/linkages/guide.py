@@ -10,14 +10,14 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from typing import ClassVar
 
 from graphkin.linkages.assembled import assembled, drawn_line, free_names, pushing, turning
-from graphkin.linkages.drawn import TURNS, sine, well_drawn
+from graphkin.linkages.equal import EVEN, even
+from graphkin.linkages.first_position import TURNS, sine, well_drawn
 from graphkin.linkages.lengths import check_closing, check_driver, check_links, check_offset
 from graphkin.linkages.linkage import Position, Range, Scale, Sums, Turn
-from graphkin.linkages.triangles import EVEN, even, folded, limited, phase, spanned, whole
+from graphkin.linkages.triangles import folded, limited, passes, phase, spanned, whole
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Slide
 from graphkin.value import frozen
@@ -42,6 +42,7 @@ class GuideBar:
     """
 
     word: ClassVar[str] = "guide"
+    drivers: ClassVar[tuple[str, ...]] = ("crank", "bar", "slide")
 
     crank: float
     frame: float
@@ -57,7 +58,7 @@ class GuideBar:
         crank, frame = _crank_and_frame(self)
         check_links({crank: self.crank, frame: self.frame})
         check_offset(self.offset)
-        check_driver(self.driver, ("crank", "bar", "slide"))
+        check_driver(self.driver, self.drivers)
         check_closing("e", abs(self.offset), [crank, frame], self.crank + self.frame)
         if not self.places:
             places, turn = _start(self)
@@ -93,16 +94,11 @@ class GuideBar:
         return (2, 1) if self.output == "bar" else (0, 1)
 
     def sums(self) -> Sums:
-        """Shorter of crank and frame with the offset, against the longer."""
-        crank, frame = _crank_and_frame(self)
-        sizes = {crank: self.crank, frame: self.frame}
-        short, long = sorted(sizes, key=lambda link: sizes[link])
-        return Sums((short, "e"), (long, ""), sizes[short] + abs(self.offset), sizes[long])
+        return Sums.beside_offset(self.sizes)
 
     def kind(self) -> tuple[str, str]:
         """The kind, and whether bar or block stands on the frame."""
-        sums = self.sums()
-        gap = even(sums.sum_ends - sums.sum_middle, sums.sum_ends + sums.sum_middle)
+        gap = self.sums().gap
         pivoted = "block" if self.block else "bar"
         if gap == 0:
             return "change-point", pivoted
@@ -113,7 +109,7 @@ class GuideBar:
     def turns(self) -> tuple[Turn, ...]:
         """Three hinges (the block turns with the bar), then crank against bar, frame against block."""
         crank, bar, frame, _ = self.called.values()
-        short, other = _turns_fully(self.crank, self), _turns_fully(self.frame, self)
+        short, other = passes(self.crank, self.frame, self.offset), passes(self.frame, self.crank, self.offset)
         return (
             Turn(crank, frame, short or other, True), Turn(bar, frame, other, True), Turn(crank, bar, short, True),
         )  # fmt: skip
@@ -137,14 +133,6 @@ class GuideBar:
 
     def critical(self) -> tuple[Position, ...]:
         return tuple(_by_bar(self) if self.driver == "bar" else _by_crank(self))
-
-    def dead(self) -> dict[str, tuple[float, ...]]:
-        """A driver at the crank, at the bar [rad], or at the block along the bar [m]."""
-        found: dict[str, tuple[float, ...]] = {}
-        for driver in ("crank", "bar", "slide"):
-            seen = self if driver == self.driver else replace(self, driver=driver, scale=None)
-            found[self.called[driver]] = tuple(sorted({end.driver for end in seen.critical() if end.gamma == 0}))
-        return found
 
     def direction(self, position: Position) -> float:
         return position.turn if self.driver == "bar" else cmath.phase(position.places[1] - position.places[0])
@@ -197,12 +185,6 @@ class GuideBar:
 def _crank_and_frame(bar: GuideBar) -> tuple[str, str]:
     """What they are called."""
     return bar.called["crank"], bar.called["frame"]
-
-
-def _turns_fully(length: float, bar: GuideBar) -> bool:
-    """Whether the link of this length, and so the frame or the crank, turns fully against the bar."""
-    other = bar.crank + bar.frame - length
-    return even(length + abs(bar.offset) - other, length + other) <= 0
 
 
 # --- ranges and positions ------------------------------------------------------------------------

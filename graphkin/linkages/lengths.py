@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 
 from graphkin.errors import NOWHERE, CannotClose, CannotDriveBy, NotALength, OnlyStretched
-from graphkin.linkages.triangles import even
+from graphkin.linkages.equal import even
 
 
 def check_links(links: Mapping[str, float]) -> None:

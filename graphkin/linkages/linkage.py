@@ -10,8 +10,9 @@ How to add a kind: a file with its class, its entry in `kinds.KINDS`, its loop i
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import ClassVar, Protocol
+from typing import Any, ClassVar, Protocol
 
+from graphkin.linkages.equal import even
 from graphkin.mechanism import Mechanism
 from graphkin.value import frozen
 
@@ -94,6 +95,17 @@ class Sums:
     sum_ends: float
     sum_middle: float
 
+    @property
+    def gap(self) -> float:
+        """The first less the second, 0 where it is 0 but for rounding: a change point [m]."""
+        return even(self.sum_ends - self.sum_middle, self.sum_ends + self.sum_middle)
+
+    @classmethod
+    def beside_offset(cls, sizes: Mapping[str, float]) -> Sums:
+        """Of two links and an offset: the shorter with the offset against the longer."""
+        short, long = sorted((link for link in sizes if link != "e"), key=lambda link: sizes[link])
+        return cls((short, "e"), (long, ""), sizes[short] + abs(sizes["e"]), sizes[long])
+
 
 @frozen
 class Angle:
@@ -116,8 +128,12 @@ class Linkage(Protocol):
     of the two mirrored assemblies that `places` shows.
     """
 
+    __dataclass_fields__: ClassVar[dict[str, Any]]
+    """It is a frozen dataclass: `replace` gives the same linkage with another driver."""
     word: ClassVar[str]
     """Its key in `kinds.KINDS`, and its option on the command line."""
+    drivers: ClassVar[tuple[str, ...]]
+    """The parts that can drive."""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -183,9 +199,6 @@ class Linkage(Protocol):
 
     def critical(self) -> tuple[Position, ...]:
         """Where the transmission angle can be least, over everything the driver reaches."""
-
-    def dead(self) -> dict[str, tuple[float, ...]]:
-        """By what could drive, as it is called: the values at which it moves nothing [rad or m]; empty for none."""
 
     def direction(self, position: Position) -> float:
         """Direction of the driven link at a position [rad]; of the crank where the driver slides."""

@@ -8,7 +8,8 @@ Closed forms throughout; only the least mechanical advantage, which has none, is
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from functools import cached_property
 
 from graphkin.linkages.linkage import CRANKS, SLIDES, Linkage, Position, Range, Turn
@@ -141,8 +142,17 @@ def report(linkage: Linkage) -> Report:
     return Report(
         linkage, kind, family, grashof, sums.ends, sums.middle, sums.sum_ends, sums.sum_middle, linkage.turns(),
         linkage.called[linkage.driver], linkage.called[linkage.output], span, linkage.output_range(), limits,
-        linkage.stroke, theta, k, slow, linkage.critical(), linkage.dead(),
+        linkage.stroke, theta, k, slow, linkage.critical(), dict(_dead(linkage)),
     )  # fmt: skip
+
+
+def _dead(linkage: Linkage) -> Iterator[tuple[str, tuple[float, ...]]]:
+    """Every part that has a transmission angle where it drives, and where that is 0."""
+    for part in linkage.drivers:
+        seen = linkage if part == linkage.driver else replace(linkage, driver=part, scale=None)
+        ends = seen.critical()
+        if all(end.gamma is not None for end in ends):
+            yield linkage.called[part], tuple(sorted({end.driver for end in ends if end.gamma == 0}))
 
 
 def _quick_return(

@@ -10,14 +10,14 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import ClassVar
 
 from graphkin.linkages.assembled import Places, assembled, drawn_line, free_names, pushing, turning
-from graphkin.linkages.drawn import TURNS, sine, well_drawn
+from graphkin.linkages.equal import EVEN, even
+from graphkin.linkages.first_position import TURNS, sine, well_drawn
 from graphkin.linkages.lengths import check_closing, check_driver, check_links, check_offset
 from graphkin.linkages.linkage import Angle, Position, Range, Scale, Sums, Turn
-from graphkin.linkages.triangles import EVEN, even, folded, limited, phase, whole
+from graphkin.linkages.triangles import folded, limited, passes, phase, whole
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.pairs import Slide
 from graphkin.value import frozen
@@ -40,6 +40,7 @@ class SliderCrank:
     """
 
     word: ClassVar[str] = "slider"
+    drivers: ClassVar[tuple[str, ...]] = ("crank", "coupler", "slider")
 
     crank: float
     coupler: float
@@ -55,7 +56,7 @@ class SliderCrank:
         crank, rod, _ = self.called.values()
         check_links({crank: self.crank, rod: self.coupler})
         check_offset(self.offset)
-        check_driver(self.driver, ("crank", "coupler", "slider"))
+        check_driver(self.driver, self.drivers)
         check_closing("e", abs(self.offset), [crank, rod], self.crank + self.coupler)
         object.__setattr__(self, "places", self.places or _start(self))
 
@@ -88,18 +89,12 @@ class SliderCrank:
         return 0, 1
 
     def sums(self) -> Sums:
-        """Shorter link and offset, against the longer link."""
-        crank, rod, _ = self.called.values()
-        sizes = {crank: self.crank, rod: self.coupler}
-        short, long = sorted(sizes, key=lambda link: sizes[link])
-        return Sums((short, "e"), (long, ""), sizes[short] + abs(self.offset), sizes[long])
+        return Sums.beside_offset(self.sizes)
 
     def kind(self) -> tuple[str, str]:
         """The kind, and what is special about it."""
-        sums = self.sums()
-        size = sums.sum_ends + sums.sum_middle
-        gap = even(sums.sum_ends - sums.sum_middle, size)
-        line = "in-line" if even(self.offset, size) == 0 else "offset"
+        gap = self.sums().gap
+        line = "in-line" if even(self.offset, self.crank + self.coupler + abs(self.offset)) == 0 else "offset"
         if gap == 0:
             return "change-point", "isosceles" if line == "in-line" else "slider-crank"
         if gap > 0:
@@ -109,7 +104,7 @@ class SliderCrank:
     def turns(self) -> tuple[Turn, ...]:
         """Three hinges, then crank against slider and rod against the guide's link."""
         crank, rod, block = self.called.values()
-        first, second = _turns_fully(self.crank, self), _turns_fully(self.coupler, self)
+        first, second = passes(self.crank, self.coupler, self.offset), passes(self.coupler, self.crank, self.offset)
         return (
             Turn(crank, FRAME, first, True), Turn(crank, rod, first or second, True), Turn(rod, block, second, True),
             Turn(crank, block, first, False), Turn(rod, FRAME, second, False),
@@ -139,14 +134,6 @@ class SliderCrank:
         if self.driver == "slider":
             return tuple(_limit(self, along) for along in _reach(self))
         return tuple(_critical(self))
-
-    def dead(self) -> dict[str, tuple[float, ...]]:
-        """A driver at the crank [rad], and one at the slider [m]."""
-        found: dict[str, tuple[float, ...]] = {}
-        for driver in ("crank", "slider"):
-            seen = self if driver == self.driver else replace(self, driver=driver, scale=None)
-            found[self.called[driver]] = tuple(sorted({end.driver for end in seen.critical() if end.gamma == 0}))
-        return found
 
     def direction(self, position: Position) -> float:
         a, b, c = position.places
@@ -179,12 +166,6 @@ class SliderCrank:
     def mechanism(self, omega: float = 10.0) -> Mechanism:
         """The slider on a guide of the frame; or a bar through a block that stands on the frame, at the foot of A."""
         return _fixed_block(self, omega) if self.block else _fixed_guide(self, omega)
-
-
-def _turns_fully(length: float, slider: SliderCrank) -> bool:
-    """Whether a link of this length turns against the guide; the other link is the rest."""
-    other = slider.crank + slider.coupler - length
-    return even(length + abs(slider.offset) - other, length + other) <= 0
 
 
 # --- ranges and positions ------------------------------------------------------------------------

@@ -1,21 +1,15 @@
-"""The triangles that linkages of four links come down to: their angles, and when two lengths count as equal."""
+"""The triangles that linkages of four links come down to: their angles and corners."""
 
 from __future__ import annotations
 
 import cmath
 import math
 
+from graphkin.linkages.equal import even
 from graphkin.linkages.linkage import Range
 
-EVEN = 1e-9
-"""Sums of lengths that differ by less than this part of all lengths together are equal: a change point."""
 _ROUNDING = 1e-7
 """Lines at a smaller angle lie in line: positions are laid in line from 4e-5 on (`EVEN`)."""
-
-
-def even(difference: float, size: float) -> float:
-    """A difference of sums of lengths, 0 where it is 0 but for rounding."""
-    return 0.0 if abs(difference) <= EVEN * size else difference
 
 
 def apex(first: complex, second: complex, near: float, far: float, side: float) -> complex:
@@ -49,6 +43,11 @@ def angles(one: float, other: float, far: float, farther: float) -> tuple[float,
 def _angle(one: float, other: float, square: float) -> float:
     """The angle between two sides of a triangle, the square of the third given."""
     return math.acos(limited((one * one + other * other - square) / (2 * one * other)))
+
+
+def passes(length: float, other: float, offset: float) -> bool:
+    """Whether a link turns fully against a line at an offset from its pivot, the other link reaching the line."""
+    return even(length + abs(offset) - other, length + other) <= 0
 
 
 def limited(cosine: float) -> float:

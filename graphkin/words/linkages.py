@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 from graphkin.errors import Lang
 from graphkin.linkages import FAMILY, Found, Linkage, Report, filed, inverted, report
+from graphkin.linkages.equal import EVEN
 from graphkin.linkages.linkage import Position
-from graphkin.linkages.triangles import EVEN
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.words.linkage_phrases import BLOCKS, DRIVEN, FAMILIES, FIXED, HOW, KINDS, TEXT, TITLES, WHY
 
