@@ -27,6 +27,8 @@ ORDER = (
     "check", "results", "reports", "sheet", "outputs", "equations", "finding", "api", "batches", "cli",
 )  # fmt: skip
 
+"""Words come before design as long as design words itself."""
+
 _WHERE = {
     "load": "api",
     "plan": "api",

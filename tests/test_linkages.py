@@ -17,6 +17,7 @@ from graphkin.api import Drawing
 from graphkin.errors import CannotClose, CannotDriveBy, GraphkinError, NoFixing, NoLinkage, NotALength, OnlyStretched
 from graphkin.linkages import (
     FAMILY,
+    KINDS,
     FourBar,
     GuideBar,
     SliderCrank,
@@ -34,6 +35,7 @@ from graphkin.sheet.lettering import box
 from graphkin.sheet.linkage_family import family_sheet
 from graphkin.sheet.linkage_sheet import limit_sheet
 from graphkin.sheet.marks import PointMark, Stroke, Text
+from graphkin.words.linkage_phrases import TITLES
 from graphkin.words.linkages import family_lines, found_lines, held, kind_name, lines, titled
 
 deg = math.degrees
@@ -96,7 +98,7 @@ def test_in_line_slider_has_no_quick_return():
 
 # --- kinds -----------------------------------------------------------------------------------------
 
-KINDS = [
+NAMED = [
     (("fourbar", 15, 48, 55, 45), {}, "crank-rocker", ""),
     (("fourbar", 15, 48, 55, 45), {"driver": "rocker"}, "rocker-crank", ""),
     (("fourbar", 55, 48, 15, 45), {}, "rocker-crank", ""),
@@ -121,7 +123,7 @@ KINDS = [
 ]
 
 
-@pytest.mark.parametrize(("lengths", "more", "kind", "family"), KINDS)
+@pytest.mark.parametrize(("lengths", "more", "kind", "family"), NAMED)
 def test_kinds(lengths, more, kind, family):
     found = measured(*lengths, **more)
     assert (found.kind, found.family) == (kind, family)
@@ -134,7 +136,7 @@ def test_crossed_parallelogram():
     assert report(FourBar(*bar.lengths, places=(a, b, mirrored, d))).family == "antiparallelogram"
 
 
-DRIVEN = [*KINDS, (("slider", 20, 65, 15), {"driver": "slider"}, "", ""), (("guide", 100, 300, 20), {"driver": "bar"}, "", ""),
+DRIVEN = [*NAMED, (("slider", 20, 65, 15), {"driver": "slider"}, "", ""), (("guide", 100, 300, 20), {"driver": "bar"}, "", ""),
           (("guide", 100, 300, 20), {"driver": "slide"}, "", ""), (("fourbar", 15, 48, 55, 45), {"driver": "coupler"}, "", "")]  # fmt: skip
 
 
@@ -362,6 +364,10 @@ def test_any_names_any_way_round(turn, vector):
     assert (found.kind, deg(found.swing), deg(found.gamma_min)) == ("crank-rocker", pytest.approx(40.5353, abs=1e-4), pytest.approx(32.9837, abs=1e-4))
     off = (deg(found.least[0].driver) - angle + 60) % 360
     assert min(off, 360 - off) < 1e-6
+
+
+def test_every_kind_has_its_words():
+    assert {*TITLES} == {*KINDS}
 
 
 # --- files and inversions --------------------------------------------------------------------------

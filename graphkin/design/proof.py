@@ -42,7 +42,8 @@ def proof(solution: Solution) -> Report:
 
 def mechanism_of(solution: Solution, kind: str) -> Mechanism:
     """The linkage driven at AB with 1 rad/s. kind: of the design (`Design.kind`)."""
-    return filed(replace(linkage_of(solution).mechanism(omega=1.0), name="design", file="design.toml"), _TITLES[kind])
+    machine = linkage_of(solution).mechanism(omega=1.0)
+    return filed(replace(machine, name="design", file="design.toml", title=_TITLES[kind]))
 
 
 def as_toml(solution: Solution, kind: str) -> str:

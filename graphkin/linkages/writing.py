@@ -6,16 +6,14 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from graphkin.errors import Lang
 from graphkin.linkages.assembled import ahead_on
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.pairs import Slide
 
 
-def filed(machine: Mechanism, title: Mapping[Lang, str], notes: Sequence[str] = ()) -> Mechanism:
-    """The mechanism with its title, and with its file as its text; notes: lines at the head of the file."""
-    titled = replace(machine, title=title)
-    return replace(titled, text="\n".join(_lines(titled, notes)) + "\n")
+def filed(machine: Mechanism, notes: Sequence[str] = ()) -> Mechanism:
+    """The mechanism with its file as its text; notes: lines at the head of the file."""
+    return replace(machine, text="\n".join(_lines(machine, notes)) + "\n")
 
 
 def _lines(machine: Mechanism, notes: Sequence[str]) -> Iterator[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 from graphkin.errors import Lang
 from graphkin.linkages import FAMILY, Found, Linkage, Report, filed, inverted, report
@@ -212,7 +213,7 @@ def family_lines(lang: Lang) -> Iterator[str]:
 
 def titled(linkage: Linkage) -> Mechanism:
     """The linkage as a mechanism with its title and its file."""
-    return filed(linkage.mechanism(), TITLES[linkage.word])
+    return filed(replace(linkage.mechanism(), title=TITLES[linkage.word]))
 
 
 def held(mechanism: Mechanism, link: str) -> Mechanism:
@@ -221,7 +222,7 @@ def held(mechanism: Mechanism, link: str) -> Mechanism:
         lang: text.format(title=mechanism.headline(lang), link=link) for lang, text in FIXED.items()
     }
     notes = [_note(mechanism, driver, link) for driver in mechanism.drivers]
-    return filed(inverted(mechanism, link), title, notes)
+    return filed(replace(inverted(mechanism, link), title=title), notes)
 
 
 def _note(mechanism: Mechanism, driver: Driver, fixed: str) -> str:
