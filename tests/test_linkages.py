@@ -29,6 +29,8 @@ from graphkin.linkages import (
     reported,
     some_found_in,
 )
+from graphkin.linkages.posed import posed
+from graphkin.linkages.triangles import whole
 from graphkin.loading import loads
 from graphkin.outputs.svg import svg
 from graphkin.sheet.lettering import box
@@ -368,6 +370,57 @@ def test_any_names_any_way_round(turn, vector):
 
 def test_every_kind_has_its_words():
     assert {*TITLES} == {*KINDS}
+
+
+DEFINITE = [case for case in DRIVEN if case[2] != "change-point"]
+
+
+def along(one, other):
+    """How far two directions are apart."""
+    return abs(math.remainder(one - other, math.tau))
+
+
+@pytest.mark.parametrize(("lengths", "more", "kind", "family"), DEFINITE)
+@pytest.mark.parametrize("turn", [0.0, 2.0])
+def test_a_kind_keeps_its_contract(lengths, more, kind, family, turn):
+    """Its positions are one another's, and its ratio is how they change."""
+    linkage = moved(from_lengths(lengths[0], *(length / 1e3 for length in lengths[1:]), **more), turn)
+    here = linkage.direction(linkage.drawn)
+    assert linkage.drawn.places == pytest.approx(linkage.places, abs=1e-12)
+    assert linkage.position_at(here).places == pytest.approx(linkage.places, abs=1e-9)
+    assert {linkage.driver, linkage.output} <= {*linkage.called}
+    assert linkage.driver in linkage.drivers
+    if linkage.driver not in ("crank", "rocker"):
+        return
+    behind, ahead = (linkage.position_at(here + step).output for step in (-1e-6, 1e-6))
+    change = ahead - behind if linkage.output == "slider" else math.remainder(ahead - behind, math.tau)
+    assert change / 2e-6 == pytest.approx(linkage.ratio(here), rel=1e-6, abs=1e-9)
+    back = linkage.driver_at(linkage.drawn.output)
+    if linkage.output == "slider":
+        assert math.isnan(back)
+        return
+    assert along(linkage.position_at(back).output, linkage.drawn.output) < 1e-9
+    assert not linkage.output_range().full or along(back, here) < 1e-9
+
+
+@pytest.mark.parametrize(("lengths", "more", "kind", "family"), DEFINITE)
+@pytest.mark.parametrize("block", [False, True])
+def test_a_pose_is_the_mechanism_at_that_position(lengths, more, kind, family, block):
+    linkage = moved(from_lengths(lengths[0], *(length / 1e3 for length in lengths[1:]), **more), 1.0)
+    linkage = linkage if isinstance(linkage, FourBar) else replace(linkage, block=block)
+    machine = linkage.mechanism()
+    span, here = linkage.driver_range(), linkage.direction(linkage.drawn)
+    turns = linkage.driver in ("crank", "rocker", "bar")
+    for step in (0.0, 0.1, -0.2) if turns else (0.0,):
+        if turns and not span.full and whole(here + step - span.low) > span.width:
+            continue
+        pose = posed(linkage, machine, linkage.position_at(here + step))
+        now = motion(machine, [machine.drivers[0].value + step])
+        for point, place in pose.position.items():
+            assert place == pytest.approx(complex(now.position[point]), abs=1e-9), point
+        for link, angle in pose.theta.items():
+            if len(machine.links[link].points) > 1:
+                assert along(angle, float(now.theta[link])) < 1e-9
 
 
 # --- files and inversions --------------------------------------------------------------------------

@@ -142,7 +142,7 @@ class FourBar:
 
     def direction(self, position: Position) -> float:
         a, b, c, d = position.places
-        return cmath.phase({"crank": b - a, "coupler": c - b, "rocker": c - d}[self.driver])
+        return cmath.phase(c - d if self.driver == "rocker" else b - a)
 
     def position_at(self, direction: float) -> Position:
         """Of AB, for one driven there, and of DC, for one driven there."""

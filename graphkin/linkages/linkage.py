@@ -201,16 +201,19 @@ class Linkage(Protocol):
         """Where the transmission angle can be least, over everything the driver reaches."""
 
     def direction(self, position: Position) -> float:
-        """Direction of the driven link at a position [rad]; of the crank where the driver slides."""
+        """Direction of the driven link at a position [rad]; of the crank where the coupler or a slide drives."""
 
     def position_at(self, direction: float) -> Position:
-        """The position with the driven link at a direction [rad], assembled as drawn.
+        """The position with the link of `direction` at a direction [rad], assembled as drawn.
 
-        Beyond the driver's range: the nearest, with the links in line.
+        Beyond what it reaches the other links lie in line, and no longer meet.
         """
 
     def driver_at(self, direction: float) -> float:
-        """Direction of the crank that drives, with the output at a direction [rad]; NaN where the output slides."""
+        """Direction of a crank that drives, with the output at a direction [rad]: one of two where the output swings.
+
+        NaN where it slides.
+        """
 
     def ratio(self, direction: float) -> float:
         """Output's over driver's velocity with the driven crank at a direction [rad/rad or m/rad].

@@ -136,8 +136,7 @@ class SliderCrank:
         return tuple(_critical(self))
 
     def direction(self, position: Position) -> float:
-        a, b, c = position.places
-        return cmath.phase(c - b if self.driver == "coupler" else b - a)
+        return cmath.phase(position.places[1] - position.places[0])
 
     def position_at(self, direction: float) -> Position:
         """Of the crank."""
