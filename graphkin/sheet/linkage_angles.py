@@ -16,8 +16,6 @@ from graphkin.sheet.marks import Arc, Mark, Place, Stroke
 from graphkin.sheet.paper import BODY
 from graphkin.sheet.window import Figure, Window
 
-__all__ = ["dimensioned_limits", "dimensioned_transmission"]
-
 _FOOT = 15.0
 """How far from the guide the stroke's dimension line lies [mm]."""
 _BESIDE_HINGE, _BESIDE_BLOCK = (0.42, 11.0, 30.0), (0.3, 14.0, 34.0)

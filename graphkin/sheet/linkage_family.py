@@ -18,8 +18,6 @@ from graphkin.sheet.marks import Mark, Stroke, Text
 from graphkin.sheet.paper import TITLE, Paper
 from graphkin.words.linkages import kind_name, titled
 
-__all__ = ["family_sheet"]
-
 _COLUMNS = 4
 _HEAD, _FOOT = 10.0, 13.0
 """Room for the title, and for the name under each sketch [mm]."""

@@ -21,8 +21,6 @@ from graphkin.sheet.mechanism_figure import moving_links
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure, Window
 
-__all__ = ["Row", "drawn_over", "on_paper", "values"]
-
 Row = Sequence[Position]
 """Positions drawn over each other."""
 

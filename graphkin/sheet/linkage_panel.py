@@ -17,9 +17,7 @@ from graphkin.sheet.titleblock import broken
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
-__all__ = ["Panel"]
-
-_LETTERS = 7.0
+_LETTERS = 6.5
 """What labels need around a figure [mm]."""
 _TRIAL = 80.0
 """Size of a figure when it is drawn to see how far its signs reach [mm]."""

@@ -23,8 +23,6 @@ from graphkin.sheet.titleblock import strip, strip_heights
 from graphkin.sheet.window import Figure, Window
 from graphkin.words.linkages import amount, degrees, kind_name, titled
 
-__all__ = ["limit_sheet"]
-
 _CAPTION = 22.0
 """Room for a caption of four lines under each figure [mm]."""
 
