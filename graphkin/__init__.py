@@ -23,9 +23,11 @@ __version__ = "0.1.0"
 
 ORDER = (
     "value", "errors", "geometry", "steps", "pairs", "mechanism", "naming", "loading", "library", "methods", "seal",
-    "analytic", "freedoms", "redundancy", "assur", "readings", "agreement", "centres", "linkages", "design", "sweeps",
-    "check", "results", "reports", "words", "sheet", "outputs", "equations", "finding", "api", "batches", "cli",
+    "analytic", "freedoms", "assur", "readings", "agreement", "centres", "linkages", "words", "design", "sweeps",
+    "check", "results", "reports", "sheet", "outputs", "equations", "finding", "api", "batches", "cli",
 )  # fmt: skip
+
+"""Words come before design as long as design words itself."""
 
 _WHERE = {
     "load": "api",

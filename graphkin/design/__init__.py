@@ -12,7 +12,7 @@ from graphkin.design.guide import guide_bar
 from graphkin.design.model import Arc, Design, Family, Reason, Solution
 from graphkin.design.pairs import angle_pairs
 from graphkin.design.poses import coupler_positions, hinges
-from graphkin.design.proof import as_toml, linkage_of, proof
+from graphkin.design.proof import as_toml, linkage_of, mechanism_of, proof
 from graphkin.design.rocker import rocker
 from graphkin.design.slider import slider
 from graphkin.design.steps import Construction, Stage
@@ -20,6 +20,6 @@ from graphkin.design.telling import as_json, error, lines, said, sentences
 
 __all__ = [
     "Arc", "Board", "Construction", "Design", "Family", "Reason", "Solution", "Stage", "angle_pairs", "as_json",
-    "as_toml", "coupler_positions", "error", "guide_bar", "hinges", "lines", "linkage_of", "proof", "replay", "rocker",
-    "said", "sentences", "slider",
+    "as_toml", "coupler_positions", "error", "guide_bar", "hinges", "lines", "linkage_of", "mechanism_of", "proof",
+    "replay", "rocker", "said", "sentences", "slider",
 ]  # fmt: skip

@@ -12,7 +12,7 @@ from graphkin.design.proof import proof
 from graphkin.design.sentences import HEADINGS, NAMES, REASONS, SENTENCES, WORDS
 from graphkin.design.steps import Construction
 from graphkin.errors import GraphkinError, Lang, NoDesign
-from graphkin.linkages import kind_name
+from graphkin.words.linkages import kind_name
 
 __all__ = ["as_json", "error", "lines", "said", "sentences"]
 

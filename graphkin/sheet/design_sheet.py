@@ -9,9 +9,9 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from graphkin import loading, methods
+from graphkin import methods
 from graphkin.agreement import held
-from graphkin.design import Design, Solution, as_toml
+from graphkin.design import Design, Solution, mechanism_of
 from graphkin.errors import Lang
 from graphkin.methods import Method
 from graphkin.sheet import Sheet
@@ -43,7 +43,7 @@ class _Drawn:
 
     @classmethod
     def of(cls, design: Design, solution: Solution) -> _Drawn:
-        method = methods.plan(loading.loads(as_toml(solution, design.kind), name="design", file="design.toml"))
+        method = methods.plan(mechanism_of(solution, design.kind))
         return cls(solution, method, held(method).plot)
 
 

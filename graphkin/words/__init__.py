@@ -10,6 +10,7 @@ Module order: `figures`, `names`, `phrases` (all sentences, both languages side 
 `sizes`, `equations`, `rotation`, `polygons`. A new step kind fails the type check in each reader of steps
 until it has its words; a new size, in `sizes`; a new direction, in `plane`. `centre_explained` words the instant
 centres, from `centre_phrases`, `centre_steps` (how each is found), `centre_levers`, `centre_drivers`, `centre_uses`.
+`linkages` words the linkages of four links, from `linkage_phrases`; `structure`, what a mechanism is made of.
 """
 
 from __future__ import annotations
