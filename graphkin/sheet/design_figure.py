@@ -235,7 +235,7 @@ class DesignFigure:
 
     def _points(self) -> Iterator[Entry]:
         """Points of the construction with their letters; those of the linkage itself are lettered with it."""
-        for name in self.board.points.keys() & self.solution.places.keys():
+        for name in (name for name in self.board.points if name in self.solution.places):
             at = self.on.window(self.board.points[name])
             yield Disc(at, _DOT, "thin", "ink", step=self.born(name))
         shown = {name: self.on.window(z) for name, z in self._lettered().items()}
