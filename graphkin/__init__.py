@@ -22,9 +22,9 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "value", "errors", "geometry", "steps", "pairs", "mechanism", "naming", "loading", "library", "methods", "seal",
-    "analytic", "freedoms", "assur", "readings", "agreement", "centres", "linkages", "design", "sweeps", "check",
-    "results", "reports", "words", "sheet", "outputs", "equations", "finding", "api", "batches", "cli",
+    "value", "errors", "geometry", "steps", "drafting", "pairs", "mechanism", "naming", "loading", "library", "methods",
+    "seal", "analytic", "freedoms", "assur", "readings", "agreement", "centres", "linkages", "design", "sweeps",
+    "check", "results", "reports", "words", "sheet", "outputs", "equations", "finding", "api", "batches", "cli",
 )  # fmt: skip
 
 _WHERE = {

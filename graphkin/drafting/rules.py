@@ -1,4 +1,4 @@
-"""The few sums a designer does beside the drawing, by name. Angles [rad], lengths [m]."""
+"""The few sums that are done beside the drawing, by name. Angles [rad], lengths [m]."""
 
 from __future__ import annotations
 
