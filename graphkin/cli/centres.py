@@ -192,7 +192,7 @@ def _about(asked: _Asked, found: Centres) -> Iterator[str]:
     from graphkin.centres.about import about
     from graphkin.centres.about_bobillier import bobillier
     from graphkin.centres.about_data import about_json
-    from graphkin.centres.about_words import about_words
+    from graphkin.words.centre_about import about_words, bobillier_words
 
     seen = about(found, asked.link)
     if asked.as_json:
@@ -201,7 +201,7 @@ def _about(asked: _Asked, found: Centres) -> Iterator[str]:
     yield from about_words(seen, asked.lang)
     if asked.point:
         yield ""
-        yield from bobillier(seen, _point(found, asked.point)).words(asked.lang)
+        yield from bobillier_words(bobillier(seen, _point(found, asked.point)), asked.lang)
 
 
 def _point(found: Centres, name: str) -> str:

@@ -123,7 +123,7 @@ def ruled(step: LineStep, board: Board) -> Homogeneous:
             found = board.sloping(middle, 1j * board.toward(first, second))
         case Carried(_, at, line, start, end):
             turn = along(board.lines[end]) / along(board.lines[start])
-            found = product(board.points[at], improper(along(board.lines[line]) * turn))
+            found = product(improper(along(board.lines[line]) * turn), board.points[at])
         case _:
             assert_never(step)
     return balanced(found)

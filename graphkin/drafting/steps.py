@@ -153,7 +153,7 @@ class Bisector:
 
 @frozen
 class Carried:
-    """An angle carried over: the line through a point that makes with `line` the angle that `end` makes with `start`."""
+    """An angle carried over: the line through a point that makes with `line` the angle of `end` with `start`."""
 
     name: str
     at: str
