@@ -16,11 +16,10 @@ from itertools import permutations
 import numpy as np
 
 from graphkin.centres.about import About
-from graphkin.drafting import Board, Carried, Construction, Meet, Stage, Through, replay
+from graphkin.drafting import INFINITE, Board, Carried, Construction, Far, Meet, Pricked, Stage, Through, replay
 from graphkin.errors.centring import NoBobillier
 from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
-from graphkin.steps.centring import INFINITE, Far, Seat
 from graphkin.value import frozen
 
 __all__ = ["Bobillier", "Guided", "bobillier", "guided"]
@@ -97,16 +96,16 @@ def _led(seen: About) -> Iterator[Guided]:
 def _leads(seen: About) -> Iterator[tuple[str, str, tuple[float, float, float]]]:
     """Links that turn about a fixed point, or slide along a fixed line: link, the centre's letter, the centre."""
     plot, centring = seen.plot, seen.found.centring
-    for step in centring.steps:
-        links = centring.links[step.centre]
+    for stage in centring.stages:
+        step, links = stage.last, centring.links[stage.last.name]
         if FRAME not in links:
             continue
         link = next(name for name in links if name != FRAME)
-        if isinstance(step, Seat) and step.contact is None and step.point in plot.position:
+        if isinstance(step, Pricked) and stage.say == "hinge" and step.point in plot.position:
             pivot = complex(plot.position[step.point])
             yield link, step.point, (pivot.real, pivot.imag, 1.0)
         elif isinstance(step, Far):
-            across = 1j * complex(plot.guide_direction(step.slide))
+            across = 1j * complex(plot.guide_direction(step.line))
             yield link, "", (across.real, across.imag, 0.0)
 
 

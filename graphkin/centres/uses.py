@@ -15,7 +15,6 @@ import numpy as np
 from graphkin.centres.found import Centres
 from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.steps.centring import axes_of
 from graphkin.value import frozen
 
 __all__ = ["ByCentres", "advantages"]
@@ -81,7 +80,7 @@ class ByCentres:
     def _carried(self, known: Value, base: str, link: str) -> Value:
         """The motion of a link by its centre with a known one; that of a link without an absolute centre is none."""
         own = self._at(FRAME, link)
-        if self.found.name(FRAME, link) not in self.found.plot.centres:
+        if self.found.name(FRAME, link) not in self.found.board.points:
             return np.zeros_like(known)
         return _share(known, own, self._at(base, link)) * own
 
@@ -92,7 +91,7 @@ class ByCentres:
 
     def _at(self, first: str, second: str) -> Value:
         """A centre in homogeneous coordinates; NaN where there is none."""
-        return self.found.plot.centres.get(self.found.name(first, second), np.full(3, np.nan))
+        return self.found.board.points.get(self.found.name(first, second), np.full(3, np.nan))
 
     # --- read as motions ----------------------------------------------------------------------
 
@@ -107,8 +106,8 @@ class ByCentres:
 
     def _velocity(self, motion: Value, point: str) -> Value:
         x, y, omega = motion
-        origin, size = axes_of(self.found.plot)
-        return 1j * (omega * (self.position[point] - origin) - size * (x + 1j * y))
+        board = self.found.board
+        return 1j * (omega * (self.position[point] - board.origin) - board.size * (x + 1j * y))
 
     def ratio(self, first: str, second: str) -> Value:
         """omega of the first link by that of the second, positive for one sense (3-6)."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -18,8 +17,8 @@ __all__ = ["Beneath", "Board"]
 class Beneath:
     """The drawing under the board: points and lines that can be pricked through and traced."""
 
-    points: Mapping[str, Homogeneous] = field(default_factory=dict)
-    lines: Mapping[str, Homogeneous] = field(default_factory=dict)
+    points: dict[str, Homogeneous] = field(default_factory=dict)
+    lines: dict[str, Homogeneous] = field(default_factory=dict)
 
 
 @dataclass
@@ -41,7 +40,7 @@ class Board:
 
     def at(self, point: str) -> Value:
         """Where a point is [m]; infinite at infinity, NaN where what should give it does not meet."""
-        return self.origin + self.size * place(self.points[point])
+        return place(self.points[point], self.origin, self.size)
 
     @property
     def places(self) -> dict[str, Value]:

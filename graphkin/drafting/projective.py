@@ -43,12 +43,12 @@ def product(one: Homogeneous, other: Homogeneous) -> Homogeneous:
     return np.array(np.broadcast_arrays(b * f - c * e, c * d - a * f, a * e - b * d))
 
 
-def place(point: Homogeneous) -> Value:
+def place(point: Homogeneous, origin: complex = 0j, size: float = 1.0) -> Value:
     """Where a point is; infinite at infinity, NaN where it is nowhere."""
     x, y, w = point
     with np.errstate(divide="ignore", invalid="ignore"):
         far = np.abs(w) <= INFINITE * np.hypot(x, y)
-        return scalar(np.where(far, np.where(np.hypot(x, y) > 0, np.inf, np.nan), (x + 1j * y) / w))
+        return scalar(np.where(far, np.where(np.hypot(x, y) > 0, np.inf, np.nan), origin + size * (x + 1j * y) / w))
 
 
 def along(line: Homogeneous) -> Value:

@@ -246,6 +246,11 @@ class Stage:
     steps: tuple[Step, ...]
 
     @property
+    def lines(self) -> tuple[LineStep, ...]:
+        """The lines that it draws."""
+        return tuple(step for step in self.steps if isinstance(step, LineStep))
+
+    @property
     def last(self) -> Step:
         """The step that makes what the stage is for."""
         return self.steps[-1]

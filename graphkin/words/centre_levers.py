@@ -16,7 +16,6 @@ from math import inf, log10
 import numpy as np
 
 from graphkin.mechanism import FRAME
-from graphkin.steps.centring import direction_of, place_of
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.centre_steps import CentreReader
@@ -65,7 +64,7 @@ class Levers:
     def __post_init__(self) -> None:
         self.known[FRAME] = Gliding(0.0, 1 + 0j)
         for link in self.reader.mechanism.moving:
-            if self.name(FRAME, link) not in self.reader.found.plot.centres:
+            if self.name(FRAME, link) not in self.reader.found.board.points:
                 self.known[link] = Gliding(0.0, 1 + 0j)
 
     # --- lengths --------------------------------------------------------------------------------
@@ -75,22 +74,22 @@ class Levers:
 
     def place(self, first: str, second: str) -> complex | None:
         """A centre at a finite place [m]; None at infinity or where there is none."""
-        name, plot = self.name(first, second), self.reader.found.plot
-        if name not in plot.centres:
+        name, board = self.name(first, second), self.reader.found.board
+        if name not in board.points:
             return None
-        place = complex(place_of(plot, name))
+        place = complex(board.at(name))
         return place if cmath.isfinite(place) else None
 
     def _far(self, first: str, second: str) -> complex | None:
         """The direction of a centre at infinity, a unit vector."""
-        name, plot = self.name(first, second), self.reader.found.plot
-        if name not in plot.centres or self.place(first, second) is not None:
+        name, board = self.name(first, second), self.reader.found.board
+        if name not in board.points or self.place(first, second) is not None:
             return None
-        return cmath.rect(1, float(direction_of(plot, name)))
+        return cmath.rect(1, float(board.direction(name)))
 
     def moves_with(self, first: str, second: str) -> bool:
         """Whether two links do not move against each other."""
-        return self.name(first, second) not in self.reader.found.plot.centres
+        return self.name(first, second) not in self.reader.found.board.points
 
     @property
     def size(self) -> float:
