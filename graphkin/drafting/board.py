@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -21,11 +22,16 @@ class Beneath:
     lines: dict[str, Homogeneous] = field(default_factory=dict)
 
 
+def _exactly(value: Value) -> Value:
+    return value
+
+
 @dataclass
 class Board:
     """Points, lines, circles (centre [m] and radius [m]), numbers [SI]; single ones, or arrays over positions.
 
     origin, size   where coordinates are counted from [m], and their unit [m]
+    read, written  how the ruler reads a length [m], and how a sum is written down: exactly, if nothing else is said
     lean           by point: how far the two lines that meet in it are from being one, 0 to 1
     """
 
@@ -37,6 +43,8 @@ class Board:
     circles: dict[str, tuple[Value, Value]] = field(default_factory=dict)
     numbers: dict[str, Value] = field(default_factory=dict)
     lean: dict[str, Value] = field(default_factory=dict)
+    read: Callable[[Value], Value] = _exactly
+    written: Callable[[Value], Value] = _exactly
 
     def at(self, point: str) -> Value:
         """Where a point is [m]; infinite at infinity, NaN where what should give it does not meet."""

@@ -73,9 +73,9 @@ def _do(step: Step, board: Board) -> None:
         case CircleThrough() | CircleAbout():
             _circle(step, board)
         case Reckon(name, rule, of):
-            numbers[name] = RULES[rule](*(numbers[one] for one in of))
+            numbers[name] = board.written(RULES[rule](*(numbers[one] for one in of)))
         case Measure(name, first, second):
-            numbers[name] = abs(board.at(second) - board.at(first))
+            numbers[name] = board.read(abs(board.at(second) - board.at(first)))
         case MeasureAngle(name, at, toward, to):
             numbers[name] = scalar(np.angle(board.toward(at, to) / board.toward(at, toward)))
         case _:

@@ -25,4 +25,7 @@ RULES: Mapping[str, Callable[..., float]] = {
     "straight": lambda: math.pi,
     "same": lambda value: value,
     "over": lambda one, other: one / other,
+    "lever": lambda rate, arm, other: rate * arm / other,
+    "speed": lambda rate, arm, scale: rate * arm * scale,
+    "rate": lambda speed, arm, scale: speed / (arm * scale),
 }

@@ -1,0 +1,360 @@
+"""From one link's motion to another's through their common centre: omega_i P1iPij = omega_j P1jPij, by ruler and sums.
+
+Each calculation is a stage of drafting steps: lengths are measured on paper, and a sum is done with them. Every value
+is worked out from the figures that are printed, as a student would do it; in which sense a link turns, and which way
+one moves, is read off the centres.
+Source: Sun Huan, 机械原理, section 3-2.2.
+"""
+
+from __future__ import annotations
+
+import cmath
+import heapq
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import pairwise
+from math import inf, log10
+from typing import Literal
+
+from graphkin.centres.found import Centres
+from graphkin.centres.uses import ByCentres
+from graphkin.drafting import Board, Measure, NumberStep, Pricked, Reckon, Stage, Step, draw
+from graphkin.mechanism import FRAME, Driver
+from graphkin.value import frozen
+
+__all__ = ["Lever", "Levers", "Number", "printed"]
+
+_NEAR = 1e-6
+"""Lengths below this part of the mechanism's size are none."""
+_SCALE = "scale"
+
+
+def printed(value: float) -> float:
+    """A value as it is printed: four digits."""
+    return float(f"{value:.4g}")
+
+
+@frozen
+class Number:
+    """What a number on the board is the size of.
+
+    kind   "omega" of a link, "against": of a link that turns against another, "speed" of a link that does not turn,
+           "velocity" of a point, or of one against another, "slide": the speed of a driven slide, "length" on paper
+           [mm], "scale" [m/mm]
+    """
+
+    kind: Literal["omega", "against", "speed", "velocity", "slide", "length", "scale"]
+    of: str = ""
+    other: str = ""
+
+
+@frozen
+class Lever:
+    """A stage that gives one number, and the links it leads from and to.
+
+    A stage says "together", "against", "about", "levered", "alike", "pushed", "turned", "triangle", "glides", "point",
+    "pair", or "none": there is no lever.
+    """
+
+    stage: Stage
+    base: str
+    link: str
+
+    @property
+    def sum(self) -> Reckon | None:
+        """The sum, the last of its steps; None where there is none."""
+        step = self.stage.steps[-1] if self.stage.steps else None
+        return step if isinstance(step, Reckon) else None
+
+
+@dataclass
+class Levers:
+    """Motions of links known so far, as numbers on a board over the centres.
+
+    scale    of the drawing from which lengths are taken [m/mm]
+    turning  links with known motion; whether each turns
+    meant    what each number is
+    letters  points of the mechanism by their names on the board
+    """
+
+    found: Centres
+    scale: float
+    turning: dict[str, bool] = field(default_factory=dict)
+    meant: dict[str, Number] = field(default_factory=dict)
+    letters: dict[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._know(_SCALE, Number("scale"), printed(self.scale))
+        for link in (FRAME, *self.found.method.mechanism.moving):
+            if link == FRAME or self.moves_with(FRAME, link):
+                self._move(link, False, 0.0)
+
+    @cached_property
+    def board(self) -> Board:
+        """The centres' board, on which a ruler reads millimetres of paper and sums have four digits."""
+        found = self.found.board
+        points = dict(found.points)
+        return Board(found.origin, found.size, found.beneath, points, read=self._read, written=printed)
+
+    @cached_property
+    def exact(self) -> ByCentres:
+        """The same motions without ruler, for senses and directions."""
+        return ByCentres(self.found)
+
+    @cached_property
+    def size(self) -> float:
+        places = [complex(place) for place in self.found.plot.position.values()]
+        return max(abs(place - places[0]) for place in places) or 1.0
+
+    def _read(self, length: float) -> float:
+        """What a ruler reads [mm]; nothing for what is only rounding."""
+        return printed(length / self.scale) if length > _NEAR * self.size else 0.0
+
+    # --- what is known --------------------------------------------------------------------------
+
+    def place(self, first: str, second: str) -> complex | None:
+        """A centre at a finite place [m]; None at infinity or where there is none."""
+        place = complex(self.found.place(first, second))
+        return place if cmath.isfinite(place) else None
+
+    def moves_with(self, first: str, second: str) -> bool:
+        """Whether two links do not move against each other."""
+        return self.found.name(first, second) not in self.found.board.points
+
+    def rate(self, link: str) -> str:
+        """The number that is known of a link: its angular velocity, or its speed."""
+        return f"{'omega' if self.turning[link] else 'speed'} {link}"
+
+    def value(self, link: str) -> float:
+        return float(self.board.numbers[self.rate(link)])
+
+    def omega(self, link: str) -> float:
+        """Angular velocity with its sense [rad/s]; 0 for a link that does not turn."""
+        if not self.turning[link]:
+            return 0.0
+        return self.value(link) if float(self.exact.omega[link]) > 0 else -self.value(link)
+
+    def turned(self, rate: Number) -> float:
+        """The same without ruler, of a link or of one against another."""
+        omega = self.exact.omega
+        return float(omega[rate.of] - (omega[rate.other] if rate.other else 0.0))
+
+    def moved(self, velocity: Number, link: str) -> complex:
+        """The velocity of a point of a link without ruler [m/s], or of one point against another."""
+        found = self.exact.velocity_at(velocity.of, link)
+        return complex(found - self.exact.velocity_at(velocity.other, link) if velocity.other else found)
+
+    def way(self, link: str) -> complex:
+        """The direction in which a link moves that does not turn (unit vector)."""
+        return self._moving(link) / abs(self._moving(link))
+
+    def _moving(self, link: str) -> complex:
+        """The velocity of a point of a link, without ruler [m/s]."""
+        points = self.found.method.mechanism.links[link].points
+        return complex(self.exact.velocity_at(next(point for point in points if point in self.exact.position), link))
+
+    def velocity(self, point: str, link: str) -> complex:
+        """Velocity of a point of a link [m/s], of the length that was worked out by `of_point`."""
+        size = float(self.board.numbers[f"velocity {point} {link}"])
+        velocity = self.moved(Number("velocity", point), link)
+        return size * velocity / abs(velocity) if size else 0j
+
+    def _know(self, name: str, meant: Number, value: float) -> str:
+        self.board.numbers[name] = value
+        self.meant[name] = meant
+        return name
+
+    def _move(self, link: str, turns: bool, value: float) -> None:
+        """The motion of a link becomes known."""
+        self.turning[link] = turns
+        self._know(self.rate(link), Number("omega" if turns else "speed", link), value)
+
+    def _stands(self, link: str) -> bool:
+        """Whether a link is at rest for good: nothing can be carried on from it."""
+        return not self.turning[link] and self.value(link) == 0.0
+
+    # --- stages ---------------------------------------------------------------------------------
+
+    def _length(self, first: str, second: str) -> Measure:
+        """The ruler between two points of the board."""
+        name = f"{first} to {second}"
+        self.meant[name] = Number("length", first, second)
+        return Measure(name, first, second)
+
+    def _drawn(self, say: str, base: str, link: str, *steps: Step) -> Lever:
+        stage = Stage(say, steps)
+        draw(stage, self.board)
+        return Lever(stage, base, link)
+
+    def _found(self, say: str, base: str, link: str, rule: str, *of: str | NumberStep, turns: bool = True) -> Lever:
+        """The motion of a link by a sum; what is not yet on the board is measured."""
+        self.turning[link] = turns
+        self.meant[self.rate(link)] = Number("omega" if turns else "speed", link)
+        return self._summed(say, base, link, self.rate(link), rule, *of)
+
+    def _summed(self, say: str, base: str, link: str, name: str, rule: str, *of: str | Step) -> Lever:
+        measured = [one for one in of if not isinstance(one, str)]
+        names = tuple(one if isinstance(one, str) else one.name for one in of)
+        return self._drawn(say, base, link, *measured, Reckon(name, rule, names))
+
+    def _pricked(self, point: str) -> str:
+        """A point of the mechanism on the board, where a centre may have its name."""
+        name = f"point {point}"
+        self.letters[name] = point
+        draw(Stage("", (Pricked(name, point),)), self.board)
+        return name
+
+    # --- what is given --------------------------------------------------------------------------
+
+    def start(self, driver: Driver) -> list[Lever]:
+        """The first motions, of the driven link or of the one it is driven from."""
+        if driver.kind == "slide":
+            return [*self._slid(driver)]
+        if driver.from_link == FRAME:
+            if self.place(FRAME, driver.link) is not None:
+                self._move(driver.link, True, printed(abs(driver.rate)))
+            return []
+        name, meant = f"against {driver.link} {driver.from_link}", Number("against", driver.link, driver.from_link)
+        return [self._against(self._know(name, meant, printed(abs(driver.rate))), driver.link, driver.from_link)]
+
+    def _against(self, relative: str, link: str, other: str) -> Lever:
+        """omega_i = omega_ij P1jPij / P1iP1j: a link that turns at a given rate against another that moves."""
+        name = self.found.name
+        if self.place(FRAME, link) is None:
+            return self._found("against", link, other, "same", relative)
+        if self.place(FRAME, other) is None or self.place(link, other) is None:
+            return self._found("against", other, link, "same", relative)
+        arm, base = (
+            self._length(*ends)
+            for ends in ((name(FRAME, other), name(link, other)), (name(FRAME, link), name(FRAME, other)))
+        )
+        if abs(complex(self.found.place(FRAME, link) - self.found.place(FRAME, other))) <= _NEAR * self.size:
+            return Lever(Stage("none", ()), other, link)
+        return self._found("against", other, link, "lever", relative, arm, base)
+
+    def driven_point(self, driver: Driver) -> tuple[str, str, str]:
+        """The point that a driver slides, the link it is driven with, and the link that carries its way."""
+        machine = self.found.method.mechanism
+        for slide in machine.slides:
+            if slide.name == driver.link:
+                owners = (name for name in machine.owners[slide.point] if name != slide.guide)
+                return slide.point, slide.block or next(owners), slide.guide
+        roll = next(roll for roll in machine.rolls if roll.name == driver.link)
+        return roll.centre, roll.wheel, roll.track
+
+    def _slid(self, driver: Driver) -> Iterator[Lever]:
+        """A point driven along a fixed guide, omega = v_C / (P1jC mu_l), or along one that moves."""
+        point, link, guide = self.driven_point(driver)
+        meant = Number("velocity", point) if guide == FRAME else Number("slide", driver.link)
+        speed = self._know("driven", meant, printed(abs(driver.rate)))
+        own, seat, name = self.place(FRAME, link), self.place(FRAME, guide), self.found.name
+        if guide == FRAME and own is not None:
+            arm = self._length(name(FRAME, link), self._pricked(point))
+            yield self._found("about", guide, link, "rate", speed, arm, _SCALE)
+        elif guide != FRAME and self.place(link, guide) is not None:
+            arm = self._length(name(link, guide), self._pricked(point))
+            relative = f"against {link} {guide}"
+            self.meant[relative] = Number("against", link, guide)
+            yield self._summed("about", guide, link, relative, "rate", speed, arm, _SCALE)
+            yield self._against(relative, link, guide)
+        elif guide != FRAME and own is not None and seat is not None:
+            arm = self._length(name(FRAME, link), name(FRAME, guide))
+            yield self._found("about", guide, link, "rate", speed, arm, _SCALE)
+        else:
+            yield self._found("glides", guide, link, "same", speed, turns=False)
+
+    # --- from link to link ------------------------------------------------------------------------
+
+    def path(self, target: str) -> list[str] | None:
+        """The way to a link with the fewest and best levers (Dijkstra); None where no way leads there."""
+        moving = [link for link in self.turning if not self._stands(link)]
+        if target in self.turning:
+            return [target]
+        best, queue = dict.fromkeys(moving, 0.0), [(0.0, link, [link]) for link in moving]
+        heapq.heapify(queue)
+        while queue:
+            cost, base, path = heapq.heappop(queue)
+            if base == target:
+                return path
+            for link in self.found.method.mechanism.moving:
+                total = cost + self._cost(base, link) if link not in path else inf
+                if total < best.get(link, inf):
+                    best[link] = total
+                    heapq.heappush(queue, (total, link, [*path, link]))
+        return None
+
+    def along(self, path: list[str]) -> list[Lever]:
+        """What is worked out on the way to a link."""
+        return [self._carry(base, link) for base, link in pairwise(path) if link not in self.turning]
+
+    def _cost(self, base: str, link: str) -> float:
+        """1 for a good lever, more for one that is very short or very long; infinite for none."""
+        if link in self.turning and self._stands(link):
+            return inf
+        if self.moves_with(base, link):
+            return 1.0
+        own, other, common = self.place(FRAME, base), self.place(FRAME, link), self.place(base, link)
+        if common is None:
+            both = (own is None) == (other is None)
+            return (1.0 if own is not None else 5.0) if both and self._triangle_closes(own, base, link) else inf
+        if other is None:
+            return inf if own is None else 1.0 + self._badness(own, common)
+        if abs(other - common) < 1e-4 * self.size:
+            return inf
+        return 1.0 + self._badness(other, common) + (self._badness(own, common) if own is not None else 0.0)
+
+    def _triangle_closes(self, own: complex | None, base: str, link: str) -> bool:
+        if own is not None:
+            return True
+        if self.moves_with(FRAME, link):
+            return False
+        far, common = (float(self.found.direction(*two)) for two in ((FRAME, link), (base, link)))
+        return abs(cmath.rect(1, far - common).imag) > 1e-3
+
+    def _badness(self, first: complex, second: complex) -> float:
+        off = max(abs(first - second) / self.size, 1e-9)
+        return max(0.0, log10(0.1 / off)) + max(0.0, log10(off / 10))
+
+    def _carry(self, base: str, link: str) -> Lever:
+        """The motion of a link from that of a base."""
+        name, known, turns = self.found.name, self.rate(base), self.turning[base]
+        shared, own, first = name(base, link), name(FRAME, link), name(FRAME, base)
+        if self.moves_with(base, link):
+            self._move(link, turns, self.value(base))
+            return Lever(Stage("together", ()), base, link)
+        if self.place(base, link) is None:
+            return self._alike(base, link) if turns else self._triangle(base, link)
+        if not turns:
+            return self._found("turned", base, link, "rate", known, self._length(own, shared), _SCALE)
+        arm = self._length(first, shared)
+        if self.place(FRAME, link) is None:
+            return self._found("pushed", base, link, "speed", known, arm, _SCALE, turns=False)
+        return self._found("levered", base, link, "lever", known, arm, self._length(own, shared))
+
+    def _alike(self, base: str, link: str) -> Lever:
+        """The common centre is at infinity: the links turn alike."""
+        return self._found("alike", base, link, "same", self.rate(base))
+
+    def _triangle(self, base: str, link: str) -> Lever:
+        """Two links that do not turn: their relative velocity is at right angles to the direction of their centre."""
+        sides = (self._know(f"side {one}", Number("speed", one), abs(self._moving(one))) for one in (link, base))
+        return self._found("triangle", base, link, "lever", self.rate(base), *sides, turns=False)
+
+    # --- the motion of points -----------------------------------------------------------------
+
+    def of_point(self, point: str, link: str) -> Lever:
+        """v_E = omega P1jE mu_l, at right angles to P1jE."""
+        name = f"velocity {point} {link}"
+        self.meant[name] = Number("velocity", point)
+        if not self.turning[link]:
+            return self._summed("point", link, link, name, "same", self.rate(link))
+        arm = self._length(self.found.name(FRAME, link), self._pricked(point))
+        return self._summed("point", link, link, name, "speed", self.rate(link), arm, _SCALE)
+
+    def of_pair(self, first: str, second: str, link: str) -> Lever:
+        """v_CB = omega BC mu_l, of two points of a link."""
+        omega = self._know(f"omega {link}", Number("omega", link), self.value(link) if self.turning[link] else 0.0)
+        arm, name = self._length(self._pricked(second), self._pricked(first)), f"pair {first} {second}"
+        self.meant[name] = Number("velocity", first, second)
+        return self._summed("pair", link, link, name, "speed", omega, arm, _SCALE)
