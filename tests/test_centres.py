@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -13,9 +14,10 @@ from graphkin import library
 from graphkin.analytic import Motion, motion
 from graphkin.api import plan
 from graphkin.centres import ByCentres, Centres, centre_of, centres
+from graphkin.centres.levers import Levers
 from graphkin.drafting import drawn_through
 from graphkin.errors import GraphkinError
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.methods import replay_all
 from graphkin.readings import answer
 from graphkin.sweeps import sweep
@@ -122,6 +124,27 @@ def test_velocities_from_centres_alone(name: str):
         assert float(by.omega[link]) == pytest.approx(float(exact.omega[link]), rel=1e-9, abs=1e-9 * fastest)
     for point in mechanism.points:
         assert abs(by.velocity_at(point, mechanism.owners[point][-1]) - exact.velocity[point]) < 1e-9 * speed
+
+
+@pytest.mark.parametrize(("name", "slide"), [
+    ("p3-5", "s0"), ("p3-11c", "s0"), ("p3-4b", "s0"), ("p3-6a", "s0"), ("s4-ex8", "s0"),
+])  # fmt: skip
+def test_a_driven_slide_on_any_guide(name: str, slide: str):
+    """Also where both links move along one line, and where neither turns."""
+    mechanism = library.load(name)
+    driver = Driver("slide", slide, value=float(replay_all(plan(mechanism)).s[slide]), rate=-0.13)
+    mechanism = replace(mechanism, drivers=(driver,))
+    levers, exact = Levers(found(mechanism), 0.001), motion(mechanism)
+    levers.start(driver)
+    for link in mechanism.moving:
+        assert float(levers.exact.omega[link]) == pytest.approx(float(exact.omega[link]), rel=1e-9, abs=1e-9)
+        if (way := levers.path(link)) is not None:
+            levers.along(way)
+            if levers.turning[link]:
+                assert levers.omega(link) == pytest.approx(float(exact.omega[link]), rel=5e-3)
+            else:
+                velocity = complex(exact.velocity_at(next(iter(mechanism.links[link].points)), link))
+                assert levers.value(link) == pytest.approx(abs(velocity), rel=5e-3, abs=1e-9)
 
 
 ANSWERS = [

@@ -18,7 +18,7 @@ from math import inf, log10
 from typing import Literal
 
 from graphkin.centres.found import Centres
-from graphkin.centres.uses import ByCentres
+from graphkin.centres.uses import ByCentres, driven_point
 from graphkin.drafting import Board, Measure, NumberStep, Pricked, Reckon, Stage, Step, draw
 from graphkin.mechanism import FRAME, Driver
 from graphkin.value import frozen
@@ -233,36 +233,29 @@ class Levers:
             return Lever(Stage("none", ()), other, link)
         return self._found("against", other, link, "lever", relative, arm, base)
 
-    def driven_point(self, driver: Driver) -> tuple[str, str, str]:
-        """The point that a driver slides, the link it is driven with, and the link that carries its way."""
-        machine = self.found.method.mechanism
-        for slide in machine.slides:
-            if slide.name == driver.link:
-                owners = (name for name in machine.owners[slide.point] if name != slide.guide)
-                return slide.point, slide.block or next(owners), slide.guide
-        roll = next(roll for roll in machine.rolls if roll.name == driver.link)
-        return roll.centre, roll.wheel, roll.track
-
     def _slid(self, driver: Driver) -> Iterator[Lever]:
         """A point driven along a fixed guide, omega = v_C / (P1jC mu_l), or along one that moves."""
-        point, link, guide = self.driven_point(driver)
+        point, link, guide = driven_point(self.found.method.mechanism, driver)
         meant = Number("velocity", point) if guide == FRAME else Number("slide", driver.link)
         speed = self._know("driven", meant, printed(abs(driver.rate)))
+        link, guide = (guide, link) if link == FRAME else (link, guide)
         own, seat, name = self.place(FRAME, link), self.place(FRAME, guide), self.found.name
         if guide == FRAME and own is not None:
             arm = self._length(name(FRAME, link), self._pricked(point))
             yield self._found("about", guide, link, "rate", speed, arm, _SCALE)
-        elif guide != FRAME and self.place(link, guide) is not None:
+        elif guide == FRAME:
+            yield self._found("glides", guide, link, "same", speed, turns=False)
+        elif self.place(link, guide) is not None:
             arm = self._length(name(link, guide), self._pricked(point))
             relative = f"against {link} {guide}"
             self.meant[relative] = Number("against", link, guide)
             yield self._summed("about", guide, link, relative, "rate", speed, arm, _SCALE)
             yield self._against(relative, link, guide)
-        elif guide != FRAME and own is not None and seat is not None:
+        elif own is not None and seat is not None:
             arm = self._length(name(FRAME, link), name(FRAME, guide))
             yield self._found("about", guide, link, "rate", speed, arm, _SCALE)
         else:
-            yield self._found("glides", guide, link, "same", speed, turns=False)
+            yield self._triangle(guide, link, speed, abs(driver.rate))
 
     # --- from link to link ------------------------------------------------------------------------
 
@@ -324,7 +317,7 @@ class Levers:
             self._move(link, turns, self.value(base))
             return Lever(Stage("together", ()), base, link)
         if self.place(base, link) is None:
-            return self._alike(base, link) if turns else self._triangle(base, link)
+            return self._alike(base, link) if turns else self._triangle(base, link, known, abs(self._moving(base)))
         if not turns:
             return self._found("turned", base, link, "rate", known, self._length(own, shared), _SCALE)
         arm = self._length(first, shared)
@@ -336,10 +329,15 @@ class Levers:
         """The common centre is at infinity: the links turn alike."""
         return self._found("alike", base, link, "same", self.rate(base))
 
-    def _triangle(self, base: str, link: str) -> Lever:
-        """Two links that do not turn: their relative velocity is at right angles to the direction of their centre."""
-        sides = (self._know(f"side {one}", Number("speed", one), abs(self._moving(one))) for one in (link, base))
-        return self._found("triangle", base, link, "lever", self.rate(base), *sides, turns=False)
+    def _triangle(self, base: str, link: str, known: str, side: float) -> Lever:
+        """Links that do not turn: each velocity, and that against each other, are at right angles to a centre's way.
+
+        known, side   the number of one of these velocities, and how large it is exactly [m/s]
+        """
+        other = abs(self._moving(link))
+        sought = self._know("side sought", Number("speed", link), other if other > _NEAR * side else 0.0)
+        beside = self._know("side known", Number("speed", base), side)
+        return self._found("triangle", base, link, "lever", known, sought, beside, turns=False)
 
     # --- the motion of points -----------------------------------------------------------------
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from math import hypot
 
 from graphkin.centres.levers import Levers, printed
+from graphkin.centres.uses import driven_point
 from graphkin.mechanism import FRAME, Driver
 from graphkin.naming import Seen, common_link, pair, seen
 from graphkin.words import names
@@ -42,7 +43,7 @@ def _given(levers: LeverReader, driver: Driver) -> Entry:
     """What is given of one driver."""
     called, lang = levers.reader.mechanism.called, levers.reader.lang
     if driver.kind == "slide":
-        point, _, guide = levers.levers.driven_point(driver)
+        point, _, guide = driven_point(levers.reader.mechanism, driver)
         name, rate = names.of_slide("ṡ", driver.link), driver.rate
         if guide == FRAME:
             name, rate = f"v_{names.point(point)}", abs(rate)
