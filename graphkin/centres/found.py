@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Iterator
 
 import numpy as np
@@ -49,8 +50,16 @@ class Centres:
 
     def place(self, first: str, second: str) -> Value:
         """Where the centre of two links is [m]; infinite at infinity, NaN where they do not move against each other."""
-        name = self.name(first, second)
-        return self.board.at(name) if name in self.board.points else complex(np.nan, np.nan)
+        return complex(np.nan, np.nan) if self.together(first, second) else self.board.at(self.name(first, second))
+
+    def finite(self, first: str, second: str) -> complex | None:
+        """The same; None at infinity, and where there is none."""
+        place = complex(self.place(first, second))
+        return place if cmath.isfinite(place) else None
+
+    def together(self, first: str, second: str) -> bool:
+        """Whether two links do not move against each other, and so have no centre."""
+        return self.name(first, second) not in self.board.points
 
     def direction(self, first: str, second: str) -> Value:
         """Where a centre at infinity lies [rad]."""

@@ -8,18 +8,16 @@ Source: Sun Huan, 机械原理, section 3-2.2.
 
 from __future__ import annotations
 
-import cmath
-import heapq
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
-from math import inf, log10
 from typing import Literal
 
 from graphkin.centres.found import Centres
+from graphkin.centres.lever_paths import LeverPaths
 from graphkin.centres.uses import ByCentres, driven_point
-from graphkin.drafting import Board, Measure, NumberStep, Pricked, Reckon, Stage, Step, draw
+from graphkin.drafting import Board, Measure, NumberStep, Pricked, Reckon, Stage, draw
 from graphkin.mechanism import FRAME, Driver
 from graphkin.value import frozen
 
@@ -87,7 +85,7 @@ class Levers:
     def __post_init__(self) -> None:
         self._know(_SCALE, Number("scale"), printed(self.scale))
         for link in (FRAME, *self.found.method.mechanism.moving):
-            if link == FRAME or self.moves_with(FRAME, link):
+            if link == FRAME or self.found.together(FRAME, link):
                 self._move(link, False, 0.0)
 
     @cached_property
@@ -112,15 +110,6 @@ class Levers:
         return printed(length / self.scale) if length > _NEAR * self.size else 0.0
 
     # --- what is known --------------------------------------------------------------------------
-
-    def place(self, first: str, second: str) -> complex | None:
-        """A centre at a finite place [m]; None at infinity or where there is none."""
-        place = complex(self.found.place(first, second))
-        return place if cmath.isfinite(place) else None
-
-    def moves_with(self, first: str, second: str) -> bool:
-        """Whether two links do not move against each other."""
-        return self.found.name(first, second) not in self.found.board.points
 
     def rate(self, link: str) -> str:
         """The number that is known of a link: its angular velocity, or its speed."""
@@ -182,21 +171,18 @@ class Levers:
         self.meant[name] = Number("length", first, second)
         return Measure(name, first, second)
 
-    def _drawn(self, say: str, base: str, link: str, *steps: Step) -> Lever:
-        stage = Stage(say, steps)
-        draw(stage, self.board)
-        return Lever(stage, base, link)
-
     def _found(self, say: str, base: str, link: str, rule: str, *of: str | NumberStep, turns: bool = True) -> Lever:
         """The motion of a link by a sum; what is not yet on the board is measured."""
         self.turning[link] = turns
         self.meant[self.rate(link)] = Number("omega" if turns else "speed", link)
         return self._summed(say, base, link, self.rate(link), rule, *of)
 
-    def _summed(self, say: str, base: str, link: str, name: str, rule: str, *of: str | Step) -> Lever:
+    def _summed(self, say: str, base: str, link: str, name: str, rule: str, *of: str | NumberStep) -> Lever:
         measured = [one for one in of if not isinstance(one, str)]
         names = tuple(one if isinstance(one, str) else one.name for one in of)
-        return self._drawn(say, base, link, *measured, Reckon(name, rule, names))
+        stage = Stage(say, (*measured, Reckon(name, rule, names)))
+        draw(stage, self.board)
+        return Lever(stage, base, link)
 
     def _pricked(self, point: str) -> str:
         """A point of the mechanism on the board, where a centre may have its name."""
@@ -212,7 +198,7 @@ class Levers:
         if driver.kind == "slide":
             return [*self._slid(driver)]
         if driver.from_link == FRAME:
-            if self.place(FRAME, driver.link) is not None:
+            if self.found.finite(FRAME, driver.link) is not None:
                 self._move(driver.link, True, printed(abs(driver.rate)))
             return []
         name, meant = f"against {driver.link} {driver.from_link}", Number("against", driver.link, driver.from_link)
@@ -221,9 +207,9 @@ class Levers:
     def _against(self, relative: str, link: str, other: str) -> Lever:
         """omega_i = omega_ij P1jPij / P1iP1j: a link that turns at a given rate against another that moves."""
         name = self.found.name
-        if self.place(FRAME, link) is None:
+        if self.found.finite(FRAME, link) is None:
             return self._found("against", link, other, "same", relative)
-        if self.place(FRAME, other) is None or self.place(link, other) is None:
+        if self.found.finite(FRAME, other) is None or self.found.finite(link, other) is None:
             return self._found("against", other, link, "same", relative)
         arm, base = (
             self._length(*ends)
@@ -239,13 +225,13 @@ class Levers:
         meant = Number("velocity", point) if guide == FRAME else Number("slide", driver.link)
         speed = self._know("driven", meant, printed(abs(driver.rate)))
         link, guide = (guide, link) if link == FRAME else (link, guide)
-        own, seat, name = self.place(FRAME, link), self.place(FRAME, guide), self.found.name
+        own, seat, name = self.found.finite(FRAME, link), self.found.finite(FRAME, guide), self.found.name
         if guide == FRAME and own is not None:
             arm = self._length(name(FRAME, link), self._pricked(point))
             yield self._found("about", guide, link, "rate", speed, arm, _SCALE)
         elif guide == FRAME:
             yield self._found("glides", guide, link, "same", speed, turns=False)
-        elif self.place(link, guide) is not None:
+        elif self.found.finite(link, guide) is not None:
             arm = self._length(name(link, guide), self._pricked(point))
             relative = f"against {link} {guide}"
             self.meant[relative] = Number("against", link, guide)
@@ -260,68 +246,29 @@ class Levers:
     # --- from link to link ------------------------------------------------------------------------
 
     def path(self, target: str) -> list[str] | None:
-        """The way to a link with the fewest and best levers (Dijkstra); None where no way leads there."""
-        moving = [link for link in self.turning if not self._stands(link)]
+        """The way to a link from those with known motion; None where no way leads there."""
         if target in self.turning:
             return [target]
-        best, queue = dict.fromkeys(moving, 0.0), [(0.0, link, [link]) for link in moving]
-        heapq.heapify(queue)
-        while queue:
-            cost, base, path = heapq.heappop(queue)
-            if base == target:
-                return path
-            for link in self.found.method.mechanism.moving:
-                total = cost + self._cost(base, link) if link not in path else inf
-                if total < best.get(link, inf):
-                    best[link] = total
-                    heapq.heappush(queue, (total, link, [*path, link]))
-        return None
+        standing = {link for link in self.turning if self._stands(link)}
+        return LeverPaths(self.found, self.size).path({*self.turning} - standing, standing, target)
 
     def along(self, path: list[str]) -> list[Lever]:
         """What is worked out on the way to a link."""
         return [self._carry(base, link) for base, link in pairwise(path) if link not in self.turning]
 
-    def _cost(self, base: str, link: str) -> float:
-        """1 for a good lever, more for one that is very short or very long; infinite for none."""
-        if link in self.turning and self._stands(link):
-            return inf
-        if self.moves_with(base, link):
-            return 1.0
-        own, other, common = self.place(FRAME, base), self.place(FRAME, link), self.place(base, link)
-        if common is None:
-            both = (own is None) == (other is None)
-            return (1.0 if own is not None else 5.0) if both and self._triangle_closes(own, base, link) else inf
-        if other is None:
-            return inf if own is None else 1.0 + self._badness(own, common)
-        if abs(other - common) < 1e-4 * self.size:
-            return inf
-        return 1.0 + self._badness(other, common) + (self._badness(own, common) if own is not None else 0.0)
-
-    def _triangle_closes(self, own: complex | None, base: str, link: str) -> bool:
-        if own is not None:
-            return True
-        if self.moves_with(FRAME, link):
-            return False
-        far, common = (float(self.found.direction(*two)) for two in ((FRAME, link), (base, link)))
-        return abs(cmath.rect(1, far - common).imag) > 1e-3
-
-    def _badness(self, first: complex, second: complex) -> float:
-        off = max(abs(first - second) / self.size, 1e-9)
-        return max(0.0, log10(0.1 / off)) + max(0.0, log10(off / 10))
-
     def _carry(self, base: str, link: str) -> Lever:
         """The motion of a link from that of a base."""
         name, known, turns = self.found.name, self.rate(base), self.turning[base]
         shared, own, first = name(base, link), name(FRAME, link), name(FRAME, base)
-        if self.moves_with(base, link):
+        if self.found.together(base, link):
             self._move(link, turns, self.value(base))
             return Lever(Stage("together", ()), base, link)
-        if self.place(base, link) is None:
+        if self.found.finite(base, link) is None:
             return self._alike(base, link) if turns else self._triangle(base, link, known, abs(self._moving(base)))
         if not turns:
             return self._found("turned", base, link, "rate", known, self._length(own, shared), _SCALE)
         arm = self._length(first, shared)
-        if self.place(FRAME, link) is None:
+        if self.found.finite(FRAME, link) is None:
             return self._found("pushed", base, link, "speed", known, arm, _SCALE, turns=False)
         return self._found("levered", base, link, "lever", known, arm, self._length(own, shared))
 

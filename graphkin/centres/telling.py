@@ -40,7 +40,7 @@ def as_json(found: Centres) -> Json:
 
 def place(found: Centres, first: str, second: str) -> Json:
     """`at` [m], `direction` [rad] for a centre at infinity, nothing where there is none."""
-    if found.name(first, second) not in found.board.points:
+    if found.together(first, second):
         return {}
     at = complex(found.place(first, second))
     if np.isfinite(at):

@@ -70,7 +70,7 @@ class ByCentres:
     def _carried(self, known: Value, base: str, link: str) -> Value:
         """The motion of a link by its centre with a known one; that of a link without an absolute centre is none."""
         own = self._at(FRAME, link)
-        if self.found.name(FRAME, link) not in self.found.board.points:
+        if self.found.together(FRAME, link):
             return np.zeros_like(known)
         return _share(known, own, self._at(base, link)) * own
 

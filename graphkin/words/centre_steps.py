@@ -5,11 +5,35 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from functools import cached_property
 from math import degrees
+from typing import assert_never
 
 import numpy as np
 
 from graphkin.centres import Centres
-from graphkin.drafting import Far, LineStep, Meet, Pricked, Stage, drawn_through
+from graphkin.drafting import (
+    Bisector,
+    Carried,
+    CircleAbout,
+    CircleThrough,
+    Far,
+    LayOff,
+    LineStep,
+    MarkOn,
+    Measure,
+    MeasureAngle,
+    Meet,
+    Normal,
+    Parallel,
+    Place,
+    Pricked,
+    Reckon,
+    Slanted,
+    Stage,
+    Through,
+    Traced,
+    Turned,
+    drawn_through,
+)
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.steps import Ray
@@ -81,15 +105,29 @@ class CentreReader:
 
     def sentence(self, stage: Stage) -> str:
         """How one centre is found."""
+        name = stage.last.name
+        words = {"name": self.centre(name), "place": self.place(name), "angle": self.angle(name)}
+        return self.say(stage.say, **words, **self._made(stage))
+
+    def _made(self, stage: Stage) -> dict[str, str]:
+        """What its links, its point or its lines are called, by the step that makes a centre."""
         step = stage.last
-        words = {"name": self.centre(step.name), "place": self.place(step.name), "angle": self.angle(step.name)}
-        words |= self._links(self.found.centring.links[step.name])
-        if isinstance(step, Pricked):
-            words |= {"point": names.point(step.point), "reason": self._reason()}
-        elif isinstance(step, Meet):
-            first, second = (self._line(step, line) for line in stage.lines)
-            words |= {"first": first, "second": second, "met": self._met(stage)}
-        return self.say(stage.say, **words)
+        match step:
+            case Pricked():
+                links = self._links(self.found.centring.links[step.name])
+                return {"point": names.point(step.point), "reason": self._reason(), **links}
+            case Meet():
+                first, second = (self._line(step, line) for line in stage.lines)
+                return {"first": first, "second": second, "met": self._met(stage)}
+            case Far() | Place() | LayOff() | MarkOn() | Turned():
+                return self._links(self.found.centring.links[step.name])
+            case (
+                Traced() | Through() | Slanted() | Normal() | Parallel() | Bisector() | Carried()
+                | CircleThrough() | CircleAbout() | Reckon() | Measure() | MeasureAngle()
+            ):  # fmt: skip
+                raise AssertionError(f"{step.name} is no point")
+            case _:
+                assert_never(step)
 
     def _links(self, pair: tuple[str, str]) -> dict[str, str]:
         return {"first": self.link(pair[0]), "second": self.link(pair[1])}
