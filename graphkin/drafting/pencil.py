@@ -63,13 +63,14 @@ def draw(stage: Stage, board: Board) -> None:
 
 def _do(step: Step, board: Board) -> None:
     numbers = board.numbers
+    if isinstance(step, LineStep):
+        board.lines[step.name] = ruled(step, board)
+        return
     match step:
         case Place() | Pricked() | Far() | LayOff() | MarkOn() | Turned():
             board.points[step.name] = _point(step, board)
         case Meet():
             _meet(step, board)
-        case Traced() | Through() | Slanted() | Normal() | Parallel() | Bisector() | Carried():
-            board.lines[step.name] = ruled(step, board)
         case CircleThrough() | CircleAbout():
             _circle(step, board)
         case Reckon(name, rule, of):

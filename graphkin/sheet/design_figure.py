@@ -16,7 +16,6 @@ from graphkin.design import Family, Solution
 from graphkin.drafting import (
     Bisector,
     Board,
-    Carried,
     CircleAbout,
     CircleThrough,
     Construction,
@@ -27,15 +26,10 @@ from graphkin.drafting import (
     Measure,
     MeasureAngle,
     Meet,
-    Normal,
-    Parallel,
     Place,
     Pricked,
     Reckon,
-    Slanted,
     Step,
-    Through,
-    Traced,
     Turned,
     drawn_through,
 )
@@ -105,11 +99,12 @@ class DesignFigure:
     # --- steps -----------------------------------------------------------------------------------
 
     def _drawn(self, step: Step, stage: int) -> Iterator[Entry]:
+        if isinstance(step, LineStep):
+            yield from self._ruled(step, stage)
+            return
         match step:
             case LayOff(point, about):
                 yield from self._line([about, point], "construction", stage)
-            case Slanted() | Through() | Normal() | Parallel() | Bisector() | Carried() | Traced():
-                yield from self._ruled(step, stage)
             case CircleThrough():
                 yield from self._locus(stage) if step.name == "locus" else self._spanned(step, stage)
             case CircleAbout():

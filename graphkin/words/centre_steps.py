@@ -11,26 +11,15 @@ import numpy as np
 
 from graphkin.centres import Centres
 from graphkin.drafting import (
-    Bisector,
-    Carried,
-    CircleAbout,
-    CircleThrough,
     Far,
     LayOff,
     LineStep,
     MarkOn,
-    Measure,
-    MeasureAngle,
     Meet,
-    Normal,
-    Parallel,
     Place,
+    PointStep,
     Pricked,
-    Reckon,
-    Slanted,
     Stage,
-    Through,
-    Traced,
     Turned,
     drawn_through,
 )
@@ -112,6 +101,7 @@ class CentreReader:
     def _made(self, stage: Stage) -> dict[str, str]:
         """What its links, its point or its lines are called, by the step that makes a centre."""
         step = stage.last
+        assert isinstance(step, PointStep), step
         match step:
             case Pricked():
                 links = self._links(self.found.centring.links[step.name])
@@ -121,11 +111,6 @@ class CentreReader:
                 return {"first": first, "second": second, "met": self._met(stage)}
             case Far() | Place() | LayOff() | MarkOn() | Turned():
                 return self._links(self.found.centring.links[step.name])
-            case (
-                Traced() | Through() | Slanted() | Normal() | Parallel() | Bisector() | Carried()
-                | CircleThrough() | CircleAbout() | Reckon() | Measure() | MeasureAngle()
-            ):  # fmt: skip
-                raise AssertionError(f"{step.name} is no point")
             case _:
                 assert_never(step)
 
