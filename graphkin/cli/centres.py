@@ -213,9 +213,9 @@ def _point(found: Centres, name: str) -> str:
 
 def _of_two_velocities(asked: _Asked) -> None:
     from graphkin.centres.ways import from_text
+    from graphkin.words.centre_poles import pole_words
 
-    found = from_text(asked.velocities)
-    click.echo("\n".join(found.words(asked.lang)))
+    click.echo("\n".join(pole_words(from_text(asked.velocities), asked.lang)))
 
 
 # --- drawings ---------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ Module order: `figures`, `names`, `phrases` (all sentences, both languages side 
 `sizes`, `equations`, `rotation`, `polygons`. A new step kind fails the type check in each reader of steps
 until it has its words; a new size, in `sizes`; a new direction, in `plane`. `centre_explained` words the instant
 centres, from `centre_phrases`, `centre_steps` (how each is found), `centre_levers` (sums between them), `centre_uses`;
-`centre_about` a link about its pole.
+`centre_about` a link about its pole, `centre_poles` the pole of two velocities.
 """
 
 from __future__ import annotations
