@@ -211,10 +211,8 @@ class Levers:
             return self._found("against", link, other, "same", relative)
         if self.found.finite(FRAME, other) is None or self.found.finite(link, other) is None:
             return self._found("against", other, link, "same", relative)
-        arm, base = (
-            self._length(*ends)
-            for ends in ((name(FRAME, other), name(link, other)), (name(FRAME, link), name(FRAME, other)))
-        )
+        arm = self._length(name(FRAME, other), name(link, other))
+        base = self._length(name(FRAME, link), name(FRAME, other))
         if abs(complex(self.found.place(FRAME, link) - self.found.place(FRAME, other))) <= _NEAR * self.size:
             return Lever(Stage("none", ()), other, link)
         return self._found("against", other, link, "lever", relative, arm, base)
@@ -250,7 +248,8 @@ class Levers:
         if target in self.turning:
             return [target]
         standing = {link for link in self.turning if self._stands(link)}
-        return LeverPaths(self.found, self.size).path({*self.turning} - standing, standing, target)
+        moving = [link for link in self.turning if link not in standing]
+        return LeverPaths(self.found, self.size).path(moving, standing, target)
 
     def along(self, path: list[str]) -> list[Lever]:
         """What is worked out on the way to a link."""
