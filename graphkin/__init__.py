@@ -10,8 +10,11 @@ velocity and its acceleration polygon step by step, and proves them right agains
     Mechanism -- analytic --> Motion            the other road; it never reads a construction
     check: Plot, or a drawing file, beside Motion
 
+    subjects (centres, design): Construction -- drafting.replay --> Board of points, lines, circles, numbers
+
 A module imports only from those before it in `ORDER`. A construction is data: a reader of its steps (replay,
-words, sheet, check) handles every kind of step, and the type checker sees to that.
+words, sheet, check) handles every kind of step, and the type checker sees to that. `steps` draw a mechanism and its
+polygons, on complex numbers; `drafting` is beside them, for what is no polygon.
 """
 
 from __future__ import annotations
@@ -22,9 +25,9 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "value", "errors", "geometry", "steps", "pairs", "mechanism", "naming", "loading", "library", "methods", "seal",
-    "analytic", "freedoms", "assur", "readings", "agreement", "centres", "linkages", "words", "design", "sweeps",
-    "check", "results", "reports", "sheet", "outputs", "equations", "finding", "api", "batches", "cli",
+    "value", "errors", "geometry", "steps", "drafting", "pairs", "mechanism", "naming", "loading", "library", "methods",
+    "seal", "analytic", "freedoms", "assur", "readings", "agreement", "centres", "linkages", "words", "design",
+    "sweeps", "check", "results", "reports", "sheet", "outputs", "equations", "finding", "api", "batches", "cli",
 )  # fmt: skip
 
 """Words come before design as long as design words itself."""

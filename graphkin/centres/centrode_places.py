@@ -10,82 +10,55 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.centres.beneath import board_over, from_velocities, pole_name
 from graphkin.centres.found import Centres
+from graphkin.drafting import Board, draw
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.methods.way import Way, along
 from graphkin.readings import Readings
 from graphkin.steps import Plot, replay
-from graphkin.steps.centring import STILL, Kennedy, Pole, axes_of, take
 
-__all__ = ["at_many", "carried_to", "over"]
+__all__ = ["carried_to", "over"]
 
 LEAN = 0.02
 """Two lines that are less than this far from being one do not tell where they meet."""
 
 
 def over(found: Centres, way: Way, t: np.ndarray) -> Centres:
-    """The same centres at other positions t (n,) on a way."""
-    return Centres(found.method, found.centring, at_many(found, way, t))
-
-
-def at_many(found: Centres, way: Way, t: np.ndarray) -> Plot:
-    """A plot of the positions t (n,) on the way, with velocities along it and all centres.
+    """The same centres at other positions t (n,) on a way.
 
     Drivers move as the way goes, whatever their speeds are: with several of them the centres hang on that.
     """
-    method = found.method
+    method, centring = found.method, found.centring
     plot = along(method, way, t)
-    plot = replace(plot, facts=replace(plot.facts, rates=way.pace), centres={}, lean={})
+    plot = replace(plot, facts=replace(plot.facts, rates=way.pace))
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         replay(method.velocity, plot)
-        readings = Readings(method, plot)
-        for step in found.centring.steps:
-            if isinstance(step, Pole):  # by each position's own pace: one that is broken must not spoil the others
-                plot.centres[step.centre] = _from_velocities(readings, *found.centring.links[step.centre])
-                continue
-            take(step, plot)
-            if isinstance(step, Kennedy):
-                _mend(readings, step.centre, found.centring.links[step.centre])
-        for links in found.centring.together:
-            plot.centres[found.name(*links)] = _from_velocities(readings, *links)
-    return plot
+        board, readings = board_over(method, plot), Readings(method, plot)
+        for stage in centring.stages:
+            links = centring.links[stage.last.name]
+            if stage.say == "velocities":
+                board.beneath.points[pole_name(*links)] = from_velocities(board, readings, *links)
+            draw(stage, board)
+            if stage.last.name in board.lean:
+                _mend(board, readings, stage.last.name, links)
+        for links in centring.together:
+            board.points[found.name(*links)] = from_velocities(board, readings, *links)
+    return Centres(method, centring, plot, board)
 
 
-def _mend(readings: Readings, centre: str, links: tuple[str, str]) -> None:
+def _mend(board: Board, readings: Readings, centre: str, links: tuple[str, str]) -> None:
     """Where its two lines are nearly one, the centre from velocities."""
-    plot = readings.plot
-    with np.errstate(invalid="ignore"):
-        doubtful = ~(plot.lean[centre] > LEAN)
+    doubtful = ~(board.lean[centre] > LEAN)
     if np.any(doubtful):
-        other, known = (place.reshape(3, -1) for place in (_from_velocities(readings, *links), plot.centres[centre]))
+        places = from_velocities(board, readings, *links), board.points[centre]
+        other, known = (place.reshape(3, -1) for place in places)
         better = doubtful & np.isfinite(other).all(axis=0)
-        plot.centres[centre] = np.where(better, other, known)
+        board.points[centre] = np.where(better, other, known)
 
 
-def _from_velocities(readings: Readings, first: str, second: str) -> Value:
-    """Where two links have one velocity, homogeneous; NaN where they do not move against each other."""
-    (one, turn), (other, turned) = (_motion(readings, link) for link in (first, second))
-    moving, turning = one - other, turn - turned
-    pace = np.max(np.broadcast_arrays(*(np.abs(value) for value in readings.plot.omega.values())), axis=0)
-    turning = np.where(np.abs(turning) <= STILL * pace, 0.0, turning)
-    across = 1j * np.where((np.abs(moving) <= STILL * pace) & (turning == 0), 0.0, moving)
-    found = np.array(np.broadcast_arrays(np.real(across), np.imag(across), turning))
-    return found / np.linalg.norm(found, axis=0)
-
-
-def _motion(readings: Readings, link: str) -> tuple[Value, Value]:
-    """Velocity of the link's place at the origin of coordinates, in units of size, and its rotation."""
-    if link == FRAME:
-        return 0j, 0.0
-    plot = readings.plot
-    origin, size = axes_of(plot)
-    point = next(name for name in readings.method.mechanism.links[link].points if name in plot.position)
-    omega = plot.omega[link]
-    return (readings.velocity_at(point, link) + 1j * omega * (origin - plot.position[point])) / size, omega
-
-
-def carried_to(found: Centres, plot: Plot, link: str) -> tuple[Value, Value]:
+def carried_to(plot: Plot, link: str) -> tuple[Value, Value]:
     """Where a link's axes stand: (origin [m], unit vector of its x axis)."""
     if link == FRAME:
         return 0j, 1.0

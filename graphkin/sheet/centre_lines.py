@@ -11,7 +11,6 @@ from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Stroke
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.window import Figure
-from graphkin.steps import Ray
 
 __all__ = ["centre_lines", "reach_of"]
 
@@ -29,14 +28,14 @@ def centre_lines(paper: OnPaper) -> Figure:
     """The lines of all steps, the later ones where no earlier one lies."""
     figure, drawn = Figure(), _Drawn()
     for spot in paper.spots:
-        for source, line in paper.lines(spot):
-            laid = reach_of(paper, spot, line, isinstance(source, Ray))
+        for line in paper.lines(spot):
+            laid = reach_of(paper, spot, line, line.normal)
             if laid is None:
                 continue
-            pen: PenName = "centre" if isinstance(source, Ray) else "dashed"
+            pen: PenName = "centre" if line.normal else "dashed"
             for piece in drawn.fresh(laid):
                 figure.marks.append(Stroke(piece.ends, pen, step=spot.number))
-            if isinstance(source, Ray):
+            if line.normal:
                 figure.wanted += _normal_letters(laid, spot.number)
     return figure
 
