@@ -137,7 +137,7 @@ def _gamma_caption(report: Report, lang: Lang) -> tuple[str, ...]:
 def _dead(report: Report, driver: str, lang: Lang) -> str:
     values = report.dead[driver]
     slides = driver == report.slide
-    said = ", ".join(f"{value * 1e3:.5g} mm" if slides else _degrees(value) for value in values)
+    said = ", ".join(f"{round(value * 1e3, 6) + 0.0:.5g} mm" if slides else _degrees(value) for value in values)
     return _WORDS["dead" if values else "none"][lang].format(driver=driver, values=said)
 
 

@@ -21,7 +21,8 @@ def degrees(angle: float, lang: Lang = "en") -> str:
 
 
 def _mm(length: float) -> str:
-    return f"{length * 1e3 + 0.0:.6g} mm"
+    """`20 mm`; less than a millionth of one is none."""
+    return f"{length * 1e3:.6g} mm" if abs(length) > 1e-9 else "0 mm"
 
 
 def kind_name(report: Report, lang: Lang) -> str:
