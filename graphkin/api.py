@@ -142,9 +142,10 @@ class Drawing:
 
     def explain(self, lang: Lang = "en") -> list[str]:
         """The vector equations and what is measured, line by line, at the scales of the sheet."""
+        from graphkin.sheet import scales_of
         from graphkin.words import explain
 
-        scales = self.sheet(lang=lang).scales
+        scales = scales_of(self.method, self.plot, lang)
         keys: dict[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
         return explain(self.method, self.plot, {key: scales[plane] for key, plane in keys.items()}, lang)
 

@@ -87,8 +87,8 @@ def _common(exact: Widened, of: Site, seen_from: Site) -> str | None:
 
 def _turned(exact: Widened, part: str, of: Site, seen_from: Site) -> complex | None:
     """The turning of one link against another about their hinge."""
-    owners = exact.mechanism.owners
-    pivot = next((point for point in exact.mechanism.points if {of.link, seen_from.link} <= set(owners[point])), None)
+    others = exact.points_of(seen_from.link)
+    pivot = next((point for point in exact.points_of(of.link) if point in others), None)
     if pivot is None or part not in ("rn", "rt"):
         return None
     (omega, alpha), (other, swing) = exact.turning(of.link), exact.turning(seen_from.link)

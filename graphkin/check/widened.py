@@ -67,6 +67,12 @@ class Widened:
         omega = float(((velocity[other] - velocity[point]) / arm).imag)
         return omega, float(((acceleration[other] - acceleration[point]) / arm).imag)
 
+    def points_of(self, body: str) -> tuple[str, ...]:
+        """Points that are a body's own; of a pin only the one that it is."""
+        if body in self.mechanism.links:
+            return tuple(self.mechanism.links[body].points)
+        return self.bodies[body][:1] if body.startswith("pin ") else self.bodies[body]
+
     def _base(self, body: str) -> str:
         return self.bodies[body][0] if body in self.bodies else next(iter(self.mechanism.links[body].points))
 

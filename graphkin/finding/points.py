@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from graphkin import agreement
 from graphkin.errors import CannotScale, GivenTwice, NegativeSize, NoLineOf, NoSuchDriver, NotScaled, Where
 from graphkin.finding.conditions import WHERE, Scaling, Slowest, value
 from graphkin.finding.found import Position, SlowPoint, Speeds
@@ -16,7 +17,7 @@ from graphkin.methods.moving import reached
 from graphkin.methods.way import Way
 from graphkin.naming import common_link, pair
 from graphkin.readings import Motions
-from graphkin.sweeps import Road, course
+from graphkin.sweeps import Road, course, held
 from graphkin.sweeps.quantities import series
 from graphkin.sweeps.roads import moving
 from graphkin.value import frozen
@@ -42,13 +43,16 @@ def spots(method: Method, ranges: Sequence[str], by: Road) -> Spots:
     """The drawn position; with `AB=30` (no steps) that one; with ranges all of theirs."""
     if any(":" in text for text in ranges):
         moved = course(method, ranges)
+        held(moved)
         return Spots(moved.way, moved.swept, moved.t, moving(method, moved.way, moved.t, by))
-    way, t = reached(method, _held(method, ranges))
+    values = _values(method, ranges)
+    agreement.held(method, values)
+    way, t = reached(method, values)
     at = np.array([t])
     return Spots(way, 0, at, moving(method, way, at, by))
 
 
-def _held(method: Method, ranges: Sequence[str]) -> list[float]:
+def _values(method: Method, ranges: Sequence[str]) -> list[float]:
     """The drivers' values at the drawn position, with those of `AB=30` put in."""
     values = [float(value) for value in method.facts(None).values]
     names = [driver.name for driver in method.drivers]

@@ -13,6 +13,7 @@ import numpy as np
 from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
 from graphkin.geometry import Value, cross
 from graphkin.methods.branches import BETWEEN, Branches, DeadEnd, branches, told_slides
+from graphkin.methods.own_axis import along_own_axis
 from graphkin.methods.structure import Structure
 from graphkin.steps import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, slide_key
 from graphkin.value import frozen
@@ -168,7 +169,8 @@ def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: 
     if gap > CLOSED * extent(plot):
         return CannotAssemble(where, called, gap * 1000)
     sine = np.nan_to_num(np.asarray(plot.sines["position", key], dtype=float))
-    return DeadPoint(where, called, float(np.degrees(np.arcsin(min(1.0, float(np.max(sine)))))))
+    angle = float(np.degrees(np.arcsin(min(1.0, float(np.max(sine))))))
+    return along_own_axis(mechanism, links, angle) or DeadPoint(where, called, angle)
 
 
 def extent(plot: Plot) -> float:

@@ -15,7 +15,7 @@ from importlib import import_module
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
-from graphkin.sheet.composition import Composed, compose
+from graphkin.sheet.composition import Composed, compose, scales_of
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.paper import PAPERS, Paper
 from graphkin.sheet.scales import TooLargeForPaper, UnknownPaper
@@ -23,7 +23,9 @@ from graphkin.sheet.window import PLANES, step_count
 from graphkin.steps import Plane, Plot
 from graphkin.value import frozen
 
-__all__ = ["PAPERS", "Paper", "Sheet", "TooLargeForPaper", "UnknownPaper", "sheet", "step_count", "step_sheets"]
+__all__ = [
+    "PAPERS", "Paper", "Sheet", "TooLargeForPaper", "UnknownPaper", "scales_of", "sheet", "step_count", "step_sheets",
+]  # fmt: skip
 
 
 @frozen

@@ -71,7 +71,7 @@ def _beside(method: Method, way: Way, t: np.ndarray, centre: float) -> Patch | N
         aside /= 2
     rows = np.flatnonzero(np.abs(t - centre) < aside)
     places = np.broadcast_to(np.arange(PLACES.size), (rows.size, PLACES.size))
-    return Patch(rows, neighbours, places, _weights((t[rows] - centre) / aside))
+    return Patch(rows, neighbours, places, _weights((t[rows] - centre) / aside)) if rows.size else None
 
 
 def _alike(method: Method, neighbours: Motions) -> bool:
