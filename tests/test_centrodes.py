@@ -22,13 +22,14 @@ from random_mechanisms import (
     triad,
 )
 
-from graphkin import library
+from graphkin import library, sweep
 from graphkin.analytic import motion
 from graphkin.centres import Centres, centres
 from graphkin.centres.centrode_places import at_many, carried_to
 from graphkin.centres.centrodes import Centrodes, arc_length, centrodes, path, whole
 from graphkin.errors import GraphkinError, UnknownLink
 from graphkin.errors.centring import NoCentrode, UnknownCentre
+from graphkin.loading import loads
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.methods import plan, replay_all
 from graphkin.outputs.svg import svg
@@ -355,3 +356,30 @@ def _places(found: Centres, plot: Plot, curves: Centrodes) -> np.ndarray:
     count = max(np.size(value) for value in plot.facts.values)
     x, y, w = np.broadcast_to(plot.centres[curves.name].reshape(3, -1), (3, count))
     return origin + size * (x + 1j * y) / w
+
+
+PARALLELOGRAM = """
+[frame]
+A = [0, 0]
+D = [100, 0]
+[links.1]
+AB = 40
+[links.2]
+BC = 100
+[links.3]
+DC = 40
+[[driver]]
+vector = "AB"
+angle = 60
+omega = 10
+[sketch]
+C = [120, 35]
+"""
+
+
+def test_centres_of_a_parallelogram_stay_at_infinity_at_its_change_point():
+    mechanism = loads(PARALLELOGRAM)
+    for by in ("construction", "analysis"):
+        table = sweep(mechanism, ["120:240:30"], ["P13", "P20"], by)
+        for name in ("P13", "P20"):
+            assert not np.isfinite(table[name].vectors).any(), (name, by)
