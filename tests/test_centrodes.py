@@ -22,7 +22,7 @@ from random_mechanisms import (
     triad,
 )
 
-from graphkin import library
+from graphkin import library, sweep
 from graphkin.analytic import motion
 from graphkin.centres import Centres, centres
 from graphkin.centres.centrode_places import carried_to, over
@@ -30,6 +30,7 @@ from graphkin.centres.centrodes import Centrodes, arc_length, centrodes, path, w
 from graphkin.drafting import INFINITE
 from graphkin.errors import GraphkinError, UnknownLink
 from graphkin.errors.centring import NoCentrode, UnknownCentre
+from graphkin.loading import loads
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.methods import plan, replay_all
 from graphkin.outputs.svg import svg
@@ -354,3 +355,28 @@ def _places(there: Centres, curves: Centrodes) -> np.ndarray:
     count = max(np.size(value) for value in there.plot.facts.values)
     x, y, w = np.broadcast_to(there.board.points[curves.name].reshape(3, -1), (3, count))
     return there.board.origin + there.board.size * (x + 1j * y) / w
+PARALLELOGRAM = """
+[frame]
+A = [0, 0]
+D = [100, 0]
+[links.1]
+AB = 40
+[links.2]
+BC = 100
+[links.3]
+DC = 40
+[[driver]]
+vector = "AB"
+angle = 60
+omega = 10
+[sketch]
+C = [120, 35]
+"""
+
+
+def test_centres_of_a_parallelogram_stay_at_infinity_at_its_change_point():
+    mechanism = loads(PARALLELOGRAM)
+    for by in ("construction", "analysis"):
+        table = sweep(mechanism, ["120:240:30"], ["P13", "P20"], by)
+        for name in ("P13", "P20"):
+            assert not np.isfinite(table[name].vectors).any(), (name, by)

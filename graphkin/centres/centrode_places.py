@@ -15,7 +15,7 @@ from graphkin.centres.found import Centres
 from graphkin.drafting import Board, draw
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
-from graphkin.methods.way import Way, along
+from graphkin.methods.way import Way, along, stride
 from graphkin.readings import Readings
 from graphkin.steps import Plot, replay
 
@@ -23,13 +23,48 @@ __all__ = ["carried_to", "over"]
 
 LEAN = 0.02
 """Two lines that are less than this far from being one do not tell where they meet."""
+BESIDE = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])
+ASIDE_DEG, ASIDE_PART = 0.05, 0.001
+"""Neighbours of a change point, and how far apart they stand [deg, of the mechanism's size]."""
 
 
 def over(found: Centres, way: Way, t: np.ndarray) -> Centres:
     """The same centres at other positions t (n,) on a way.
 
-    Drivers move as the way goes, whatever their speeds are: with several of them the centres hang on that.
+    Drivers move as the way goes, whatever their speeds are: with several of them the centres hang on that. At a change
+    point velocities are 0/0 on paper: there the centres are what those beside it lead to.
     """
+    there = _drawn(found, way, t)
+    for change in way.changes:
+        aside = _aside(found, way, change.at)
+        rows = np.flatnonzero(np.abs(t - change.at) < aside * (1 - 1e-9))
+        if rows.size:
+            beside = _drawn(found, way, change.at + aside * BESIDE).board
+            for name in (found.name(*links) for links in found.pairs):
+                if name in beside.points:
+                    _led_to(there.board, beside, name, rows, (t[rows] - change.at) / aside, t.size)
+    return there
+
+
+def _aside(found: Centres, way: Way, centre: float) -> float:
+    """How far from a change point the neighbours stand, which no other change point or stop is near."""
+    others = [abs(event.at - centre) for event in (*way.changes, *way.stops) if event.at != centre]
+    return min(stride(found.method, way.pace, ASIDE_DEG, ASIDE_PART), min(others, default=np.inf) / 10)
+
+
+def _led_to(board: Board, beside: Board, name: str, rows: np.ndarray, x: np.ndarray, count: int) -> None:
+    """Put one centre in at rows x asides from a change point (m,), from its neighbours (Lagrange)."""
+    near = np.broadcast_to(beside.points[name].reshape(3, -1), (3, BESIDE.size))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        near = near / np.linalg.norm(near, axis=0)
+        near = near * np.where(np.sum(near * near[:, :1], axis=0) < 0, -1.0, 1.0)
+    weights = [np.prod([(x - other) / (node - other) for other in BESIDE if other != node], axis=0) for node in BESIDE]
+    seen = np.array(np.broadcast_to(board.points[name].reshape(3, -1), (3, count)))
+    seen[:, rows] = near @ np.array(weights)
+    board.points[name] = seen
+
+
+def _drawn(found: Centres, way: Way, t: np.ndarray) -> Centres:
     method, centring = found.method, found.centring
     plot = along(method, way, t)
     plot = replace(plot, facts=replace(plot.facts, rates=way.pace))
