@@ -150,10 +150,10 @@ class Drawing:
 
     def answers(self) -> dict[str, Answer | None]:
         """What the file asks for, read off the drawing; None for a text that is only shown."""
-        from graphkin.readings import Readings, answer
+        from graphkin.readings import answer, readings
 
-        readings = Readings(self.method, self.plot)
-        return {question: answer(self.mechanism, readings, question) for question in self.mechanism.ask}
+        motions = readings(self.method, self.plot)
+        return {question: answer(self.mechanism, motions, question) for question in self.mechanism.ask}
 
     def _repr_svg_(self) -> str:
         return self.sheet()._repr_svg_()

@@ -1,124 +1,65 @@
 """What is read off a finished drawing: motions of links, points and slides, and answers to questions.
 
-`Readings` takes everything from the replayed construction. `Motions` is what a reading needs, so that the
-same questions can be put to the analytic solution.
+The same questions can be put to the analytic solution: it gives `Motions`, too.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
-from functools import cached_property
-from typing import Protocol
+from collections.abc import Callable, Collection, Mapping
 
 import numpy as np
 
 from graphkin.geometry import Value, dot
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
+from graphkin.motions import Motions
 from graphkin.naming import Seen, common_link, pair, seen
 from graphkin.steps import Plane, Plot
-from graphkin.value import frozen
+from graphkin.value import Lazy, frozen
 
-__all__ = ["Answer", "Motions", "Readings", "answer", "relative"]
-
-
-class Motions(Protocol):
-    """Positions, velocities and accelerations, SI; every value a scalar or an array over positions."""
-
-    @property
-    def theta(self) -> Mapping[str, Value]: ...
-    @property
-    def omega(self) -> Mapping[str, Value]: ...
-    @property
-    def alpha(self) -> Mapping[str, Value]: ...
-    @property
-    def s(self) -> Mapping[str, Value]: ...
-    @property
-    def s_rate(self) -> Mapping[str, Value]: ...
-    @property
-    def s_acceleration(self) -> Mapping[str, Value]: ...
-    @property
-    def position(self) -> Mapping[str, Value]: ...
-    def velocity_at(self, point: str, link: str) -> Value: ...
-    def acceleration_at(self, point: str, link: str) -> Value: ...
+__all__ = ["Answer", "answer", "readings", "relative"]
 
 
-@frozen
-class Readings:
-    """A finished drawing, read."""
+def readings(method: Method, plot: Plot) -> Motions:
+    """Motions read off a finished drawing. Sliding pairs and rolling wheels of the file, without the slots that stand
+    for cams; angles between 0 and a full turn."""
+    mechanism = method.mechanism
+    slides = {pair.name for pair in mechanism.slides} | {roll.name for roll in mechanism.rolls}
+    links, nodes = set(mechanism.moving), _nodes(method)
+    theta = Lazy((link for link in plot.theta if link in links), lambda link: np.mod(plot.theta[link], 2 * np.pi))
+    return Motions(
+        mechanism, theta, _of(plot.omega, links), _of(plot.alpha, links),
+        _of(plot.s, slides), _of(plot.s_rate, slides), _of(plot.s_acceleration, slides),
+        plot.position, _of_nodes(plot.velocity, nodes, ""), _of_nodes(plot.acceleration, nodes, "'"),
+    )  # fmt: skip
 
-    method: Method
-    plot: Plot
 
-    @property
-    def theta(self) -> Mapping[str, Value]:
-        return {link: np.mod(value, 2 * np.pi) for link, value in self.plot.theta.items() if self._moves(link)}
+def _of(table: Mapping[str, Value], names: Collection[str]) -> Mapping[str, Value]:
+    return {name: value for name, value in table.items() if name in names}
 
-    @property
-    def omega(self) -> Mapping[str, Value]:
-        return {link: value for link, value in self.plot.omega.items() if self._moves(link)}
 
-    @property
-    def alpha(self) -> Mapping[str, Value]:
-        return {link: value for link, value in self.plot.alpha.items() if self._moves(link)}
+def _of_nodes(
+    polygon: Mapping[str, Value], nodes: Mapping[str, Mapping[str, str]], prime: str
+) -> Mapping[str, Mapping[str, Value]]:
+    """By link and point what a polygon shows of it; `prime` is what its points have after the name."""
 
-    @property
-    def s(self) -> Mapping[str, Value]:
-        return self._told(self.plot.s)
+    def of_link(link: str) -> Mapping[str, Value]:
+        return Lazy(nodes[link], lambda point: polygon[nodes[link][point] + prime])
 
-    @property
-    def s_rate(self) -> Mapping[str, Value]:
-        return self._told(self.plot.s_rate)
+    return Lazy(nodes, of_link)
 
-    @property
-    def s_acceleration(self) -> Mapping[str, Value]:
-        return self._told(self.plot.s_acceleration)
 
-    @property
-    def position(self) -> Mapping[str, Value]:
-        return self.plot.position
-
-    def _told(self, table: Mapping[str, Value]) -> Mapping[str, Value]:
-        """Sliding pairs and rolling wheels of the file, without the slots that stand for cams."""
-        mechanism = self.method.mechanism
-        names = {pair.name for pair in mechanism.slides} | {roll.name for roll in mechanism.rolls}
-        return {name: value for name, value in table.items() if name in names}
-
-    def _moves(self, link: str) -> bool:
-        return link in self.method.mechanism.moving
-
-    @cached_property
-    def _nodes(self) -> dict[str, list[tuple[str, str]]]:
-        """By link: its points that the polygons show, with the polygon's point."""
-        found: dict[str, list[tuple[str, str]]] = {}
-        owners = self.method.mechanism.owners
-        for node in self.method.velocity.nodes.values():
-            if node.site is not None and node.site.point in owners:
-                links = owners[node.site.point] if node.site.link in owners[node.site.point] else (node.site.link,)
-                for link in links:
-                    found.setdefault(link, []).append((node.site.point, node.name))
-        return found
-
-    def velocity_at(self, point: str, link: str) -> Value:
-        """Velocity of the point of `link` under `point` [m/s]: of the polygon, or by image."""
-        start, node = self._nearest(point, link)
-        return self.plot.velocity[node] + 1j * self._rate("omega", link) * self.plot.arm(start, point)
-
-    def acceleration_at(self, point: str, link: str) -> Value:
-        """Acceleration of the point of `link` under `point` [m/s^2]."""
-        start, node = self._nearest(point, link)
-        prime = "" if node == self.method.velocity.pole else "'"
-        turn = 1j * self._rate("alpha", link) - self._rate("omega", link) ** 2
-        return self.plot.acceleration[node + prime] + turn * self.plot.arm(start, point)
-
-    def _nearest(self, point: str, link: str) -> tuple[str, str]:
-        nodes = self._nodes[link]
-        return next((entry for entry in nodes if entry[0] == point), nodes[0])
-
-    def _rate(self, quantity: str, link: str) -> Value:
-        table: Mapping[str, Value] = getattr(self.plot, quantity)
-        return 0.0 if link == FRAME else table[link]
+def _nodes(method: Method) -> dict[str, dict[str, str]]:
+    """By moving link: its points that the polygons show, with the velocity polygon's point."""
+    found: dict[str, dict[str, str]] = {}
+    owners = method.mechanism.owners
+    for node in method.velocity.nodes.values():
+        if node.site is not None and node.site.point in owners:
+            links = owners[node.site.point] if node.site.link in owners[node.site.point] else (node.site.link,)
+            for link in links:
+                found.setdefault(link, {}).setdefault(node.site.point, node.name)
+    return found
 
 
 @frozen
@@ -226,7 +167,7 @@ def _coincident(
     mechanism: Mechanism, motions: Motions, part: str, of: Seen, seen_from: Seen, whole: Value
 ) -> Value | None:
     velocity = _absolute(motions, "velocity", of) - _absolute(motions, "velocity", seen_from)
-    coriolis = 2j * _rate(motions.omega, seen_from.link) * velocity
+    coriolis = 2j * motions.turning(seen_from.link) * velocity
     if part == "k":
         return coriolis
     if part == "r":
@@ -238,9 +179,5 @@ def _coincident(
         return None
     arm = motions.position[of.point] - motions.position[pivot]
     if part == "rn":
-        return -((_rate(motions.omega, of.link) - _rate(motions.omega, seen_from.link)) ** 2) * arm
-    return 1j * (_rate(motions.alpha, of.link) - _rate(motions.alpha, seen_from.link)) * arm
-
-
-def _rate(table: Mapping[str, Value], link: str) -> Value:
-    return 0.0 if link == FRAME else table[link]
+        return -((motions.turning(of.link) - motions.turning(seen_from.link)) ** 2) * arm
+    return 1j * (motions.swing(of.link) - motions.swing(seen_from.link)) * arm

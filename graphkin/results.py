@@ -12,8 +12,9 @@ from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
+from graphkin.motions import Motions
 from graphkin.naming import Seen
-from graphkin.readings import Motions, Readings, answer, relative
+from graphkin.readings import answer, readings, relative
 from graphkin.steps import Plot, Site
 
 __all__ = ["driver_values", "results"]
@@ -40,12 +41,12 @@ def results(mechanism: Mechanism, method: Method, lang: Lang = "en") -> Json:
 
 def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...]) -> Json:
     found = held(method, values)
-    plot, readings = found.plot, Readings(method, found.plot)
+    plot, drawn = found.plot, readings(method, found.plot)
     return {
         "drivers": list(values),
-        **_motions(mechanism, readings),
-        "coincident": dict(_coincident(mechanism, method, readings)),
-        "ask": {question: _answer(method, plot, readings, question) for question in mechanism.ask},
+        **_motions(mechanism, drawn),
+        "coincident": dict(_coincident(mechanism, method, drawn)),
+        "ask": {question: _answer(method, plot, drawn, question) for question in mechanism.ask},
         "analytic": _motions(mechanism, found.exact),
         "worst": found.worst,
     }
@@ -85,7 +86,7 @@ def _point(mechanism: Mechanism, motions: Motions, point: str) -> Json:
     }
 
 
-def _coincident(mechanism: Mechanism, method: Method, readings: Readings) -> Iterator[tuple[str, Json]]:
+def _coincident(mechanism: Mechanism, method: Method, drawn: Motions) -> Iterator[tuple[str, Json]]:
     """Each pair of coincident points of the polygons, seen either way round."""
     points = mechanism.points
     sites = {label: _home(method, site) for label, site in method.sites.items() if site.point in points}
@@ -95,9 +96,9 @@ def _coincident(mechanism: Mechanism, method: Method, readings: Readings) -> Ite
                 continue
             comma = "," if "@" in label + other else ""
             yield f"{label}{comma}{other}", {
-                "v": _vector(relative(mechanism, readings, "velocity", "", of, seen_from)),
-                "a_k": _vector(relative(mechanism, readings, "acceleration", "k", of, seen_from)),
-                "a_r": _vector(relative(mechanism, readings, "acceleration", "r", of, seen_from)),
+                "v": _vector(relative(mechanism, drawn, "velocity", "", of, seen_from)),
+                "a_k": _vector(relative(mechanism, drawn, "acceleration", "k", of, seen_from)),
+                "a_r": _vector(relative(mechanism, drawn, "acceleration", "r", of, seen_from)),
             }
 
 

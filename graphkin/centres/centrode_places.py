@@ -14,7 +14,8 @@ from graphkin.centres.found import Centres
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.methods.way import Way, along
-from graphkin.readings import Readings
+from graphkin.motions import Motions
+from graphkin.readings import readings
 from graphkin.steps import Plot, replay
 from graphkin.steps.centring import STILL, Kennedy, Pole, axes_of, take
 
@@ -39,50 +40,49 @@ def at_many(found: Centres, way: Way, t: np.ndarray) -> Plot:
     plot = replace(plot, facts=replace(plot.facts, rates=way.pace), centres={}, lean={})
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         replay(method.velocity, plot)
-        readings = Readings(method, plot)
+        motions = readings(method, plot)
         for step in found.centring.steps:
             if isinstance(step, Pole):  # by each position's own pace: one that is broken must not spoil the others
-                plot.centres[step.centre] = _from_velocities(readings, *found.centring.links[step.centre])
+                plot.centres[step.centre] = _from_velocities(plot, motions, *found.centring.links[step.centre])
                 continue
             take(step, plot)
             if isinstance(step, Kennedy):
-                _mend(readings, step.centre, found.centring.links[step.centre])
+                _mend(plot, motions, step.centre, found.centring.links[step.centre])
         for links in found.centring.together:
-            plot.centres[found.name(*links)] = _from_velocities(readings, *links)
+            plot.centres[found.name(*links)] = _from_velocities(plot, motions, *links)
     return plot
 
 
-def _mend(readings: Readings, centre: str, links: tuple[str, str]) -> None:
+def _mend(plot: Plot, motions: Motions, centre: str, links: tuple[str, str]) -> None:
     """Where its two lines are nearly one, the centre from velocities."""
-    plot = readings.plot
     with np.errstate(invalid="ignore"):
         doubtful = ~(plot.lean[centre] > LEAN)
     if np.any(doubtful):
-        other, known = (place.reshape(3, -1) for place in (_from_velocities(readings, *links), plot.centres[centre]))
+        places = _from_velocities(plot, motions, *links), plot.centres[centre]
+        other, known = (place.reshape(3, -1) for place in places)
         better = doubtful & np.isfinite(other).all(axis=0)
         plot.centres[centre] = np.where(better, other, known)
 
 
-def _from_velocities(readings: Readings, first: str, second: str) -> Value:
+def _from_velocities(plot: Plot, motions: Motions, first: str, second: str) -> Value:
     """Where two links have one velocity, homogeneous; NaN where they do not move against each other."""
-    (one, turn), (other, turned) = (_motion(readings, link) for link in (first, second))
+    (one, turn), (other, turned) = (_motion(plot, motions, link) for link in (first, second))
     moving, turning = one - other, turn - turned
-    pace = np.max(np.broadcast_arrays(*(np.abs(value) for value in readings.plot.omega.values())), axis=0)
+    pace = np.max(np.broadcast_arrays(*(np.abs(value) for value in plot.omega.values())), axis=0)
     turning = np.where(np.abs(turning) <= STILL * pace, 0.0, turning)
     across = 1j * np.where((np.abs(moving) <= STILL * pace) & (turning == 0), 0.0, moving)
     found = np.array(np.broadcast_arrays(np.real(across), np.imag(across), turning))
     return found / np.linalg.norm(found, axis=0)
 
 
-def _motion(readings: Readings, link: str) -> tuple[Value, Value]:
+def _motion(plot: Plot, motions: Motions, link: str) -> tuple[Value, Value]:
     """Velocity of the link's place at the origin of coordinates, in units of size, and its rotation."""
     if link == FRAME:
         return 0j, 0.0
-    plot = readings.plot
     origin, size = axes_of(plot)
-    point = next(name for name in readings.method.mechanism.links[link].points if name in plot.position)
+    point = next(name for name in motions.mechanism.links[link].points if name in plot.position)
     omega = plot.omega[link]
-    return (readings.velocity_at(point, link) + 1j * omega * (origin - plot.position[point])) / size, omega
+    return (motions.velocity_at(point, link) + 1j * omega * (origin - plot.position[point])) / size, omega
 
 
 def carried_to(found: Centres, plot: Plot, link: str) -> tuple[Value, Value]:

@@ -14,8 +14,8 @@ from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
 from graphkin.methods.moving import reached
 from graphkin.methods.way import Way
+from graphkin.motions import Motions
 from graphkin.naming import common_link, pair
-from graphkin.readings import Motions
 from graphkin.sweeps import Road, course
 from graphkin.sweeps.quantities import series
 from graphkin.sweeps.roads import moving

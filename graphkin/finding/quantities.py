@@ -16,7 +16,7 @@ from graphkin.errors import UnknownQuantity, Where
 from graphkin.finding.conditions import WHERE
 from graphkin.loading.questions import refuse_misnamed
 from graphkin.mechanism import Mechanism
-from graphkin.readings import Motions
+from graphkin.motions import Motions
 from graphkin.sweeps import Course, Road, Series
 from graphkin.sweeps.quantities import series
 from graphkin.sweeps.roads import moving

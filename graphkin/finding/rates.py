@@ -11,8 +11,8 @@ import numpy as np
 
 from graphkin.geometry import Value, dot
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.motions import Motions
 from graphkin.naming import Seen, pair, seen
-from graphkin.readings import Motions
 from graphkin.sweeps import Course, Series
 from graphkin.value import frozen
 

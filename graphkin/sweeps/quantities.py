@@ -12,8 +12,9 @@ from graphkin.errors import UnknownQuantity, Where
 from graphkin.geometry import Value, dot
 from graphkin.loading.questions import refuse_misnamed
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.motions import Motions
 from graphkin.naming import seen
-from graphkin.readings import Motions, answer
+from graphkin.readings import answer
 from graphkin.value import frozen
 
 __all__ = ["Series", "asked", "series", "split"]
