@@ -22,10 +22,10 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "value", "errors", "geometry", "steps", "pairs", "mechanism", "naming", "motions", "loading", "library",
-    "methods", "seal", "analytic", "freedoms", "redundancy", "assur", "readings", "agreement", "centres", "linkages",
-    "design", "sweeps", "check", "results", "reports", "words", "sheet", "outputs", "equations", "finding", "api",
-    "batches", "cli",
+    "value", "errors", "geometry", "steps", "pairs", "mechanism", "naming", "motions", "quantities", "loading",
+    "library", "methods", "seal", "analytic", "freedoms", "redundancy", "assur", "readings", "agreement", "centres",
+    "linkages", "design", "sweeps", "check", "results", "reports", "words", "sheet", "outputs", "equations", "finding",
+    "api", "batches", "cli",
 )  # fmt: skip
 
 _WHERE = {

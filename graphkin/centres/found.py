@@ -7,14 +7,13 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.geometry import Value
-from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
 from graphkin.methods.centres import centre_name, with_centres
 from graphkin.steps import Plot
 from graphkin.steps.centring import Centring, direction_of, place_of
 from graphkin.value import frozen
 
-__all__ = ["Centres", "centre_of", "centres"]
+__all__ = ["Centres", "centres"]
 
 
 @frozen
@@ -59,17 +58,3 @@ class Centres:
 def centres(method: Method, plot: Plot) -> Centres:
     """The instant centres at the position of a plot in which all three planes are drawn."""
     return Centres(method, *with_centres(method, plot))
-
-
-def centre_of(mechanism: Mechanism, text: str) -> tuple[str, str] | None:
-    """The two links that `P13`, `P31` or `P1,3'` means; None for a text that means none."""
-    body = text.strip()
-    if not body.startswith("P"):
-        return None
-    called = {mechanism.called(link): link for link in mechanism.links}
-    first, comma, second = body[1:].partition(",")
-    cuts = [(first, second)] if comma else [(body[1:k], body[k:]) for k in range(2, len(body))]
-    for one, other in cuts:
-        if one.strip() in called and other.strip() in called and one.strip() != other.strip():
-            return called[one.strip()], called[other.strip()]
-    return None

@@ -14,7 +14,6 @@ import numpy as np
 
 from graphkin.centres import centres, over
 from graphkin.geometry import Value
-from graphkin.mechanism import FRAME
 from graphkin.methods import Method, replay_all, with_other_points
 from graphkin.methods.swift import swept
 from graphkin.methods.way import Way, along, stride
@@ -180,17 +179,7 @@ class _Mend:
 # --- instant centres --------------------------------------------------------------------------
 
 
-def centre_path(method: Method, way: Way, t: np.ndarray, by: Road, links: tuple[str, str]) -> np.ndarray:
-    """Where the instant centre of two links lies at t (n,) on the way [m]; infinite at infinity."""
-    if by == "construction":
-        found = over(centres(method, replay_all(method)), way, t)
-        return np.array(np.broadcast_to(found.place(*links), t.shape))
-    motions = moving(method, way, t, by)
-    point = method.mechanism.points[0]
-    moves = [0j * t if link == FRAME else motions.velocity_at(point, link) for link in links]
-    turns = [0.0 * t if link == FRAME else motions.omega[link] for link in links]
-    fastest = max(float(np.max(np.abs(omega))) for omega in motions.omega.values())
-    turning = turns[0] - turns[1]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        place = motions.position[point] + 1j * (moves[0] - moves[1]) / turning
-    return np.where(np.abs(turning) > 1e-9 * fastest, place, np.inf)
+def centre_path(method: Method, way: Way, t: np.ndarray, links: tuple[str, str]) -> np.ndarray:
+    """Where the instant centre of two links lies at t (n,) on the way, by construction [m]; infinite at infinity."""
+    found = over(centres(method, replay_all(method)), way, t)
+    return np.array(np.broadcast_to(found.place(*links), t.shape))
