@@ -30,6 +30,10 @@ class Unit:
         """The sign as it stands after a number: degrees close to it, nothing for a quotient."""
         return self.sign if self.sign in ("°", "") else f" {self.sign}"
 
+    def shown(self, value: float) -> str:
+        """`41.2°`, `20 mm`: an SI value in six digits."""
+        return f"{value * self.factor:.6g}{self.after}"
+
 
 EDGE = {
     "rad": Unit("deg", "°", 180 / math.pi), "m": Unit("mm", "mm", 1000.0),

@@ -201,8 +201,7 @@ def _round_step(step: float) -> float:
 
 def _none(found: Course) -> NoPosition:
     driver, method = found.driver, found.method
-    unit = EDGE[found.unit]
-    low, high = (f"{value * unit.factor:.6g}{unit.after}" for value in found.reach)
+    low, high = map(EDGE[found.unit].shown, found.reach)
     return NoPosition(method.mechanism.where("driver", found.swept), driver.name, low, high)
 
 

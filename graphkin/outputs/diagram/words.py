@@ -91,8 +91,7 @@ def about_drivers(course: Course, lang: Lang) -> str:
         if driver.acceleration:
             parts.append(f"{gain} = {_signed(f'{driver.acceleration:.6g}')} {per_square}")
         if still:
-            unit = EDGE[driven(driver.kind == "slide")]
-            parts.insert(0, _signed(f"{course.way.start[k] * unit.factor:.6g}{unit.after}"))
+            parts.insert(0, _signed(EDGE[driven(driver.kind == "slide")].shown(float(course.way.start[k]))))
         told.append(f"{writable(driver.name)}{colon}{comma.join(parts)}")
     word = {"en": "driver ", "zh": "原动件 "} if len(told) == 1 else {"en": "drivers ", "zh": "原动件 "}
     return word[lang] + semicolon.join(told)
