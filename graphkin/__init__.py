@@ -25,9 +25,10 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "value", "errors", "geometry", "steps", "drafting", "pairs", "mechanism", "naming", "loading", "library", "methods",
-    "seal", "analytic", "freedoms", "assur", "readings", "agreement", "centres", "linkages", "words", "design",
-    "sweeps", "check", "results", "reports", "sheet", "outputs", "equations", "finding", "api", "batches", "cli",
+    "value", "errors", "geometry", "steps", "drafting", "pairs", "mechanism", "naming", "motions", "quantities",
+    "loading", "library", "methods", "seal", "analytic", "freedoms", "assur", "readings", "agreement", "centres",
+    "linkages", "words", "design", "sweeps", "check", "results", "reports", "sheet", "outputs", "equations", "finding",
+    "api", "batches", "cli",
 )  # fmt: skip
 
 """Words come before design as long as design words itself."""

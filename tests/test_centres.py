@@ -13,13 +13,13 @@ from random_mechanisms import DYADS, dyad
 from graphkin import library
 from graphkin.analytic import Motion, motion
 from graphkin.api import plan
-from graphkin.centres import ByCentres, Centres, centre_of, centres
+from graphkin.centres import ByCentres, Centres, centres
 from graphkin.centres.levers import Levers
 from graphkin.drafting import drawn_through
-from graphkin.errors import GraphkinError
+from graphkin.errors import NOWHERE, GraphkinError
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.methods import replay_all
-from graphkin.readings import answer
+from graphkin.quantities import centre_of, named
 from graphkin.sweeps import sweep
 
 KINDS = (
@@ -123,7 +123,7 @@ def test_velocities_from_centres_alone(name: str):
     for link in mechanism.moving:
         assert float(by.omega[link]) == pytest.approx(float(exact.omega[link]), rel=1e-9, abs=1e-9 * fastest)
     for point in mechanism.points:
-        assert abs(by.velocity_at(point, mechanism.owners[point][-1]) - exact.velocity[point]) < 1e-9 * speed
+        assert abs(by.motions.velocity_at(point, mechanism.owners[point][-1]) - exact.velocity[point]) < 1e-9 * speed
 
 
 @pytest.mark.parametrize(("name", "slide"), [
@@ -158,8 +158,7 @@ ANSWERS = [
 @pytest.mark.parametrize(("name", "question", "value"), ANSWERS)
 def test_exercises_from_centres_alone(name: str, question: str, value: float):
     mechanism = library.load(name)
-    told = answer(mechanism, ByCentres(found(mechanism)), question)
-    assert told is not None
+    told = named(mechanism, question, NOWHERE).answer(ByCentres(found(mechanism)).motions)
     assert float(told.value) == pytest.approx(value, rel=1e-6, abs=6e-6)
 
 

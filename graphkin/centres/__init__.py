@@ -10,11 +10,11 @@ Words are in `words.centre_*`, sheets in `sheet.centre_*` and `sheet.about_*`: t
 """
 
 from graphkin.centres.centrode_places import over
-from graphkin.centres.found import Centres, centre_of, centres
+from graphkin.centres.found import Centres, centres
 from graphkin.centres.telling import advantage_lines, as_json, place, rows, told
 from graphkin.centres.uses import ByCentres, advantages
 
 __all__ = [
-    "ByCentres", "Centres", "advantage_lines", "advantages", "as_json", "centre_of", "centres", "over", "place", "rows",
+    "ByCentres", "Centres", "advantage_lines", "advantages", "as_json", "centres", "over", "place", "rows",
     "told",
 ]  # fmt: skip

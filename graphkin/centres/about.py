@@ -23,7 +23,7 @@ from graphkin.errors import UnknownLink, UnknownPoint, Where
 from graphkin.errors.centring import FrameStands
 from graphkin.geometry import cross, dot
 from graphkin.mechanism import FRAME
-from graphkin.readings import Readings
+from graphkin.readings import readings
 from graphkin.steps import Plot, replay
 from graphkin.value import frozen
 
@@ -196,10 +196,10 @@ class About:
     @cached_property
     def points(self) -> Mapping[str, Carried]:
         """The points asked for, as points of the link."""
-        readings = Readings(self.found.method, self.plot)
+        motions = readings(self.found.method, self.plot)
         found: dict[str, Carried] = {}
         for name in self.names:
-            velocity, acceleration = readings.velocity_at(name, self.link), readings.acceleration_at(name, self.link)
+            velocity, acceleration = motions.velocity_at(name, self.link), motions.acceleration_at(name, self.link)
             found[name] = self._moved(complex(self.plot.position[name]), complex(velocity), complex(acceleration))
         return found
 
@@ -273,9 +273,9 @@ def _accelerated(found: Centres) -> Plot:
 
 def _motion(found: Centres, plot: Plot, link: str, point: str) -> tuple[complex, complex, float, float]:
     """Velocity and acceleration of a point of the link, omega and alpha; what is 0 but for rounding as 0."""
-    readings, size, pace = Readings(found.method, plot), found.board.size, _pace(found, plot)
-    velocity, omega = complex(readings.velocity_at(point, link)), float(plot.omega[link])
-    acceleration, alpha = complex(readings.acceleration_at(point, link)), float(plot.alpha[link])
+    motions, size, pace = readings(found.method, plot), found.board.size, _pace(found, plot)
+    velocity, omega = complex(motions.velocity_at(point, link)), float(plot.omega[link])
+    acceleration, alpha = complex(motions.acceleration_at(point, link)), float(plot.alpha[link])
     if abs(omega) <= STILL * pace:
         omega = 0.0
         velocity = velocity if abs(velocity) > STILL * pace * size else 0j

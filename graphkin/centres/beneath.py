@@ -6,7 +6,7 @@ traced: guides, and the common normals of profiles that touch.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.methods import Method
 from graphkin.methods.equivalent import Contact
-from graphkin.readings import Readings
+from graphkin.motions import Motions
 from graphkin.steps import AcrossGuide, Along, Plot, Ray, Touch
 from graphkin.steps.pencil import touch
 from graphkin.value import frozen
@@ -100,27 +100,26 @@ def _normals(mechanism: Mechanism) -> Iterator[tuple[frozenset[str], Ray]]:
 # --- from velocities --------------------------------------------------------------------------
 
 
-def from_velocities(board: Board, readings: Readings, first: str, second: str) -> Homogeneous:
+def from_velocities(board: Board, motions: Motions, first: str, second: str) -> Homogeneous:
     """Where two links have one velocity; NaN where they do not move against each other.
 
     Each position is judged by its own pace: one that is broken does not spoil the others.
     Source: theoretical mechanics, x_P = x_O - v_y / omega, y_P = y_O + v_x / omega of the relative motion.
     """
-    (one, turn), (other, turned) = (_motion(board, readings, link) for link in (first, second))
+    (one, turn), (other, turned) = (_motion(board, motions, link) for link in (first, second))
     moving, turning = one - other, turn - turned
-    rates: Mapping[str, Value] = readings.plot.omega
+    rates = motions.omega
     pace = np.max(np.broadcast_arrays(*(np.abs(value) for value in rates.values())), axis=0) + np.abs(moving)
     turning = np.where(np.abs(turning) <= STILL * pace, 0.0, turning)
     across = 1j * np.where((np.abs(moving) <= STILL * pace) & (turning == 0), 0.0, moving)
     return balanced(np.array(np.broadcast_arrays(np.real(across), np.imag(across), turning)))
 
 
-def _motion(board: Board, readings: Readings, link: str) -> tuple[Value, Value]:
+def _motion(board: Board, motions: Motions, link: str) -> tuple[Value, Value]:
     """Velocity of the link's place at the origin of coordinates, in units of size, and its rotation."""
     if link == FRAME:
         return 0j, 0.0
-    plot = readings.plot
-    point = next(name for name in readings.method.mechanism.links[link].points if name in plot.position)
-    omega = plot.omega[link]
-    velocity = readings.velocity_at(point, link) + 1j * omega * (board.origin - plot.position[point])
+    point = next(name for name in motions.mechanism.links[link].points if name in motions.position)
+    omega = motions.omega[link]
+    velocity = motions.velocity_at(point, link) + 1j * omega * (board.origin - motions.position[point])
     return velocity / board.size, omega

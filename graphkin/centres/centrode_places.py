@@ -16,7 +16,8 @@ from graphkin.drafting import Board, draw
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.methods.way import Way, along, stride
-from graphkin.readings import Readings
+from graphkin.motions import Motions
+from graphkin.readings import readings
 from graphkin.steps import Plot, replay
 
 __all__ = ["carried_to", "over"]
@@ -70,24 +71,24 @@ def _drawn(found: Centres, way: Way, t: np.ndarray) -> Centres:
     plot = replace(plot, facts=replace(plot.facts, rates=way.pace))
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         replay(method.velocity, plot)
-        board, readings = board_over(method, plot), Readings(method, plot)
+        board, motions = board_over(method, plot), readings(method, plot)
         for stage in centring.stages:
             links = centring.links[stage.last.name]
             if stage.say == "velocities":
-                board.beneath.points[pole_name(*links)] = from_velocities(board, readings, *links)
+                board.beneath.points[pole_name(*links)] = from_velocities(board, motions, *links)
             draw(stage, board)
             if stage.last.name in board.lean:
-                _mend(board, readings, stage.last.name, links)
+                _mend(board, motions, stage.last.name, links)
         for links in centring.together:
-            board.points[found.name(*links)] = from_velocities(board, readings, *links)
+            board.points[found.name(*links)] = from_velocities(board, motions, *links)
     return Centres(method, centring, plot, board)
 
 
-def _mend(board: Board, readings: Readings, centre: str, links: tuple[str, str]) -> None:
+def _mend(board: Board, motions: Motions, centre: str, links: tuple[str, str]) -> None:
     """Where its two lines are nearly one, the centre from velocities."""
     doubtful = ~(board.lean[centre] > LEAN)
     if np.any(doubtful):
-        places = from_velocities(board, readings, *links), board.points[centre]
+        places = from_velocities(board, motions, *links), board.points[centre]
         other, known = (place.reshape(3, -1) for place in places)
         better = doubtful & np.isfinite(other).all(axis=0)
         board.points[centre] = np.where(better, other, known)

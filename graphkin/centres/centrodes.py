@@ -13,12 +13,13 @@ import numpy as np
 from graphkin.centres.about import link_of
 from graphkin.centres.centrode_places import carried_to, over
 from graphkin.centres.centrode_sampling import Piece, Sample, arc_length, joined, pieces
-from graphkin.centres.found import Centres, centre_of
+from graphkin.centres.found import Centres
 from graphkin.errors import Where
 from graphkin.errors.centring import NoCentrode, UnknownCentre
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.methods.way import Way, along
+from graphkin.quantities import centre_of
 from graphkin.value import frozen
 
 __all__ = ["Centrodes", "Coursed", "Piece", "arc_length", "centrodes", "path", "whole"]

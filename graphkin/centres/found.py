@@ -10,12 +10,11 @@ import numpy as np
 from graphkin.centres.search import Centring, centre_name, search
 from graphkin.drafting import Board
 from graphkin.geometry import Value
-from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
 from graphkin.steps import Plot
 from graphkin.value import frozen
 
-__all__ = ["Centres", "centre_of", "centres"]
+__all__ = ["Centres", "centres"]
 
 
 @frozen
@@ -70,17 +69,3 @@ def centres(method: Method, plot: Plot) -> Centres:
     """The instant centres at the position of a plot in which all three planes are drawn."""
     centring, plot, board = search(method, plot)
     return Centres(method, centring, plot, board)
-
-
-def centre_of(mechanism: Mechanism, text: str) -> tuple[str, str] | None:
-    """The two links that `P13`, `P31` or `P1,3'` means; None for a text that means none."""
-    body = text.strip()
-    if not body.startswith("P"):
-        return None
-    called = {mechanism.called(link): link for link in mechanism.links}
-    first, comma, second = body[1:].partition(",")
-    cuts = [(first, second)] if comma else [(body[1:k], body[k:]) for k in range(2, len(body))]
-    for one, other in cuts:
-        if one.strip() in called and other.strip() in called and one.strip() != other.strip():
-            return called[one.strip()], called[other.strip()]
-    return None

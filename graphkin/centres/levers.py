@@ -131,8 +131,8 @@ class Levers:
 
     def moved(self, velocity: Number, link: str) -> complex:
         """The velocity of a point of a link without ruler [m/s], or of one point against another."""
-        found = self.exact.velocity_at(velocity.of, link)
-        return complex(found - self.exact.velocity_at(velocity.other, link) if velocity.other else found)
+        found = self.exact.motions.velocity_at(velocity.of, link)
+        return complex(found - self.exact.motions.velocity_at(velocity.other, link) if velocity.other else found)
 
     def way(self, link: str) -> complex:
         """The direction in which a link moves that does not turn (unit vector)."""
@@ -141,7 +141,7 @@ class Levers:
     def _moving(self, link: str) -> complex:
         """The velocity of a point of a link, without ruler [m/s]."""
         points = self.found.method.mechanism.links[link].points
-        return complex(self.exact.velocity_at(next(point for point in points if point in self.exact.position), link))
+        return complex(self.exact.motions.velocity_at(next(point for point in points if point in self.exact.position), link))
 
     def velocity(self, point: str, link: str) -> complex:
         """Velocity of a point of a link [m/s], of the length that was worked out by `of_point`."""

@@ -31,7 +31,7 @@ from graphkin.drafting import (
 )
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.methods import Method
-from graphkin.readings import Readings
+from graphkin.readings import readings
 from graphkin.steps import Plot, Ray, replay
 from graphkin.value import frozen
 
@@ -198,9 +198,9 @@ class _Search:
         """One centre from velocities, of the pair that most lines wait for; pairs without relative motion are left."""
         waiting = [pair for pair in self.missing if pair not in left]
         waiting.sort(key=lambda pair: (FRAME not in pair, -self._joined(pair)))
-        readings = Readings(self.method, self.plot)
+        motions = readings(self.method, self.plot)
         for pair in waiting:
-            place = from_velocities(self.board, readings, *pair)
+            place = from_velocities(self.board, motions, *pair)
             if np.isfinite(place).all():
                 self.board.beneath.points[pole_name(*pair)] = place
                 centre = self.named(frozenset(pair))

@@ -15,7 +15,8 @@ import numpy as np
 from graphkin.centres.found import Centres
 from graphkin.geometry import Value, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.value import frozen
+from graphkin.motions import Motions
+from graphkin.value import Lazy, frozen
 
 __all__ = ["ByCentres", "advantages", "driven_point"]
 
@@ -90,9 +91,15 @@ class ByCentres:
         """By link [rad/s]."""
         return {link: motion[2] for link, motion in self._motions.items() if link != FRAME}
 
-    def velocity_at(self, point: str, link: str) -> Value:
-        """v_E = omega P1E, at right angles to P1E with the sense of omega [m/s]."""
-        return self._velocity(self._motions[link], point)
+    @cached_property
+    def motions(self) -> Motions:
+        """Places and velocities: v_E = omega P1E, at right angles to P1E with the sense of omega."""
+
+        def of_link(link: str) -> Mapping[str, Value]:
+            return Lazy(self.position, lambda point: self._velocity(self._motions[link], point))
+
+        velocities = Lazy(self.mechanism.moving, of_link)
+        return Motions(self.mechanism, {}, self.omega, {}, {}, {}, {}, self.position, velocities, {})
 
     def _velocity(self, motion: Value, point: str) -> Value:
         x, y, omega = motion

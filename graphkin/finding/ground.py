@@ -91,13 +91,13 @@ class Ground:
     def slope(self, number: int = 0, *, size: bool = False) -> Function:
         """How one quantity changes with t: read off the drawing where it tells it, else by differences."""
         by_differences = differences(self.values(number, size=size), self.step / 2)
-        pace, mechanism = pace_of(self.course), self.course.method.mechanism
+        pace = pace_of(self.course)
 
         def exact(t: np.ndarray) -> np.ndarray | None:
             motions = self.reader.motions(t)
             entry = self.reader.read(t, motions)[number]
             assert pace is not None
-            found = rate(mechanism, motions, entry, pace)
+            found = rate(motions, entry, pace)
             if found is None:
                 return None
             sense = np.sign(entry.signed) if size else 1.0

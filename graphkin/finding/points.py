@@ -11,12 +11,13 @@ from graphkin import agreement
 from graphkin.errors import CannotScale, GivenTwice, NegativeSize, NoLineOf, NoSuchDriver, NotScaled, Where
 from graphkin.finding.conditions import WHERE, Scaling, Slowest, value
 from graphkin.finding.found import Position, SlowPoint, Speeds
+from graphkin.finding.quantities import looked_for
 from graphkin.mechanism import Mechanism
 from graphkin.methods import Method
 from graphkin.methods.moving import reached
 from graphkin.methods.way import Way
+from graphkin.motions import Motions
 from graphkin.naming import common_link, pair
-from graphkin.readings import Motions
 from graphkin.sweeps import Road, course, held
 from graphkin.sweeps.quantities import series
 from graphkin.sweeps.roads import moving
@@ -113,7 +114,8 @@ def _slowest(
 
 # --- the speed the drivers must have ----------------------------------------------------------
 
-_DEGREES = {"v": 1, "omega": 1, "a": 2, "alpha": 2}
+_DEGREES = {"rad/s": 1, "m/s": 1, "rad/s^2": 2, "m/s^2": 2}
+"""Velocities grow with the speeds, accelerations with their square."""
 
 
 def scaled(method: Method, wanted: Scaling, at: Spots) -> tuple[Speeds, ...]:
@@ -121,10 +123,9 @@ def scaled(method: Method, wanted: Scaling, at: Spots) -> tuple[Speeds, ...]:
 
     Velocities grow with the speeds, accelerations with their square. Raises NotScaled, NegativeSize, CannotScale.
     """
-    entry = series(method.mechanism, at.motions, wanted.quantity, at.t.size)
-    assert entry is not None
-    degree = _DEGREES.get(wanted.quantity.split(" ")[0].partition("_")[0], 0)
-    if "/" in wanted.quantity or not degree:
+    entry = series(wanted.quantity, looked_for(method.mechanism, wanted.quantity), at.motions, at.t.size)
+    degree = _DEGREES.get(entry.unit)
+    if degree is None:
         raise NotScaled(WHERE, wanted.quantity)
     target = value(wanted.value, entry.unit)
     if target < 0 and entry.vectors is not None and entry.along is None:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from math import hypot
 
 from graphkin.centres.levers import Levers, printed
 from graphkin.centres.uses import driven_point
 from graphkin.mechanism import FRAME, Driver
-from graphkin.naming import Seen, common_link, pair, seen
+from graphkin.naming import Seen, common_link
+from graphkin.quantities import Moving, Quantity, Rotation, parts
 from graphkin.words import names
 from graphkin.words.centre_levers import LeverReader
 from graphkin.words.centre_steps import CentreReader
@@ -59,28 +59,27 @@ def _given(levers: LeverReader, driver: Driver) -> Entry:
 def _answers(levers: LeverReader, driver: Driver) -> Iterator[Entry]:
     reader = levers.reader
     told: set[str] = set()
-    wanted = [text.strip() for text in reader.mechanism.ask]
-    if not any(re.match(r"(omega|v) ", text) for text in wanted):
-        wanted += [f"omega {link}" for link in reader.mechanism.moving if link != driver.link]
-    for text in wanted:
-        for entry in _answer(levers, text):
+    wanted = {text.strip(): parts(reader.mechanism, text) for text in reader.mechanism.ask}
+    if not any(halves and halves[0].word in ("omega", "v") for halves in wanted.values()):
+        links = [link for link in reader.mechanism.moving if link != driver.link]
+        wanted |= {f"omega {link}": (Rotation("omega", link, link),) for link in links}
+    for halves in wanted.values():
+        for entry in _quotient(levers, *halves) if len(halves) == 2 else _answer(levers, *halves):
             line = entry.text if isinstance(entry, Calculation | Sentence) else ""
             if line not in told:
                 told.add(line)
                 yield entry
-    rates = [text for text in wanted if text.split(" ")[0] in _RATES]
+    rates = [text for text, halves in wanted.items() if halves and halves[0].word in _RATES]
     if rates:
         yield Sentence(reader.say("no accelerations", names=names.listed(rates, reader.lang)))
 
 
-def _answer(levers: LeverReader, text: str) -> Iterator[Entry]:
-    top, slash, bottom = text.partition("/")
-    if slash:
-        yield from _quotient(levers, top.strip(), bottom.strip())
-    elif (found := re.fullmatch(r"omega +(\S+)", text)) and found[1] in levers.reader.mechanism.moving:
-        yield from _rotation(levers, found[1])
-    elif found := re.fullmatch(r"v +(\S+)", text):
-        yield from _velocity(levers, found[1])
+def _answer(levers: LeverReader, *wanted: Quantity) -> Iterator[Entry]:
+    for quantity in wanted:
+        if isinstance(quantity, Rotation) and quantity.word == "omega":
+            yield from _rotation(levers, quantity.link)
+        elif isinstance(quantity, Moving) and quantity.word == "v":
+            yield from _velocity(levers, quantity)
 
 
 def _missing(levers: LeverReader, name: str) -> Entry:
@@ -97,13 +96,12 @@ def _rotation(levers: LeverReader, link: str) -> Iterator[Entry]:
         yield Calculation(levers.rate(link), (), "", 0.0, "rad/s")
 
 
-def _velocity(levers: LeverReader, text: str) -> Iterator[Entry]:
+def _velocity(levers: LeverReader, wanted: Moving) -> Iterator[Entry]:
     """`v C` of a point, `v B3B2` or `v CB` of one against another."""
-    mechanism = levers.reader.mechanism
-    if (site := seen(mechanism, text)) is not None:
-        yield from _of_site(levers, text, site)
-    elif (sites := pair(mechanism, text)) is not None:
-        yield from _relative(levers, text, *sites)
+    if wanted.seen_from is None:
+        yield from _of_site(levers, wanted.of, wanted.site)
+    else:
+        yield from _relative(levers, wanted.of, wanted.site, wanted.seen_from)
 
 
 def _of_site(levers: LeverReader, text: str, site: Seen) -> Iterator[Entry]:
@@ -153,24 +151,24 @@ def _difference(levers: LeverReader, name: str, of: Seen, seen_from: Seen) -> It
     yield Calculation(name, (), "", printed(abs(difference)), "m/s", note if difference else "")
 
 
-def _quotient(levers: LeverReader, top: str, bottom: str) -> Iterator[Entry]:
+def _quotient(levers: LeverReader, top: Quantity, bottom: Quantity) -> Iterator[Entry]:
     """omega_i / omega_j = P1jPij / P1iPij, or of what has been worked out."""
-    entries = [list(_answer(levers, text)) for text in (top, bottom)]
+    entries = [list(_answer(levers, half)) for half in (top, bottom)]
     for answer in entries:
         yield from answer
-    values = [_value(levers, text, answer) for text, answer in zip((top, bottom), entries, strict=True)]
+    values = [_value(levers, half, answer) for half, answer in zip((top, bottom), entries, strict=True)]
     if values[0] is None or values[1] is None or values[1][1] == 0:
         return
     (one, first), (other, second) = values[0], values[1]
     figures = f"{number(abs(first))} / {number(abs(second))}"
-    turning = top.startswith("omega")
+    turning = top.word == "omega"
     note = levers.reader.say("same" if first * second > 0 else "opposite") if turning and first else ""
     yield Calculation(f"{one} / {other}", (), figures, printed(abs(first / second)), "", note)
 
 
-def _value(levers: LeverReader, text: str, answer: list[Entry]) -> tuple[str, float] | None:
+def _value(levers: LeverReader, half: Quantity, answer: list[Entry]) -> tuple[str, float] | None:
     """The name and the value of an answer; of a rotation with its sign."""
-    if (found := re.fullmatch(r"omega +(\S+)", text)) and found[1] in levers.levers.turning:
-        return levers.rate(found[1]), levers.levers.omega(found[1])
+    if isinstance(half, Rotation) and half.word == "omega" and half.link in levers.levers.turning:
+        return levers.rate(half.link), levers.levers.omega(half.link)
     last = answer[-1] if answer else None
     return (last.name, last.value) if isinstance(last, Calculation) else None
