@@ -141,7 +141,8 @@ class Levers:
     def _moving(self, link: str) -> complex:
         """The velocity of a point of a link, without ruler [m/s]."""
         points = self.found.method.mechanism.links[link].points
-        return complex(self.exact.motions.velocity_at(next(point for point in points if point in self.exact.position), link))
+        point = next(point for point in points if point in self.exact.position)
+        return complex(self.exact.motions.velocity_at(point, link))
 
     def velocity(self, point: str, link: str) -> complex:
         """Velocity of a point of a link [m/s], of the length that was worked out by `of_point`."""
