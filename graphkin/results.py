@@ -58,7 +58,7 @@ def _motions(mechanism: Mechanism, motions: Motions) -> Json:
     return {
         "links": {
             link: {
-                "theta": _number(motions.theta[link]) % (2 * math.pi),
+                "theta": _direction(motions.theta[link]),
                 "omega": _number(motions.omega[link]),
                 "alpha": _number(motions.alpha[link]),
             }
@@ -123,6 +123,12 @@ def _answer(method: Method, plot: Plot, motions: Motions, question: str) -> Mapp
 
 def _number(value: Value) -> float:
     return float(value) + 0.0
+
+
+def _direction(value: Value) -> float:
+    """An angle from 0 up to a turn; a turn less rounding is 0 [rad]."""
+    angle = float(value) % math.tau
+    return 0.0 if math.tau - angle < 1e-12 else angle
 
 
 def _vector(value: Value) -> list[float]:
