@@ -51,7 +51,7 @@ class Reader:
 
     def __init__(self, course: Course, names: Sequence[str], by: Road) -> None:
         self.course, self.by = course, by
-        self.wanted = {name: looked_for(course.method.mechanism, name) for name in names}
+        self.wanted = [(name, looked_for(course.method.mechanism, name)) for name in names]
         self.tables: dict[str, tuple[np.ndarray, np.ndarray]] = {}
 
     def motions(self, t: np.ndarray) -> Motions:
@@ -65,7 +65,7 @@ class Reader:
                 for entry in self.read(np.zeros(1))
             ]
         motions = motions or self.motions(t)
-        return [self._turned(series(*entry, motions, t.size), t) for entry in self.wanted.items()]
+        return [self._turned(series(*entry, motions, t.size), t) for entry in self.wanted]
 
     def follow(self, t: np.ndarray, start: float) -> None:
         """Follow angles over places t, close to each other, so that none jumps; at `start` they are 0 to a turn."""

@@ -69,6 +69,8 @@ def _beside(method: Method, way: Way, t: np.ndarray, centre: float) -> Patch | N
             break
         aside /= 2
     rows = np.flatnonzero(np.abs(t - centre) < aside)
+    if not rows.size:
+        return None
     places = np.broadcast_to(np.arange(PLACES.size), (rows.size, PLACES.size))
     return Patch(rows, neighbours, places, _weights((t[rows] - centre) / aside)) if rows.size else None
 
