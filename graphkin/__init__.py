@@ -10,8 +10,12 @@ velocity and its acceleration polygon step by step, and proves them right agains
     Mechanism -- analytic --> Motion            the other road; it never reads a construction
     check: Plot, or a drawing file, beside Motion
 
+    subjects (centres, design): Construction -- drafting.replay --> Board of points, lines, circles, numbers
+
 A module imports only from those before it in `ORDER`. A construction is data: a reader of its steps (replay,
-words, sheet, check) handles every kind of step, and the type checker sees to that.
+words, sheet, check) handles every kind of step, and the type checker sees to that. The steps of `construction` draw a
+mechanism and its polygons, on complex numbers; `drafting` is beside them, for what is no polygon. Words come before
+design as long as design words itself.
 """
 
 from __future__ import annotations
@@ -22,10 +26,10 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "value", "errors", "geometry", "construction", "pairs", "mechanism", "naming", "loading", "library", "planning",
-    "running", "seal", "analytic", "freedoms", "redundancy", "assur", "readings", "agreement", "centres", "linkages",
-    "design", "sweeps", "check", "results", "reports", "words", "sheet", "outputs", "equations", "finding", "api",
-    "batches", "cli",
+    "value", "errors", "geometry", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
+    "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
+    "agreement", "centres", "linkages", "words", "design", "sweeps", "check", "results", "reports", "sheet",
+    "outputs", "equations", "finding", "api", "batches", "cli",
 )  # fmt: skip
 
 _WHERE = {

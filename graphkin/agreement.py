@@ -15,8 +15,9 @@ from graphkin.construction import Plot
 from graphkin.errors import RoadsDiffer
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
+from graphkin.motions import Motions
 from graphkin.planning import Method
-from graphkin.readings import Motions, Readings
+from graphkin.readings import readings
 from graphkin.running import replay_all
 from graphkin.value import frozen
 
@@ -51,10 +52,10 @@ def held(method: Method, values: Sequence[float] | None = None) -> Held:
 
 def compare(method: Method, plot: Plot, exact: Motion) -> float:
     """The worst relative difference between a replay and the analytic solution."""
-    return apart(method.mechanism, Readings(method, plot), exact)
+    return apart(method.mechanism, readings(method, plot), exact)
 
 
-def apart(mechanism: Mechanism, readings: Motions, exact: Motions) -> float:
+def apart(mechanism: Mechanism, drawn: Motions, exact: Motions) -> float:
     """The worst relative difference between motions found by two roads; nan where either has none.
 
     Each kind of quantity is measured by the largest of its kind in the mechanism, or by what the lengths and
@@ -62,20 +63,20 @@ def apart(mechanism: Mechanism, readings: Motions, exact: Motions) -> float:
     """
     points = mechanism.points
     links = {point: mechanism.owners[point][-1] for point in points}
-    velocity, right_velocity = ({p: m.velocity_at(p, links[p]) for p in points} for m in (readings, exact))
-    acceleration, right_acceleration = ({p: m.acceleration_at(p, links[p]) for p in points} for m in (readings, exact))
+    velocity, right_velocity = ({p: m.velocity_at(p, links[p]) for p in points} for m in (drawn, exact))
+    acceleration, right_acceleration = ({p: m.acceleration_at(p, links[p]) for p in points} for m in (drawn, exact))
     size, rate = _sizes(exact, right_velocity)
     pairs: list[tuple[Mapping[str, Value], Mapping[str, Value], float]] = [
-        (readings.omega, exact.omega, rate),
-        (readings.alpha, exact.alpha, rate**2),
-        (readings.s, exact.s, size),
-        (readings.s_rate, exact.s_rate, rate * size),
-        (readings.s_acceleration, exact.s_acceleration, rate**2 * size),
-        ({point: readings.position[point] for point in points}, exact.position, size),
+        (drawn.omega, exact.omega, rate),
+        (drawn.alpha, exact.alpha, rate**2),
+        (drawn.s, exact.s, size),
+        (drawn.s_rate, exact.s_rate, rate * size),
+        (drawn.s_acceleration, exact.s_acceleration, rate**2 * size),
+        ({point: drawn.position[point] for point in points}, exact.position, size),
         (velocity, right_velocity, rate * size),
         (acceleration, right_acceleration, rate**2 * size),
     ]
-    turned = [np.abs(np.exp(1j * (readings.theta[link] - exact.theta[link])) - 1) for link in readings.theta]
+    turned = [np.abs(np.exp(1j * (drawn.theta[link] - exact.theta[link])) - 1) for link in drawn.theta]
     return _largest([_largest(turned), *(_worst(*entry) for entry in pairs)])
 
 

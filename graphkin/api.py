@@ -26,7 +26,7 @@ from graphkin.planning import Method
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
-    from graphkin.readings import Answer
+    from graphkin.quantities import Answer
     from graphkin.sheet import Sheet
     from graphkin.sweeps import Road, Sweep
 
@@ -142,18 +142,24 @@ class Drawing:
 
     def explain(self, lang: Lang = "en") -> list[str]:
         """The vector equations and what is measured, line by line, at the scales of the sheet."""
+        from graphkin.sheet import scales_of
         from graphkin.words import explain
 
-        scales = self.sheet(lang=lang).scales
+        scales = scales_of(self.method, self.plot, lang)
         keys: dict[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
         return explain(self.method, self.plot, {key: scales[plane] for key, plane in keys.items()}, lang)
 
     def answers(self) -> dict[str, Answer | None]:
         """What the file asks for, read off the drawing; None for a text that is only shown."""
-        from graphkin.readings import Readings, answer
+        from graphkin.quantities import Centre, read
+        from graphkin.readings import readings
 
-        readings = Readings(self.method, self.plot)
-        return {question: answer(self.mechanism, readings, question) for question in self.mechanism.ask}
+        motions = readings(self.method, self.plot)
+        wanted = {question: read(self.mechanism, question) for question in self.mechanism.ask}
+        return {
+            question: None if quantity is None or isinstance(quantity, Centre) else quantity.answer(motions)
+            for question, quantity in wanted.items()
+        }
 
     def _repr_svg_(self) -> str:
         return self.sheet()._repr_svg_()

@@ -11,6 +11,7 @@ from graphkin.centres import told
 from graphkin.check import Measured, Report
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
+from graphkin.quantities import EDGE, Centre, Quotient, Rotation, Unit, driven
 from graphkin.sweeps import Series, Sweep
 
 __all__ = ["book_lines", "check_lines", "given_values", "solve_lines", "sweep_lines", "table"]
@@ -98,8 +99,8 @@ def given_values(mechanism: Mechanism, values: Sequence[float]) -> str:
     """`AB = 60 deg, ram = 90 mm`."""
     shown = []
     for driver, value in zip(mechanism.drivers, values, strict=True):
-        text = f"{number(value * 1000)} mm" if driver.kind == "slide" else f"{number(math.degrees(value))} deg"
-        shown.append(f"{driver.name} = {text}")
+        unit = EDGE[driven(driver.kind == "slide")]
+        shown.append(f"{driver.name} = {number(value * unit.factor)} {unit.name}")
     return ", ".join(shown)
 
 
@@ -121,21 +122,21 @@ def _rows(position: Json) -> Iterator[list[str]]:
     for link, motion in position["links"].items():
         theta, right = math.degrees(motion["theta"]), math.degrees(exact["links"][link]["theta"])
         turned = (theta - right + 180) % 360 - 180
-        yield _row(f"theta {link}", theta, right, "deg", turned)
+        yield _row(f"theta {link}", theta, right, EDGE["rad"], turned)
         for key, unit in (("omega", "rad/s"), ("alpha", "rad/s^2")):
-            yield _row(f"{key} {link}", motion[key], exact["links"][link][key], unit)
+            yield _row(f"{key} {link}", motion[key], exact["links"][link][key], EDGE[unit])
     for point, motion in position["points"].items():
         for key, unit in (("v", "m/s"), ("a", "m/s^2")):
             arrow, other = complex(*motion[key]), complex(*exact["points"][point][key])
-            yield _row(f"{key} {point}", abs(arrow), abs(other), unit, abs(arrow - other))
+            yield _row(f"{key} {point}", abs(arrow), abs(other), EDGE[unit], abs(arrow - other))
     for slide, motion in position["slides"].items():
-        for key, unit, factor in (("s", "mm", 1000.0), ("v", "m/s", 1.0), ("a", "m/s^2", 1.0)):
-            yield _row(f"{key} {slide}", motion[key] * factor, exact["slides"][slide][key] * factor, unit)
+        for key, shown in (("s", EDGE["m"]), ("v", EDGE["m/s"]), ("a", EDGE["m/s^2"])):
+            yield _row(f"{key} {slide}", motion[key] * shown.factor, exact["slides"][slide][key] * shown.factor, shown)
 
 
-def _row(name: str, drawn: float, right: float, unit: str, off: float | None = None) -> list[str]:
+def _row(name: str, drawn: float, right: float, unit: Unit, off: float | None = None) -> list[str]:
     off = drawn - right if off is None else off
-    return [name, number(drawn), number(right), f"{off:.1e}", unit]
+    return [name, number(drawn), number(right), f"{off:.1e}", unit.name]
 
 
 def _answers(asked: Json, lang: Lang) -> Iterator[str]:
@@ -148,9 +149,8 @@ def _answers(asked: Json, lang: Lang) -> Iterator[str]:
         if entry["value"] is None:
             yield f"  {question}: {say('not answered', lang)}"
             continue
-        value, unit = entry["value"], entry["unit"]
-        value, unit = {"rad": (math.degrees(value), "deg"), "m": (value * 1000, "mm")}.get(unit, (value, unit))
-        yield f"  {question} = {number(value)} {'' if unit == '1' else unit}".rstrip() + _components(entry)
+        unit = EDGE[entry["unit"]]
+        yield f"  {question} = {number(entry['value'] * unit.factor)} {unit.name}".rstrip() + _components(entry)
 
 
 def _components(entry: Json) -> str:
@@ -165,48 +165,45 @@ def _components(entry: Json) -> str:
 
 def sweep_lines(sweep: Sweep) -> Iterator[str]:
     """A row for each position, in mm and deg; of an instant centre x and y."""
-    driver = [sweep.course.driver.name, "deg" if sweep.course.angular else "mm"]
-    heads, values = [driver], [sweep.values * _edge("rad" if sweep.course.angular else "m")[1]]
+    first = EDGE[sweep.course.unit]
+    heads, values = [[sweep.course.driver.name, first.name]], [sweep.values * first.factor]
     for entry in sweep.series:
-        unit, factor = _edge(entry.unit)
-        heads += [[f"{entry.name}{part}", unit] for part in ((" x", " y") if entry.is_place else ("",))]
+        unit = EDGE[entry.unit]
+        heads += [[f"{entry.name}{part}", unit.name or "1"] for part in ((" x", " y") if entry.is_place else ("",))]
         parts = (entry.vectors.real, entry.vectors.imag) if entry.is_place and entry.vectors is not None else (entry.signed,)
-        values += [part * factor for part in parts]
+        values += [part * unit.factor for part in parts]
     rows = [[number(float(column[k])) for column in values] for k in range(sweep.t.size)]
     yield from table([[head[0] for head in heads], [f"[{head[1]}]" for head in heads], *rows])
 
 
-def _edge(unit: str) -> tuple[str, float]:
-    return {"rad": ("deg", 180 / math.pi), "m": ("mm", 1000.0)}.get(unit, (unit, 1.0))
-
-
-BOOK_UNITS = {
-    "rad": "/(°)", "m": "/m", "rad/s": "/(rad/s)", "m/s": "/(m/s)", "rad/s^2": "/(rad/s²)", "m/s^2": "/(m/s²)", "1": "",
-}  # fmt: skip
-BOOK_LETTERS = {"theta": "θ", "omega": "ω", "alpha": "α"}
 PLANES = ("rad m", "rad/s m/s", "rad/s^2 m/s^2", "1")
 
 
 def book_lines(sweep: Sweep) -> Iterator[str]:
     """As Sun Huan's table 3-1: positions, velocities, accelerations; deg and m, five decimals."""
     entries = [e for plane in PLANES for unit in plane.split() for e in sweep.series if e.unit == unit and not e.is_place]
-    angular = sweep.course.angular
     heads = [_driver_symbol(sweep), *(_symbol(entry) for entry in entries)]
-    units = [BOOK_UNITS["rad" if angular else "m"], *(BOOK_UNITS[entry.unit] for entry in entries)]
+    units = [_book_unit(unit) for unit in (sweep.course.unit, *(entry.unit for entry in entries))]
     values = [_book(entry.signed, entry.unit) for entry in entries]
-    first = _book(sweep.values, "rad" if angular else "m")
+    first = _book(sweep.values, sweep.course.unit)
     for entry in sweep.series:
         if not entry.is_place or entry.vectors is None:
             continue
         heads += [f"{entry.name}_x", f"{entry.name}_y"]
-        units += [BOOK_UNITS["m"]] * 2
+        units += [_book_unit("m")] * 2
         values += [entry.vectors.real, entry.vectors.imag]
     rows = [[number(round(float(first[k]), 9)), *(_fixed(float(v[k])) for v in values)] for k in range(sweep.t.size)]
     yield from table([heads, units, *rows])
 
 
 def _book(values: Any, unit: str) -> Any:
-    return values * (180 / math.pi) if unit == "rad" else values
+    """Degrees, but metres."""
+    return values * EDGE[unit].factor if unit == "rad" else values
+
+
+def _book_unit(unit: str) -> str:
+    sign = unit if unit == "m" else EDGE[unit].sign
+    return f"/({sign})" if any(mark in sign for mark in "°/") else f"/{sign}" if sign else ""
 
 
 def _fixed(value: float) -> str:
@@ -214,11 +211,12 @@ def _fixed(value: float) -> str:
 
 
 def _symbol(entry: Series) -> str:
-    quantity, _, of = entry.name.partition(" ")
-    if "/" in entry.name or not of:
+    quantity = entry.quantity
+    if isinstance(quantity, Centre | Quotient):
         return entry.name
-    letter = BOOK_LETTERS.get(quantity)
-    return f"{letter}{of}" if letter and of.isdigit() else f"{letter or quantity}_{of}"
+    if isinstance(quantity, Rotation):
+        return f"{quantity.letter}{'' if quantity.of.isdigit() else '_'}{quantity.of}"
+    return f"{quantity.word}_{quantity.of}"
 
 
 def _driver_symbol(sweep: Sweep) -> str:

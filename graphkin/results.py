@@ -7,14 +7,16 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from graphkin.agreement import held
-from graphkin.centres import centre_of, centres, place
+from graphkin.centres import centres, place
 from graphkin.construction import Plot, Site
 from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
+from graphkin.motions import Motions
 from graphkin.naming import Seen
 from graphkin.planning import Method
-from graphkin.readings import Motions, Readings, answer, relative
+from graphkin.quantities import Centre, read, relative
+from graphkin.readings import readings
 
 __all__ = ["driver_values", "results"]
 
@@ -40,12 +42,12 @@ def results(mechanism: Mechanism, method: Method, lang: Lang = "en") -> Json:
 
 def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...]) -> Json:
     found = held(method, values)
-    plot, readings = found.plot, Readings(method, found.plot)
+    plot, drawn = found.plot, readings(method, found.plot)
     return {
         "drivers": list(values),
-        **_motions(mechanism, readings),
-        "coincident": dict(_coincident(mechanism, method, readings)),
-        "ask": {question: _answer(method, plot, readings, question) for question in mechanism.ask},
+        **_motions(mechanism, drawn),
+        "coincident": dict(_coincident(method, drawn)),
+        "ask": {question: _answer(method, plot, drawn, question) for question in mechanism.ask},
         "analytic": _motions(mechanism, found.exact),
         "worst": found.worst,
     }
@@ -56,7 +58,7 @@ def _motions(mechanism: Mechanism, motions: Motions) -> Json:
     return {
         "links": {
             link: {
-                "theta": _number(motions.theta[link]) % (2 * math.pi),
+                "theta": _direction(motions.theta[link]),
                 "omega": _number(motions.omega[link]),
                 "alpha": _number(motions.alpha[link]),
             }
@@ -85,9 +87,9 @@ def _point(mechanism: Mechanism, motions: Motions, point: str) -> Json:
     }
 
 
-def _coincident(mechanism: Mechanism, method: Method, readings: Readings) -> Iterator[tuple[str, Json]]:
+def _coincident(method: Method, drawn: Motions) -> Iterator[tuple[str, Json]]:
     """Each pair of coincident points of the polygons, seen either way round."""
-    points = mechanism.points
+    points = method.mechanism.points
     sites = {label: _home(method, site) for label, site in method.sites.items() if site.point in points}
     for label, of in sites.items():
         for other, seen_from in sites.items():
@@ -95,9 +97,9 @@ def _coincident(mechanism: Mechanism, method: Method, readings: Readings) -> Ite
                 continue
             comma = "," if "@" in label + other else ""
             yield f"{label}{comma}{other}", {
-                "v": _vector(relative(mechanism, readings, "velocity", "", of, seen_from)),
-                "a_k": _vector(relative(mechanism, readings, "acceleration", "k", of, seen_from)),
-                "a_r": _vector(relative(mechanism, readings, "acceleration", "r", of, seen_from)),
+                "v": _vector(relative(drawn, "velocity", "", of, seen_from)),
+                "a_k": _vector(relative(drawn, "acceleration", "k", of, seen_from)),
+                "a_r": _vector(relative(drawn, "acceleration", "r", of, seen_from)),
             }
 
 
@@ -109,9 +111,10 @@ def _home(method: Method, site: Site) -> Seen:
 
 
 def _answer(method: Method, plot: Plot, motions: Motions, question: str) -> Mapping[str, Any]:
-    if (links := centre_of(method.mechanism, question)) is not None:
-        return {"value": None, "unit": "m", **place(centres(method, plot), *links)}
-    found = answer(method.mechanism, motions, question)
+    quantity = read(method.mechanism, question)
+    if isinstance(quantity, Centre):
+        return {"value": None, "unit": "m", **place(centres(method, plot), *quantity.links)}
+    found = None if quantity is None else quantity.answer(motions)
     if found is None or not math.isfinite(_number(found.value)):
         return {"value": None, "unit": None if found is None else found.unit}
     vector = {} if found.vector is None else {"vector": _vector(found.vector)}
@@ -120,6 +123,12 @@ def _answer(method: Method, plot: Plot, motions: Motions, question: str) -> Mapp
 
 def _number(value: Value) -> float:
     return float(value) + 0.0
+
+
+def _direction(value: Value) -> float:
+    """An angle from 0 up to a turn; a turn less rounding is 0 [rad]."""
+    angle = float(value) % math.tau
+    return 0.0 if math.tau - angle < 1e-12 else angle
 
 
 def _vector(value: Value) -> list[float]:

@@ -7,12 +7,12 @@ hundred such classes, and `graphkin draw` is to start about as fast as its impor
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields
 from operator import attrgetter
 from typing import Any, TypeVar, dataclass_transform
 
-__all__ = ["filled", "frozen"]
+__all__ = ["Lazy", "filled", "frozen"]
 
 _T = TypeVar("_T")
 
@@ -32,6 +32,29 @@ def filled(cls: type[_T]) -> type[_T]:
     """The class with an `__init__` that fills the fields it names; nothing else of a dataclass."""
     setattr(cls, "__init__", _filling(dataclass(init=False, repr=False, eq=False)(cls)))  # noqa: B010
     return cls
+
+
+class Lazy(Mapping[str, _T]):
+    """A table with known names, each entry of which is made when it is first read."""
+
+    def __init__(self, names: Iterable[str], make: Callable[[str], _T]) -> None:
+        self._made: dict[str, _T | None] = dict.fromkeys(names)
+        self._make = make
+
+    def __getitem__(self, name: str) -> _T:
+        found = self._made[name]
+        if found is None:
+            found = self._made[name] = self._make(name)
+        return found
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._made
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._made)
+
+    def __len__(self) -> int:
+        return len(self._made)
 
 
 def _names(cls: Any) -> tuple[str, ...]:

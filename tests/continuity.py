@@ -10,8 +10,8 @@ import numpy as np
 
 from graphkin.agreement import apart
 from graphkin.mechanism import Mechanism
+from graphkin.motions import Motions
 from graphkin.planning import plan
-from graphkin.readings import Motions
 from graphkin.sweeps import Course, course, held
 from graphkin.sweeps.roads import moving
 

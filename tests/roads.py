@@ -12,7 +12,7 @@ from graphkin.construction import Plot
 from graphkin.errors import DeadPoint
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method, plan
-from graphkin.readings import Readings
+from graphkin.readings import readings
 from graphkin.running import replay_all
 
 Make = Callable[[int], Mechanism]
@@ -55,14 +55,14 @@ def hold_derivatives(make: Make, seeds: Iterable[int]) -> None:
         tried += 1
         times = step * np.arange(-2, 3)
         values = [d.value + d.rate * times + d.acceleration * times**2 / 2 for d in method.drivers]
-        plot, readings = replay_all(method, values), Readings(method, drawn)
+        plot, motions = replay_all(method, values), readings(method, drawn)
         for point in mechanism.points:
             link = mechanism.owners[point][-1]
             places = np.broadcast_to(plot.position[point], 5)
             velocity = places @ np.array([1, -8, 0, 8, -1]) / (12 * step)
             acceleration = places @ np.array([-1, 16, -30, 16, -1]) / (12 * step**2)
             scale = abs(velocity) + 1.0
-            assert abs(velocity - readings.velocity_at(point, link)) < 1e-6 * scale, (seed, point)
+            assert abs(velocity - motions.velocity_at(point, link)) < 1e-6 * scale, (seed, point)
             scale = abs(acceleration) + 10 * scale**2
-            assert abs(acceleration - readings.acceleration_at(point, link)) < 1e-5 * scale, (seed, point)
+            assert abs(acceleration - motions.acceleration_at(point, link)) < 1e-5 * scale, (seed, point)
     assert tried > 5

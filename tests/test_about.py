@@ -6,6 +6,7 @@ import cmath
 import math
 import random
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,14 +16,15 @@ from graphkin import library
 from graphkin.analytic import Motion, motion
 from graphkin.centres import Centres, centres
 from graphkin.centres.about import About, Circle, Line, about
-from graphkin.centres.about_bobillier import bobillier, guided, replayed
-from graphkin.centres.about_words import about_words
+from graphkin.centres.about_bobillier import bobillier, guided
+from graphkin.drafting import replay
 from graphkin.errors import GraphkinError, UnknownLink, UnknownPoint
 from graphkin.errors.centring import FrameStands, NoBobillier
 from graphkin.loading import loads
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning import plan
 from graphkin.running import replay_all
+from graphkin.words.centre_about import about_words, bobillier_words
 
 MAKERS: dict[str, Callable[[int], Mechanism]] = {
     **{kind: lambda seed, kind=kind: dyad(kind, seed) for kind in DYADS},
@@ -258,7 +260,7 @@ def test_bobillier_gives_the_exact_centre(make: Callable[[int], Mechanism]):
                 assert error.reason == "line"
                 continue
             assert not any(entry.measured for entry in drawn.guides)
-            assert abs(complex(*drawn.drawn[drawn.pole][:2]) / drawn.drawn[drawn.pole][2] - seen.pole) < 1e-9
+            assert abs(drawn.board.at(drawn.pole) - seen.pole) < 1e-9
             tried += 1
             clear = min(abs(entry.place - seen.pole) for entry in drawn.guides) / seen.size
             exact = seen.carried(place).centre
@@ -270,15 +272,16 @@ def test_bobillier_steps_are_data():
     """Another point's figures put into the same steps give that point's centre."""
     seen = about(found(library.load("fig3-4")), "3")
     drawn, place = bobillier(seen, "E"), 0.08 + 0.02j
-    other = replayed(drawn.steps, {**drawn.known, "E": (place.real, place.imag, 1.0)})[drawn.answer]
-    assert abs(complex(other[0], other[1]) / other[2] - seen.carried(place).centre) < 1e-9
+    points = {**drawn.construction.points, "E": (place.real, place.imag, 1.0)}
+    other = replay(replace(drawn.construction, points=points))
+    assert abs(other.at(drawn.answer) - seen.carried(place).centre) < 1e-9
     assert [entry.written for entry in guided(seen) if not entry.measured] == ["A", "D"]
 
 
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_bobillier_in_words(lang: str):
     drawn = bobillier(about(found(library.load("p3-23a")), "2"), 0.2 + 0.1j)
-    told = drawn.words(lang)  # type: ignore[arg-type]
+    told = bobillier_words(drawn, lang)  # type: ignore[arg-type]
     assert len(told) == 9
     assert drawn.answer in told[-1]
     assert any("infinity" in line or "无穷远" in line for line in told)

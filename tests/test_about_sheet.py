@@ -105,10 +105,10 @@ def test_bobillier_on_paper(name: str, link: str, point: str | complex):
     sheet = bobillier_sheet(entry, drawn, lang="zh")
     place = complex(entry.plot.position[point]) if isinstance(point, str) else point
     centre = sheet.origins["position"] + entry.carried(place).centre.conjugate() / sheet.scales["position"]
-    (mark,) = (mark for mark in sheet.marks if isinstance(mark, Disc) and mark.step == len(drawn.steps))
+    (mark,) = (mark for mark in sheet.marks if isinstance(mark, Disc) and mark.step == len([*drawn.construction.steps]))
     assert abs(mark.centre - centre) < 1e-6
     steps = list(bobillier_step_sheets(entry, drawn))
-    assert len(steps) == len(drawn.steps)
+    assert len(steps) == len([*drawn.construction.steps])
     counts = [len(one.marks) for one in steps]
     assert counts == sorted(counts)
     assert counts[-1] == len(bobillier_sheet(entry, drawn).marks)

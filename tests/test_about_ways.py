@@ -11,6 +11,7 @@ import pytest
 from graphkin.centres.ways import from_text, pole_of
 from graphkin.errors import UnknownUnit
 from graphkin.errors.centring import BadVelocities, NotOneBody, OnePlace
+from graphkin.words.centre_poles import pole_words
 
 CASES = [  # text, case, pole [mm], omega
     ("A 0,0 1,0.5; B 100,0 1,-0.2", "meet", 500 / 7 - 1000j / 7, -7),
@@ -36,7 +37,7 @@ def test_each_way(text: str, case: str, place: complex, omega: float):
 ])  # fmt: skip
 def test_words_tell_the_construction(case: str, en: str, zh: str):
     found = from_text(next(entry[0] for entry in CASES if entry[1] == case))
-    texts = {lang: " ".join(found.words(lang)) for lang in ("en", "zh")}
+    texts = {lang: " ".join(pole_words(found, lang)) for lang in ("en", "zh")}
     assert en in texts["en"] or (case == "meet" and "across v_A" in texts["en"])
     assert zh in texts["zh"]
     assert not any("{" in text or "nan" in text or "inf " in text for text in texts.values())
@@ -44,7 +45,7 @@ def test_words_tell_the_construction(case: str, en: str, zh: str):
 
 def test_words_hold_figures_that_fit():
     """omega = v / arm, from the printed figures."""
-    line = from_text(CASES[0][0]).words("en")[-1].split()
+    line = pole_words(from_text(CASES[0][0]), "en")[-1].split()
     assert float(line[2]) / (float(line[5]) / 1e3) == pytest.approx(float(line[8]), rel=1e-3)
 
 
@@ -52,7 +53,7 @@ def test_rest():
     found = from_text("A 0,0 0,0; B 10,0 0,0")
     assert found.case == "rest"
     assert cmath.isnan(found.place)
-    assert "stand" in found.words("en")[-1]
+    assert "stand" in pole_words(found, "en")[-1]
 
 
 @pytest.mark.parametrize("seed", range(40))

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from graphkin import api, library
-from graphkin.assur import structure_lines
 from graphkin.loading import loads
+from graphkin.words.structure import structure_lines
 
 THREE_CRANKS = """
 [frame]

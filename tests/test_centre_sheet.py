@@ -220,13 +220,13 @@ def test_every_paper(paper: str, tmp_path: Path):
 @pytest.mark.parametrize("name", ["fig3-4", "p3-11b", "fig3-5", "ex3-7", "ex3-3"])
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_steps_come_one_by_one(name: str, lang):
-    steps = found(name).centring.steps
+    names = [stage.last.name for stage in found(name).centring.stages]
     sheets = list(centre_step_sheets(found(name), lang=lang))
-    assert len(sheets) == len(steps)
-    for number, (drawn, step) in enumerate(zip(sheets, steps, strict=True), start=1):
-        assert shown(drawn) == sorted(step.centre for step in steps[:number])
+    assert len(sheets) == len(names)
+    for number, (drawn, name_) in enumerate(zip(sheets, names, strict=True), start=1):
+        assert shown(drawn) == sorted(names[:number])
         fresh = [m.name for m in drawn.marks if isinstance(m, PointMark | VectorMark) and m.new]
-        assert fresh == [step.centre]
+        assert fresh == [name_]
         assert all(mark.new == (mark.step == number) for mark in drawn.marks)
     last, whole = sheets[-1], centre_sheet(found(name), lang=lang)
     assert len(last.marks) == len(whole.marks)

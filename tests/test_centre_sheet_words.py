@@ -11,9 +11,10 @@ import pytest
 from graphkin import library, loading, motion
 from graphkin.analytic import Motion
 from graphkin.centres import Centres, centres
+from graphkin.errors import NOWHERE
 from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
-from graphkin.readings import answer
+from graphkin.quantities import named
 from graphkin.running import replay_all
 from graphkin.words import names
 from graphkin.words.centre_explained import centre_entries, explain_centres
@@ -125,7 +126,7 @@ def test_every_velocity_asked_for_is_answered(name: str):
     told = {entry.name: entry for entry in calculations(name)}
     given = " ".join(e.text for e in centre_entries(found(name), "en") if isinstance(e, Sentence) if "Given" in e.text)
     for question in mechanism(name).ask:
-        right = answer(mechanism(name), exact(name), question)
+        right = named(mechanism(name), question, NOWHERE).answer(exact(name))
         quantity, _, of = question.partition(" ")
         if "/" in question:
             assert float(right.value) == pytest.approx(calculations(name)[-1].value, rel=5e-3)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -12,11 +13,12 @@ from random_mechanisms import DYADS, dyad
 from graphkin import library
 from graphkin.analytic import Motion, motion
 from graphkin.api import plan
-from graphkin.centres import ByCentres, Centres, centre_of, centres
-from graphkin.construction.centring import Kennedy, Pole
-from graphkin.errors import GraphkinError
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.readings import answer
+from graphkin.centres import ByCentres, Centres, centres
+from graphkin.centres.levers import Levers
+from graphkin.drafting import drawn_through
+from graphkin.errors import NOWHERE, GraphkinError
+from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.quantities import centre_of, named
 from graphkin.running import replay_all
 from graphkin.sweeps import sweep
 
@@ -92,25 +94,24 @@ def test_three_centres_of_three_links_lie_on_a_line(name: str):
     here = found(library.load(name))
     for three in combinations(here.method.mechanism.links, 3):
         names = [here.name(*two) for two in combinations(three, 2)]
-        if all(one in here.plot.centres for one in names):
-            matrix = np.array([here.plot.centres[one] / np.linalg.norm(here.plot.centres[one]) for one in names])
+        points = here.board.points
+        if all(one in points for one in names):
+            matrix = np.array([points[one] / np.linalg.norm(points[one]) for one in names])
             assert abs(np.linalg.det(matrix)) < 1e-10, names
 
 
 @pytest.mark.parametrize("name", library.names())
 def test_each_centre_is_found_from_centres_found_before(name: str):
     known: set[str] = set()
-    for step in found(library.load(name)).centring.steps:
-        if isinstance(step, Kennedy):
-            for line in (step.first, step.second):
-                assert {getattr(line, "first", None), getattr(line, "second", None)} - {None} <= known
-        known.add(step.centre)
+    for stage in found(library.load(name)).centring.stages:
+        assert {end for line in stage.lines for end in drawn_through(line)} <= known
+        known.add(stage.last.name)
 
 
 def test_one_freedom_needs_no_velocities():
     """Class III mechanisms of the source, too, are found by Kennedy's lines alone."""
     for name in ("ex3-2", "p3-15", "p3-17", "s3-sieve", "ex3-7", "p3-20"):
-        assert not any(isinstance(step, Pole) for step in found(library.load(name)).centring.steps)
+        assert not any(stage.say == "velocities" for stage in found(library.load(name)).centring.stages)
 
 
 @pytest.mark.parametrize("name", library.names())
@@ -122,7 +123,28 @@ def test_velocities_from_centres_alone(name: str):
     for link in mechanism.moving:
         assert float(by.omega[link]) == pytest.approx(float(exact.omega[link]), rel=1e-9, abs=1e-9 * fastest)
     for point in mechanism.points:
-        assert abs(by.velocity_at(point, mechanism.owners[point][-1]) - exact.velocity[point]) < 1e-9 * speed
+        assert abs(by.motions.velocity_at(point, mechanism.owners[point][-1]) - exact.velocity[point]) < 1e-9 * speed
+
+
+@pytest.mark.parametrize(("name", "slide"), [
+    ("p3-5", "s0"), ("p3-11c", "s0"), ("p3-4b", "s0"), ("p3-6a", "s0"), ("s4-ex8", "s0"),
+])  # fmt: skip
+def test_a_driven_slide_on_any_guide(name: str, slide: str):
+    """Also where both links move along one line, and where neither turns."""
+    mechanism = library.load(name)
+    driver = Driver("slide", slide, value=float(replay_all(plan(mechanism)).s[slide]), rate=-0.13)
+    mechanism = replace(mechanism, drivers=(driver,))
+    levers, exact = Levers(found(mechanism), 0.001), motion(mechanism)
+    levers.start(driver)
+    for link in mechanism.moving:
+        assert float(levers.exact.omega[link]) == pytest.approx(float(exact.omega[link]), rel=1e-9, abs=1e-9)
+        if (way := levers.path(link)) is not None:
+            levers.along(way)
+            if levers.turning[link]:
+                assert levers.omega(link) == pytest.approx(float(exact.omega[link]), rel=5e-3)
+            else:
+                velocity = complex(exact.velocity_at(next(iter(mechanism.links[link].points)), link))
+                assert levers.value(link) == pytest.approx(abs(velocity), rel=5e-3, abs=1e-9)
 
 
 ANSWERS = [
@@ -136,8 +158,7 @@ ANSWERS = [
 @pytest.mark.parametrize(("name", "question", "value"), ANSWERS)
 def test_exercises_from_centres_alone(name: str, question: str, value: float):
     mechanism = library.load(name)
-    told = answer(mechanism, ByCentres(found(mechanism)), question)
-    assert told is not None
+    told = named(mechanism, question, NOWHERE).answer(ByCentres(found(mechanism)).motions)
     assert float(told.value) == pytest.approx(value, rel=1e-6, abs=6e-6)
 
 

@@ -101,7 +101,7 @@ def test_example_2_3():
     assert board.numbers["AC1"] * 1e3 == pytest.approx(69.1865, abs=5e-5)
     assert board.numbers["AC2"] * 1e3 == pytest.approx(110.7329, abs=5e-5)
     assert (one.a * 1e3, one.b * 1e3) == (pytest.approx(20.7732, abs=5e-5), pytest.approx(89.9597, abs=5e-5))
-    assert board.points["A"].imag > 0, "the crank's centre is above the rocker's"
+    assert board.at("A").imag > 0, "the crank's centre is above the rocker's"
     as_wanted(one, 0.080, rad(40), 1.3)
 
 
@@ -412,7 +412,7 @@ def test_pairs_give_back_the_linkage_they_were_taken_from(inverted):
         assert (one.a, one.b, one.c, one.d) == pytest.approx(bar, rel=1e-9)
         board = one.board()
         for k in range(3):
-            assert abs(board.points[f"C{k + 1}"] - c[k]) < 1e-9
+            assert abs(board.at(f"C{k + 1}") - c[k]) < 1e-9
     assert found > 60
 
 

@@ -15,13 +15,14 @@ import pytest
 
 import graphkin
 from graphkin import loading, sweeps
-from graphkin.centres import centre_of
 from graphkin.errors import Lang, NoFolder
+from graphkin.naming import Seen
 from graphkin.outputs import diagram
 from graphkin.outputs.diagram import fonts
 from graphkin.outputs.diagram.curves import Curves, curves, span
-from graphkin.outputs.diagram.panels import division, label_of, panels, unit_of
+from graphkin.outputs.diagram.panels import division, label_of, panels
 from graphkin.outputs.files import FileInTheWay
+from graphkin.quantities import EDGE, Displacement, Moving, Quantity, Rotation, centre_of
 from graphkin.sweeps import Course
 
 NAMES = (
@@ -72,7 +73,7 @@ def texts(page: Any) -> list[tuple[str, Any]]:
 def test_curves_are_what_the_other_road_finds(name: str):
     """The lines on paper, read back, against the loop equations."""
     found, page = sampled(name), drawn(name)
-    across = unit_of("rad" if found.course.angular else "m").factor
+    across = EDGE[found.course.unit].factor
     read = lines(page, "curve-")
     assert read.keys() == {f"curve-{group[0]}" for group in found.alike}
     for group in found.alike:
@@ -82,7 +83,7 @@ def test_curves_are_what_the_other_road_finds(name: str):
         for k in group:
             entry = found.series[k]
             exact = sweeps.at(found.course, [entry.name], t[clear], "analysis").series[0].signed
-            off = np.asarray(y)[clear] / unit_of(entry.unit).factor - exact
+            off = np.asarray(y)[clear] / EDGE[entry.unit].factor - exact
             off = off - TURN * np.round(off / TURN) if entry.unit == "rad" else off
             assert np.abs(off).max() <= 1e-6 * max(np.abs(exact).max(), 1e-3), entry.name
 
@@ -125,7 +126,7 @@ def test_dots_lie_at_the_extremes():
         for word, peak in (("greatest", greatest), ("least", least)):
             (x,), (y,) = dots[f"peak-{k}-{word}"].get_data()
             assert x == pytest.approx(np.degrees(found.course.value(peak.t)))
-            assert y == pytest.approx(peak.value * unit_of(found.series[k].unit).factor)
+            assert y == pytest.approx(peak.value * EDGE[found.series[k].unit].factor)
 
 
 def test_steps_of_the_table_do_not_matter():
@@ -236,18 +237,18 @@ def test_division(low: float, high: float, most: int, degrees: bool, ticks: Sequ
 
 
 @pytest.mark.parametrize(
-    ("name", "tex"),
+    ("quantity", "tex"),
     [
-        ("theta 3", r"$\theta_{\mathrm{3}}$"),
-        ("v E", r"$\mathit{v}_{\mathit{E}}$"),
-        ("a_k B3B2", r"$\mathit{a}_{\mathit{B}\mathrm{3}\mathit{B}\mathrm{2}}^{\mathit{k}}$"),
-        ("omega 滑块", "ω 滑块"),
-        ("s slide-1", r"$\mathit{s}_{\mathit{slide}\mathrm{\text{-}1}}$"),
+        (Rotation("theta", "3", "3"), r"$\theta_{\mathrm{3}}$"),
+        (Moving("v", "E", Seen("E", "5", explicit=False)), r"$\mathit{v}_{\mathit{E}}$"),
+        (Moving("a_k", "B3B2", Seen("B", "3", explicit=True), Seen("B", "2", explicit=True), "k"), r"$\mathit{a}_{\mathit{B}\mathrm{3}\mathit{B}\mathrm{2}}^{\mathit{k}}$"),
+        (Rotation("omega", "滑块", "滑块"), "ω 滑块"),
+        (Displacement("s", "slide-1", "slide-1"), r"$\mathit{s}_{\mathit{slide}\mathrm{\text{-}1}}$"),
     ],
 )
 @chinese
-def test_labels(name: str, tex: str):
-    assert fonts.typeset(label_of(name)) == tex
+def test_labels(quantity: Quantity, tex: str):
+    assert fonts.typeset(label_of(quantity)) == tex
 
 
 def test_axes_of_a_shaper():

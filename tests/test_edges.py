@@ -12,9 +12,11 @@ from xml.etree import ElementTree
 import pytest
 from click.testing import CliRunner, Result
 
-from graphkin import library
+from graphkin import Drawing, library
 from graphkin.cli import main
 from graphkin.cli.shared import json_line
+from graphkin.errors import AlongOwnAxis
+from graphkin.loading import loads
 
 COLLAR = """
 [frame]
@@ -221,3 +223,43 @@ def test_what_nearly_is_a_question_is_remarked_on() -> None:
     result = run("solve", "mine.toml")
     assert result.exit_code == 0
     assert [line.split("write ")[1] for line in result.stderr.splitlines()] == ["`omega 2`.", "`v A`."]
+
+
+ACROSS = """
+[frame]
+A = [0, 0]
+[links.1]
+AB = 50
+[links.2]
+points = ["C"]
+{pair}
+[[slide]]
+block = "2"
+point = "C"
+guide = "frame"
+through = [0, 0]
+angle = 90
+[[driver]]
+vector = "AB"
+angle = 30
+omega = 10
+[sketch]
+C = [0, 90]
+"""
+
+
+@pytest.mark.parametrize(
+    "pair",
+    ['[[slide]]\npin = "B"\nguide = "2"',
+     '[links.3]\npoints = ["B"]\n[[slide]]\nblock = "3"\npoint = "B"\nguide = "2"',
+     '[[cam]]\nlinks = ["1", "2"]\nprofiles = [{ centre = "B", radius = 60 }, { through = "C" }]'],
+)  # fmt: skip
+def test_a_line_meant_to_lie_across_its_links_way(pair: str) -> None:
+    """A link of one point is its own axis: what to write for a slot or a face across its guide."""
+    with pytest.raises(AlongOwnAxis) as refused:
+        Drawing.of(loads(ACROSS.format(pair=pair)))
+    assert refused.value.link == "2"
+    line = '{ through = "C", toward = "Q" }' if "cam" in pair else pair + '\nthrough = "C"\ntoward = "Q"'
+    right = line if "cam" not in pair else pair.replace('{ through = "C" }', line)
+    mended = ACROSS.format(pair=right).replace('points = ["C"]', "CQ = 30").replace("angle = 90", "angle = 90\ntilt = 90")
+    assert Drawing.of(loads(mended)).plot.omega["2"] == pytest.approx(0)

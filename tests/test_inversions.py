@@ -9,9 +9,9 @@ from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.api import plan
 from graphkin.errors import DeadPoint, NoFixing
-from graphkin.linkages import inverted
 from graphkin.loading import loads
 from graphkin.running import replay_all
+from graphkin.words import linkages as words
 
 
 @pytest.mark.parametrize("name", library.names())
@@ -19,7 +19,7 @@ def test_inversions_are_solved(name: str):
     mechanism = library.load(name)
     for link in mechanism.moving:
         try:
-            text = inverted(mechanism, link)
+            text = words.held(mechanism, link).text
         except NoFixing:
             continue
         held = loads(text, name=f"{name}-{link}", file=f"{name}-{link}.toml")

@@ -16,28 +16,29 @@ from graphkin.analytic import motion
 from graphkin.api import Drawing
 from graphkin.errors import CannotClose, CannotDriveBy, GraphkinError, NoFixing, NoLinkage, NotALength, OnlyStretched
 from graphkin.linkages import (
+    FAMILY,
+    KINDS,
     FourBar,
     GuideBar,
     SliderCrank,
     as_json,
-    as_mechanism,
     found_in,
     from_lengths,
     inverted,
-    kind_name,
-    lines,
     report,
     reported,
     some_found_in,
 )
-from graphkin.linkages.family import FAMILY, family_lines
-from graphkin.linkages.wording import found_lines
+from graphkin.linkages.posed import posed
+from graphkin.linkages.triangles import whole
 from graphkin.loading import loads
 from graphkin.outputs.svg import svg
 from graphkin.sheet.lettering import box
 from graphkin.sheet.linkage_family import family_sheet
 from graphkin.sheet.linkage_sheet import limit_sheet
-from graphkin.sheet.marks import Text
+from graphkin.sheet.marks import PointMark, Stroke, Text
+from graphkin.words.linkage_phrases import TITLES
+from graphkin.words.linkages import family_lines, found_lines, held, kind_name, lines, titled
 
 deg = math.degrees
 
@@ -99,7 +100,7 @@ def test_in_line_slider_has_no_quick_return():
 
 # --- kinds -----------------------------------------------------------------------------------------
 
-KINDS = [
+NAMED = [
     (("fourbar", 15, 48, 55, 45), {}, "crank-rocker", ""),
     (("fourbar", 15, 48, 55, 45), {"driver": "rocker"}, "rocker-crank", ""),
     (("fourbar", 55, 48, 15, 45), {}, "rocker-crank", ""),
@@ -124,7 +125,7 @@ KINDS = [
 ]
 
 
-@pytest.mark.parametrize(("lengths", "more", "kind", "family"), KINDS)
+@pytest.mark.parametrize(("lengths", "more", "kind", "family"), NAMED)
 def test_kinds(lengths, more, kind, family):
     found = measured(*lengths, **more)
     assert (found.kind, found.family) == (kind, family)
@@ -137,7 +138,7 @@ def test_crossed_parallelogram():
     assert report(FourBar(*bar.lengths, places=(a, b, mirrored, d))).family == "antiparallelogram"
 
 
-DRIVEN = [*KINDS, (("slider", 20, 65, 15), {"driver": "slider"}, "", ""), (("guide", 100, 300, 20), {"driver": "bar"}, "", ""),
+DRIVEN = [*NAMED, (("slider", 20, 65, 15), {"driver": "slider"}, "", ""), (("guide", 100, 300, 20), {"driver": "bar"}, "", ""),
           (("guide", 100, 300, 20), {"driver": "slide"}, "", ""), (("fourbar", 15, 48, 55, 45), {"driver": "coupler"}, "", "")]  # fmt: skip
 
 
@@ -367,6 +368,61 @@ def test_any_names_any_way_round(turn, vector):
     assert min(off, 360 - off) < 1e-6
 
 
+def test_every_kind_has_its_words():
+    assert {*TITLES} == {*KINDS}
+
+
+DEFINITE = [case for case in DRIVEN if case[2] != "change-point"]
+
+
+def along(one, other):
+    """How far two directions are apart."""
+    return abs(math.remainder(one - other, math.tau))
+
+
+@pytest.mark.parametrize(("lengths", "more", "kind", "family"), DEFINITE)
+@pytest.mark.parametrize("turn", [0.0, 2.0])
+def test_a_kind_keeps_its_contract(lengths, more, kind, family, turn):
+    """Its positions are one another's, and its ratio is how they change."""
+    linkage = moved(from_lengths(lengths[0], *(length / 1e3 for length in lengths[1:]), **more), turn)
+    here = linkage.direction(linkage.drawn)
+    assert linkage.drawn.places == pytest.approx(linkage.places, abs=1e-12)
+    assert linkage.position_at(here).places == pytest.approx(linkage.places, abs=1e-9)
+    assert {linkage.driver, linkage.output} <= {*linkage.called}
+    assert linkage.driver in linkage.drivers
+    if linkage.driver not in ("crank", "rocker"):
+        return
+    behind, ahead = (linkage.position_at(here + step).output for step in (-1e-6, 1e-6))
+    change = ahead - behind if linkage.output == "slider" else math.remainder(ahead - behind, math.tau)
+    assert change / 2e-6 == pytest.approx(linkage.ratio(here), rel=1e-6, abs=1e-9)
+    back = linkage.driver_at(linkage.drawn.output)
+    if linkage.output == "slider":
+        assert math.isnan(back)
+        return
+    assert along(linkage.position_at(back).output, linkage.drawn.output) < 1e-9
+    assert not linkage.output_range().full or along(back, here) < 1e-9
+
+
+@pytest.mark.parametrize(("lengths", "more", "kind", "family"), DEFINITE)
+@pytest.mark.parametrize("block", [False, True])
+def test_a_pose_is_the_mechanism_at_that_position(lengths, more, kind, family, block):
+    linkage = moved(from_lengths(lengths[0], *(length / 1e3 for length in lengths[1:]), **more), 1.0)
+    linkage = linkage if isinstance(linkage, FourBar) else replace(linkage, block=block)
+    machine = linkage.mechanism()
+    span, here = linkage.driver_range(), linkage.direction(linkage.drawn)
+    turns = linkage.driver in ("crank", "rocker", "bar")
+    for step in (0.0, 0.1, -0.2) if turns else (0.0,):
+        if turns and not span.full and whole(here + step - span.low) > span.width:
+            continue
+        pose = posed(linkage, machine, linkage.position_at(here + step))
+        now = motion(machine, [machine.drivers[0].value + step])
+        for point, place in pose.position.items():
+            assert place == pytest.approx(complex(now.position[point]), abs=1e-9), point
+        for link, angle in pose.theta.items():
+            if len(machine.links[link].points) > 1:
+                assert along(angle, float(now.theta[link])) < 1e-9
+
+
 # --- files and inversions --------------------------------------------------------------------------
 
 
@@ -378,13 +434,34 @@ def close(one, other):
 @pytest.mark.parametrize(("lengths", "more", "kind", "family"), [case for case in DRIVEN if case[2] != "change-point"])
 def test_a_file_of_a_linkage_is_that_linkage(lengths, more, kind, family):
     linkage = from_lengths(lengths[0], *(length / 1e3 for length in lengths[1:]), **more)
-    machine = read(as_mechanism(linkage))
+    machine = read(titled(linkage).text)
     (one,) = found_in(machine)
     mine, theirs = report(linkage), report(one.linkage)
     assert theirs.kind == mine.kind or {mine.kind, theirs.kind} == {"crank-rocker", "rocker-crank"}
     for name in ("swing", "stroke", "gamma_min", "k"):
         assert close(getattr(theirs, name), getattr(mine, name)), name
     assert Drawing.of(machine).plot is not None
+
+
+@pytest.mark.parametrize(("lengths", "more", "kind", "family"), DRIVEN)
+@pytest.mark.parametrize("block", [False, True])
+def test_a_file_says_what_the_mechanism_is(lengths, more, kind, family, block):
+    linkage = from_lengths(lengths[0], *(length / 1e3 for length in lengths[1:]), **more)
+    machine = titled(linkage if isinstance(linkage, FourBar) else replace(linkage, block=block))
+    told = read(machine.text, machine.name)
+    assert (told.points, told.title, told.scales) == (machine.points, machine.title, machine.scales)
+    for mine, theirs in zip(machine.links.values(), told.links.values(), strict=True):
+        assert theirs.name == mine.name
+        assert theirs.points == pytest.approx(mine.points, abs=1e-12)
+    for mine, theirs in zip(machine.slides, told.slides, strict=True):
+        assert theirs.line.direction == pytest.approx(mine.line.direction, abs=1e-12)
+        assert theirs.tilt == pytest.approx(mine.tilt, abs=1e-12)
+        assert replace(theirs, line=mine.line, tilt=mine.tilt) == mine
+        assert theirs.line.origin == mine.line.origin
+    for mine, theirs in zip(machine.drivers, told.drivers, strict=True):
+        assert theirs.value == pytest.approx(mine.value, abs=1e-12)
+        assert replace(theirs, value=mine.value) == mine
+    assert told.sketch == pytest.approx(machine.sketch, abs=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -398,7 +475,7 @@ def test_a_file_of_a_linkage_is_that_linkage(lengths, more, kind, family):
 )  # fmt: skip
 def test_inversions(name, fixed, kind, block):
     machine = library.load(name)
-    new = read(inverted(machine, fixed))
+    new = inverted(machine, fixed)
     (one,) = found_in(new)
     assert report(one.linkage).kind == kind
     assert block is None or one.linkage.block is block
@@ -421,7 +498,7 @@ def test_every_link_of_the_library_can_be_held():
             continue
         before = motion(machine)
         for link in machine.moving:
-            new = read(inverted(machine, link))
+            new = read(held(machine, link).text)
             after = motion(new)
             for point in machine.points:
                 assert complex(after.position[point]) == pytest.approx(complex(before.position[point]), abs=1e-8), (name, link)
@@ -494,7 +571,7 @@ def moved(linkage, turn):
     ],
 )  # fmt: skip
 def test_turned_and_written_and_found(linkage, turn):
-    before, (one,) = report(linkage), found_in(read(as_mechanism(moved(linkage, turn))))
+    before, (one,) = report(linkage), found_in(moved(linkage, turn).mechanism())
     after = report(one.linkage)
     assert (after.kind, after.family, after.slow) == (before.kind, before.family, before.slow)
     for name in ("swing", "stroke", "gamma_min", "theta", "k"):
@@ -511,3 +588,13 @@ def test_lengths_from_the_command_line_are_named():
     with pytest.raises(CannotClose) as raised:
         from_lengths("fourbar", 0.01, 0.01, 0.01, 0.05)
     assert raised.value.message("en").startswith("--fourbar: ")
+
+
+@pytest.mark.parametrize("turn", [0.0, 1.1, -2.5])
+@pytest.mark.parametrize("offset", [0.010, -0.030])
+def test_a_block_on_the_frame_stands_on_the_ground(offset, turn):
+    machine = moved(SliderCrank(0.02, 0.065, offset, block=True), turn).mechanism()
+    marks = Drawing.of(machine).sheet(only="position").marks
+    at = next(mark.at for mark in marks if isinstance(mark, PointMark) and mark.name == "P")
+    hatch = [mark for mark in marks if isinstance(mark, Stroke) and mark.pen == "hatch" and len(mark.places) == 2]
+    assert sum(abs(mark.places[0] - at) < 8 for mark in hatch) > 5

@@ -14,6 +14,8 @@ from functools import lru_cache
 from pathlib import Path
 
 import pytest
+import repeating
+import rolling_machines
 from random_mechanisms import (
     DYADS,
     cam,
@@ -34,6 +36,7 @@ from graphkin import Drawing
 from graphkin.check import Report, measured
 from graphkin.check.drawing import read
 from graphkin.errors import BadDrawing, DeadPoint
+from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.outputs.svg import svg
 from graphkin.sheet.scales import TooLargeForPaper
@@ -42,7 +45,13 @@ FAMILIES: dict[str, Callable[[int], Mechanism]] = {
     **{kind: lambda seed, kind=kind: dyad(kind, seed) for kind in DYADS},
     "cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain, "triad": triad,
     "six": six_bar, "geared": geared_five_bar, "epicyclic": epicyclic, "rolling": rolling, "cam": cam,
+    "line": lambda seed: loads(rolling_machines.rolling_line(10 + seed)),
 }  # fmt: skip
+if "GRAPHKIN_RANDOM" in os.environ:
+    FAMILIES |= {
+        **{name: lambda seed, f=f: loads(f(seed)) for name, f in rolling_machines.FAMILIES.items()},
+        **{name: lambda seed, f=f: loads(f(random.Random(seed), 0.0)) for name, (f, _) in repeating.FAMILIES.items()},
+    }
 EACH = max(2, int(os.environ.get("GRAPHKIN_RANDOM", "0")) // len(FAMILIES))
 MOVED = os.environ.get("GRAPHKIN_MOVED", "")
 

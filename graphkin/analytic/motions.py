@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,6 +16,8 @@ from graphkin.analytic.rules import driven
 from graphkin.analytic.singular import SingularPosition
 from graphkin.analytic.vectors import Complex, Real
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.motions import Motions
+from graphkin.value import frozen
 
 __all__ = ["Motion", "conditioning", "motion"]
 
@@ -27,54 +28,25 @@ A position is known to rounding / condition there, a velocity to rounding / cond
 """
 
 
-@dataclass(frozen=True)
-class Motion:
-    """What moves how. Every value has the shape of the driver values: () for one position.
+@frozen
+class Motion(Motions):
+    """The motions by the analysis. Every value has the shape of the driver values: () for one position.
 
-    values                            each driver's value, in their order [rad or m]
-    theta, omega, alpha               by link, the frame included [rad, rad/s, rad/s^2]; theta on any branch
-    s, s_rate, s_acceleration         by slide, and by roll on a line (of the centre) [m, m/s, m/s^2]
-    position, velocity, acceleration  by point, complex [m, m/s, m/s^2]
-    condition                         reciprocal condition number, 0 at a dead point
-    idle                              links whose rotation nothing shows: it is given as 0
+    values                  each driver's value, in their order [rad or m]
+    theta, omega, alpha     the frame's, too; theta on any branch
+    velocity, acceleration  by point, complex [m/s, m/s^2]
+    condition               reciprocal condition number, 0 at a dead point
+    idle                    links whose rotation nothing shows: it is given as 0
 
     nan where the drivers' values cannot be reached by moving on from the drawn position; velocities and
     accelerations are nan at a dead point, too.
     """
 
-    mechanism: Mechanism
     values: tuple[Real, ...]
-    theta: Mapping[str, Real]
-    omega: Mapping[str, Real]
-    alpha: Mapping[str, Real]
-    s: Mapping[str, Real]
-    s_rate: Mapping[str, Real]
-    s_acceleration: Mapping[str, Real]
-    position: Mapping[str, Complex]
     velocity: Mapping[str, Complex]
     acceleration: Mapping[str, Complex]
     condition: Real
     idle: tuple[str, ...]
-
-    def velocity_at(self, point: str, link: str) -> Complex:
-        """Velocity of the point of `link` that lies under `point` at this instant [m/s]."""
-        base, arm = self._arm(point, link)
-        return np.asarray(self._of(self.velocity, base) + 1j * self.omega[link] * arm)[()]
-
-    def acceleration_at(self, point: str, link: str) -> Complex:
-        """Acceleration of the point of `link` that lies under `point` at this instant [m/s^2]."""
-        base, arm = self._arm(point, link)
-        turning = 1j * self.alpha[link] - self.omega[link] ** 2
-        return np.asarray(self._of(self.acceleration, base) + turning * arm)[()]
-
-    def _arm(self, point: str, link: str) -> tuple[str | None, Complex]:
-        """A point of the link (None for a frame without any), and the vector from it to `point`."""
-        base = next(iter(self.mechanism.links[link].points), None)
-        return base, self.position[point] - (self.position[base] if base is not None else 0)
-
-    @staticmethod
-    def _of(values: Mapping[str, Complex], base: str | None) -> Complex | complex:
-        return 0j if base is None else values[base]
 
 
 def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> Motion:
@@ -164,20 +136,16 @@ def _motion(mechanism: Mechanism, closure: Closure, values: tuple[Real, ...], q:
     arrows = vectors.at(q), vectors.rate(*three[:2]), vectors.acceleration(*three)
     position, velocity, acceleration = (_places(loops, part) for part in arrows)
     return Motion(
-        mechanism,
-        values,
-        theta,
-        omega,
-        alpha,
-        s,
-        s_rate,
-        s_acceleration,
-        position,
-        velocity,
-        acceleration,
-        condition=found.condition[()],
-        idle=idle(mechanism, loops),
-    )
+        mechanism, theta, omega, alpha, s, s_rate, s_acceleration, position,
+        _by_link(mechanism, velocity), _by_link(mechanism, acceleration), values, velocity, acceleration,
+        found.condition[()], idle(mechanism, loops),
+    )  # fmt: skip
+
+
+def _by_link(mechanism: Mechanism, values: Mapping[str, Complex]) -> dict[str, dict[str, Complex]]:
+    """Of each link its first point; others are read as its image, so that this, too, is held against the loops."""
+    firsts = {link: next(iter(mechanism.links[link].points)) for link in mechanism.moving}
+    return {link: {point: values[point]} for link, point in firsts.items()}
 
 
 def _named(loops: Loops, values: Real, kind: str, names: Collection[str]) -> dict[str, Real]:

@@ -16,14 +16,15 @@ from functools import cached_property
 
 import numpy as np
 
+from graphkin.centres.beneath import STILL
 from graphkin.centres.found import Centres
 from graphkin.construction import Plot, replay
-from graphkin.construction.centring import INFINITE, STILL, axes_of
+from graphkin.drafting import INFINITE
 from graphkin.errors import UnknownLink, UnknownPoint, Where
 from graphkin.errors.centring import FrameStands
 from graphkin.geometry import cross, dot
 from graphkin.mechanism import FRAME
-from graphkin.readings import Readings
+from graphkin.readings import readings
 from graphkin.value import frozen
 
 __all__ = ["INFINITY", "About", "Carried", "Circle", "Line", "about", "euler_savary", "link_of"]
@@ -95,7 +96,7 @@ class About:
     @cached_property
     def size(self) -> float:
         """The mechanism's size [m]."""
-        return axes_of(self.plot)[1]
+        return self.found.board.size
 
     # --- the poles ----------------------------------------------------------------------------
 
@@ -195,16 +196,16 @@ class About:
     @cached_property
     def points(self) -> Mapping[str, Carried]:
         """The points asked for, as points of the link."""
-        readings = Readings(self.found.method, self.plot)
+        motions = readings(self.found.method, self.plot)
         found: dict[str, Carried] = {}
         for name in self.names:
-            velocity, acceleration = readings.velocity_at(name, self.link), readings.acceleration_at(name, self.link)
+            velocity, acceleration = motions.velocity_at(name, self.link), motions.acceleration_at(name, self.link)
             found[name] = self._moved(complex(self.plot.position[name]), complex(velocity), complex(acceleration))
         return found
 
     def _moved(self, place: complex, velocity: complex, acceleration: complex) -> Carried:
         speed = abs(velocity)
-        if speed <= STILL * _pace(self.plot) * self.size:
+        if speed <= STILL * _pace(self.found, self.plot) * self.size:
             return Carried(place, velocity, acceleration, place if self.diameter else NOWHERE)
         curvature = float(cross(velocity, acceleration)) / speed**3
         if abs(curvature) * self.size <= INFINITE:
@@ -272,9 +273,9 @@ def _accelerated(found: Centres) -> Plot:
 
 def _motion(found: Centres, plot: Plot, link: str, point: str) -> tuple[complex, complex, float, float]:
     """Velocity and acceleration of a point of the link, omega and alpha; what is 0 but for rounding as 0."""
-    readings, size, pace = Readings(found.method, plot), axes_of(plot)[1], _pace(plot)
-    velocity, omega = complex(readings.velocity_at(point, link)), float(plot.omega[link])
-    acceleration, alpha = complex(readings.acceleration_at(point, link)), float(plot.alpha[link])
+    motions, size, pace = readings(found.method, plot), found.board.size, _pace(found, plot)
+    velocity, omega = complex(motions.velocity_at(point, link)), float(plot.omega[link])
+    acceleration, alpha = complex(motions.acceleration_at(point, link)), float(plot.alpha[link])
     if abs(omega) <= STILL * pace:
         omega = 0.0
         velocity = velocity if abs(velocity) > STILL * pace * size else 0j
@@ -282,8 +283,8 @@ def _motion(found: Centres, plot: Plot, link: str, point: str) -> tuple[complex,
     return velocity, acceleration, omega, alpha if abs(alpha) > STILL * change else 0.0
 
 
-def _pace(plot: Plot) -> float:
+def _pace(found: Centres, plot: Plot) -> float:
     """The fastest motion [rad/s], slides counted by the mechanism's size."""
     turning = [abs(float(value)) for value in plot.omega.values()]
-    sliding = [abs(complex(value)) / axes_of(plot)[1] for value in plot.velocity.values()]
+    sliding = [abs(complex(value)) / found.board.size for value in plot.velocity.values()]
     return float(np.max([*turning, *sliding, 1e-300]))

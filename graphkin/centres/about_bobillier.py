@@ -2,63 +2,30 @@
 
 The pole tangent makes with one ray of the pole the angle that the other ray makes with the collineation axis. So the
 axis of two other points is the known one turned as their rays are turned: an angle is carried over, and lines cross.
-Points and lines are homogeneous, so a guided point whose centre lies at infinity (a slider) is no exception.
+A guided point whose centre lies at infinity (a slider) is no exception.
 Source: theory of machines, Euler-Savary and Bobillier.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
+from functools import cached_property
 from itertools import permutations
-from typing import assert_never
 
 import numpy as np
 
 from graphkin.centres.about import About
-from graphkin.construction.centring import INFINITE, Far, Seat
-from graphkin.errors import Lang
+from graphkin.drafting import INFINITE, Board, Carried, Construction, Far, Meet, Pricked, Stage, Through, replay
 from graphkin.errors.centring import NoBobillier
-from graphkin.geometry import Value, cross
+from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.value import frozen
 
-__all__ = ["Bobillier", "Crossing", "Guided", "Through", "Turned", "bobillier", "guided", "replayed"]
+__all__ = ["Bobillier", "Guided", "bobillier", "guided"]
 
 CLEAR = 1e-3
 """The sine of the angle two rays of the pole must make at least."""
-
-
-@frozen
-class Through:
-    """A line through two points; a parallel, if one of them is at infinity."""
-
-    name: str
-    first: str
-    second: str
-
-
-@frozen
-class Crossing:
-    """The point on two lines."""
-
-    name: str
-    first: str
-    second: str
-
-
-@frozen
-class Turned:
-    """The line through a point that makes with `line` the angle which `end` makes with `start`."""
-
-    name: str
-    about: str
-    line: str
-    start: str
-    end: str
-
-
-Step = Through | Crossing | Turned
 
 
 @frozen
@@ -80,63 +47,28 @@ class Guided:
 
 @frozen
 class Bobillier:
-    """The steps, what they start from (points, homogeneous [m]), and the letters of what they give.
+    """The construction, and the letters of what it gives.
 
+    guides   the two points it starts from
     point, answer  the point and its centre of curvature; pole, crossings: the letters of P, and of Q and the second Q
     """
 
-    steps: tuple[Step, ...]
-    known: Mapping[str, tuple[float, float, float]]
+    construction: Construction
     guides: tuple[Guided, Guided]
     point: str
     pole: str
     crossings: tuple[str, str]
     answer: str
 
-    @property
-    def drawn(self) -> dict[str, np.ndarray]:
+    @cached_property
+    def board(self) -> Board:
         """Every point and line."""
-        return replayed(self.steps, self.known)
+        return replay(self.construction)
 
     @property
     def centre(self) -> complex:
         """The centre of curvature [m]; infinite where the path is straight."""
-        x, y, w = self.drawn[self.answer]
-        far = abs(w) <= INFINITE * np.hypot(x, y)
-        return complex(np.inf) if far else complex(x, y) / float(w)
-
-    def words(self, lang: Lang) -> list[str]:
-        """A sentence each step."""
-        from graphkin.centres.about_words import bobillier_words
-
-        return bobillier_words(self, lang)
-
-
-def replayed(steps: tuple[Step, ...], known: Mapping[str, Value]) -> dict[str, np.ndarray]:
-    """What the pencil does, on points (3,); every point and line of length 1."""
-    found = {name: _balanced(np.asarray(value, dtype=float)) for name, value in known.items()}
-    for step in steps:
-        match step:
-            case Through(name, first, second) | Crossing(name, first, second):
-                found[name] = _balanced(np.cross(found[first], found[second]))
-            case Turned(name, about, line, start, end):
-                turn = _direction(found[end]) / _direction(found[start])
-                along = _direction(found[line]) * turn
-                found[name] = _balanced(np.cross(found[about], [along.real, along.imag, 0.0]))
-            case _:
-                assert_never(step)
-    return found
-
-
-def _balanced(found: np.ndarray) -> np.ndarray:
-    length = np.linalg.norm(found)
-    return found / length if length > 0 else np.full(3, np.nan)
-
-
-def _direction(line: np.ndarray) -> complex:
-    """Along a line (unit vector)."""
-    along = complex(-line[1], line[0])
-    return along / abs(along)
+        return complex(self.board.at(self.answer))
 
 
 # --- which points are guided ------------------------------------------------------------------
@@ -164,16 +96,16 @@ def _led(seen: About) -> Iterator[Guided]:
 def _leads(seen: About) -> Iterator[tuple[str, str, tuple[float, float, float]]]:
     """Links that turn about a fixed point, or slide along a fixed line: link, the centre's letter, the centre."""
     plot, centring = seen.plot, seen.found.centring
-    for step in centring.steps:
-        links = centring.links[step.centre]
+    for stage in centring.stages:
+        step, links = stage.last, centring.links[stage.last.name]
         if FRAME not in links:
             continue
         link = next(name for name in links if name != FRAME)
-        if isinstance(step, Seat) and step.contact is None and step.point in plot.position:
+        if isinstance(step, Pricked) and stage.say == "hinge" and step.point in plot.position:
             pivot = complex(plot.position[step.point])
             yield link, step.point, (pivot.real, pivot.imag, 1.0)
         elif isinstance(step, Far):
-            across = 1j * complex(plot.guide_direction(step.slide))
+            across = 1j * complex(plot.guide_direction(step.line))
             yield link, "", (across.real, across.imag, 0.0)
 
 
@@ -211,8 +143,8 @@ def bobillier(seen: About, point: str | complex) -> Bobillier:
     known = {entry.point: _finite(entry.place) for entry in (first, second)} | {letter: _finite(place)}
     known |= {first.written: first.centre, second.written: second.centre}
     pole, q, qc, answer = (letters.free(name) for name in ("P", "Q", f"Q{letter}", f"K{letter}"))
-    steps = tuple(_steps(first, second, letter, pole, (q, qc), answer))
-    return Bobillier(steps, known, (first, second), letter, pole, (q, qc), answer)
+    stages = tuple(_stages(first, second, letter, pole, (q, qc), answer))
+    return Bobillier(Construction({}, stages, known), (first, second), letter, pole, (q, qc), answer)
 
 
 @frozen
@@ -273,21 +205,15 @@ def _ray(entry: Guided) -> complex:
     return along / abs(along)
 
 
-def _steps(
+def _stages(
     first: Guided, second: Guided, c: str, pole: str, crossings: tuple[str, str], answer: str
-) -> Iterator[Step]:
+) -> Iterator[Stage]:
     a, b, a0, b0 = first.point, second.point, first.written, second.written
     q, qc = crossings
-    yield Through("ray a", a, a0)
-    yield Through("ray b", b, b0)
-    yield Crossing(pole, "ray a", "ray b")
-    yield Through("line ab", a, b)
-    yield Through("line a0b0", a0, b0)
-    yield Crossing(q, "line ab", "line a0b0")
-    yield Through("axis", pole, q)
-    yield Through("ray c", pole, c)
-    yield Turned("axis c", pole, "axis", "ray b", "ray c")
-    yield Through("line ac", a, c)
-    yield Crossing(qc, "line ac", "axis c")
-    yield Through("line a0qc", a0, qc)
-    yield Crossing(answer, "line a0qc", "ray c")
+    yield Stage("P", (Through("ray a", a, a0), Through("ray b", b, b0), Meet(pole, "ray a", "ray b")))
+    yield Stage("Q", (Through("line ab", a, b), Through("line a0b0", a0, b0), Meet(q, "line ab", "line a0b0")))
+    yield Stage("axis", (Through("axis", pole, q),))
+    yield Stage("ray c", (Through("ray c", pole, c),))
+    yield Stage("axis c", (Carried("axis c", pole, "axis", "ray b", "ray c"),))
+    yield Stage("Qc", (Through("line ac", a, c), Meet(qc, "line ac", "axis c")))
+    yield Stage("K", (Through("line a0qc", a0, qc), Meet(answer, "line a0qc", "ray c")))

@@ -10,82 +10,91 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.centres.beneath import board_over, from_velocities, pole_name
 from graphkin.centres.found import Centres
 from graphkin.construction import Plot, replay
-from graphkin.construction.centring import STILL, Kennedy, Pole, axes_of, take
+from graphkin.drafting import Board, draw
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
-from graphkin.readings import Readings
-from graphkin.running.path import Path, along
+from graphkin.motions import Motions
+from graphkin.readings import readings
+from graphkin.running.path import Path, along, stride
 
-__all__ = ["at_many", "carried_to", "over"]
+__all__ = ["carried_to", "over"]
 
 LEAN = 0.02
 """Two lines that are less than this far from being one do not tell where they meet."""
+BESIDE = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])
+ASIDE_DEG, ASIDE_PART = 0.05, 0.001
+"""Neighbours of a change point, and how far apart they stand [deg, of the mechanism's size]."""
 
 
 def over(found: Centres, path: Path, t: np.ndarray) -> Centres:
-    """The same centres at other positions t (n,) on a way."""
-    return Centres(found.method, found.centring, at_many(found, path, t))
+    """The same centres at other positions t (n,) on a way.
 
-
-def at_many(found: Centres, path: Path, t: np.ndarray) -> Plot:
-    """A plot of the positions t (n,) on the way, with velocities along it and all centres.
-
-    Drivers move as the way goes, whatever their speeds are: with several of them the centres hang on that.
+    Drivers move as the way goes, whatever their speeds are: with several of them the centres hang on that. At a change
+    point velocities are 0/0 on paper: there the centres are what those beside it lead to.
     """
-    method = found.method
+    there = _drawn(found, path, t)
+    for change in path.changes:
+        aside = _aside(found, path, change.at)
+        rows = np.flatnonzero(np.abs(t - change.at) < aside * (1 - 1e-9))
+        if rows.size:
+            beside = _drawn(found, path, change.at + aside * BESIDE).board
+            for name in (found.name(*links) for links in found.pairs):
+                if name in beside.points:
+                    _led_to(there.board, beside, name, rows, (t[rows] - change.at) / aside, t.size)
+    return there
+
+
+def _aside(found: Centres, path: Path, centre: float) -> float:
+    """How far from a change point the neighbours stand, which no other change point or stop is near."""
+    others = [abs(event.at - centre) for event in (*path.changes, *path.stops) if event.at != centre]
+    return min(stride(found.method, path.pace, ASIDE_DEG, ASIDE_PART), min(others, default=np.inf) / 10)
+
+
+def _led_to(board: Board, beside: Board, name: str, rows: np.ndarray, x: np.ndarray, count: int) -> None:
+    """Put one centre in at rows x asides from a change point (m,), from its neighbours (Lagrange)."""
+    near = np.broadcast_to(beside.points[name].reshape(3, -1), (3, BESIDE.size))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        near = near / np.linalg.norm(near, axis=0)
+        near = near * np.where(np.sum(near * near[:, :1], axis=0) < 0, -1.0, 1.0)
+    weights = [np.prod([(x - other) / (node - other) for other in BESIDE if other != node], axis=0) for node in BESIDE]
+    seen = np.array(np.broadcast_to(board.points[name].reshape(3, -1), (3, count)))
+    seen[:, rows] = near @ np.array(weights)
+    board.points[name] = seen
+
+
+def _drawn(found: Centres, path: Path, t: np.ndarray) -> Centres:
+    method, centring = found.method, found.centring
     plot = along(method, path, t)
-    plot = replace(plot, facts=replace(plot.facts, rates=path.pace), centres={}, lean={})
+    plot = replace(plot, facts=replace(plot.facts, rates=path.pace))
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         replay(method.velocity, plot)
-        readings = Readings(method, plot)
-        for step in found.centring.steps:
-            if isinstance(step, Pole):  # by each position's own pace: one that is broken must not spoil the others
-                plot.centres[step.centre] = _from_velocities(readings, *found.centring.links[step.centre])
-                continue
-            take(step, plot)
-            if isinstance(step, Kennedy):
-                _mend(readings, step.centre, found.centring.links[step.centre])
-        for links in found.centring.together:
-            plot.centres[found.name(*links)] = _from_velocities(readings, *links)
-    return plot
+        board, motions = board_over(method, plot), readings(method, plot)
+        for stage in centring.stages:
+            links = centring.links[stage.last.name]
+            if stage.say == "velocities":
+                board.beneath.points[pole_name(*links)] = from_velocities(board, motions, *links)
+            draw(stage, board)
+            if stage.last.name in board.lean:
+                _mend(board, motions, stage.last.name, links)
+        for links in centring.together:
+            board.points[found.name(*links)] = from_velocities(board, motions, *links)
+    return Centres(method, centring, plot, board)
 
 
-def _mend(readings: Readings, centre: str, links: tuple[str, str]) -> None:
+def _mend(board: Board, motions: Motions, centre: str, links: tuple[str, str]) -> None:
     """Where its two lines are nearly one, the centre from velocities."""
-    plot = readings.plot
-    with np.errstate(invalid="ignore"):
-        doubtful = ~(plot.lean[centre] > LEAN)
+    doubtful = ~(board.lean[centre] > LEAN)
     if np.any(doubtful):
-        other, known = (place.reshape(3, -1) for place in (_from_velocities(readings, *links), plot.centres[centre]))
+        places = from_velocities(board, motions, *links), board.points[centre]
+        other, known = (place.reshape(3, -1) for place in places)
         better = doubtful & np.isfinite(other).all(axis=0)
-        plot.centres[centre] = np.where(better, other, known)
+        board.points[centre] = np.where(better, other, known)
 
 
-def _from_velocities(readings: Readings, first: str, second: str) -> Value:
-    """Where two links have one velocity, homogeneous; NaN where they do not move against each other."""
-    (one, turn), (other, turned) = (_motion(readings, link) for link in (first, second))
-    moving, turning = one - other, turn - turned
-    pace = np.max(np.broadcast_arrays(*(np.abs(value) for value in readings.plot.omega.values())), axis=0)
-    turning = np.where(np.abs(turning) <= STILL * pace, 0.0, turning)
-    across = 1j * np.where((np.abs(moving) <= STILL * pace) & (turning == 0), 0.0, moving)
-    found = np.array(np.broadcast_arrays(np.real(across), np.imag(across), turning))
-    return found / np.linalg.norm(found, axis=0)
-
-
-def _motion(readings: Readings, link: str) -> tuple[Value, Value]:
-    """Velocity of the link's place at the origin of coordinates, in units of size, and its rotation."""
-    if link == FRAME:
-        return 0j, 0.0
-    plot = readings.plot
-    origin, size = axes_of(plot)
-    point = next(name for name in readings.method.mechanism.links[link].points if name in plot.position)
-    omega = plot.omega[link]
-    return (readings.velocity_at(point, link) + 1j * omega * (origin - plot.position[point])) / size, omega
-
-
-def carried_to(found: Centres, plot: Plot, link: str) -> tuple[Value, Value]:
+def carried_to(plot: Plot, link: str) -> tuple[Value, Value]:
     """Where a link's axes stand: (origin [m], unit vector of its x axis)."""
     if link == FRAME:
         return 0j, 1.0

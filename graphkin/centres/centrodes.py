@@ -11,15 +11,15 @@ from typing import Protocol
 import numpy as np
 
 from graphkin.centres.about import link_of
-from graphkin.centres.centrode_places import at_many, carried_to
+from graphkin.centres.centrode_places import carried_to, over
 from graphkin.centres.centrode_sampling import Piece, Sample, arc_length, joined, pieces
-from graphkin.centres.found import Centres, centre_of
-from graphkin.construction.centring import axes_of
+from graphkin.centres.found import Centres
 from graphkin.errors import Where
 from graphkin.errors.centring import NoCentrode, UnknownCentre
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
-from graphkin.running.path import Path
+from graphkin.quantities import centre_of
+from graphkin.running.path import Path, along
 from graphkin.value import frozen
 
 __all__ = ["Centrodes", "Coursed", "Piece", "arc_length", "centrodes", "path", "whole"]
@@ -79,14 +79,14 @@ class Centrodes:
     @cached_property
     def is_point(self) -> bool:
         """Whether the centre stays at one place of each link, as on a hinge."""
-        small = CLOSE * axes_of(self.found.plot)[1]
+        small = CLOSE * self.found.board.size
         places = np.concatenate([piece.places for piece in self.pieces], axis=1)
         return bool(np.all(np.abs(places - places[:, :1]) <= small))
 
     def standing(self, link: str, t: Value) -> tuple[Value, Value]:
         """Where a link's axes stand at t, scalar or (n,): origin [m] and unit vector of the x axis."""
-        plot = at_many(self.found, self.path, np.atleast_1d(np.asarray(t, dtype=float)))
-        origin, turn = carried_to(self.found, plot, link)
+        plot = along(self.found.method, self.path, np.atleast_1d(np.asarray(t, dtype=float)))
+        origin, turn = carried_to(plot, link)
         shape = np.shape(t)
         count = np.atleast_1d(t).shape
         return np.broadcast_to(origin, count).reshape(shape)[()], np.broadcast_to(turn, count).reshape(shape)[()]
@@ -142,16 +142,16 @@ def _traced(
     found: Centres, first: str, second: str, axes: tuple[str, ...], course: Coursed, span: tuple[float, float] | None
 ) -> Centrodes:
     low, high = _inside(course, span)
-    name, (origin, size) = found.name(first, second), axes_of(found.plot)
+    name, origin, size = found.name(first, second), found.board.origin, found.board.size
 
     def at(t: np.ndarray) -> Sample:
-        plot = at_many(found, course.path, t)
-        seen = np.broadcast_to(plot.centres.get(name, np.full((3, 1), np.nan)).reshape(3, -1), (3, t.size))
+        there = over(found, course.path, t)
+        seen = np.broadcast_to(there.board.points.get(name, np.full((3, 1), np.nan)).reshape(3, -1), (3, t.size))
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            there = origin + size * (seen[0] + 1j * seen[1]) / seen[2]
-            stand = [carried_to(found, plot, link) for link in axes]
-            places = [(there - foot) / turn for foot, turn in stand]
-        return Sample(t, np.array(places), seen)
+            places = origin + size * (seen[0] + 1j * seen[1]) / seen[2]
+            stand = [carried_to(there.plot, link) for link in axes]
+            curves = [(places - foot) / turn for foot, turn in stand]
+        return Sample(t, np.array(curves), seen)
 
     parts = pieces(at, low, high, size, FAR * size) if first != second else []
     if not parts:

@@ -2,28 +2,29 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Iterator
 
 import numpy as np
 
+from graphkin.centres.search import Centring, centre_name, search
 from graphkin.construction import Plot
-from graphkin.construction.centring import Centring, direction_of, place_of
+from graphkin.drafting import Board
 from graphkin.geometry import Value
-from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
-from graphkin.planning.centres import centre_name, with_centres
 from graphkin.value import frozen
 
-__all__ = ["Centres", "centre_of", "centres"]
+__all__ = ["Centres", "centres"]
 
 
 @frozen
 class Centres:
-    """Instant centres: how they are found, and a plot that holds them."""
+    """Instant centres: how they are found, the plot they are found over, and the board that holds them."""
 
     method: Method
     centring: Centring
     plot: Plot
+    board: Board
 
     @property
     def names(self) -> list[str]:
@@ -48,28 +49,23 @@ class Centres:
 
     def place(self, first: str, second: str) -> Value:
         """Where the centre of two links is [m]; infinite at infinity, NaN where they do not move against each other."""
-        name = self.name(first, second)
-        return place_of(self.plot, name) if name in self.plot.centres else complex(np.nan, np.nan)
+        return complex(np.nan, np.nan) if self.together(first, second) else self.board.at(self.name(first, second))
+
+    def finite(self, first: str, second: str) -> complex | None:
+        """The same; None at infinity, and where there is none."""
+        place = complex(self.place(first, second))
+        return place if cmath.isfinite(place) else None
+
+    def together(self, first: str, second: str) -> bool:
+        """Whether two links do not move against each other, and so have no centre."""
+        return self.name(first, second) not in self.board.points
 
     def direction(self, first: str, second: str) -> Value:
         """Where a centre at infinity lies [rad]."""
-        return direction_of(self.plot, self.name(first, second))
+        return self.board.direction(self.name(first, second))
 
 
 def centres(method: Method, plot: Plot) -> Centres:
     """The instant centres at the position of a plot in which all three planes are drawn."""
-    return Centres(method, *with_centres(method, plot))
-
-
-def centre_of(mechanism: Mechanism, text: str) -> tuple[str, str] | None:
-    """The two links that `P13`, `P31` or `P1,3'` means; None for a text that means none."""
-    body = text.strip()
-    if not body.startswith("P"):
-        return None
-    called = {mechanism.called(link): link for link in mechanism.links}
-    first, comma, second = body[1:].partition(",")
-    cuts = [(first, second)] if comma else [(body[1:k], body[k:]) for k in range(2, len(body))]
-    for one, other in cuts:
-        if one.strip() in called and other.strip() in called and one.strip() != other.strip():
-            return called[one.strip()], called[other.strip()]
-    return None
+    centring, plot, board = search(method, plot)
+    return Centres(method, centring, plot, board)

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from graphkin.centres.found import Centres
+from graphkin.centres.search import Centring
 from graphkin.centres.uses import ByCentres, advantages
-from graphkin.construction import Ray
-from graphkin.construction.centring import CentreStep, Far, Join, Kennedy, Pole, Seat
+from graphkin.drafting import LineStep, Stage, drawn_through
 from graphkin.errors import Lang
 
 __all__ = ["advantage_lines", "as_json", "found_by", "place", "rows", "told"]
@@ -25,13 +25,13 @@ def as_json(found: Centres) -> Json:
     centres that it joins, or ["normal"]. Links that do not move against each other have "by": "together" and no place.
     """
     mechanism = found.method.mechanism
-    steps = {step.centre: step for step in found.centring.steps}
+    stages = {stage.last.name: stage for stage in found.centring.stages}
     centres: dict[str, Json] = {}
     for first, second in found.pairs:
         name = found.name(first, second)
         entry: Json = {"links": [mechanism.called(first), mechanism.called(second)]}
-        if name in steps:
-            entry |= place(found, first, second) | {"by": found_by(steps[name])}
+        if name in stages:
+            entry |= place(found, first, second) | {"by": found_by(found.centring, stages[name])}
         else:
             entry |= {"by": "together"}
         centres[name] = entry
@@ -40,7 +40,7 @@ def as_json(found: Centres) -> Json:
 
 def place(found: Centres, first: str, second: str) -> Json:
     """`at` [m], `direction` [rad] for a centre at infinity, nothing where there is none."""
-    if found.name(first, second) not in found.plot.centres:
+    if found.together(first, second):
         return {}
     at = complex(found.place(first, second))
     if np.isfinite(at):
@@ -48,21 +48,13 @@ def place(found: Centres, first: str, second: str) -> Json:
     return {"direction": float(found.direction(first, second)) + 0.0}
 
 
-def found_by(step: CentreStep) -> str | list[list[str]]:
+def found_by(centring: Centring, stage: Stage) -> str | list[list[str]]:
     """A rule's name, or the two lines on which a centre lies."""
-    match step:
-        case Seat(_, _, contact):
-            return "hinge" if contact is None else "contact"
-        case Far():
-            return "slide"
-        case Kennedy(_, first, second):
-            return [_line(first), _line(second)]
-        case Pole():
-            return "velocities"
+    return [_line(centring, line) for line in stage.lines] if stage.say == "two lines" else stage.say
 
 
-def _line(line: Join | Ray) -> list[str]:
-    return [line.first, line.second] if isinstance(line, Join) else ["normal"]
+def _line(centring: Centring, line: LineStep) -> list[str]:
+    return ["normal"] if line.name in centring.normals else [*drawn_through(line)]
 
 
 WORDS: dict[str, dict[Lang, str]] = {

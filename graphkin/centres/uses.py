@@ -13,12 +13,12 @@ from functools import cached_property
 import numpy as np
 
 from graphkin.centres.found import Centres
-from graphkin.construction.centring import axes_of
-from graphkin.geometry import Value, cross, dot
+from graphkin.geometry import Value, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.value import frozen
+from graphkin.motions import Motions
+from graphkin.value import Lazy, frozen
 
-__all__ = ["ByCentres", "advantages"]
+__all__ = ["ByCentres", "advantages", "driven_point"]
 
 
 @frozen
@@ -49,39 +49,29 @@ class ByCentres:
     def _driven(self, driver: Driver) -> dict[str, Value]:
         """The driven link, and the link it is driven from where that one moves."""
         if driver.kind == "slide":
-            return self._slid(driver)
-        link, other = driver.link, driver.from_link
-        centre = self._at(link, other)
-        relative = driver.rate * centre / centre[2]
-        if other == FRAME:
-            return {link: relative}
+            link, other, relative = self._slid(driver)
+        else:
+            link, other = driver.link, driver.from_link
+            centre = self._at(link, other)
+            relative = driver.rate * centre / centre[2]
+        if FRAME in (link, other):
+            return {link: relative} if other == FRAME else {other: -relative}
         own = self._at(FRAME, link)
         weighted = _share(relative, own, self._at(FRAME, other)) * own
         return {link: weighted, other: weighted - relative}
 
-    def _slid(self, driver: Driver) -> dict[str, Value]:
-        """A point driven along a guide: by how fast centres of weight 1 would move it, of its link and of the guide."""
-        slide = next((s for s in self.mechanism.slides if s.name == driver.link), None)
-        roll = next((r for r in self.mechanism.rolls if r.name == driver.link), None)
-        point = slide.point if slide is not None else roll.centre if roll is not None else ""
-        guide = slide.guide if slide is not None else roll.track if roll is not None else FRAME
-        link = (slide.block if slide is not None else None) or next(
-            name for name in self.mechanism.owners[point] if name != guide
-        )
+    def _slid(self, driver: Driver) -> tuple[str, str, Value]:
+        """A link with a point that is driven along a guide, the guide's link, and how they move against each other."""
+        point, link, guide = driven_point(self.mechanism, driver)
+        centre = self._at(link, guide)
+        pace = self._velocity(centre, point)
         wanted = driver.rate * self.found.plot.guide_direction(driver.link)
-        own = self._at(FRAME, link)
-        pace = self._velocity(own, point)
-        if guide == FRAME:
-            return {link: dot(pace, wanted) / np.abs(pace) ** 2 * own}
-        other = self._at(FRAME, guide)
-        carried = self._velocity(other, point)
-        both = cross(pace, carried)
-        return {link: cross(wanted, carried) / both * own, guide: cross(wanted, pace) / both * other}
+        return link, guide, dot(pace, wanted) / np.abs(pace) ** 2 * centre
 
     def _carried(self, known: Value, base: str, link: str) -> Value:
         """The motion of a link by its centre with a known one; that of a link without an absolute centre is none."""
         own = self._at(FRAME, link)
-        if self.found.name(FRAME, link) not in self.found.plot.centres:
+        if self.found.together(FRAME, link):
             return np.zeros_like(known)
         return _share(known, own, self._at(base, link)) * own
 
@@ -92,7 +82,7 @@ class ByCentres:
 
     def _at(self, first: str, second: str) -> Value:
         """A centre in homogeneous coordinates; NaN where there is none."""
-        return self.found.plot.centres.get(self.found.name(first, second), np.full(3, np.nan))
+        return self.found.board.points.get(self.found.name(first, second), np.full(3, np.nan))
 
     # --- read as motions ----------------------------------------------------------------------
 
@@ -101,19 +91,35 @@ class ByCentres:
         """By link [rad/s]."""
         return {link: motion[2] for link, motion in self._motions.items() if link != FRAME}
 
-    def velocity_at(self, point: str, link: str) -> Value:
-        """v_E = omega P1E, at right angles to P1E with the sense of omega [m/s]."""
-        return self._velocity(self._motions[link], point)
+    @cached_property
+    def motions(self) -> Motions:
+        """Places and velocities: v_E = omega P1E, at right angles to P1E with the sense of omega."""
+
+        def of_link(link: str) -> Mapping[str, Value]:
+            return Lazy(self.position, lambda point: self._velocity(self._motions[link], point))
+
+        velocities = Lazy(self.mechanism.moving, of_link)
+        return Motions(self.mechanism, {}, self.omega, {}, {}, {}, {}, self.position, velocities, {})
 
     def _velocity(self, motion: Value, point: str) -> Value:
         x, y, omega = motion
-        origin, size = axes_of(self.found.plot)
-        return 1j * (omega * (self.position[point] - origin) - size * (x + 1j * y))
+        board = self.found.board
+        return 1j * (omega * (self.position[point] - board.origin) - board.size * (x + 1j * y))
 
     def ratio(self, first: str, second: str) -> Value:
         """omega of the first link by that of the second, positive for one sense (3-6)."""
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.divide(self._motions[first][2], self._motions[second][2])
+
+
+def driven_point(mechanism: Mechanism, driver: Driver) -> tuple[str, str, str]:
+    """The point that a driver slides, the link it is driven with, and the link that carries its way."""
+    for slide in mechanism.slides:
+        if slide.name == driver.link:
+            owners = (name for name in mechanism.owners[slide.point] if name != slide.guide)
+            return slide.point, slide.block or next(owners), slide.guide
+    roll = next(roll for roll in mechanism.rolls if roll.name == driver.link)
+    return roll.centre, roll.wheel, roll.track
 
 
 def advantages(by: ByCentres) -> dict[str, float]:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 from typing import Literal
 
-from graphkin.errors import GraphkinError, Lang, Where
+from graphkin.errors import GraphkinError, Where
 from graphkin.errors.centring import BadVelocities, NotOneBody, OnePlace
 from graphkin.geometry import cross, dot
 from graphkin.loading.units import read_quantity
@@ -52,31 +52,15 @@ class TwoVelocities:
         half = cmath.pi / 2
         return angle - cmath.pi if angle > half else angle + cmath.pi if angle <= -half else angle
 
-    def words(self, lang: Lang) -> list[str]:
-        """What is drawn, and what is found, a sentence each."""
-        (first, second), sense = self.names, "ccw" if self.omega > 0 else "cw"
-        still, other = (first, second) if abs(self.velocities[0]) < abs(self.velocities[1]) else (second, first)
-        known = {
-            "a": first, "b": second, "still": still, "other": other, "x": 1e3 * self.place.real,
-            "y": 1e3 * self.place.imag, "omega": abs(self.omega), "sense": SENSES[sense][lang],
-            "at": (self.direction or 0.0) * 180 / cmath.pi,
-        }  # fmt: skip
-        along = cmath.phase(self.points[1] - self.points[0])
-        component = (self.velocities[0] * cmath.rect(1, -along)).real
-        component = component if abs(component) > 1e-12 * abs(self._fast[1]) else 0.0
-        found = [WORDS["rigid"][lang].format(**known, component=component), WORDS[self.case][lang].format(**known)]
-        if self.case in ("meet", "similar", "point"):
-            found.append(WORDS["omega"][lang].format(**known, v=abs(self._fast[1]), arm=1e3 * abs(self._arm)))
-        return found
-
     @property
-    def _fast(self) -> tuple[complex, complex]:
+    def fastest(self) -> tuple[complex, complex]:
         """The point with the greater velocity, and that."""
         return max(zip(self.points, self.velocities, strict=True), key=lambda entry: abs(entry[1]))
 
     @property
-    def _arm(self) -> complex:
-        return self._fast[0] - self.place
+    def arm(self) -> complex:
+        """From the pole to that point [m]."""
+        return self.fastest[0] - self.place
 
 
 def pole_of(
@@ -143,48 +127,3 @@ def _number(word: str) -> float | str:
         return float(word)
     except ValueError:
         return word
-
-
-SENSES: dict[str, dict[Lang, str]] = {
-    "ccw": {"en": "counter-clockwise", "zh": "逆时针"},
-    "cw": {"en": "clockwise", "zh": "顺时针"},
-}
-WORDS: dict[str, dict[Lang, str]] = {
-    "rigid": {
-        "en": "Along {a}{b} both velocities have the component {component:.4g} m/s: the points can belong to one "
-        "rigid body.",
-        "zh": "两点速度在 {a}{b} 连线上的投影相等，均为 {component:.4g} m/s，符合速度投影定理，属同一刚体。",
-    },
-    "meet": {
-        "en": "The velocities are not parallel. The line through {a} across v_{a} and the line through {b} across "
-        "v_{b} "
-        "meet at the instant centre P ({x:.4g}, {y:.4g}) mm.",
-        "zh": "两速度不平行：过 {a} 作 v_{a} 的垂线，过 {b} 作 v_{b} 的垂线，两垂线的交点即为瞬心 P ({x:.4g}, "
-        "{y:.4g}) mm。",
-    },
-    "infinity": {
-        "en": "The velocities are parallel and equal. The perpendiculars are parallel: the instant centre lies at "
-        "infinity, in "
-        "the direction {at:.4g}°; omega = 0, the body is in translation at this instant.",
-        "zh": "两速度平行且相等：两垂线互相平行，瞬心在无穷远处（方向 {at:.4g}°），ω = 0，刚体作瞬时平动。",
-    },
-    "similar": {
-        "en": "The velocities are parallel, across {a}{b}, and unequal. By similar triangles the line through the "
-        "tips of the "
-        "two velocity arrows meets the line {a}{b} at the instant centre P ({x:.4g}, {y:.4g}) mm.",
-        "zh": "两速度平行（均垂直于 {a}{b}）但不相等：由相似三角形，两速度矢端的连线与 {a}{b} 连线的交点即为瞬心 "
-        "P ({x:.4g}, {y:.4g}) mm。",
-    },
-    "point": {
-        "en": "The velocity of {still} is 0: {still} itself is the instant centre P ({x:.4g}, {y:.4g}) mm.",
-        "zh": "点 {still} 的速度为零，{still} 即为瞬心 P ({x:.4g}, {y:.4g}) mm。",
-    },
-    "rest": {
-        "en": "Both velocities are 0: the body stands still at this instant, and no instant centre is seen.",
-        "zh": "两点速度均为零：刚体此刻静止，看不出瞬心。",
-    },
-    "omega": {
-        "en": "omega = {v:.4g} m/s / {arm:.4g} mm = {omega:.4g} rad/s, {sense}.",
-        "zh": "ω = {v:.4g} m/s / {arm:.4g} mm = {omega:.4g} rad/s（{sense}）。",
-    },
-}

@@ -13,10 +13,10 @@ from dataclasses import replace
 from typing import Literal
 
 from graphkin.analytic import Motion, motion
-from graphkin.centres import centre_of
 from graphkin.check.drawing import DrawingFile
 from graphkin.errors import BadDrawing, Where
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.quantities import centre_of
 from graphkin.value import frozen
 
 __all__ = ["CENTRES", "Seen", "parted", "pole_of", "seen_arrows", "seen_centres", "ways_to_move"]

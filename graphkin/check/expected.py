@@ -53,7 +53,8 @@ def _site(text: str) -> Site | None:
 
 
 def _moving(exact: Widened, plane: Plane, site: Site) -> complex:
-    return exact.velocity(site) if plane == "velocity" else exact.acceleration(site)
+    at = exact.velocity_at if plane == "velocity" else exact.acceleration_at
+    return complex(at(site.point, site.link))
 
 
 def _part(exact: Widened, plane: Plane, part: str, of: Site, seen_from: Site | None) -> complex | None:
@@ -68,9 +69,9 @@ def _part(exact: Widened, plane: Plane, part: str, of: Site, seen_from: Site | N
         body = _common(exact, of, seen_from)
         if body is None:
             return None
-        omega, alpha = exact.turning(body)
-        return -(omega**2) * arm if part == "n" else 1j * alpha * arm
-    coriolis = 2j * exact.turning(seen_from.link)[0] * (exact.velocity(of) - exact.velocity(seen_from))
+        return -(_omega(exact, body) ** 2) * arm if part == "n" else 1j * _alpha(exact, body) * arm
+    slip = _moving(exact, "velocity", of) - _moving(exact, "velocity", seen_from)
+    coriolis = 2j * _omega(exact, seen_from.link) * slip
     if part in ("k", "r"):
         return coriolis if part == "k" else whole - coriolis
     return _turned(exact, part, of, seen_from)
@@ -87,13 +88,22 @@ def _common(exact: Widened, of: Site, seen_from: Site) -> str | None:
 
 def _turned(exact: Widened, part: str, of: Site, seen_from: Site) -> complex | None:
     """The turning of one link against another about their hinge."""
-    owners = exact.mechanism.owners
-    pivot = next((point for point in exact.mechanism.points if {of.link, seen_from.link} <= set(owners[point])), None)
+    others = exact.points_of(seen_from.link)
+    pivot = next((point for point in exact.points_of(of.link) if point in others), None)
     if pivot is None or part not in ("rn", "rt"):
         return None
-    (omega, alpha), (other, swing) = exact.turning(of.link), exact.turning(seen_from.link)
     arm = exact.place(of.point) - exact.place(pivot)
-    return -((omega - other) ** 2) * arm if part == "rn" else 1j * (alpha - swing) * arm
+    if part == "rn":
+        return -((_omega(exact, of.link) - _omega(exact, seen_from.link)) ** 2) * arm
+    return 1j * (_alpha(exact, of.link) - _alpha(exact, seen_from.link)) * arm
+
+
+def _omega(exact: Widened, body: str) -> float:
+    return float(exact.turning(body))
+
+
+def _alpha(exact: Widened, body: str) -> float:
+    return float(exact.swing(body))
 
 
 # --- names ------------------------------------------------------------------------------------

@@ -9,69 +9,40 @@ import numpy as np
 from graphkin.analytic import Motion
 from graphkin.check.drawing import DrawingFile
 from graphkin.construction import Across, AcrossGuide, Along, AlongGuide, Direction, Meet, Ray, Site, Touch
-from graphkin.geometry import meet_lines
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.geometry import Value, meet_lines
+from graphkin.mechanism import Mechanism
+from graphkin.motions import Motions
 from graphkin.pairs import Line
 from graphkin.planning import plan
-from graphkin.value import frozen
+from graphkin.value import Lazy, frozen
 
 __all__ = ["Widened", "added_point", "lines_of", "widened"]
 
 
 @frozen
-class Widened:
-    """The analytic solution at every site of a drawing.
+class Widened(Motions):
+    """The analytic solution at every site of a drawing; bodies that are no links move among the links.
 
     added   points that a construction adds, and where they lie [m]: special points, rolling contacts
     bodies  those that are no links: a pin in a slot turns with the slot (its point, the slot's link); two centres that
             profiles keep apart are joined by a bar of the equivalent (both points)
     """
 
-    mechanism: Mechanism
-    motion: Motion
     added: Mapping[str, complex]
     bodies: Mapping[str, tuple[str, str]]
 
     def place(self, point: str) -> complex:
-        return self.added[point] if point in self.added else complex(self.motion.position[point])
+        return complex(self.position[point])
 
     def knows(self, site: Site) -> bool:
-        bodies = {**self.mechanism.links, **self.bodies}
-        return site.link in bodies and (site.point in self.added or site.point in self.motion.position)
+        known = site.link in self.mechanism.links or site.link in self.bodies
+        return known and site.point in self.position
 
-    def velocity(self, site: Site) -> complex:
-        """Of the point of a body that lies there at this instant [m/s]."""
-        if site.link == FRAME:
-            return 0j
-        base = self._base(site.link)
-        return complex(self.motion.velocity[base]) + 1j * self.turning(site.link)[0] * self._arm(base, site.point)
-
-    def acceleration(self, site: Site) -> complex:
-        """[m/s^2]"""
-        if site.link == FRAME:
-            return 0j
-        base, (omega, alpha) = self._base(site.link), self.turning(site.link)
-        return complex(self.motion.acceleration[base]) + (1j * alpha - omega**2) * self._arm(base, site.point)
-
-    def turning(self, body: str) -> tuple[float, float]:
-        """Angular velocity and acceleration [rad/s, rad/s^2]."""
-        if body == FRAME:
-            return 0.0, 0.0
+    def points_of(self, body: str) -> tuple[str, ...]:
+        """Points that are a body's own; of a pin only the one that it is."""
         if body in self.mechanism.links:
-            return float(self.motion.omega[body]), float(self.motion.alpha[body])
-        point, other = self.bodies[body]
-        if body.startswith("pin "):
-            return self.turning(other)
-        arm = self._arm(point, other)
-        velocity, acceleration = self.motion.velocity, self.motion.acceleration
-        omega = float(((velocity[other] - velocity[point]) / arm).imag)
-        return omega, float(((acceleration[other] - acceleration[point]) / arm).imag)
-
-    def _base(self, body: str) -> str:
-        return self.bodies[body][0] if body in self.bodies else next(iter(self.mechanism.links[body].points))
-
-    def _arm(self, tail: str, head: str) -> complex:
-        return self.place(head) - self.place(tail)
+            return tuple(self.mechanism.links[body].points)
+        return self.bodies[body][:1] if body.startswith("pin ") else self.bodies[body]
 
 
 def _bodies(mechanism: Mechanism) -> dict[str, tuple[str, str]]:
@@ -91,7 +62,33 @@ def _bodies(mechanism: Mechanism) -> dict[str, tuple[str, str]]:
 
 def widened(mechanism: Mechanism, exact: Motion, drawing: DrawingFile) -> Widened:
     """The analytic solution, at every point of a drawing."""
-    return Widened(mechanism, exact, _added(mechanism, exact, drawing), _bodies(mechanism))
+    bodies, added = _bodies(mechanism), _added(mechanism, exact, drawing)
+    known = exact.velocities, exact.accelerations
+    velocities, accelerations = (
+        {**table, **{body: {point: vectors[point]} for body, (point, _) in bodies.items()}}
+        for table, vectors in zip(known, (exact.velocity, exact.acceleration), strict=True)
+    )
+    return Widened(
+        mechanism, exact.theta, _turning(exact, bodies, exact.omega, exact.velocity),
+        _turning(exact, bodies, exact.alpha, exact.acceleration), exact.s, exact.s_rate, exact.s_acceleration,
+        {**exact.position, **added}, velocities, accelerations, added, bodies,
+    )  # fmt: skip
+
+
+def _turning(
+    exact: Motion, bodies: Mapping[str, tuple[str, str]], links: Mapping[str, Value], vectors: Mapping[str, Value]
+) -> Mapping[str, Value]:
+    """Angular velocities or accelerations of links and bodies, by the links' or by the vectors of two points."""
+
+    def turning(body: str) -> Value:
+        if body in links:
+            return links[body]
+        point, other = bodies[body]
+        if body.startswith("pin "):
+            return links[other]
+        return np.imag((vectors[other] - vectors[point]) / (exact.position[other] - exact.position[point]))
+
+    return Lazy((*links, *bodies), turning)
 
 
 def _added(mechanism: Mechanism, exact: Motion, drawing: DrawingFile) -> Mapping[str, complex]:

@@ -123,6 +123,7 @@ class _Asked:
         from graphkin.centres.centrodes import centrodes, path, whole
 
         course = sweeps.course(found.method, self.ranges)
+        sweeps.held(course)
         span = None if self.ranges else whole(course)
         if self.centre:
             try:
@@ -171,7 +172,7 @@ def _about(asked: _Asked, found: Centres) -> Iterator[str]:
     from graphkin.centres.about import about
     from graphkin.centres.about_bobillier import bobillier
     from graphkin.centres.about_data import about_json
-    from graphkin.centres.about_words import about_words
+    from graphkin.words.centre_about import about_words, bobillier_words
 
     seen = about(found, asked.link)
     if asked.as_json:
@@ -180,7 +181,7 @@ def _about(asked: _Asked, found: Centres) -> Iterator[str]:
     yield from about_words(seen, asked.lang)
     if asked.point:
         yield ""
-        yield from bobillier(seen, _point(found, asked.point)).words(asked.lang)
+        yield from bobillier_words(bobillier(seen, _point(found, asked.point)), asked.lang)
 
 
 def _point(found: Centres, name: str) -> str:
@@ -192,9 +193,9 @@ def _point(found: Centres, name: str) -> str:
 
 def _of_two_velocities(asked: _Asked) -> None:
     from graphkin.centres.ways import from_text
+    from graphkin.words.centre_poles import pole_words
 
-    found = from_text(asked.velocities)
-    click.echo("\n".join(found.words(asked.lang)))
+    click.echo("\n".join(pole_words(from_text(asked.velocities), asked.lang)))
 
 
 # --- drawings ---------------------------------------------------------------------------------

@@ -38,7 +38,7 @@ def list_(kinds: bool, output: Path | None, force: bool, lang: Lang) -> None:
 
 
 def _kinds(output: Path | None, force: bool, lang: Lang) -> None:
-    from graphkin.linkages import family_lines
+    from graphkin.words.linkages import family_lines
 
     click.echo("\n".join(family_lines(lang)))
     if output is not None:
@@ -76,9 +76,10 @@ def structure(mechanism: str, lang: Lang) -> None:
     Example:
       graphkin structure p3-15
     """
-    from graphkin import api, assur
+    from graphkin import api
+    from graphkin.words.structure import structure_lines
 
-    for line in assur.structure_lines(api.plan(read(mechanism)), lang):
+    for line in structure_lines(api.plan(read(mechanism)), lang):
         click.echo(line)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,8 +17,6 @@ if TYPE_CHECKING:
 
 __all__ = ["linkage"]
 
-LENGTHS = {"fourbar": 4, "slider": 3, "guide": 3}
-"""How many lengths each kind of linkage has."""
 LEAST_PART = 1e-9
 """Beside the longest link, one shorter than this part of it is none."""
 
@@ -68,10 +67,11 @@ def linkage(
 
 def _of_lengths(given: dict[str, tuple[str, ...]], by: str, lang: Lang) -> Iterator[tuple[Report, list[str]]]:
     from graphkin import linkages
+    from graphkin.words.linkages import lines
 
     ((kind, sizes),) = given.items()
     report = linkages.report(linkages.from_lengths(kind, *_metres(kind, sizes), driver=by))
-    yield report, list(linkages.lines(report, lang))
+    yield report, list(lines(report, lang))
 
 
 def _metres(kind: str, sizes: tuple[str, ...]) -> list[float]:
@@ -90,23 +90,24 @@ def _metres(kind: str, sizes: tuple[str, ...]) -> list[float]:
 
 def _of_mechanism(source: str, lang: Lang) -> Iterator[tuple[Report, list[str]]]:
     from graphkin import linkages
+    from graphkin.words.linkages import found_lines
 
     machine = read(source)
     for found in linkages.some_found_in(machine):
         report = linkages.reported(found)
-        yield report, list(linkages.found_lines(found, report, lang))
+        yield report, list(found_lines(found, report, lang))
 
 
 def _held(mechanism: str | None, given: dict[str, tuple[str, ...]], by: str, link: str) -> str:
     """Another link as frame, as TOML."""
-    from graphkin import linkages
-    from graphkin.loading import loads
+    from graphkin.linkages import from_lengths
+    from graphkin.words.linkages import held, titled
 
     if mechanism is not None:
-        return linkages.inverted(read(mechanism), link)
+        return held(read(mechanism), link).text
     ((kind, sizes),) = given.items()
-    text = linkages.as_mechanism(linkages.from_lengths(kind, *_metres(kind, sizes), driver=by))
-    return linkages.inverted(loads(text, name=kind, file=f"{kind}.toml"), link)
+    machine = titled(from_lengths(kind, *_metres(kind, sizes), driver=by))
+    return held(replace(machine, name=kind, file=f"{kind}.toml"), link).text
 
 
 def _draw(output: Path, report: Report, mechanism: str | None, paper: str | None, force: bool, lang: Lang) -> None:

@@ -88,8 +88,6 @@ class Plot:
     s, s_rate, s_acceleration    by slide [m, m/s, m/s^2]
     sines        sine of the angle at which two lines or circles met, by plane and point
     misses       by how much two circles, or a line and a circle, miss each other [m]; 0 or less where they meet
-    centres      instant centres in homogeneous coordinates (3,) or (3, n), see `centring`; lean: how far the two
-                 lines that give one are from being the same line, 0 to 1
     senses       +1 or -1: on which side of its change points a group lies that is found by fitting
     near         angles by base link and displacements by `slide_key` of a position close by: what is fitted starts
                  there, and angles are counted on from there
@@ -110,8 +108,6 @@ class Plot:
     s_acceleration: dict[str, Value] = field(default_factory=dict)
     sines: dict[tuple[Plane, str], Value] = field(default_factory=dict)
     misses: dict[str, Value] = field(default_factory=dict)
-    centres: dict[str, Value] = field(default_factory=dict)
-    lean: dict[str, Value] = field(default_factory=dict)
     senses: dict[str, Value] = field(default_factory=dict)
 
     def points(self, plane: Plane) -> dict[str, Value]:

@@ -8,7 +8,7 @@ from typing import Any
 
 from graphkin.design.arcs import Chord, found_at
 from graphkin.design.model import Family, Reason
-from graphkin.design.steps import (
+from graphkin.drafting import (
     Bisector,
     CircleAbout,
     CircleThrough,

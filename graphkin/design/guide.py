@@ -9,10 +9,9 @@ from __future__ import annotations
 import math
 
 from graphkin.design.asked import one_of, positive, ratio_within
-from graphkin.design.board import replay
 from graphkin.design.judging import angle_between
 from graphkin.design.model import Design, Solution
-from graphkin.design.steps import (
+from graphkin.drafting import (
     Construction,
     LayOff,
     Measure,
@@ -25,6 +24,7 @@ from graphkin.design.steps import (
     Stage,
     Step,
     Through,
+    replay,
 )
 
 __all__ = ["guide_bar"]
@@ -81,8 +81,8 @@ def _by_crank() -> tuple[Stage, ...]:
 
 def _solution(construction: Construction) -> Solution:
     board = replay(construction)
-    a, c = board.points["A"], board.points["C"]
-    ends = board.points["B1"], board.points["B2"]
+    a, c = board.at("A"), board.at("C")
+    ends = board.at("B1"), board.at("B2")
     swing = angle_between(ends[0] - c, ends[1] - c)
     outward = (a - c) / abs(a - c)
     crank = board.numbers["a"]

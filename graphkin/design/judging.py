@@ -10,9 +10,8 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from graphkin.design.board import Board
 from graphkin.design.model import Reason, Solution, gamma_four, gamma_slider
-from graphkin.design.steps import Construction
+from graphkin.drafting import Board, Construction
 from graphkin.geometry import cross, meet_circles
 
 __all__ = ["LOW", "angle_between", "quick_four", "quick_slider"]
@@ -32,8 +31,8 @@ def angle_between(one: complex, other: complex) -> float:
 
 def quick_four(construction: Construction, board: Board, worth: str) -> Solution:
     """A crank-rocker whose limits are C1 and C2. worth: of A's place on the circle (`Arc.name`)."""
-    at, pivot = board.points["A"], board.points["D"]
-    first, second = board.points["C1"], board.points["C2"]
+    at, pivot = board.at("A"), board.at("D")
+    first, second = board.at("C1"), board.at("C2")
     a, b, c, d = (board.numbers[name] for name in "abcd")
     gamma = float(gamma_four(a, b, c, d))
     why = tuple(_against(worth, a, b + c + d, gamma))
@@ -50,7 +49,7 @@ def quick_four(construction: Construction, board: Board, worth: str) -> Solution
 
 def quick_slider(construction: Construction, board: Board, worth: str) -> Solution:
     """A slider-crank whose slider's limits are C1 and C2."""
-    at, first, second = (board.points[name] for name in ("A", "C1", "C2"))
+    at, first, second = (board.at(name) for name in ("A", "C1", "C2"))
     a, b = board.numbers["a"], board.numbers["b"]
     way = (second - first) / abs(second - first)
     e = float(cross(way, first - at))

@@ -11,8 +11,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from graphkin.design.board import Board, replay
-from graphkin.design.steps import Construction
+from graphkin.drafting import Board, Construction, replay
 from graphkin.value import frozen
 
 __all__ = ["Arc", "Design", "Family", "Kind", "Reason", "Solution", "folded_least", "gamma_four", "gamma_slider"]

@@ -17,11 +17,11 @@ from itertools import combinations
 import numpy as np
 
 from graphkin.design.asked import positive
-from graphkin.design.board import Board, replay
 from graphkin.design.model import Design, Reason, Solution
 from graphkin.design.passing import passing, shown
-from graphkin.design.steps import (
+from graphkin.drafting import (
     Bisector,
+    Board,
     CircleThrough,
     Construction,
     LayOff,
@@ -33,6 +33,7 @@ from graphkin.design.steps import (
     Stage,
     Step,
     Turned,
+    replay,
 )
 from graphkin.errors import SameWanted, WantedRange, WrongNumber
 
@@ -131,13 +132,13 @@ def _inverted(given: dict[str, float]) -> Design:
         ),
     )  # fmt: skip
     board = replay(construction)
-    if not math.isfinite(abs(board.points["C1"])):
+    if not math.isfinite(abs(board.at("C1"))):
         return Design("angles", given, why=(Reason("inverted in line"),))
     return Design("angles", given, (_solution(construction, board, ()),))
 
 
 def _solution(construction: Construction, board: Board, turned: tuple[Reason, ...]) -> Solution:
-    at = board.points
+    at = board.places
     positions = tuple({"A": at["A"], "B": at[f"B{k}"], "C": at[f"C{k}"], "D": at["D"]} for k in (1, 2, 3))
     judged = passing(positions)
     found, why = judged.found, (*turned, *judged.why)

@@ -12,11 +12,10 @@ import math
 from collections.abc import Sequence
 from itertools import combinations
 
-from graphkin.design.board import Board, replay
 from graphkin.design.free import chosen
 from graphkin.design.model import Design, Reason, Solution
 from graphkin.design.passing import passing, shown
-from graphkin.design.steps import Bisector, CircleThrough, Construction, Measure, Meet, Place, Stage, Step
+from graphkin.drafting import Bisector, Board, CircleThrough, Construction, Measure, Meet, Place, Stage, Step, replay
 from graphkin.errors import CouplerChanges, NotOnBisector, SameWanted, WrongNumber
 from graphkin.geometry import dot, unit
 
@@ -55,7 +54,7 @@ def coupler_positions(
         free = tuple(name for name, pivot in (("A", pivot_a), ("D", pivot_d)) if pivot is None)
         construction = Construction(given, _by_two(points, a, d, free))
     board = replay(construction)
-    lost = tuple(name for name in "AD" if not math.isfinite(abs(board.points[name])))
+    lost = tuple(name for name in "AD" if not math.isfinite(abs(board.at(name))))
     if lost:
         why = (Reason("in line", (("pivot", name), ("hinge", _HINGE[name]))) for name in lost)
         return Design("coupler", given, why=tuple(why))
@@ -127,7 +126,7 @@ def _lengths() -> Stage:
 
 
 def _solution(construction: Construction, board: Board, count: int) -> Solution:
-    at = board.points
+    at = board.places
     positions = tuple(
         {"A": at["A"], "B": at[f"B{k}"], "C": at[f"C{k}"], "D": at["D"]} for k in range(1, count + 1)
     )  # fmt: skip

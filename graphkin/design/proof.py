@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from graphkin.design.model import Solution
 from graphkin.errors import Lang
-from graphkin.linkages import FourBar, GuideBar, Linkage, Report, SliderCrank, as_mechanism, report
-from graphkin.linkages.writing import quoted
+from graphkin.linkages import FourBar, GuideBar, Linkage, Report, SliderCrank, filed, report
+from graphkin.mechanism import Mechanism
 
-__all__ = ["as_toml", "linkage_of", "proof"]
+__all__ = ["as_toml", "linkage_of", "mechanism_of", "proof"]
 
 _TITLES: dict[str, dict[Lang, str]] = {
     "rocker": {"en": "Crank-rocker from K", "zh": "曲柄摇杆机构设计"},
@@ -38,9 +40,12 @@ def proof(solution: Solution) -> Report:
     return report(linkage_of(solution))
 
 
+def mechanism_of(solution: Solution, kind: str) -> Mechanism:
+    """The linkage driven at AB with 1 rad/s. kind: of the design (`Design.kind`)."""
+    machine = linkage_of(solution).mechanism(omega=1.0)
+    return filed(replace(machine, name="design", file="design.toml", title=_TITLES[kind]))
+
+
 def as_toml(solution: Solution, kind: str) -> str:
-    """A mechanism file of the linkage, driven at AB with 1 rad/s. kind: of the design (`Design.kind`)."""
-    lines = as_mechanism(linkage_of(solution), omega=1.0).splitlines()
-    titles = ", ".join(f"{lang} = {quoted(text)}" for lang, text in _TITLES[kind].items())
-    titled = [f"title = {{ {titles} }}" if line.startswith("title") else line for line in lines]
-    return "\n".join(titled) + "\n"
+    """The same as a mechanism file."""
+    return mechanism_of(solution, kind).text

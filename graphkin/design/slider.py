@@ -14,12 +14,10 @@ import numpy as np
 
 from graphkin.design.arcs import Chord, family, named
 from graphkin.design.asked import angle_within, one_of, positive, ratio_within
-from graphkin.design.board import replay
 from graphkin.design.finding import on_circle, ranged
 from graphkin.design.judging import quick_slider
 from graphkin.design.model import Design, Solution, gamma_slider
-from graphkin.design.rules import theta_of
-from graphkin.design.steps import Construction, LayOff, Measure, Place, Reckon, Stage, Step
+from graphkin.drafting import Construction, LayOff, Measure, Place, Reckon, Stage, Step, replay, theta_of
 
 __all__ = ["slider"]
 
@@ -85,7 +83,7 @@ def _solution(chord: Chord, given: dict[str, float], side: float, steps: tuple[S
     head = Stage("theta", (Reckon("theta", "theta", ("K",)),)), Stage("slider limits", start)
     construction = Construction(given, (*head, *steps, Stage("slider lengths", measured)))
     board = replay(construction)
-    at = board.points["A"]
+    at = board.at("A")
     if not math.isfinite(abs(at)):
         return None
     return quick_slider(construction, board, named(chord, side, at))

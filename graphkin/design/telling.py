@@ -6,13 +6,12 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from graphkin.design.board import Board
 from graphkin.design.model import Design, Family, Reason, Solution
 from graphkin.design.proof import proof
 from graphkin.design.sentences import HEADINGS, NAMES, REASONS, SENTENCES, WORDS
-from graphkin.design.steps import Construction
+from graphkin.drafting import Board, Construction
 from graphkin.errors import GraphkinError, Lang, NoDesign
-from graphkin.linkages import kind_name
+from graphkin.words.linkages import kind_name
 
 __all__ = ["as_json", "error", "lines", "said", "sentences"]
 
@@ -39,7 +38,7 @@ def _figure(value: float) -> str:
 def sentences(construction: Construction, board: Board, lang: Lang) -> list[str]:
     """One sentence a stage, with the numbers of the board."""
     numbers: dict[str, Any] = {name: _Said(value) for name, value in board.numbers.items()}
-    for name, place in board.points.items():
+    for name, place in board.places.items():
         numbers |= {f"{name}_x": _Said(place.real * 1e3), f"{name}_y": _Said(place.imag * 1e3)}
     if "K" in board.numbers:
         numbers |= {"less": _Said(board.numbers["K"] - 1), "more": _Said(board.numbers["K"] + 1)}
@@ -164,12 +163,12 @@ def _data(one: Solution) -> dict[str, Any]:
 def _bisectors(design: Design) -> dict[str, Any] | None:
     if design.kind != "coupler" or design.best is None or len(design.best.limits) != 2:
         return None
-    lines_ = design.best.board().lines
-    found = {"A": lines_["B12"], "D": lines_["C12"]}
-    return {
-        name: {"through": [at.real, at.imag], "direction": math.atan2(along.imag, along.real)}
-        for name, (at, along) in found.items()
-    }  # fmt: skip
+    board = design.best.board()
+    found: dict[str, Any] = {}
+    for pivot, hinge in (("A", "B"), ("D", "C")):
+        middle, (_, along) = (board.at(f"{hinge}1") + board.at(f"{hinge}2")) / 2, board.line(f"{hinge}12")
+        found[pivot] = {"through": [middle.real, middle.imag], "direction": math.atan2(along.imag, along.real)}
+    return found
 
 
 def _family_data(one: Family) -> dict[str, Any]:

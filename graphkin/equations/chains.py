@@ -15,8 +15,8 @@ from graphkin.equations.symbols import Symbol
 from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
-from graphkin.naming import Seen, pair, seen
 from graphkin.planning.structure import Hinge, Joint, Sliding
+from graphkin.quantities import parts
 from graphkin.value import frozen
 
 __all__ = ["Chain", "asked_points", "chain", "vectors"]
@@ -35,12 +35,9 @@ def asked_points(model: Model) -> tuple[str, ...]:
     """The moving points whose velocity or acceleration the problem asks for, in its order."""
     mechanism, found = model.method.mechanism, dict[str, None]()
     for question in mechanism.ask:
-        for words in question.split("/"):
-            quantity, _, of = words.strip().partition(" ")
-            if quantity in ("v", "a"):
-                site, sites = seen(mechanism, of.strip()), pair(mechanism, of.strip())
-                both: tuple[Seen, ...] = (site,) if site is not None else sites or ()
-                found |= dict.fromkeys(s.point for s in both if not s.explicit)
+        for quantity in parts(mechanism, question):
+            if quantity.word in ("v", "a"):
+                found |= dict.fromkeys(site.point for site in quantity.sites if not site.explicit)
     return tuple(point for point in found if FRAME not in mechanism.owners[point])
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from graphkin.equations.complex_method import listed, write_complex
@@ -21,6 +19,7 @@ from graphkin.equations.symbols import Angle, Symbol
 from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.planning import Method
+from graphkin.quantities import EDGE, Unit
 
 __all__ = ["document"]
 
@@ -83,16 +82,17 @@ def _legend(model: Model, lang: Lang) -> list[tuple[str | Node, ...]]:
             for symbol, entry in model.ledger.entries.items()]  # fmt: skip
 
 
-_FACTORS = {"mm": 1000.0, "deg": 180 / math.pi, "mm rad": 1000.0}
+_SHOWN = {unit.name: unit for unit in (*EDGE.values(), Unit("mm rad", "mm·rad", EDGE["m"].factor), Unit("1", ""))}
+"""How the legend's units are shown, by their names; `mm rad` is what a wheel's radius makes of an angle."""
 
 
 def _value(entry: Entry, value: Value) -> str:
     """In the unit of the legend."""
-    real, imag = (_FACTORS.get(entry.unit, 1.0) * float(part) for part in (np.real(value), np.imag(value)))
-    unit = {"deg": "°", "1": ""}.get(entry.unit, " " + entry.unit.replace("^2", "²").replace(" rad", "·rad"))
+    shown = _SHOWN[entry.unit]
+    real, imag = (shown.factor * float(part) for part in (np.real(value), np.imag(value)))
     if np.iscomplexobj(value):
-        return f"{_digits(real)} {'−' if imag < 0 else '+'} {_digits(abs(imag))} i{unit}"
-    return _digits(real) + unit
+        return f"{_digits(real)} {'−' if imag < 0 else '+'} {_digits(abs(imag))} i{shown.after}"
+    return _digits(real) + shown.after
 
 
 def _digits(value: float) -> str:

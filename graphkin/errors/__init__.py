@@ -102,6 +102,7 @@ from graphkin.errors.keys import (
 )
 from graphkin.errors.linkages import CannotClose, CannotDriveBy, NoFixing, NoLinkage, NotALength, OnlyStretched
 from graphkin.errors.motion import (
+    AlongOwnAxis,
     AmbiguousSketch,
     BadDrawing,
     CannotAssemble,
@@ -155,6 +156,7 @@ from graphkin.errors.shapes import (
 
 __all__ = [
     "NOWHERE",
+    "AlongOwnAxis",
     "AmbiguousSketch",
     "AngleRange",
     "BadCondition",

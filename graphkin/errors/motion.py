@@ -8,6 +8,7 @@ from typing import ClassVar
 from graphkin.errors.base import GraphkinError, Lang, Where
 
 __all__ = [
+    "AlongOwnAxis",
     "AmbiguousSketch",
     "BadDrawing",
     "CannotAssemble",
@@ -79,6 +80,27 @@ class DeadPoint(_AboutLinks):
         "en": "{where}: dead point: the lines for links {links} meet under {angle_deg:.3f} deg; a drawing needs "
         "0.5 deg at least. Move the driver a little, or drive another link.",
         "zh": "{where}：死点位置：构件 {links} 的作图线夹角仅 {angle_deg:.3f}°，作图至少需要 0.5°。请稍微改变原动件的位置，或改选原动件。",
+    }
+
+
+class AlongOwnAxis(DeadPoint):
+    """A dead point in every position: a line of a link of one point runs the way the link itself slides.
+
+    point, end  the link's point, and one that it might have
+    guided      the key of the link's own slide
+    """
+
+    link: str
+    point: str
+    end: str
+    guided: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: link {link} has one point, so the line on it is its own axis, and that runs the way it slides "
+        "({guided}): nothing on that line can move it. Give it a second point here, such as {point}{end} = 30; write "
+        'through = "{point}" and toward = "{end}" for the line, and tilt = 90 in {guided} (the angle from its guide to {point}{end}).',
+        "zh": "{where}：构件 {link} 只有一个点，其上的直线就是自身轴线，与它自己的移动方向（{guided}）平行，沿此直线无法推动它。"
+        '请在此给它第二个点，例如 {point}{end} = 30；该直线写 through = "{point}"、toward = "{end}"，'
+        "并在 {guided} 中写 tilt = 90（由其导路量到 {point}{end} 的角）。",
     }
 
 

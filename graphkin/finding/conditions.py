@@ -9,16 +9,15 @@ from graphkin.errors import NOWHERE, BadCondition, GraphkinError, NoSuchDriver, 
 from graphkin.loading.names import tidy
 from graphkin.loading.units import Dimension, read_quantity
 from graphkin.mechanism import Mechanism
+from graphkin.quantities import GRAVITY, SHAPE
 from graphkin.value import frozen
 
 __all__ = [
-    "DIMENSIONS", "GRAVITY", "WHERE", "Comparison", "Condition", "Extreme", "Scaling", "Slowest", "limit", "plain",
+    "DIMENSIONS", "WHERE", "Comparison", "Condition", "Extreme", "Scaling", "Slowest", "limit", "plain",
     "read", "value",
 ]  # fmt: skip
 
 WHERE = Where("find")
-GRAVITY = 9.80665
-"""Standard acceleration of gravity [m/s²]."""
 
 DIMENSIONS: dict[str, Dimension] = {
     "rad": "angle", "rad/s": "angular velocity", "rad/s^2": "angular acceleration",
@@ -110,7 +109,7 @@ def read(mechanism: Mechanism, text: str) -> Condition:
 def limit(text: str) -> Comparison:
     """`a E 3 g`: where the size of a quantity passes a value. Raises BadCondition."""
     line = " ".join(tidy(text).translate(_SIGNS).split())
-    found = re.fullmatch(r"(\S+ \S+(?: ?/ ?\S+ \S+)?) ?>? ?([0-9.].*)", line)
+    found = re.fullmatch(rf"({SHAPE}) ?>? ?([0-9.].*)", line)
     if found is None:
         raise BadCondition(Where("--limit"), text)
     return Comparison(f"{found[1]} > {found[2]}", found[1], ">", found[2], size=True)

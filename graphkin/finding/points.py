@@ -7,16 +7,18 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from graphkin import agreement
 from graphkin.errors import CannotScale, GivenTwice, NegativeSize, NoLineOf, NoSuchDriver, NotScaled, Where
 from graphkin.finding.conditions import WHERE, Scaling, Slowest, value
 from graphkin.finding.found import Position, SlowPoint, Speeds
+from graphkin.finding.quantities import looked_for
 from graphkin.mechanism import Mechanism
+from graphkin.motions import Motions
 from graphkin.naming import common_link, pair
 from graphkin.planning import Method
-from graphkin.readings import Motions
 from graphkin.running.path import Path
 from graphkin.running.reaching import reached
-from graphkin.sweeps import Road, course
+from graphkin.sweeps import Road, course, held
 from graphkin.sweeps.quantities import series
 from graphkin.sweeps.roads import moving
 from graphkin.value import frozen
@@ -42,13 +44,16 @@ def spots(method: Method, ranges: Sequence[str], by: Road) -> Spots:
     """The drawn position; with `AB=30` (no steps) that one; with ranges all of theirs."""
     if any(":" in text for text in ranges):
         moved = course(method, ranges)
+        held(moved)
         return Spots(moved.path, moved.swept, moved.t, moving(method, moved.path, moved.t, by))
-    path, t = reached(method, _held(method, ranges))
+    values = _values(method, ranges)
+    agreement.held(method, values)
+    path, t = reached(method, values)
     at = np.array([t])
     return Spots(path, 0, at, moving(method, path, at, by))
 
 
-def _held(method: Method, ranges: Sequence[str]) -> list[float]:
+def _values(method: Method, ranges: Sequence[str]) -> list[float]:
     """The drivers' values at the drawn position, with those of `AB=30` put in."""
     values = [float(value) for value in method.facts(None).values]
     names = [driver.name for driver in method.drivers]
@@ -109,7 +114,8 @@ def _slowest(
 
 # --- the speed the drivers must have ----------------------------------------------------------
 
-_DEGREES = {"v": 1, "omega": 1, "a": 2, "alpha": 2}
+_DEGREES = {"rad/s": 1, "m/s": 1, "rad/s^2": 2, "m/s^2": 2}
+"""Velocities grow with the speeds, accelerations with their square."""
 
 
 def scaled(method: Method, wanted: Scaling, at: Spots) -> tuple[Speeds, ...]:
@@ -117,10 +123,9 @@ def scaled(method: Method, wanted: Scaling, at: Spots) -> tuple[Speeds, ...]:
 
     Velocities grow with the speeds, accelerations with their square. Raises NotScaled, NegativeSize, CannotScale.
     """
-    entry = series(method.mechanism, at.motions, wanted.quantity, at.t.size)
-    assert entry is not None
-    degree = _DEGREES.get(wanted.quantity.split(" ")[0].partition("_")[0], 0)
-    if "/" in wanted.quantity or not degree:
+    entry = series(wanted.quantity, looked_for(method.mechanism, wanted.quantity), at.motions, at.t.size)
+    degree = _DEGREES.get(entry.unit)
+    if degree is None:
         raise NotScaled(WHERE, wanted.quantity)
     target = value(wanted.value, entry.unit)
     if target < 0 and entry.vectors is not None and entry.along is None:

@@ -14,14 +14,14 @@ import numpy as np
 
 from graphkin.errors import UnknownQuantity, Where
 from graphkin.finding.conditions import WHERE
-from graphkin.loading.questions import refuse_misnamed
 from graphkin.mechanism import Mechanism
-from graphkin.readings import Motions
+from graphkin.motions import Motions
+from graphkin.quantities import Centre, Quantity, named
 from graphkin.sweeps import Course, Road, Series
 from graphkin.sweeps.quantities import series
 from graphkin.sweeps.roads import moving
 
-__all__ = ["Reader", "checked"]
+__all__ = ["Reader", "checked", "looked_for"]
 
 
 def checked(mechanism: Mechanism, names: Sequence[str], where: Where = WHERE) -> tuple[Series, ...]:
@@ -32,13 +32,15 @@ def checked(mechanism: Mechanism, names: Sequence[str], where: Where = WHERE) ->
     from graphkin.analytic import motion
 
     still = motion(mechanism)
-    found = []
-    for name in names:
-        refuse_misnamed(mechanism, name, where)
-        if (entry := series(mechanism, still, name, 1)) is None:
-            raise UnknownQuantity(where, name, ())
-        found.append(entry)
-    return tuple(found)
+    return tuple(series(name, looked_for(mechanism, name, where), still, 1) for name in names)
+
+
+def looked_for(mechanism: Mechanism, name: str, where: Where = WHERE) -> Quantity:
+    """A quantity that can be looked for: instant centres can't. Raises what `quantities.named` raises."""
+    found = named(mechanism, name, where)
+    if isinstance(found, Centre):
+        raise UnknownQuantity(where, name, ())
+    return found
 
 
 class Reader:
@@ -48,7 +50,8 @@ class Reader:
     """
 
     def __init__(self, course: Course, names: Sequence[str], by: Road) -> None:
-        self.course, self.names, self.by = course, tuple(names), by
+        self.course, self.by = course, by
+        self.wanted = [(name, looked_for(course.method.mechanism, name)) for name in names]
         self.tables: dict[str, tuple[np.ndarray, np.ndarray]] = {}
 
     def motions(self, t: np.ndarray) -> Motions:
@@ -61,9 +64,8 @@ class Reader:
                 replace(entry, values=t, vectors=None if entry.vectors is None else t + 0j)
                 for entry in self.read(np.zeros(1))
             ]
-        motions, mechanism = motions or self.motions(t), self.course.method.mechanism
-        found = [series(mechanism, motions, name, t.size) for name in self.names]
-        return [self._turned(entry, t) for entry in found if entry is not None]
+        motions = motions or self.motions(t)
+        return [self._turned(series(*entry, motions, t.size), t) for entry in self.wanted]
 
     def follow(self, t: np.ndarray, start: float) -> None:
         """Follow angles over places t, close to each other, so that none jumps; at `start` they are 0 to a turn."""
@@ -80,4 +82,5 @@ class Reader:
         if entry.name not in self.tables:
             return entry
         near = np.interp(t, *self.tables[entry.name])
-        return Series(entry.name, entry.unit, entry.values + 2 * np.pi * np.round((near - entry.values) / (2 * np.pi)))
+        turns = np.round((near - entry.values) / (2 * np.pi))
+        return Series(entry.name, entry.quantity, entry.values + 2 * np.pi * turns)

@@ -10,9 +10,10 @@ from __future__ import annotations
 import numpy as np
 
 from graphkin.geometry import Value, dot
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.naming import Seen, pair, seen
-from graphkin.readings import Motions
+from graphkin.mechanism import FRAME
+from graphkin.motions import Motions
+from graphkin.naming import Seen
+from graphkin.quantities import Component, Displacement, Moving, Place, Rotation, on_axis
 from graphkin.sweeps import Course, Series
 from graphkin.value import frozen
 
@@ -45,47 +46,44 @@ def pace_of(course: Course) -> Pace | None:
     return Pace(speed, growth if alike else None)
 
 
-def rate(mechanism: Mechanism, motions: Motions, entry: Series, pace: Pace) -> Value | None:
+def rate(motions: Motions, entry: Series, pace: Pace) -> Value | None:
     """The change of a quantity with t; None where the drawing does not tell it."""
-    word, _, of = entry.name.partition(" ")
-    of = of.strip()
-    if "/" in entry.name:
-        return None
-    if word == "theta":
-        return motions.omega[of] / pace.speed if of in motions.omega else None
-    if word == "s":
-        return motions.s_rate[of] / pace.speed if of in motions.s_rate else None
-    if word in ("x", "y"):
-        site = seen(mechanism, of)
-        assert site is not None
-        there = motions.velocity_at(site.point, site.link) / pace.speed
-        return np.real(there) if word == "x" else np.imag(there)
-    if pace.growth is None:
-        return None
-    if word == "omega" and of in motions.alpha:
-        return (motions.alpha[of] - pace.growth * motions.omega[of]) / pace.speed
-    return _of_speed(mechanism, motions, entry, of, pace) if word in ("v", "v_x", "v_y") else None
+    match entry.quantity:
+        case Rotation(word="theta", link=link):
+            return motions.omega[link] / pace.speed
+        case Rotation(word="omega", link=link) if pace.growth is not None:
+            return (motions.alpha[link] - pace.growth * motions.omega[link]) / pace.speed
+        case Displacement(slide=slide):
+            return motions.s_rate[slide] / pace.speed
+        case Place(axis=axis, site=site):
+            return on_axis(motions.velocity_at(site.point, site.link) / pace.speed, axis)
+        case Moving(letter="v") | Component(letter="v") if pace.growth is not None:
+            return _of_speed(motions, entry, pace.growth) / pace.speed
+        case _:
+            return None
 
 
-def _of_speed(mechanism: Mechanism, motions: Motions, entry: Series, of: str, pace: Pace) -> Value:
+def _of_speed(motions: Motions, entry: Series, growth: float) -> Value:
     """Of a speed: the part of the vector's change along it, or along the direction in which it counts."""
-    assert pace.growth is not None
-    alone = seen(mechanism, of)
-    sites = (alone,) if alone is not None else pair(mechanism, of) or ()
-    changes = [_change(mechanism, motions, site) for site in sites]
+    changes = [_change(motions, site) for site in entry.quantity.sites]
     change = changes[0] - (changes[1] if len(changes) > 1 else 0)
+    return dot(_along(entry), change) - growth * entry.signed
+
+
+def _along(entry: Series) -> Value:
+    if isinstance(entry.quantity, Component):
+        return 1 if entry.quantity.axis == "x" else 1j
+    if entry.along is not None:
+        return entry.along
+    assert entry.vectors is not None
     with np.errstate(divide="ignore", invalid="ignore"):
-        if entry.along is not None or entry.vectors is None:
-            along: Value = entry.along or {"v_x": 1, "v_y": 1j}[entry.name[:3]]
-        else:
-            along = np.where(entry.vectors == 0, 0, entry.vectors / np.abs(entry.vectors))
-    return (dot(along, change) - pace.growth * entry.signed) / pace.speed
+        return np.where(entry.vectors == 0, 0, entry.vectors / np.abs(entry.vectors))
 
 
-def _change(mechanism: Mechanism, motions: Motions, site: Seen) -> Value:
+def _change(motions: Motions, site: Seen) -> Value:
     """Of the velocity of the point of a link that lies under a point: ever another one where that moves on it."""
     acceleration = motions.acceleration_at(site.point, site.link)
-    owners = mechanism.owners[site.point]
+    owners = motions.mechanism.owners[site.point]
     if site.link in owners or site.link == FRAME:
         return acceleration
     slip = motions.velocity_at(site.point, owners[0]) - motions.velocity_at(site.point, site.link)

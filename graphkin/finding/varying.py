@@ -24,6 +24,7 @@ from graphkin.loading.units import read_quantity
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.planning import plan as planned
+from graphkin.quantities import EDGE
 from graphkin.reports import table
 from graphkin.running import replay_all
 from graphkin.sweeps import Road
@@ -201,8 +202,8 @@ def table_lines(found: Table, lang: Lang = "en") -> Iterator[str]:
 
 
 def _shown(value: float, place: Place) -> str:
-    factor = {"length": 1000.0, "angle": 180 / math.pi}.get(place.kind, 1.0)
-    return f"{value * factor:.6g}"
+    unit = {"length": "m", "angle": "rad"}.get(place.kind, "1")
+    return f"{value * EDGE[unit].factor:.6g}"
 
 
 def table_json(found: Table) -> dict[str, Any]:

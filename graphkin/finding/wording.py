@@ -6,15 +6,13 @@ import math
 from collections.abc import Iterator
 
 from graphkin.errors import Lang
-from graphkin.finding.conditions import GRAVITY, Comparison, Scaling, Slowest
+from graphkin.finding.conditions import Comparison, Scaling, Slowest
 from graphkin.finding.found import Found, Interval, Phase, Position, SlowPoint, Speeds
 from graphkin.mechanism import Driver
+from graphkin.quantities import EDGE, IN_GRAVITY, driven
 from graphkin.reports import number
 
 __all__ = ["NOTES", "caption", "lines", "quantity"]
-
-UNITS = {"rad": ("deg", 180 / math.pi), "m": ("mm", 1000.0)}
-"""How results in these SI units are shown."""
 
 Both = dict[Lang, str]
 
@@ -101,13 +99,13 @@ def quantity(value: float, unit: str, *, gravity: bool = False) -> str:
     """`26.38 deg`, `188.8 mm`, `0.4 m/s`; accelerations in g, too, where `gravity`."""
     if math.isinf(value):
         return "∞" if value > 0 else "-∞"
-    shown, factor = UNITS.get(unit, ("" if unit == "1" else unit, 1.0))
-    text = f"{number(value * factor)} {shown}".rstrip()
-    return f"{text} ({number(value / GRAVITY)} g)" if gravity and unit == "m/s^2" else text
+    shown = EDGE[unit]
+    text = f"{number(value * shown.factor)} {shown.name}".rstrip()
+    return f"{text} ({number(value * IN_GRAVITY.factor)} {IN_GRAVITY.name})" if gravity and unit == "m/s^2" else text
 
 
 def _driven(driver: Driver, value: float) -> str:
-    return quantity(value, "m" if driver.kind == "slide" else "rad")
+    return quantity(value, driven(driver.kind == "slide"))
 
 
 def _rate(driver: Driver, value: float) -> str:

@@ -7,18 +7,14 @@ linkage has its own limits, and K comes from the first one's crank at those limi
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from graphkin.linkages import four, guide, slider
 from graphkin.linkages.finding import Found
-from graphkin.linkages.model import FourBar, GuideBar, Linkage, SliderCrank
-from graphkin.linkages.parts import Position, Range, whole
+from graphkin.linkages.linkage import SLIDES, Linkage, Position, Range
 from graphkin.linkages.report import Report, report, timed
-
-__all__ = ["reported"]
+from graphkin.linkages.triangles import whole
 
 _SAMPLES = 180
 
@@ -34,43 +30,7 @@ def reported(found: Found) -> Report:
 
 def _turned_on(first: Report, then: Linkage, direction: float) -> float:
     """A direction of the first linkage's output, as the direction of the second's driven link (one link has both)."""
-    return _driver_drawn(then) + direction - _output_drawn(first.linkage)
-
-
-def _driver_drawn(linkage: Linkage) -> float:
-    """Direction of the driven link at the drawn position."""
-    if isinstance(linkage, GuideBar) and linkage.driver == "bar":
-        return linkage.turn
-    return cmath.phase(linkage.places[1] - linkage.places[0])
-
-
-def _output_drawn(linkage: Linkage) -> float:
-    """Direction of the turning output at the drawn position."""
-    if isinstance(linkage, FourBar):
-        return cmath.phase(linkage.places[2] - linkage.places[3])
-    if isinstance(linkage, GuideBar) and linkage.driver == "crank":
-        return linkage.turn
-    return cmath.phase(linkage.places[1] - linkage.places[0])
-
-
-def _at(linkage: Linkage, direction: float) -> Position:
-    """The position with the driven link at a direction, assembled as drawn."""
-    match linkage:
-        case FourBar():
-            found = four.position_at(linkage, direction)
-        case SliderCrank():
-            found = slider.position_at(linkage, direction)
-        case GuideBar():
-            found = guide.position_at(linkage, direction)
-    return replace(found, how="end")
-
-
-def _driver_at(linkage: Linkage, direction: float) -> float:
-    """Direction of the crank with the output at a direction."""
-    if isinstance(linkage, FourBar):
-        return four.driver_at(linkage, direction)
-    assert isinstance(linkage, GuideBar)
-    return guide.driver_at(linkage, direction)
+    return then.direction(then.drawn) + direction - first.linkage.drawn.output
 
 
 # --- behind a link that swings ---------------------------------------------------------------------
@@ -79,56 +39,54 @@ def _driver_at(linkage: Linkage, direction: float) -> float:
 def _restricted(alone: Report, first: Report) -> Report:
     """What is reached while the driven link goes no farther than the first linkage takes it."""
     linkage = alone.linkage
-    low = _turned_on(first, linkage, _near(first.output_range.low, _output_drawn(first.linkage), first.output_range))
+    low = _turned_on(first, linkage, _near(first.output_range, first.linkage.drawn.output))
     span = Range(low, low + first.output_range.width)
-    ends = (_at(linkage, span.low), _at(linkage, span.high))
+    ends = _end(linkage, span.low), _end(linkage, span.high)
     inner = [end for end in alone.critical if _reached(linkage, end, span)]
     stops = [end for end in alone.limits if _reached(linkage, end, span)]
     values = _unwound(linkage, span, [*ends, *stops])
     lowest, highest = min(values, key=lambda pair: pair[0]), max(values, key=lambda pair: pair[0])
     limits = (lowest[1], highest[1])
-    turns = not isinstance(linkage, SliderCrank)
     found = replace(
         alone, driver_range=span, output_range=Range(lowest[0], highest[0]), limits=limits,
-        stroke=None if turns else highest[0] - lowest[0], theta=None, k=None, slow=None, critical=(*inner, *ends),
-        dead=_dead(alone, first, span, limits), timed_by="",
+        stroke=highest[0] - lowest[0] if alone.output_slides else None, theta=None, k=None, slow=None,
+        critical=(*inner, *ends), dead=_dead(alone, first, span, limits), timed_by="",
     )  # fmt: skip
     return _as_first(found, first, ends)
 
 
-def _near(low: float, drawn: float, span: Range) -> float:
+def _end(linkage: Linkage, direction: float) -> Position:
+    """Where the first linkage stops the driven link."""
+    return replace(linkage.position_at(direction), how="end")
+
+
+def _near(span: Range, drawn: float) -> float:
     """The range's low end, a whole turn on or back so that the drawn direction lies in the range."""
     turns = round((drawn - (span.low + span.high) / 2) / math.tau)
-    return low + turns * math.tau
+    return span.low + turns * math.tau
 
 
 def _reached(linkage: Linkage, end: Position, span: Range) -> bool:
     """Whether a position lies within the driven link's range, in the assembly that is drawn."""
-    direction = _direction(linkage, end)
+    direction = linkage.direction(end)
     if end.how == "end" or whole(direction - span.low) > span.width:
         return False
-    same = _at(linkage, direction)
+    same = linkage.position_at(direction)
     size = max(abs(a - b) for a in end.places for b in end.places)
     return all(abs(a - b) < 1e-6 * size for a, b in zip(same.places, end.places))
 
 
-def _direction(linkage: Linkage, end: Position) -> float:
-    if isinstance(linkage, GuideBar) and linkage.driver == "bar":
-        return end.turn
-    return cmath.phase(end.places[1] - end.places[0])
-
-
 def _unwound(linkage: Linkage, span: Range, ends: Sequence[Position]) -> list[tuple[float, Position]]:
     """Each position's output counted on from the low end without jumps of a turn."""
-    if isinstance(linkage, SliderCrank):
+    if linkage.output in SLIDES:
         return [(end.output, end) for end in ends]
     marks: list[tuple[float, Position | None]] = [(0.0, ends[0]), (span.width, ends[1])]
-    marks += [(whole(_direction(linkage, end) - span.low), end) for end in ends[2:]]
+    marks += [(whole(linkage.direction(end) - span.low), end) for end in ends[2:]]
     steps: list[tuple[float, Position | None]] = [(span.width * k / _SAMPLES, None) for k in range(_SAMPLES + 1)]
     count: float | None = None
     found = []
     for along, end in sorted([*marks, *steps], key=lambda pair: pair[0]):
-        output = (_at(linkage, span.low + along) if end is None else end).output
+        output = (linkage.position_at(span.low + along) if end is None else end).output
         count = output if count is None else count + math.remainder(output - count, math.tau)
         if end is not None:
             found.append((count, end))
@@ -168,7 +126,7 @@ def _timed(alone: Report, first: Report) -> Report:
     linkage, before = alone.linkage, first.linkage
     if alone.k is None or not first.driver_range.full or first.kind == "change-point" or before.driver != "crank":
         return replace(alone, theta=None, k=None, slow=None)
-    off = _output_drawn(before) - _driver_drawn(linkage)
-    one, other = (_driver_at(before, _direction(linkage, end) + off) for end in alone.limits)
+    off = before.drawn.output - linkage.direction(linkage.drawn)
+    one, other = (before.driver_at(linkage.direction(end) + off) for end in alone.limits)
     theta, k, slow = timed(one, other)
     return replace(alone, theta=theta, k=k, slow=slow, timed_by=first.driver)

@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from graphkin.linkages import four, guide, slider
-from graphkin.linkages.model import FourBar, GuideBar, Linkage, SliderCrank
-from graphkin.linkages.parts import Position, Range
+from graphkin.linkages.linkage import Position, Range
 from graphkin.linkages.report import Report
-
-__all__ = ["as_json", "lengths"]
 
 
 def as_json(report: Report) -> dict[str, Any]:
@@ -25,7 +21,7 @@ def as_json(report: Report) -> dict[str, Any]:
         "kind": report.kind,
         "family": report.family or None,
         "grashof": report.grashof,
-        "lengths": lengths(report.linkage),
+        "lengths": dict(report.linkage.sizes),
         "driver": report.driver,
         "output": report.output,
         "driver_range": _range(report.driver_span),
@@ -45,19 +41,6 @@ def as_json(report: Report) -> dict[str, Any]:
         "advantage_min": None if found is None else found.least,
         "advantage_min_at": None if found is None else found.at,
     }
-
-
-def lengths(linkage: Linkage) -> dict[str, float]:
-    """Links by what they are called, the offset as e [m]."""
-    match linkage:
-        case FourBar():
-            return dict(zip(four.labels(linkage), linkage.lengths))
-        case SliderCrank():
-            crank, rod, _ = slider.labels(linkage)
-            return {crank: linkage.crank, rod: linkage.coupler, "e": linkage.offset}
-        case GuideBar():
-            crank, _, frame = guide.labels(linkage)
-            return {crank: linkage.crank, frame: linkage.frame, "e": linkage.offset}
 
 
 def _range(found: Range) -> list[float] | None:

@@ -8,12 +8,15 @@ from dataclasses import replace
 
 from graphkin.analytic import Motion, motion
 from graphkin.errors import NoLinkage
+from graphkin.linkages.equal import even
+from graphkin.linkages.four import FourBar
+from graphkin.linkages.guide import GuideBar
+from graphkin.linkages.linkage import Linkage, Scale
 from graphkin.linkages.loops import Loop, loops, pin_block
-from graphkin.linkages.model import FourBar, GuideBar, Linkage, Scale, SliderCrank, even
+from graphkin.linkages.slider import SliderCrank
 from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.pairs import Slide
 from graphkin.value import frozen
-
-__all__ = ["Found", "found_in", "some_found_in"]
 
 
 @frozen
@@ -36,12 +39,9 @@ class Found:
     @property
     def output(self) -> str:
         """The link on the frame that it turns; none where the output slides, or two links could be meant."""
-        driver = self.linkage.driver
-        if isinstance(self.linkage, FourBar):
-            return self.links[2] if driver == "crank" else ""
-        if isinstance(self.linkage, SliderCrank):
-            return self.links[0] if driver == "slider" else ""
-        return {"crank": self.links[2], "bar": self.links[0]}.get(driver, "")
+        if self.linkage.driver not in ("crank", "bar", "slider"):
+            return ""
+        return {"crank": self.links[0], "rocker": self.links[2], "bar": self.links[2]}.get(self.linkage.output, "")
 
 
 def found_in(mechanism: Mechanism) -> list[Found]:
@@ -49,18 +49,19 @@ def found_in(mechanism: Mechanism) -> list[Found]:
 
     Empty where there is none. Raises what the analysis raises for a mechanism that has no drawn position.
     """
-    rings = list(loops(mechanism))
-    if not rings:
+    waiting = list(loops(mechanism))
+    if not waiting:
         return []
     now = motion(mechanism)
     moved = {driver.link for driver in mechanism.drivers if driver.from_link == FRAME and driver.kind != "slide"}
     moved |= {_slid(mechanism, driver) for driver in mechanism.drivers if driver.kind == "slide"} - {""}
     found: list[Found] = []
-    while rings:
-        loop = next((ring for ring in rings if _entry(ring, moved) or _inner(mechanism, ring)), rings[0])
-        rings.remove(loop)
-        if (one := _found(mechanism, now, loop, moved)) is not None:
-            found.append(_behind(one, found, _entry(loop, moved)))
+    while waiting:
+        loop = next((loop for loop in waiting if _entry(loop, moved) or _inner(mechanism, loop)), waiting[0])
+        waiting.remove(loop)
+        ring = _Ring(mechanism, now, loop, _entry(loop, moved))
+        if (one := _found(ring)) is not None:
+            found.append(_behind(one, found, ring.entry))
         moved |= set(loop.links[1:])
     return found
 
@@ -103,115 +104,125 @@ def _inner(mechanism: Mechanism, loop: Loop) -> bool:
     )
 
 
-def _found(mechanism: Mechanism, now: Motion, loop: Loop, moved: set[str]) -> Found | None:
-    """The linkage of a loop, lettered from the link that drives it."""
-    entry = _entry(loop, moved)
-    if loop.slide is None:
-        return _four_bar(mechanism, now, loop, entry)
-    at = next(k for k, pair in enumerate(loop.pairs) if pair.slide is not None)
-    if at in (0, 3):
-        return _slider(mechanism, now, loop if at == 3 else _turned(loop), entry)
-    return _guide(mechanism, now, loop if at == 2 else _turned(loop), entry)
+@frozen
+class _Ring:
+    """A loop at the drawn position; `entry`: the link beside the frame that drives it, or none."""
 
+    machine: Mechanism
+    now: Motion
+    loop: Loop
+    entry: str
 
-def _turned(loop: Loop) -> Loop:
-    """The same loop the other way round."""
-    frame, first, middle, last = loop.links
-    return Loop((frame, last, middle, first), loop.pairs[::-1])
+    def turned(self) -> _Ring:
+        """The same the other way round."""
+        frame, first, middle, last = self.loop.links
+        return replace(self, loop=Loop((frame, last, middle, first), self.loop.pairs[::-1]))
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(pair.point for pair in self.loop.pairs if pair.slide is None)
 
-def _places(now: Motion, loop: Loop) -> list[complex]:
-    return [complex(now.position[pair.point]) for pair in loop.pairs if pair.slide is None]
+    @property
+    def places(self) -> tuple[complex, ...]:
+        return tuple(complex(self.now.position[name]) for name in self.names)
 
+    def length(self, k: int) -> float:
+        """A link's length from its own shape, which is exact where the file is."""
+        one, other, link = self.loop.pairs[k - 1].point, self.loop.pairs[k].point, self.loop.links[k]
+        points: Mapping[str, complex] = self.machine.links[link].points if link in self.machine.links else {}
+        if one in points and other in points:
+            return abs(points[other] - points[one])
+        return abs(complex(self.now.position[other]) - complex(self.now.position[one]))
 
-def _names(loop: Loop) -> tuple[str, ...]:
-    return tuple(pair.point for pair in loop.pairs if pair.slide is None)
+    def along(self, slide: Slide) -> complex:
+        """Direction of a slide's line."""
+        return slide.line.direction * cmath.rect(1, float(self.now.theta[slide.guide]))
 
+    @property
+    def drives_middle(self) -> bool:
+        """Whether a driver turns the coupler, and nothing else drives."""
+        return not self.entry and _drives(self.machine, self.loop.links[2])
 
-def _four_bar(mechanism: Mechanism, now: Motion, loop: Loop, entry: str) -> Found | None:
-    if entry == loop.links[3] or (not entry and _longer_last(mechanism, now, loop)):
-        loop = _turned(loop)
-    places = _places(now, loop)
-    crank, coupler, rocker = (_length(mechanism, now, loop, k) for k in (1, 2, 3))
-    frame = abs(places[3] - places[0])
-    if min(crank, coupler, rocker, frame) <= 1e-9 * max(crank, coupler, rocker, frame):
+    def turn_scale(self, k: int, ours: complex) -> Scale | None:
+        """How the file counts the angle of a driven link; None where it does as we do, or no driver turns it."""
+        for driver in self.machine.drivers:
+            if driver.link == self.loop.links[k] and driver.vector is not None and driver.from_link == FRAME:
+                tail, head = driver.vector
+                theirs = complex(self.now.position[head]) - complex(self.now.position[tail])
+                return Scale(driver.name, cmath.phase(theirs / ours))
         return None
-    inner = not entry and _drives(mechanism, loop.links[2])
-    driver = "coupler" if inner else "crank"
-    bar = FourBar(crank, coupler, rocker, frame, driver, _names(loop), tuple(places))
-    bar = bar if inner else replace(bar, scale=_turn_scale(mechanism, now, loop.links[1], places[1] - places[0]))
-    return Found(bar, _called(mechanism, loop), _how(mechanism, loop, entry, inner))
+
+    def slide_scale(self, slide: Slide, ours: float, sense: float) -> Scale:
+        """How the file counts a slide whose displacement is `ours` [m]."""
+        return Scale(slide.name, float(self.now.s[slide.name]) - sense * ours, sense)
 
 
-def _length(mechanism: Mechanism, now: Motion, loop: Loop, k: int) -> float:
-    """A link's length from its own shape, which is exact where the file is."""
-    one, other = loop.pairs[k - 1].point, loop.pairs[k].point
-    points: Mapping[str, complex] = mechanism.links[loop.links[k]].points if loop.links[k] in mechanism.links else {}
-    if one in points and other in points:
-        return abs(points[other] - points[one])
-    return abs(complex(now.position[other]) - complex(now.position[one]))
+def _found(ring: _Ring) -> Found | None:
+    """The linkage of a loop, lettered from the link that drives it; None where a link of it has no length."""
+    slide = ring.loop.slide
+    if slide is None:
+        shorter_last = ring.length(3) < ring.length(1)
+        ring = ring.turned() if ring.entry == ring.loop.links[3] or (not ring.entry and shorter_last) else ring
+        linkage: Linkage | None = _four_bar(ring)
+    else:
+        at = next(k for k, pair in enumerate(ring.loop.pairs) if pair.slide is not None)
+        ring = ring.turned() if at in (0, 1) else ring
+        linkage = _slider(ring, slide) if at in (0, 3) else _guide(ring, slide)
+    if linkage is None:
+        return None
+    pins = {pin_block(slide): slide.point for slide in ring.machine.slides}
+    links = (*(pins.get(link, link) for link in ring.loop.links[1:]), ring.machine.frame)
+    return Found(linkage, links, _how(ring, linkage.driver in ("coupler", "slide")))
 
 
-def _longer_last(mechanism: Mechanism, now: Motion, loop: Loop) -> bool:
-    """Whether the last link is the shorter of the two on the frame: it would be called the crank."""
-    return _length(mechanism, now, loop, 3) < _length(mechanism, now, loop, 1)
+def _real(*sizes: float) -> bool:
+    return min(sizes) > 1e-9 * max(sizes)
 
 
-def _slider(mechanism: Mechanism, now: Motion, loop: Loop, entry: str) -> Found | None:
+def _four_bar(ring: _Ring) -> FourBar | None:
+    places = ring.places
+    sizes = ring.length(1), ring.length(2), ring.length(3), abs(places[3] - places[0])
+    if not _real(*sizes):
+        return None
+    if ring.drives_middle:
+        return FourBar(*sizes, "coupler", ring.names, places)
+    return FourBar(*sizes, "crank", ring.names, places, ring.turn_scale(1, places[1] - places[0]))
+
+
+def _slider(ring: _Ring, slide: Slide) -> SliderCrank | None:
     """Pairs 0, 1, 2 are hinges, pair 3 is the slide between the last link and the frame."""
-    slide = loop.slide
-    assert slide is not None
-    a, b, c = _places(now, loop)
-    along = _along(mechanism, now, loop)
-    sizes = _length(mechanism, now, loop, 1), _length(mechanism, now, loop, 2)
-    if min(sizes) <= 1e-9 * max(sizes):
+    a, b, c = ring.places
+    along, sizes = ring.along(slide), (ring.length(1), ring.length(2))
+    if not _real(*sizes):
         return None
-    inner = not entry and _drives(mechanism, loop.links[2])
-    driver = "slider" if entry == loop.links[3] else "coupler" if inner else "crank"
-    own = ((c - a) * along.conjugate()).real
+    driver = "slider" if ring.entry == ring.loop.links[3] else "coupler" if ring.drives_middle else "crank"
+    own = (c - a) * along.conjugate()
     scale = None
     if driver == "slider":
-        sense = 1.0 if slide.guide == FRAME else -1.0
-        scale = Scale(slide.name, float(now.s[slide.name]) - sense * own, sense)
+        scale = ring.slide_scale(slide, own.real, 1.0 if slide.guide == FRAME else -1.0)
     elif driver == "crank":
-        scale = _turn_scale(mechanism, now, loop.links[1], b - a)
-    offset = even(((c - a) * along.conjugate()).imag, sum(sizes))
-    linkage = SliderCrank(
-        *sizes, offset, driver, _names(loop), (a, b, c), cmath.phase(along), slide.guide != FRAME, scale,
-    )  # fmt: skip
-    return Found(linkage, _called(mechanism, loop), _how(mechanism, loop, entry, inner))
+        scale = ring.turn_scale(1, b - a)
+    offset, block = even(own.imag, sum(sizes)), slide.guide != FRAME
+    return SliderCrank(*sizes, offset, driver, ring.names, (a, b, c), cmath.phase(along), block, scale)
 
 
-def _guide(mechanism: Mechanism, now: Motion, loop: Loop, entry: str) -> Found | None:
+def _guide(ring: _Ring, slide: Slide) -> GuideBar | None:
     """Pairs 0, 1, 3 are hinges: the crank is link 1, pair 2 the slide, link 3 stands on the frame."""
-    slide = loop.slide
-    assert slide is not None
-    a, b, c = _places(now, loop)
-    along = _along(mechanism, now, loop)
-    sizes = _length(mechanism, now, loop, 1), abs(c - a)
-    if min(sizes) <= 1e-9 * max(sizes):
+    a, b, c = ring.places
+    along, sizes = ring.along(slide), (ring.length(1), abs(c - a))
+    if not _real(*sizes):
         return None
-    block, inner = slide.guide != loop.links[3], not entry and any(d.link == slide.name for d in mechanism.drivers)
-    driver = "slide" if inner else "bar" if entry == loop.links[3] else "crank"
-    if driver == "crank":
-        scale = _turn_scale(mechanism, now, loop.links[1], b - a)
-    elif driver == "bar":
-        scale = _turn_scale(mechanism, now, loop.links[3], along)
+    block = slide.guide != ring.loop.links[3]
+    own = (b - c) * along.conjugate()
+    scale: Scale | None
+    if not ring.entry and any(driver.link == slide.name for driver in ring.machine.drivers):
+        driver, scale = "slide", ring.slide_scale(slide, own.real, -1.0 if block else 1.0)
+    elif ring.entry == ring.loop.links[3]:
+        driver, scale = "bar", ring.turn_scale(3, along)
     else:
-        own, sense = ((b - c) * along.conjugate()).real, -1.0 if block else 1.0
-        scale = Scale(slide.name, float(now.s[slide.name]) - sense * own, sense)
-    linkage = GuideBar(
-        *sizes, even(((b - c) * along.conjugate()).imag, sum(sizes)), driver, _names(loop), (a, b, c),
-        cmath.phase(along), block, scale,
-    )  # fmt: skip
-    return Found(linkage, _called(mechanism, loop), _how(mechanism, loop, entry, inner))
-
-
-def _along(mechanism: Mechanism, now: Motion, loop: Loop) -> complex:
-    """Direction of the slide's line at the drawn position."""
-    slide = loop.slide
-    assert slide is not None
-    return slide.line.direction * cmath.rect(1, float(now.theta[slide.guide]))
+        driver, scale = "crank", ring.turn_scale(1, b - a)
+    offset = even(own.imag, sum(sizes))
+    return GuideBar(*sizes, offset, driver, ring.names, (a, b, c), cmath.phase(along), block, scale)
 
 
 def _drives(mechanism: Mechanism, link: str) -> bool:
@@ -219,24 +230,11 @@ def _drives(mechanism: Mechanism, link: str) -> bool:
     return any(driver.link == link and driver.from_link == FRAME for driver in mechanism.drivers)
 
 
-def _turn_scale(mechanism: Mechanism, now: Motion, link: str, ours: complex) -> Scale | None:
-    """How the file counts the angle of a driven link; None where it does as we do, or no driver turns it."""
-    for driver in mechanism.drivers:
-        if driver.link == link and driver.vector is not None and driver.from_link == FRAME:
-            tail, head = driver.vector
-            theirs = complex(now.position[head]) - complex(now.position[tail])
-            return Scale(driver.name, cmath.phase(theirs / ours))
-    return None
-
-
-def _how(mechanism: Mechanism, loop: Loop, entry: str, inner: bool) -> str:
-    if not entry and any(d.from_link != FRAME and {d.link, d.from_link} < {*loop.links} for d in mechanism.drivers):
+def _how(ring: _Ring, inner: bool) -> str:
+    """inner: whether what drives lies between moving links."""
+    drivers, links, entry = ring.machine.drivers, {*ring.loop.links}, ring.entry
+    if not entry and any(driver.from_link != FRAME and {driver.link, driver.from_link} < links for driver in drivers):
         return "pair"
-    if inner or (entry and (_drives(mechanism, entry) or any(_slid(mechanism, d) == entry for d in mechanism.drivers))):
+    if inner or (entry and (_drives(ring.machine, entry) or any(_slid(ring.machine, d) == entry for d in drivers))):
         return "driver"
     return "link" if entry else "assumed"
-
-
-def _called(mechanism: Mechanism, loop: Loop) -> tuple[str, ...]:
-    pins = {pin_block(slide): slide.point for slide in mechanism.slides}
-    return (*(pins.get(link, link) for link in loop.links[1:]), mechanism.frame)

@@ -11,37 +11,172 @@ import cmath
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from typing import ClassVar
 
-from graphkin.linkages.model import FourBar, angles, apex, even
-from graphkin.linkages.parts import Position, Range, Turn, folded, spanned, whole
-
-__all__ = [
-    "critical", "dead", "driven", "driver_at", "driver_range", "kind", "labels", "limits", "output_range",
-    "position_at", "ratio", "seen_from_driver", "sums", "turns",
-]  # fmt: skip
-
-
-def labels(bar: FourBar) -> tuple[str, str, str, str]:
-    """What crank, coupler, rocker and frame are called: AB, BC, CD, AD."""
-    a, b, c, d = bar.names
-    return a + b, b + c, c + d, a + d
+from graphkin.linkages.assembled import assembled, turning
+from graphkin.linkages.equal import even
+from graphkin.linkages.first_position import TURNS, sine, well_drawn
+from graphkin.linkages.lengths import check_closing, check_driver, check_links
+from graphkin.linkages.linkage import Angle, Position, Range, Scale, Sums, Turn
+from graphkin.linkages.triangles import angles, apex, folded, phase, spanned, whole
+from graphkin.mechanism import FRAME, Mechanism
+from graphkin.value import frozen
 
 
-def sums(bar: FourBar) -> tuple[tuple[str, str], tuple[str, str], float, float]:
-    """Shortest and longest link, the two others, both sums [m]: Grashof's law holds where the first is not greater."""
-    sizes = dict(zip(labels(bar), bar.lengths))
-    order = sorted(sizes, key=lambda link: sizes[link])
-    ends, middle = (order[0], order[3]), (order[1], order[2])
-    return ends, middle, sizes[ends[0]] + sizes[ends[1]], sizes[middle[0]] + sizes[middle[1]]
+@frozen
+class FourBar:
+    """Frame AD, crank AB, coupler BC, rocker DC: four revolute pairs.
+
+    crank, coupler, rocker, frame   AB, BC, CD, AD [m]; "crank" is only the first link on the frame
+    driver    "crank", "coupler", "rocker": which link is driven
+    names     what A, B, C, D are called
+    places    A, B, C, D at the drawn position; left out: A at the origin, D on +x, C to the left of BD
+    scale     how the driver's angle is counted; left out: the angle of AB (or DC) to +x
+
+    Raises NotALength, CannotDriveBy, OnlyStretched, CannotClose.
+    """
+
+    word: ClassVar[str] = "fourbar"
+    drivers: ClassVar[tuple[str, ...]] = ("crank", "coupler", "rocker")
+
+    crank: float
+    coupler: float
+    rocker: float
+    frame: float
+    driver: str = "crank"
+    names: tuple[str, ...] = ("A", "B", "C", "D")
+    places: tuple[complex, ...] = ()
+    scale: Scale | None = None
+
+    def __post_init__(self) -> None:
+        sizes = self.sizes
+        check_links(sizes)
+        check_driver(self.driver, self.drivers)
+        long = max(sizes, key=lambda link: sizes[link])
+        others = [link for link in sizes if link != long]
+        check_closing(long, sizes[long], others, sum(self.lengths) - sizes[long])
+        object.__setattr__(self, "places", self.places or _start(self))
+
+    @property
+    def lengths(self) -> tuple[float, float, float, float]:
+        """Round about, the frame last [m]."""
+        return self.crank, self.coupler, self.rocker, self.frame
+
+    @property
+    def called(self) -> dict[str, str]:
+        a, b, c, d = self.names
+        return {"crank": a + b, "coupler": b + c, "rocker": c + d, "frame": a + d}
+
+    @property
+    def sizes(self) -> dict[str, float]:
+        return dict(zip(self.called.values(), self.lengths))
+
+    @property
+    def output(self) -> str:
+        return "crank" if self.driver == "rocker" else "rocker"
+
+    @property
+    def block(self) -> bool:
+        return False
+
+    @property
+    def drawn(self) -> Position:
+        bar = _from_driver(self)
+        return _lettered(self, [_position(bar, bar.places, "")])[0]
+
+    @property
+    def stroke(self) -> float | None:
+        return None
+
+    @property
+    def arm(self) -> tuple[int, int]:
+        return (0, 1) if self.output == "crank" else (3, 2)
+
+    def sums(self) -> Sums:
+        """Grashof's: shortest and longest link, and the two others."""
+        sizes = self.sizes
+        order = sorted(sizes, key=lambda link: sizes[link])
+        ends, middle = (order[0], order[3]), (order[1], order[2])
+        return Sums(ends, middle, sizes[ends[0]] + sizes[ends[1]], sizes[middle[0]] + sizes[middle[1]])
+
+    def kind(self) -> tuple[str, str]:
+        """The kind, and for a change point its family."""
+        gap = self.sums().gap
+        if gap > 0:
+            return "triple-rocker", ""
+        return ("change-point", _family(self)) if gap == 0 else (_by_shortest(self), "")
+
+    def turns(self) -> tuple[Turn, ...]:
+        """The four hinges, then the two pairs of opposite links."""
+        names = tuple(self.called.values())
+        hinges = [_turns_fully(self.lengths, k) for k in range(4)]
+        found = [Turn(names[k], names[(k + 1) % 4], hinges[k], True) for k in range(4)]
+        together = self.kind()[1] in ("parallelogram", "rhombus")
+        for k in (0, 1):
+            one, other = hinges[k], hinges[k + 1]
+            full = one != other or (one and not together)
+            found.append(Turn(names[k], names[k + 2], full, False))
+        return tuple(found)
+
+    def driver_range(self) -> Range:
+        bar = _from_driver(self)
+        return _range(bar).turned(_base(bar))
+
+    def output_range(self) -> Range:
+        bar = _swapped(_from_driver(self))
+        return _range(bar).turned(_base(bar))
+
+    def limits(self) -> tuple[Position, ...]:
+        """The two ends of the output link's swing, the stretched one first; none where it turns fully."""
+        seen = _from_driver(self)
+        other = _swapped(seen)
+        found = _range(other)
+        if found.full:
+            return ()
+        ends = [_limit(seen, other, angle) for angle in (found.low, found.high)]
+        return _lettered(self, sorted(ends, key=lambda end: end.how != "stretched"))
+
+    def critical(self) -> tuple[Position, ...]:
+        """The driver in line with the frame, and its own ends."""
+        return _lettered(self, _critical(_from_driver(self)))
+
+    def direction(self, position: Position) -> float:
+        a, b, c, d = position.places
+        return cmath.phase(c - d if self.driver == "rocker" else b - a)
+
+    def position_at(self, direction: float) -> Position:
+        """Of AB, for one driven there, and of DC, for one driven there."""
+        bar = _from_driver(self)
+        return _lettered(self, [_at(bar, direction - _base(bar), _side(bar), "")])[0]
+
+    def driver_at(self, direction: float) -> float:
+        other = _swapped(_from_driver(self))
+        _, _, b, a = _at(other, direction - _base(other), _side(other), "").places
+        return cmath.phase(b - a)
+
+    def ratio(self, direction: float) -> float:
+        """Both ends of the coupler have the same speed along it."""
+        bar = _from_driver(self)
+        a, b, c, d = bar.position_at(direction).places
+        along = c - b
+        given, taken = (along.conjugate() * (b - a)).imag, (along.conjugate() * (c - d)).imag
+        return given / taken if taken else math.inf
+
+    def seen(self, position: Position) -> Angle:
+        """Between the coupler and the output link."""
+        a, b, c, d = position.places
+        return Angle(b, b - c, a - b) if self.driver == "rocker" else Angle(c, c - b, d - c)
+
+    def mechanism(self, omega: float = 10.0) -> Mechanism:
+        (a, b, c, d), (pa, pb, pc, pd) = self.names, self.places
+        link, vector, along = {
+            "crank": ("1", (a, b), pb - pa), "coupler": ("2", (b, c), pc - pb), "rocker": ("3", (d, c), pc - pd),
+        }[self.driver]  # fmt: skip
+        links = {FRAME: {a: pa, d: pd}, "1": {a: pa, b: pb}, "2": {b: pb, c: pc}, "3": {d: pd, c: pc}}
+        return assembled("4", links, (), (turning(link, vector, along, omega),))
 
 
-def kind(bar: FourBar) -> tuple[str, str]:
-    """The kind, and for a change point its family."""
-    _, _, ends, middle = sums(bar)
-    gap = even(ends - middle, ends + middle)
-    if gap > 0:
-        return "triple-rocker", ""
-    return ("change-point", _family(bar)) if gap == 0 else (_by_shortest(bar), "")
+# --- kinds ----------------------------------------------------------------------------------------
 
 
 def _by_shortest(bar: FourBar) -> str:
@@ -70,22 +205,8 @@ def _family(bar: FourBar) -> str:
 
 
 def _parallel(bar: FourBar) -> bool:
-    """Whether AB and DC point the same way at the drawn position."""
     a, b, c, d = bar.places
     return abs((b - a) - (c - d)) < 1e-6 * (bar.crank + bar.rocker)
-
-
-def turns(bar: FourBar) -> tuple[Turn, ...]:
-    """The four hinges, then the two pairs of opposite links."""
-    names, sizes = labels(bar), bar.lengths
-    hinges = [_turns_fully(sizes, k) for k in range(4)]
-    found = [Turn(names[k], names[(k + 1) % 4], hinges[k], True) for k in range(4)]
-    together = kind(bar)[1] in ("parallelogram", "rhombus")
-    for k in (0, 1):
-        one, other = hinges[k], hinges[k + 1]
-        full = one != other or (one and not together)
-        found.append(Turn(names[k], names[k + 2], full, False))
-    return tuple(found)
 
 
 def _turns_fully(sizes: tuple[float, ...], k: int) -> bool:
@@ -96,7 +217,19 @@ def _turns_fully(sizes: tuple[float, ...], k: int) -> bool:
 # --- ranges and positions ------------------------------------------------------------------------
 
 
-def seen_from_driver(bar: FourBar) -> FourBar:
+def _start(bar: FourBar) -> tuple[complex, ...]:
+    """The crank at 60 deg or near, as far as it gets, C on the left of BD."""
+    low, high = angles(bar.crank, bar.frame, bar.coupler, bar.rocker)
+    drawn = []
+    for turn in (*(turn for turn in TURNS if low + 0.02 < turn < high - 0.02), (low + high) / 2):
+        b, d = cmath.rect(bar.crank, turn), complex(bar.frame)
+        drawn.append((0j, b, apex(b, d, bar.coupler, bar.rocker, 1.0), d))
+    if bar.driver == "rocker":
+        return well_drawn(drawn, lambda a, b, c, d: sine(b - a, c - b))
+    return well_drawn(drawn, lambda a, b, c, d: sine(b - c, d - c))
+
+
+def _from_driver(bar: FourBar) -> FourBar:
     """The same linkage with the driven link in the place of the crank."""
     return _swapped(bar) if bar.driver == "rocker" else bar
 
@@ -109,21 +242,6 @@ def _swapped(bar: FourBar) -> FourBar:
     )  # fmt: skip
 
 
-def driver_range(bar: FourBar) -> Range:
-    """What the driven link goes through; directions from its fixed to its moving hinge [rad]."""
-    bar = seen_from_driver(bar)
-    found = _range(bar)
-    base = _base(bar)
-    return Range(base + found.low, base + found.high, found.full)
-
-
-def output_range(bar: FourBar) -> Range:
-    """What the output link goes through; directions from its fixed to its moving hinge [rad]."""
-    other = _swapped(seen_from_driver(bar))
-    found, base = _range(other), _base(other)
-    return Range(base + found.low, base + found.high, found.full)
-
-
 def _base(bar: FourBar) -> float:
     """Direction of the frame, A to D."""
     return cmath.phase(bar.places[3] - bar.places[0])
@@ -133,17 +251,6 @@ def _range(bar: FourBar) -> Range:
     """Angles of AB against AD."""
     a, b, _, d = bar.places
     return spanned(*angles(bar.crank, bar.frame, bar.coupler, bar.rocker), cmath.phase((b - a) / (d - a)))
-
-
-def limits(bar: FourBar) -> tuple[Position, ...]:
-    """The two ends of the output link's swing, the stretched one first; none where it turns fully."""
-    seen = seen_from_driver(bar)
-    other = _swapped(seen)
-    found = _range(other)
-    if found.full:
-        return ()
-    ends = [_limit(seen, other, angle) for angle in (found.low, found.high)]
-    return _lettered(bar, sorted(ends, key=lambda end: end.how != "stretched"))
 
 
 def _lettered(bar: FourBar, ends: Iterable[Position]) -> tuple[Position, ...]:
@@ -165,20 +272,14 @@ def _limit(bar: FourBar, other: FourBar, angle: float) -> Position:
 
 def _position(bar: FourBar, places: tuple[complex, ...], how: str) -> Position:
     a, b, c, d = places
-    turned = whole(cmath.phase(b - a))
+    turned = phase(b - a)
     value = turned if bar.scale is None else whole(bar.scale(turned))
     gamma = None if bar.driver == "coupler" else folded(b - c, d - c)
-    return Position(places, 0.0, value, whole(cmath.phase(c - d)), gamma, how)
-
-
-def critical(bar: FourBar) -> tuple[Position, ...]:
-    """Where the transmission angle can be least: the driver in line with the frame, and its own ends."""
-    return _lettered(bar, _critical(seen_from_driver(bar)))
+    return Position(places, 0.0, value, phase(c - d), gamma, how)
 
 
 def _critical(bar: FourBar) -> Iterator[Position]:
-    found = _range(bar)
-    side = _side(bar)
+    found, side = _range(bar), _side(bar)
     for angle, how in ((0.0, "inner"), (math.pi, "outer")):
         if found.full or found.low < angle < found.high:
             yield _at(bar, angle, side, how)
@@ -203,51 +304,4 @@ def _at(bar: FourBar, angle: float, side: float, how: str) -> Position:
 
 def _over_pivot(bar: FourBar, b: complex, how: str) -> Position:
     """AB lies on AD, BC on DC, the two of one length each: C may be anywhere about D."""
-    c = bar.places[2] if bar.rocker > 0 else b
-    return replace(_position(bar, (bar.places[0], b, c, bar.places[3]), how), gamma=0.0)
-
-
-def dead(bar: FourBar) -> dict[str, tuple[float, ...]]:
-    """Where a driver at AB, and one at CD, cannot move the others: directions of those links [rad]."""
-    a, b, c, d = bar.names
-    first = bar if bar.driver != "rocker" else replace(bar, driver="crank", scale=None)
-    first = replace(first, driver="crank")
-    second = bar if bar.driver == "rocker" else replace(bar, driver="rocker", scale=None)
-    return {a + b: _dead(first), c + d: _dead(seen_from_driver(second))}
-
-
-def _dead(bar: FourBar) -> tuple[float, ...]:
-    return tuple(sorted({end.driver for end in _critical(bar) if end.gamma == 0}))
-
-
-# --- many positions at once ------------------------------------------------------------------------
-
-
-def position_at(bar: FourBar, turned: float) -> Position:
-    """The position with AB at a direction [rad], assembled as drawn; for a linkage driven at AB."""
-    return _at(bar, turned - _base(bar), _side(bar), "")
-
-
-def driver_at(bar: FourBar, turned: float) -> float:
-    """Direction of AB where the output DC has a direction [rad], assembled as drawn."""
-    other = _swapped(bar)
-    _, _, b, a = _at(other, turned - _base(other), _side(other), "").places
-    return cmath.phase(b - a)
-
-
-def driven(bar: FourBar, turned: float) -> tuple[complex, ...]:
-    """A, B, C, D with the driven link at a direction [rad], assembled as drawn."""
-    bar = seen_from_driver(bar)
-    return _at(bar, turned - _base(bar), _side(bar), "").places
-
-
-def ratio(bar: FourBar, places: tuple[complex, ...]) -> float:
-    """Output's over driver's angular velocity, places as seen from the driver; infinite at a dead point.
-
-    Both ends of the coupler have the same speed along it.
-    """
-    a, b, c, d = places
-    along = c - b
-    given = (along.conjugate() * (b - a)).imag
-    taken = (along.conjugate() * (c - d)).imag
-    return given / taken if taken else math.inf
+    return replace(_position(bar, (bar.places[0], b, bar.places[2], bar.places[3]), how), gamma=0.0)

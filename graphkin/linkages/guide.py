@@ -9,61 +9,203 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Callable, Iterator
+from typing import ClassVar
 
-from graphkin.linkages.model import EVEN, GuideBar, even
-from graphkin.linkages.parts import Position, Range, Turn, folded, spanned, whole
-
-__all__ = [
-    "critical", "dead", "driven", "driver_at", "driver_range", "kind", "labels", "limits", "output_range",
-    "position_at", "ratio",
-    "sums", "turns",
-]  # fmt: skip
-
-
-def labels(bar: GuideBar) -> tuple[str, str, str]:
-    """What crank, bar and frame are called: AB, CB, AC."""
-    a, b, c = bar.names
-    return a + b, c + b, a + c
+from graphkin.linkages.assembled import assembled, drawn_line, free_names, pushing, turning
+from graphkin.linkages.equal import EVEN, even
+from graphkin.linkages.first_position import TURNS, sine, well_drawn
+from graphkin.linkages.lengths import check_closing, check_driver, check_links, check_offset
+from graphkin.linkages.linkage import Position, Range, Scale, Sums, Turn
+from graphkin.linkages.triangles import folded, limited, passes, phase, spanned, whole
+from graphkin.mechanism import FRAME, Mechanism
+from graphkin.pairs import Slide
+from graphkin.value import frozen
 
 
-def sums(bar: GuideBar) -> tuple[tuple[str, str], tuple[str, str], float, float]:
-    """Shorter of crank and frame with the offset, the longer, and both sides [m]."""
-    crank, _, frame = labels(bar)
-    sizes = {crank: bar.crank, frame: bar.frame}
-    short, long = sorted(sizes, key=lambda link: sizes[link])
-    return (short, "e"), (long, ""), sizes[short] + abs(bar.offset), sizes[long]
+@frozen
+class GuideBar:
+    """Crank AB, frame AC, a bar hinged at C on whose line a block hinged at B slides.
+
+    A crank of length r, a rod l and an offset e are one chain: fix its crank or its rod, and it is a guide bar.
+
+    crank, frame   AB, AC [m]
+    offset   B's line lies so far to the left of C, looking along the bar [m]
+    driver   "crank", "bar", "slide" (the block along the bar: a cylinder)
+    names    what A, B, C are called
+    places   A, B, C at the drawn position; left out: A at the origin, C on +x, B ahead of C on the bar
+    turn     direction of the bar at the drawn position [rad]
+    block    the frame carries the block at C and the bar slides through it (an oscillating block)
+    scale    how the driver is counted; left out: the angle of AB, or of the bar, to +x; B's way along the bar from C
+
+    Raises NotALength, CannotDriveBy, OnlyStretched, CannotClose.
+    """
+
+    word: ClassVar[str] = "guide"
+    drivers: ClassVar[tuple[str, ...]] = ("crank", "bar", "slide")
+
+    crank: float
+    frame: float
+    offset: float = 0.0
+    driver: str = "crank"
+    names: tuple[str, ...] = ("A", "B", "C")
+    places: tuple[complex, ...] = ()
+    turn: float = 0.0
+    block: bool = False
+    scale: Scale | None = None
+
+    def __post_init__(self) -> None:
+        crank, frame = _crank_and_frame(self)
+        check_links({crank: self.crank, frame: self.frame})
+        check_offset(self.offset)
+        check_driver(self.driver, self.drivers)
+        check_closing("e", abs(self.offset), [crank, frame], self.crank + self.frame)
+        if not self.places:
+            places, turn = _start(self)
+            object.__setattr__(self, "places", places)
+            object.__setattr__(self, "turn", turn)
+
+    @property
+    def called(self) -> dict[str, str]:
+        a, b, c = self.names
+        slide = self.scale.name if self.driver == "slide" and self.scale is not None else "s"
+        return {"crank": a + b, "bar": c + b, "frame": a + c, "slide": slide}
+
+    @property
+    def sizes(self) -> dict[str, float]:
+        crank, frame = _crank_and_frame(self)
+        return {crank: self.crank, frame: self.frame, "e": self.offset}
+
+    @property
+    def output(self) -> str:
+        return "bar" if self.driver == "crank" else "crank"
+
+    @property
+    def drawn(self) -> Position:
+        b, c = ((place - self.places[0]) * cmath.rect(1, -_base(self)) for place in self.places[1:])
+        return _position(self, b, c, cmath.rect(1, self.turn - _base(self)), "")
+
+    @property
+    def stroke(self) -> float | None:
+        return None
+
+    @property
+    def arm(self) -> tuple[int, int]:
+        return (2, 1) if self.output == "bar" else (0, 1)
+
+    def sums(self) -> Sums:
+        return Sums.beside_offset(self.sizes)
+
+    def kind(self) -> tuple[str, str]:
+        """The kind, and whether bar or block stands on the frame."""
+        gap = self.sums().gap
+        pivoted = "block" if self.block else "bar"
+        if gap == 0:
+            return "change-point", pivoted
+        if gap > 0:
+            return "rocking guide bar", pivoted
+        return ("rotating guide bar" if self.crank > self.frame else "oscillating guide bar"), pivoted
+
+    def turns(self) -> tuple[Turn, ...]:
+        """Three hinges (the block turns with the bar), then crank against bar, frame against block."""
+        crank, bar, frame, _ = self.called.values()
+        short, other = passes(self.crank, self.frame, self.offset), passes(self.frame, self.crank, self.offset)
+        return (
+            Turn(crank, frame, short or other, True), Turn(bar, frame, other, True), Turn(crank, bar, short, True),
+        )  # fmt: skip
+
+    def driver_range(self) -> Range:
+        if self.driver == "slide":
+            low, high = sorted(along if self.scale is None else self.scale(along) for along in _slid_range(self))
+            return Range(low, high)
+        return _turned(self, self.driver)
+
+    def output_range(self) -> Range:
+        return _turned(self, self.output)
+
+    def limits(self) -> tuple[Position, ...]:
+        """The ends of the output's swing: of the bar where the crank drives it, else of the crank."""
+        if self.output == "bar":
+            found = _normal_range(self)
+            return () if found.full else tuple(_tangent(self, angle, "across") for angle in (found.low, found.high))
+        found = _crank_range(self)
+        return () if found.full else tuple(_at(self, angle, "end") for angle in (found.low, found.high))
+
+    def critical(self) -> tuple[Position, ...]:
+        return tuple(_by_bar(self) if self.driver == "bar" else _by_crank(self))
+
+    def direction(self, position: Position) -> float:
+        return position.turn if self.driver == "bar" else cmath.phase(position.places[1] - position.places[0])
+
+    def position_at(self, direction: float) -> Position:
+        """Of the bar where it drives, else of the crank."""
+        if self.driver == "bar":
+            return _tangent(self, direction + math.pi / 2 - _base(self), "")
+        return _at(self, direction - _base(self), "")
+
+    def driver_at(self, direction: float) -> float:
+        a, b, _ = _tangent(self, direction + math.pi / 2 - _base(self), "").places
+        return cmath.phase(b - a)
+
+    def ratio(self, direction: float) -> float:
+        """The bar's over the crank's; the bar's direction follows from where B is ahead of C."""
+        a, b, c = self.position_at(direction).places
+        arm = b - c
+        along = math.sqrt(max(0.0, abs(arm) ** 2 - self.offset**2))
+        if along == 0:
+            return math.inf
+        line = arm / complex(_ahead(self) * along, self.offset)
+        normal = 1j * line / abs(line)
+        return (normal.conjugate() * 1j * (b - a)).real / ((normal.conjugate() * 1j * arm).real)
+
+    def seen(self, position: Position) -> None:
+        return None
+
+    def mechanism(self, omega: float = 10.0) -> Mechanism:
+        """The bar is hinged at C, or at B where it slides through a block at C; its line ends in a point."""
+        (a, b, c), (pa, pb, pc) = self.names, self.places
+        bar, block = ("2", "3") if self.block else ("3", "2")
+        (hinge, start), (other, there) = ((b, pb), (c, pc)) if self.block else ((c, pc), (b, pb))
+        along = cmath.rect(1, self.turn)
+        foot = start + (-1j if self.block else 1j) * along * self.offset
+        ahead = 1.0 if ((there - foot) * along.conjugate()).real >= 0 else -1.0
+        p, q = free_names(self.names, 2)
+        tip = foot + ahead * along * 1.15 * (self.crank + self.frame)
+        points = {hinge: start} | ({} if self.offset == 0 else {p: foot}) | {q: tip}
+        origin = hinge if self.offset == 0 else p
+        links = {FRAME: {a: pa, c: pc}, "1": {a: pa, b: pb}, "2": {}, "3": {}} | {bar: points, block: {other: there}}
+        slide = Slide("s", True, drawn_line(links, bar, origin, ahead * along), other, block, 0.0)
+        driver = {
+            "crank": turning("1", (a, b), pb - pa, omega), "bar": turning(bar, (origin, q), ahead * along, omega),
+            "slide": pushing(((there - foot) * ahead * along.conjugate()).real),
+        }[self.driver]  # fmt: skip
+        return assembled("4", links, (slide,), (driver,))
 
 
-def kind(bar: GuideBar) -> tuple[str, str]:
-    """The kind, and whether bar or block stands on the frame."""
-    _, _, short, long = sums(bar)
-    gap = even(short - long, short + long)
-    pivoted = "block" if bar.block else "bar"
-    if gap == 0:
-        return "change-point", pivoted
-    if gap > 0:
-        return "rocking guide bar", pivoted
-    return ("rotating guide bar" if bar.crank > bar.frame else "oscillating guide bar"), pivoted
-
-
-def turns(bar: GuideBar) -> tuple[Turn, ...]:
-    """Three hinges (the block turns with the bar), then crank against bar, frame against block."""
-    crank, name, frame = labels(bar)
-    short, other = _turns_fully(bar.crank, bar), _turns_fully(bar.frame, bar)
-    return (
-        Turn(crank, frame, short or other, True), Turn(name, frame, other, True), Turn(crank, name, short, True),
-    )  # fmt: skip
-
-
-def _turns_fully(length: float, bar: GuideBar) -> bool:
-    """Whether the link of this length, and so the frame or the crank, turns fully against the bar."""
-    other = bar.crank + bar.frame - length
-    return even(length + abs(bar.offset) - other, length + other) <= 0
+def _crank_and_frame(bar: GuideBar) -> tuple[str, str]:
+    """What they are called."""
+    return bar.called["crank"], bar.called["frame"]
 
 
 # --- ranges and positions ------------------------------------------------------------------------
+
+
+def _start(bar: GuideBar) -> tuple[tuple[complex, ...], float]:
+    """The crank at 60 deg or near, farther out where B would come too near to C."""
+    r, d, e = bar.crank, bar.frame, bar.offset
+    low = math.acos(limited((r * r + d * d - e * e) / (2 * r * d))) if abs(d - r) < abs(e) else 0.0
+    turns = (*(turn for turn in TURNS if turn > low + 0.02), (low + math.pi) / 2)
+    drawn = [(0j, cmath.rect(r, turn), complex(d)) for turn in turns]
+
+    def line(b: complex, c: complex) -> complex:
+        return (b - c) / complex(math.sqrt(max(0.0, abs(b - c) ** 2 - e * e)), e)
+
+    sines: dict[str, Callable[..., float]] = {
+        "crank": lambda a, b, c: sine(b - c, 1j * line(b, c)), "bar": lambda a, b, c: sine(b - a, 1j * line(b, c)),
+        "slide": lambda a, b, c: sine(b - a, b - c),
+    }  # fmt: skip
+    places = well_drawn(drawn, sines[bar.driver])
+    return places, cmath.phase(line(places[1], places[2]))
 
 
 def _base(bar: GuideBar) -> float:
@@ -82,7 +224,7 @@ def _crank_range(bar: GuideBar) -> Range:
     r, d, e = bar.crank, bar.frame, abs(bar.offset)
     if even(abs(d - r) - e, d + r) >= 0:
         return Range(0.0, math.tau, True)
-    least = math.acos(max(-1.0, min(1.0, (r * r + d * d - e * e) / (2 * r * d))))
+    least = math.acos(limited((r * r + d * d - e * e) / (2 * r * d)))
     return Range(least, math.tau - least)
 
 
@@ -90,8 +232,8 @@ def _normal_range(bar: GuideBar) -> Range:
     """Angles of the bar's left normal against AC: the bar's line may not pass A at more than the crank's length."""
     r, d, e = bar.crank, bar.frame, bar.offset
     over, under = even(r - e - d, r + d) < 0, even(r + e - d, r + d) < 0
-    least = math.acos(max(-1.0, min(1.0, (r - e) / d))) if over else 0.0
-    greatest = math.acos(max(-1.0, min(1.0, (-r - e) / d))) if under else math.pi
+    least = math.acos(limited((r - e) / d)) if over else 0.0
+    greatest = math.acos(limited((-r - e) / d)) if under else math.pi
     return spanned(least, greatest, bar.turn + math.pi / 2 - _base(bar))
 
 
@@ -104,33 +246,10 @@ def _slid_range(bar: GuideBar) -> tuple[float, float]:
     return _ahead(bar) * far, _ahead(bar) * math.sqrt((near - e) * (near + e))
 
 
-def driver_range(bar: GuideBar) -> Range:
-    """What the crank or the bar goes through [rad], or the block along the bar [m, as its scale counts]."""
-    if bar.driver == "slide":
-        ends = sorted(_counted(bar, along) for along in _slid_range(bar))
-        return Range(ends[0], ends[1])
-    return _turned(bar, "bar" if bar.driver == "bar" else "crank")
-
-
-def output_range(bar: GuideBar) -> Range:
-    """What the bar goes through where the crank drives it, else the crank [rad]."""
-    return _turned(bar, "bar" if bar.driver == "crank" else "crank")
-
-
 def _turned(bar: GuideBar, link: str) -> Range:
     """What crank or bar goes through: their directions on the drawing."""
-    found, zero = (_crank_range(bar), 0.0) if link == "crank" else (_normal_range(bar), -math.pi / 2)
-    base = _base(bar) + zero
-    return Range(base + found.low, base + found.high, found.full)
-
-
-def limits(bar: GuideBar) -> tuple[Position, ...]:
-    """The ends of the output's swing: of the bar where the crank drives it, else of the crank."""
-    if bar.driver == "crank":
-        found = _normal_range(bar)
-        return () if found.full else tuple(_tangent(bar, angle, "across") for angle in (found.low, found.high))
-    turning = _crank_range(bar)
-    return () if turning.full else tuple(_at(bar, angle, "end") for angle in (turning.low, turning.high))
+    base = _base(bar)
+    return _crank_range(bar).turned(base) if link == "crank" else _normal_range(bar).turned(base - math.pi / 2)
 
 
 def _tangent(bar: GuideBar, normal: float, how: str) -> Position:
@@ -159,12 +278,12 @@ def _at(bar: GuideBar, angle: float, how: str) -> Position:
 def _position(bar: GuideBar, b: complex, c: complex, along: complex, how: str) -> Position:
     """From the axes of the frame to the drawing's."""
     turn, a = cmath.rect(1, _base(bar)), bar.places[0]
-    crank, direction = whole(cmath.phase(b * turn)), whole(cmath.phase(along * turn))
+    crank, direction = phase(b * turn), phase(along * turn)
     slid = ((b - c) * along.conjugate()).real
     value = {"crank": crank, "bar": direction, "slide": slid}[bar.driver]
     if bar.scale is not None:
         value = bar.scale(value) if bar.driver == "slide" else whole(bar.scale(value))
-    output = direction if bar.driver == "crank" else crank
+    output = direction if bar.output == "bar" else crank
     return Position((a, a + b * turn, a + c * turn), direction, value, output, _gamma(bar, b, c, along), how)
 
 
@@ -176,15 +295,6 @@ def _gamma(bar: GuideBar, b: complex, c: complex, along: complex) -> float:
     if bar.driver == "bar":
         return folded(1j * along, b)
     return folded(b - c, b)
-
-
-def _counted(bar: GuideBar, along: float) -> float:
-    return along if bar.scale is None else bar.scale(along)
-
-
-def critical(bar: GuideBar) -> tuple[Position, ...]:
-    """Where the transmission angle can be least."""
-    return tuple(_by_bar(bar) if bar.driver == "bar" else _by_crank(bar))
 
 
 def _by_crank(bar: GuideBar) -> Iterator[Position]:
@@ -201,53 +311,6 @@ def _by_crank(bar: GuideBar) -> Iterator[Position]:
 def _by_bar(bar: GuideBar) -> Iterator[Position]:
     """The bar at right angles to the frame, and its own ends."""
     found = _normal_range(bar)
-    if found.full:
-        for angle in (0.0, math.pi):
-            yield _tangent(bar, angle, "square")
-    else:
-        for angle in (found.low, found.high):
-            yield _tangent(bar, angle, "across")
-
-
-def dead(bar: GuideBar) -> dict[str, tuple[float, ...]]:
-    """Where a driver at the crank, at the bar [rad], or at the block along the bar [m] cannot move the others."""
-    crank, name, _ = labels(bar)
-    found: dict[str, tuple[float, ...]] = {}
-    slide = bar.scale.name if bar.driver == "slide" and bar.scale is not None else "s"
-    for label, driver in ((crank, "crank"), (name, "bar"), (slide, "slide")):
-        seen = bar if driver == bar.driver else replace(bar, driver=driver, scale=None)
-        found[label] = tuple(sorted({end.driver for end in critical(seen) if end.gamma == 0}))
-    return found
-
-
-# --- many positions at once ------------------------------------------------------------------------
-
-
-def position_at(bar: GuideBar, turned: float) -> Position:
-    """The position with the driven crank or bar at a direction [rad], assembled as drawn."""
-    if bar.driver == "bar":
-        return _tangent(bar, turned + math.pi / 2 - _base(bar), "")
-    return _at(bar, turned - _base(bar), "")
-
-
-def driver_at(bar: GuideBar, turned: float) -> float:
-    """Direction of the crank where the bar has a direction [rad], assembled as drawn."""
-    a, b, _ = _tangent(bar, turned + math.pi / 2 - _base(bar), "").places
-    return cmath.phase(b - a)
-
-
-def driven(bar: GuideBar, turned: float) -> tuple[complex, ...]:
-    """A, B, C with the crank at a direction [rad], assembled as drawn."""
-    return _at(replace(bar, driver="crank", scale=None), turned - _base(bar), "").places
-
-
-def ratio(bar: GuideBar, places: tuple[complex, ...]) -> float:
-    """The bar's over the crank's angular velocity; the bar's direction follows from where B is ahead of C."""
-    a, b, c = places
-    arm = b - c
-    along = math.sqrt(max(0.0, abs(arm) ** 2 - bar.offset**2))
-    if along == 0:
-        return math.inf
-    line = arm / complex(_ahead(bar) * along, bar.offset)
-    normal = 1j * line / abs(line)
-    return (normal.conjugate() * 1j * (b - a)).real / ((normal.conjugate() * 1j * arm).real)
+    angles = ((0.0, "square"), (math.pi, "square")) if found.full else ((found.low, "across"), (found.high, "across"))
+    for angle, how in angles:
+        yield _tangent(bar, angle, how)

@@ -12,8 +12,6 @@ from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Slide
 from graphkin.value import frozen
 
-__all__ = ["Loop", "Pair", "loops", "pin_block"]
-
 
 @frozen
 class Pair:

@@ -8,16 +8,13 @@ Closed forms throughout; only the least mechanical advantage, which has none, is
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from functools import cached_property
 
-from graphkin.errors import GraphkinError, Where
-from graphkin.linkages import four, guide, slider
-from graphkin.linkages.model import FourBar, GuideBar, Linkage, SliderCrank
-from graphkin.linkages.parts import Position, Range, Turn, whole
+from graphkin.linkages.linkage import CRANKS, SLIDES, Linkage, Position, Range, Turn
+from graphkin.linkages.triangles import whole
 from graphkin.value import frozen
-
-__all__ = ["Advantage", "Report", "advantage", "from_lengths", "report", "timed"]
 
 _SAME = 1e-9
 """Transmission angles nearer than this are both the least [rad]."""
@@ -76,18 +73,30 @@ class Report:
     timed_by: str = ""
 
     @property
+    def slide(self) -> str:
+        """What its sliding part is called: C, or the name of a slide; empty where nothing slides."""
+        return next((name for part, name in self.linkage.called.items() if part in SLIDES), "")
+
+    @property
+    def driver_slides(self) -> bool:
+        """Whether the driver's values are displacements [m]."""
+        return self.linkage.driver in SLIDES
+
+    @property
+    def output_slides(self) -> bool:
+        """Whether the output's are."""
+        return self.linkage.output in SLIDES
+
+    @property
     def driver_span(self) -> Range:
         """What the driver goes through, as its scale counts."""
-        span, scale = self.driver_range, self.linkage.scale
-        if scale is None or self.linkage.driver in ("slider", "slide"):
-            return span
-        return Range(span.low + scale.zero, span.high + scale.zero, span.full)
+        scale = self.linkage.scale
+        return self.driver_range if scale is None or self.driver_slides else self.driver_range.turned(scale.zero)
 
     @property
     def swing(self) -> float | None:
         """The output link's swing; None where it turns fully or slides."""
-        slides = isinstance(self.linkage, SliderCrank) and self.linkage.driver != "slider"
-        return None if slides or self.output_range.full else self.output_range.width
+        return None if self.output_slides or self.output_range.full else self.output_range.width
 
     @property
     def gamma_min(self) -> float | None:
@@ -106,8 +115,7 @@ class Report:
     @property
     def level(self) -> bool:
         """Whether the transmission angle is 90 deg throughout: a guide bar without offset, driven by its crank."""
-        bar = self.linkage
-        return isinstance(bar, GuideBar) and bar.driver == "crank" and (self.gamma_min or 0.0) > math.pi / 2 - _SAME
+        return (self.gamma_min or 0.0) > math.pi / 2 - _SAME
 
     @property
     def alpha_max(self) -> float | None:
@@ -123,79 +131,35 @@ class Report:
 def report(linkage: Linkage) -> Report:
     """What a linkage is and does.
 
+    >>> from graphkin.linkages import from_lengths
     >>> found = report(from_lengths("fourbar", 0.015, 0.048, 0.055, 0.045))
     >>> found.kind, round(math.degrees(found.theta), 3), round(found.k, 4)
     ('crank-rocker', 29.859, 1.3977)
     """
-    match linkage:
-        case FourBar():
-            return _four_bar(linkage)
-        case SliderCrank():
-            return _slider_crank(linkage)
-        case GuideBar():
-            return _guide_bar(linkage)
-
-
-def from_lengths(kind: str, *lengths: float, driver: str = "crank") -> Linkage:
-    """A linkage by its lengths [m]: "fourbar" (crank, coupler, rocker, frame), "slider" (crank, rod, offset),
-    "guide" (crank, frame, offset). Raises NotALength, CannotClose, OnlyStretched, CannotDriveBy."""
-    made: dict[str, Callable[..., Linkage]] = {"fourbar": FourBar, "slider": SliderCrank, "guide": GuideBar}
-    try:
-        return made[kind](*lengths, driver=driver)
-    except GraphkinError as error:
-        raise error.at(Where(f"--{kind}")) from None
-
-
-def _four_bar(bar: FourBar) -> Report:
-    crank, coupler, rocker, _ = four.labels(bar)
-    driver = {"crank": crank, "coupler": coupler, "rocker": rocker}[bar.driver]
-    return _report(
-        bar, four.kind(bar), four.sums(bar), four.turns(bar), driver, crank if bar.driver == "rocker" else rocker,
-        four.driver_range(bar), four.output_range(bar), four.limits(bar), None, four.critical(bar), four.dead(bar),
-    )  # fmt: skip
-
-
-def _slider_crank(linkage: SliderCrank) -> Report:
-    crank, rod, block = slider.labels(linkage)
-    driver = {"crank": crank, "coupler": rod, "slider": block}[linkage.driver]
-    return _report(
-        linkage, slider.kind(linkage), slider.sums(linkage), slider.turns(linkage), driver,
-        crank if linkage.driver == "slider" else block, slider.driver_range(linkage),
-        slider.output_range(linkage), slider.limits(linkage), slider.stroke(linkage), slider.critical(linkage),
-        slider.dead(linkage),
-    )  # fmt: skip
-
-
-def _guide_bar(bar: GuideBar) -> Report:
-    crank, name, _ = guide.labels(bar)
-    driver = {"crank": crank, "bar": name, "slide": bar.scale.name if bar.scale else "s"}[bar.driver]
-    return _report(
-        bar, guide.kind(bar), guide.sums(bar), guide.turns(bar), driver, name if bar.driver == "crank" else crank,
-        guide.driver_range(bar), guide.output_range(bar), guide.limits(bar), None, guide.critical(bar), guide.dead(bar),
-    )  # fmt: skip
-
-
-def _report(
-    linkage: Linkage, kind: tuple[str, str], sums: tuple[tuple[str, str], tuple[str, str], float, float],
-    turns: tuple[Turn, ...], driver: str, output: str, driver_range: Range, output_range: Range,
-    limits: tuple[Position, ...], stroke: float | None, critical: tuple[Position, ...],
-    dead: Mapping[str, tuple[float, ...]],
-) -> Report:  # fmt: skip
-    theta, k, slow = _quick_return(linkage, kind[0], driver_range, limits)
-    ends, middle, sum_ends, sum_middle = sums
-    grashof = kind[0] not in ("triple-rocker", "rocking guide bar") and kind[1] != "no full turn"
+    (kind, family), sums, limits, span = linkage.kind(), linkage.sums(), linkage.limits(), linkage.driver_range()
+    theta, k, slow = _quick_return(linkage, kind, span, limits)
+    grashof = kind not in ("triple-rocker", "rocking guide bar") and family != "no full turn"
     return Report(
-        linkage, *kind, grashof, ends, middle, sum_ends, sum_middle, turns, driver, output, driver_range, output_range,
-        limits, stroke, theta, k, slow, critical, dead,
+        linkage, kind, family, grashof, sums.ends, sums.middle, sums.sum_ends, sums.sum_middle, linkage.turns(),
+        linkage.called[linkage.driver], linkage.called[linkage.output], span, linkage.output_range(), limits,
+        linkage.stroke, theta, k, slow, linkage.critical(), dict(_dead(linkage)),
     )  # fmt: skip
+
+
+def _dead(linkage: Linkage) -> Iterator[tuple[str, tuple[float, ...]]]:
+    """Every part that has a transmission angle where it drives, and where that is 0."""
+    for part in linkage.drivers:
+        seen = linkage if part == linkage.driver else replace(linkage, driver=part, scale=None)
+        ends = seen.critical()
+        if all(end.gamma is not None for end in ends):
+            yield linkage.called[part], tuple(sorted({end.driver for end in ends if end.gamma == 0}))
 
 
 def _quick_return(
     linkage: Linkage, kind: str, driver_range: Range, limits: tuple[Position, ...]
 ) -> tuple[float | None, float | None, tuple[int, int] | None]:
     """theta, K and the slow way, for a driver that turns round and round while its output swings."""
-    turning = linkage.driver == "crank" or (isinstance(linkage, FourBar) and linkage.driver == "rocker")
-    if not turning or not driver_range.full or len(limits) != 2 or kind == "change-point":
+    if linkage.driver not in CRANKS or not driver_range.full or len(limits) != 2 or kind == "change-point":
         return None, None, None
     return timed(limits[0].driver, limits[1].driver)
 
@@ -217,12 +181,12 @@ _STEPS = 720
 def advantage(found: Report) -> Advantage | None:
     """Looked for over a full turn in steps of half a degree, then narrowed down."""
     linkage = found.linkage
-    if not found.driver_range.full or linkage.driver in ("coupler", "slide", "bar") or found.kind == "change-point":
+    if not found.driver_range.full or linkage.driver not in CRANKS or found.kind == "change-point":
         return None
     zero = found.driver_range.low
 
     def size(turned: float) -> float:
-        return abs(_ratio(linkage, turned))
+        return abs(linkage.ratio(turned))
 
     best = max(range(_STEPS), key=lambda k: size(zero + k * math.tau / _STEPS))
     step = math.tau / _STEPS
@@ -231,17 +195,6 @@ def advantage(found: Report) -> Advantage | None:
     least = 0.0 if math.isinf(greatest) or greatest > 1e12 else 1 / greatest
     value = at if linkage.scale is None else linkage.scale(at)
     return Advantage(least, whole(value), tuple(end.driver for end in found.limits))
-
-
-def _ratio(linkage: Linkage, turned: float) -> float:
-    match linkage:
-        case FourBar():
-            bar = four.seen_from_driver(linkage)
-            return four.ratio(bar, four.driven(bar, turned))
-        case SliderCrank():
-            return slider.ratio(linkage, slider.driven(linkage, turned))
-        case GuideBar():
-            return guide.ratio(linkage, guide.driven(linkage, turned))
 
 
 def _highest(size: Callable[[float], float], low: float, high: float) -> float:

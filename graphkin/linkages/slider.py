@@ -10,78 +10,178 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import replace
+from typing import ClassVar
 
-from graphkin.linkages.model import EVEN, SliderCrank, even
-from graphkin.linkages.parts import Position, Range, Turn, folded, whole
-
-__all__ = [
-    "critical", "dead", "driven", "driver_range", "kind", "labels", "limits", "output_range",
-    "position_at", "ratio",
-    "stroke", "sums", "turns",
-]  # fmt: skip
-
-
-def labels(slider: SliderCrank) -> tuple[str, str, str]:
-    """What crank, rod and slider are called: AB, BC, C."""
-    a, b, c = slider.names
-    return a + b, b + c, c
+from graphkin.linkages.assembled import Places, assembled, drawn_line, free_names, pushing, turning
+from graphkin.linkages.equal import EVEN, even
+from graphkin.linkages.first_position import TURNS, sine, well_drawn
+from graphkin.linkages.lengths import check_closing, check_driver, check_links, check_offset
+from graphkin.linkages.linkage import Angle, Position, Range, Scale, Sums, Turn
+from graphkin.linkages.triangles import folded, limited, passes, phase, whole
+from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.pairs import Slide
+from graphkin.value import frozen
 
 
-def sums(slider: SliderCrank) -> tuple[tuple[str, str], tuple[str, str], float, float]:
-    """Shorter link and offset, the longer link, and both sums [m]: one turns where the first is not greater."""
-    sizes = dict(zip(labels(slider), (slider.crank, slider.coupler)))
-    short, long = sorted(sizes, key=lambda link: sizes[link])
-    return (short, "e"), (long, ""), sizes[short] + abs(slider.offset), sizes[long]
+@frozen
+class SliderCrank:
+    """Crank AB, rod BC, slider C on a fixed guide that passes A at a distance e.
 
+    crank, coupler   AB, BC [m]
+    offset   the guide lies so far to the left of A, looking along `way` [m]
+    driver   "crank", "coupler" (the rod), "slider"
+    names    what A, B, C are called
+    places   A, B, C at the drawn position; left out: A at the origin, the guide along +x, C to the right
+    way      direction of the guide [rad]
+    block    the fixed link is the block and the sliding link carries the guide (a hand pump)
+    scale    how the driver is counted; left out: the angle of AB to +x, or C's way along the guide from the foot of A
 
-def kind(slider: SliderCrank) -> tuple[str, str]:
-    """The kind, and what is special about it."""
-    _, _, short, long = sums(slider)
-    gap = even(short - long, short + long)
-    line = "in-line" if even(slider.offset, short + long) == 0 else "offset"
-    if gap == 0:
-        return "change-point", "isosceles" if line == "in-line" else "slider-crank"
-    if gap > 0:
-        return "rocker-slider", "no full turn"
-    return ("slider-crank", line) if slider.crank < slider.coupler else ("rocker-slider", "turning rod")
+    Raises NotALength, CannotDriveBy, OnlyStretched, CannotClose.
+    """
 
+    word: ClassVar[str] = "slider"
+    drivers: ClassVar[tuple[str, ...]] = ("crank", "coupler", "slider")
 
-def turns(slider: SliderCrank) -> tuple[Turn, ...]:
-    """Three hinges, then crank against slider and rod against the guide's link."""
-    crank, rod, block = labels(slider)
-    first, second = _turns_fully(slider.crank, slider), _turns_fully(slider.coupler, slider)
-    name = "frame"
-    return (
-        Turn(crank, name, first, True), Turn(crank, rod, first or second, True), Turn(rod, block, second, True),
-        Turn(crank, block, first, False), Turn(rod, name, second, False),
-    )  # fmt: skip
+    crank: float
+    coupler: float
+    offset: float = 0.0
+    driver: str = "crank"
+    names: tuple[str, ...] = ("A", "B", "C")
+    places: tuple[complex, ...] = ()
+    way: float = 0.0
+    block: bool = False
+    scale: Scale | None = None
 
+    def __post_init__(self) -> None:
+        crank, rod, _ = self.called.values()
+        check_links({crank: self.crank, rod: self.coupler})
+        check_offset(self.offset)
+        check_driver(self.driver, self.drivers)
+        check_closing("e", abs(self.offset), [crank, rod], self.crank + self.coupler)
+        object.__setattr__(self, "places", self.places or _start(self))
 
-def _turns_fully(length: float, slider: SliderCrank) -> bool:
-    """Whether a link of this length turns against the guide; the other link is the rest."""
-    other = slider.crank + slider.coupler - length
-    return even(length + abs(slider.offset) - other, length + other) <= 0
+    @property
+    def called(self) -> dict[str, str]:
+        a, b, c = self.names
+        return {"crank": a + b, "coupler": b + c, "slider": c}
+
+    @property
+    def sizes(self) -> dict[str, float]:
+        crank, rod, _ = self.called.values()
+        return {crank: self.crank, rod: self.coupler, "e": self.offset}
+
+    @property
+    def output(self) -> str:
+        return "crank" if self.driver == "slider" else "slider"
+
+    @property
+    def drawn(self) -> Position:
+        _, b, c = _own(self)
+        return _position(self, b, c, "")
+
+    @property
+    def stroke(self) -> float | None:
+        first, second = _reach(self)
+        return abs(first - second)
+
+    @property
+    def arm(self) -> tuple[int, int]:
+        return 0, 1
+
+    def sums(self) -> Sums:
+        return Sums.beside_offset(self.sizes)
+
+    def kind(self) -> tuple[str, str]:
+        """The kind, and what is special about it."""
+        gap = self.sums().gap
+        line = "in-line" if even(self.offset, self.crank + self.coupler + abs(self.offset)) == 0 else "offset"
+        if gap == 0:
+            return "change-point", "isosceles" if line == "in-line" else "slider-crank"
+        if gap > 0:
+            return "rocker-slider", "no full turn"
+        return ("slider-crank", line) if self.crank < self.coupler else ("rocker-slider", "turning rod")
+
+    def turns(self) -> tuple[Turn, ...]:
+        """Three hinges, then crank against slider and rod against the guide's link."""
+        crank, rod, block = self.called.values()
+        first, second = passes(self.crank, self.coupler, self.offset), passes(self.coupler, self.crank, self.offset)
+        return (
+            Turn(crank, FRAME, first, True), Turn(crank, rod, first or second, True), Turn(rod, block, second, True),
+            Turn(crank, block, first, False), Turn(rod, FRAME, second, False),
+        )  # fmt: skip
+
+    def driver_range(self) -> Range:
+        if self.driver == "slider":
+            ends = sorted(_slid(self, along) for along in _reach(self))
+            return Range(ends[0], ends[1])
+        return _range(self).turned(self.way)
+
+    def output_range(self) -> Range:
+        if self.driver == "slider":
+            return _range(self).turned(self.way)
+        ends = sorted(_reach(self))
+        return Range(ends[0], ends[1])
+
+    def limits(self) -> tuple[Position, ...]:
+        """The two ends of the slider's way, or of the crank's where the slider drives."""
+        if self.driver != "slider":
+            return tuple(_limit(self, along) for along in _reach(self))
+        found = _range(self)
+        return () if found.full else tuple(_at(self, angle, 0.0, "end") for angle in (found.low, found.high))
+
+    def critical(self) -> tuple[Position, ...]:
+        """The crank at right angles to the guide, and its own ends; driven at the slider, its two ends."""
+        if self.driver == "slider":
+            return tuple(_limit(self, along) for along in _reach(self))
+        return tuple(_critical(self))
+
+    def direction(self, position: Position) -> float:
+        return cmath.phase(position.places[1] - position.places[0])
+
+    def position_at(self, direction: float) -> Position:
+        """Of the crank."""
+        _, b, c = _own(self)
+        return _at(self, direction - self.way, 1.0 if c.real >= b.real else -1.0, "")
+
+    def driver_at(self, direction: float) -> float:
+        return math.nan
+
+    def ratio(self, direction: float) -> float:
+        """Of the slider along the guide [m/rad]."""
+        a, b, c = self.position_at(direction).places
+        rod = c - b
+        given = (rod.conjugate() * (1j * (b - a))).real
+        taken = (rod.conjugate() * cmath.rect(1, self.way)).real
+        return given / taken if taken else math.inf
+
+    def seen(self, position: Position) -> Angle:
+        """Between rod and crank where the slider drives, else as pressure angle between rod and guide."""
+        a, b, c = position.places
+        if self.driver == "slider":
+            return Angle(b, b - a, c - b)
+        along = cmath.rect(1, self.way)
+        return Angle(c, along if (along.conjugate() * (b - c)).real > 0 else -along, b - c, self.driver == "crank")
+
+    def mechanism(self, omega: float = 10.0) -> Mechanism:
+        """The slider on a guide of the frame; or a bar through a block that stands on the frame, at the foot of A."""
+        return _fixed_block(self, omega) if self.block else _fixed_guide(self, omega)
 
 
 # --- ranges and positions ------------------------------------------------------------------------
 
 
-def driver_range(slider: SliderCrank) -> Range:
-    """What the crank goes through [rad], or the slider [m, as its scale counts]."""
+def _start(slider: SliderCrank) -> tuple[complex, ...]:
+    """The crank at 60 deg or near, as far as it gets, the slider on the right."""
+    r, rod, e = slider.crank, slider.coupler, slider.offset
+    low, high = limited((e - rod) / r), limited((e + rod) / r)
+    drawn = []
+    for turn in (*(turn for turn in TURNS if low < math.sin(turn) < high), (math.asin(low) + math.asin(high)) / 2):
+        b = cmath.rect(r, turn)
+        drawn.append((0j, b, complex(b.real + math.sqrt(max(0.0, rod * rod - (e - b.imag) ** 2)), e)))
+    drawn = [places for places in drawn if places[2].real > 0] or drawn
     if slider.driver == "slider":
-        ends = sorted(_slid(slider, along) for along in _reach(slider))
-        return Range(ends[0], ends[1])
-    found = _range(slider)
-    return Range(slider.way + found.low, slider.way + found.high, found.full)
-
-
-def output_range(slider: SliderCrank) -> Range:
-    """What the slider goes through [m], or the crank where the slider drives it [rad]."""
-    if slider.driver == "slider":
-        return driver_range(replace(slider, driver="crank"))
-    ends = sorted(_reach(slider))
-    return Range(ends[0], ends[1])
+        return well_drawn(drawn, lambda a, b, c: sine(b - a, c - b))
+    return well_drawn(drawn, lambda a, b, c: sine(c - b, 1j))
 
 
 def _own(slider: SliderCrank) -> tuple[complex, ...]:
@@ -94,7 +194,7 @@ def _range(slider: SliderCrank) -> Range:
     r, rod, e = slider.crank, slider.coupler, slider.offset
     size = r + rod + abs(e)
     over, under = even(e + rod - r, size) < 0, even(rod - e - r, size) < 0
-    high, low = math.asin(max(-1.0, min(1.0, (e + rod) / r))), math.asin(max(-1.0, min(1.0, (e - rod) / r)))
+    high, low = math.asin(limited((e + rod) / r)), math.asin(limited((e - rod) / r))
     if over and under:
         left = _own(slider)[1].real < 0
         return Range(math.pi - high, math.pi - low) if left else Range(low, high)
@@ -115,23 +215,6 @@ def _reach(slider: SliderCrank) -> tuple[float, float]:
     return side * far, side * math.sqrt((gap - e) * (gap + e))
 
 
-def stroke(slider: SliderCrank) -> float:
-    """How far the slider goes from end to end [m]."""
-    first, second = _reach(slider)
-    return abs(first - second)
-
-
-def limits(slider: SliderCrank) -> tuple[Position, ...]:
-    """The two ends of the output's way: of the slider, or of the crank where the slider drives."""
-    if slider.driver == "slider":
-        found = _range(slider)
-        if found.full:
-            return ()
-        ends = [_at(slider, angle, 0.0, "end") for angle in (found.low, found.high)]
-        return tuple(replace(end, output=whole(cmath.phase(end.places[1] - end.places[0]))) for end in ends)
-    return tuple(_limit(slider, along) for along in _reach(slider))
-
-
 def _limit(slider: SliderCrank, along: float) -> Position:
     """The slider at an end: AB and BC in line."""
     c = complex(along, slider.offset)
@@ -146,34 +229,28 @@ def _position(slider: SliderCrank, b: complex, c: complex, how: str) -> Position
     """From the axes of the guide to the drawing's."""
     turn = cmath.rect(1, slider.way)
     a = slider.places[0]
-    angle, slid = whole(cmath.phase(b * turn)), _slid(slider, c.real)
+    places = (a, a + b * turn, a + c * turn)
+    angle = phase(b * turn)
     if slider.driver == "slider":
-        return Position((a, a + b * turn, a + c * turn), slider.way, slid, angle, folded(b, c - b), how)
+        return Position(places, slider.way, _slid(slider, c.real), angle, folded(b, c - b), how)
     gamma = None if slider.driver == "coupler" else folded(c - b, 1j)
     value = angle if slider.scale is None else whole(slider.scale(angle))
-    return Position((a, a + b * turn, a + c * turn), slider.way, value, c.real, gamma, how)
+    return Position(places, slider.way, value, c.real, gamma, how)
 
 
 def _slid(slider: SliderCrank, along: float) -> float:
     """The slider's place as a driver counts it."""
-    return slider.scale(along) if slider.scale is not None and slider.driver == "slider" else along
-
-
-def critical(slider: SliderCrank) -> tuple[Position, ...]:
-    """Where the transmission angle can be least."""
-    if slider.driver == "slider":
-        return tuple(_limit(slider, along) for along in _reach(slider))
-    return tuple(_critical(slider))
+    return along if slider.scale is None else slider.scale(along)
 
 
 def _critical(slider: SliderCrank) -> Iterator[Position]:
-    """The crank at right angles to the guide, and its own ends."""
     found = _range(slider)
-    side = 1.0 if _own(slider)[2].real >= _own(slider)[1].real else -1.0
+    _, b, c = _own(slider)
+    side = 1.0 if c.real >= b.real else -1.0
     away = -1.0 if slider.offset > 0 else 1.0
-    for sine, how in ((away, "far"), (-away, "near")):
-        if abs(slider.offset - slider.crank * sine) <= slider.coupler * (1 + EVEN):
-            yield _at(slider, sine * math.pi / 2, side, how)
+    for sense, how in ((away, "far"), (-away, "near")):
+        if abs(slider.offset - slider.crank * sense) <= slider.coupler * (1 + EVEN):
+            yield _at(slider, sense * math.pi / 2, side, how)
     if not found.full:
         for angle in (found.low, found.high):
             yield _at(slider, angle, 0.0, "end")
@@ -188,35 +265,45 @@ def _at(slider: SliderCrank, angle: float, side: float, how: str) -> Position:
     return _position(slider, b, complex(b.real + along, slider.offset), how)
 
 
-def dead(slider: SliderCrank) -> dict[str, tuple[float, ...]]:
-    """Where a driver at the crank [rad], and one at the slider [m], cannot move the others."""
-    crank, _, block = labels(slider)
-    mine = {"crank": crank, "slider": block}.get(slider.driver, "")
-    found: dict[str, tuple[float, ...]] = {}
-    for name, driver in ((crank, "crank"), (block, "slider")):
-        seen = slider if name == mine else replace(slider, driver=driver, scale=None)
-        found[name] = tuple(sorted({end.driver for end in critical(seen) if end.gamma == 0}))
-    return found
+# --- as a mechanism ------------------------------------------------------------------------------
 
 
-# --- many positions at once ------------------------------------------------------------------------
+def _fixed_guide(slider: SliderCrank, omega: float) -> Mechanism:
+    (a, _, c), (pa, _, pc) = slider.names, slider.places
+    along, foot = _guide(slider)
+    links = {FRAME: {a: pa, "s0": foot}, **_cranks(slider), "3": {c: pc}}
+    slide = Slide("s", True, drawn_line(links, FRAME, "s0", along), c, "3", 0.0)
+    return assembled("4", links, (slide,), (_driver(slider, ((pc - foot) * along.conjugate()).real, omega),))
 
 
-def position_at(slider: SliderCrank, turned: float) -> Position:
-    """The position with the crank at a direction [rad], assembled as drawn; for a linkage driven at the crank."""
-    own = _own(slider)
-    return _at(slider, turned - slider.way, 1.0 if own[2].real >= own[1].real else -1.0, "")
+def _fixed_block(slider: SliderCrank, omega: float) -> Mechanism:
+    (a, _, c), (pa, _, pc) = slider.names, slider.places
+    along, foot = _guide(slider)
+    p, q = free_names(slider.names, 2)
+    own = ((foot - pc) * along.conjugate()).real
+    ahead = along if own >= 0 else -along
+    tip = pc + ahead * (abs(own) + 0.4 * (slider.crank + slider.coupler))
+    fixed = {a: pa} if slider.offset == 0 else {a: pa, p: foot}
+    links = {FRAME: fixed, **_cranks(slider), "3": {c: pc, q: tip}}
+    slide = Slide("s", True, drawn_line(links, "3", c, ahead), list(fixed)[-1], FRAME, -cmath.phase(ahead))
+    return assembled("4", links, (slide,), (_driver(slider, abs(own), omega),))
 
 
-def driven(slider: SliderCrank, turned: float) -> tuple[complex, ...]:
-    """A, B, C with the crank at a direction [rad], assembled as drawn."""
-    return position_at(replace(slider, driver="crank", scale=None), turned).places
+def _guide(slider: SliderCrank) -> tuple[complex, complex]:
+    """Its direction, and its foot under A."""
+    along = cmath.rect(1, slider.way)
+    return along, slider.places[0] + 1j * along * slider.offset
 
 
-def ratio(slider: SliderCrank, places: tuple[complex, ...]) -> float:
-    """The slider's velocity along the guide over the crank's angular velocity [m/rad]."""
-    a, b, c = places
-    rod = c - b
-    given = (rod.conjugate() * (1j * (b - a))).real
-    taken = (rod.conjugate() * cmath.rect(1, slider.way)).real
-    return given / taken if taken else math.inf
+def _cranks(slider: SliderCrank) -> dict[str, Places]:
+    """Crank and rod."""
+    (a, b, c), (pa, pb, pc) = slider.names, slider.places
+    return {"1": {a: pa, b: pb}, "2": {b: pb, c: pc}}
+
+
+def _driver(slider: SliderCrank, at: float, omega: float) -> Driver:
+    """at: the displacement of the mechanism's slide [m]."""
+    (a, b, c), (pa, pb, pc) = slider.names, slider.places
+    if slider.driver == "slider":
+        return pushing(at)
+    return turning("2", (b, c), pc - pb, omega) if slider.driver == "coupler" else turning("1", (a, b), pb - pa, omega)

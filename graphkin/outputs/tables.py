@@ -15,15 +15,13 @@ import numpy as np
 
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs.files import beside
+from graphkin.quantities import EDGE
 from graphkin.sweeps import Course, Road, Series, Sweep, parts
 
 __all__ = ["FORMATS", "NoParquet", "columns", "csv_lines", "json_text", "told", "write"]
 
 FORMATS = (".csv", ".json", ".parquet")
 MARKS = (b" [deg]", b" [mm]", b'"format": 1', b"graphkin")
-EDGE = {"rad": ("deg", 180 / math.pi), "m": ("mm", 1000.0)}
-"""Units at the edge, by SI unit, and how many of them make one."""
-
 Seen = Callable[[Sweep], None]
 """Is shown each part that is done."""
 
@@ -70,15 +68,15 @@ def told(found: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
 def columns(part: Sweep) -> dict[str, np.ndarray]:
     """By header, in mm and deg: the driver's value, and each quantity; of vectors the size, then x and y."""
     driver = part.course.driver.name
-    unit, factor = EDGE["rad" if part.course.angular else "m"]
-    found = {f"{driver} [{unit}]": part.values * factor}
+    unit = EDGE[part.course.unit]
+    found = {f"{driver} [{unit.name}]": part.values * unit.factor}
     for entry in part.series:
         found |= _columns(entry)
     return found
 
 
 def _columns(entry: Series) -> Iterator[tuple[str, np.ndarray]]:
-    unit, factor = EDGE.get(entry.unit, (entry.unit, 1.0))
+    unit, factor = EDGE[entry.unit].name or "1", EDGE[entry.unit].factor
     if not entry.is_place:
         yield f"{entry.name} [{unit}]", entry.values * factor
     if entry.vectors is not None:
@@ -108,11 +106,11 @@ def json_text(course: Course, found: Iterator[Sweep]) -> str:
     """One object: the driver's values, the range that is reached, and each quantity with its unit."""
     collected = list(found)
     low, high = course.reach
-    unit = "rad" if course.angular else "m"
+    values = _all([part.values for part in collected])
     data: dict[str, Any] = {
         "format": 1,
         "name": course.method.mechanism.name,
-        "driver": {"name": course.driver.name, "unit": unit, "values": _all([part.values for part in collected])},
+        "driver": {"name": course.driver.name, "unit": course.unit, "values": values},
         "range": {
             "full_turn": course.full_turn,
             "low": None if course.full_turn else low,

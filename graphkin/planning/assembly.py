@@ -15,6 +15,7 @@ from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
 from graphkin.geometry import Value, cross
 from graphkin.planning.branch_search import BETWEEN, DeadEnd, branches, told_slides
 from graphkin.planning.branches import Branches
+from graphkin.planning.own_axis import along_own_axis
 from graphkin.planning.structure import Structure
 from graphkin.value import frozen
 
@@ -169,7 +170,8 @@ def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: 
     if gap > CLOSED * extent(plot):
         return CannotAssemble(where, called, gap * 1000)
     sine = np.nan_to_num(np.asarray(plot.sines["position", key], dtype=float))
-    return DeadPoint(where, called, float(np.degrees(np.arcsin(min(1.0, float(np.max(sine)))))))
+    angle = float(np.degrees(np.arcsin(min(1.0, float(np.max(sine))))))
+    return along_own_axis(mechanism, links, angle) or DeadPoint(where, called, angle)
 
 
 def extent(plot: Plot) -> float:

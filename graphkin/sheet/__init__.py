@@ -16,14 +16,16 @@ from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
-from graphkin.sheet.composition import Composed, compose
+from graphkin.sheet.composition import Composed, compose, scales_of
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.paper import PAPERS, Paper
 from graphkin.sheet.scales import TooLargeForPaper, UnknownPaper
 from graphkin.sheet.window import PLANES, step_count
 from graphkin.value import frozen
 
-__all__ = ["PAPERS", "Paper", "Sheet", "TooLargeForPaper", "UnknownPaper", "sheet", "step_count", "step_sheets"]
+__all__ = [
+    "PAPERS", "Paper", "Sheet", "TooLargeForPaper", "UnknownPaper", "scales_of", "sheet", "step_count", "step_sheets",
+]  # fmt: skip
 
 
 @frozen

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Iterator
 from dataclasses import replace
 
-import numpy as np
-
 from graphkin.centres.about import About
-from graphkin.centres.about_bobillier import Bobillier, Crossing, Through, Turned
-from graphkin.construction.centring import INFINITE
+from graphkin.centres.about_bobillier import Bobillier
+from graphkin.drafting import INFINITE, LineStep, PointStep, drawn_through
 from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.about_page import Page, clipped, drawn_values, enlarged, finished, mechanism_on, page, within
@@ -55,21 +54,15 @@ def bobillier_step_sheets(
 ) -> Iterator[Sheet]:
     """One sheet a step, its newest marks emphasised."""
     whole = bobillier_sheet(seen, drawn, paper=paper, lang=lang)
-    for step in range(1, len(drawn.steps) + 1):
+    for step in range(1, len([*drawn.construction.steps]) + 1):
         marks = (mark for mark in whole.marks if mark.step is None or mark.step <= step)
         yield replace(whole, marks=tuple(replace(m, new=True) if m.step == step else m for m in marks))
 
 
 def _values(seen: About, drawn: Bobillier) -> list[complex]:
     names = (drawn.point, drawn.pole, drawn.answer, *drawn.crossings)
-    places = [place for name in names if (place := _finite(drawn.drawn[name])) is not None]
+    places = [place for name in names if cmath.isfinite(place := drawn.board.at(name))]
     return enlarged(drawn_values(seen.found.method, seen.plot), places, _MOST)
-
-
-def _finite(point: np.ndarray) -> complex | None:
-    """A point's place [m]; None at infinity."""
-    x, y, w = (float(value) for value in point)
-    return None if abs(w) <= INFINITE * np.hypot(x, y) else complex(x, y) / w
 
 
 @frozen
@@ -82,49 +75,35 @@ class _Drawing:
 
     def lines(self) -> Iterator[Mark]:
         """Every line, past the points on it; thin, the axes as centre lines."""
-        for number, step in enumerate(self.drawn.steps, start=1):
-            if isinstance(step, Through | Turned):
-                for stroke in clipped(self._ends(step.name), self.on.room, _PENS.get(step.name, "construction")):
+        for number, step in enumerate(self.drawn.construction.steps, start=1):
+            if isinstance(step, LineStep):
+                for stroke in clipped(self._ends(step), self.on.room, _PENS.get(step.name, "construction")):
                     yield replace(stroke, step=number)
 
-    def _ends(self, line: str) -> list[Place]:
+    def _ends(self, line: LineStep) -> list[Place]:
         """From the first to the last of the points on a line, and a little more; towards one at infinity, farther.
 
         Nothing for the line at infinity.
         """
-        found = self.drawn.drawn
-        if abs(complex(found[line][0], found[line][1])) <= INFINITE:
+        start, way = self.drawn.board.line(line.name)
+        if not abs(start) * INFINITE < 1:
             return []
-        normal = complex(found[line][0], found[line][1])
-        along = self.on.window.turned(1j * normal / abs(normal))
-        names = [*self._on_line(line)]
-        places = [self.on.window(place) for name in names if (place := _finite(found[name])) is not None]
+        along = self.on.window.turned(way)
+        names = [*drawn_through(line), *self.drawn.construction.met_on(line.name)]
+        places = [self.on.window(place) for name in names if cmath.isfinite(place := self.drawn.board.at(name))]
         far = len(places) < len(names)
-        reach = [float((np.conj(along) * (place - places[0])).real) for place in places]
+        reach = [((place - places[0]) * along.conjugate()).real for place in places]
         more = 8 * _BEYOND if far or len(places) < 2 else _BEYOND
-        return [places[0] + along * (min(reach) - more), places[0] + along * (max(reach) + more)]
-
-    def _on_line(self, line: str) -> Iterator[str]:
-        """Points that a line is drawn through, or that are found on it."""
-        for step in self.drawn.steps:
-            match step:
-                case Through(name, first, second) if name == line:
-                    yield from (first, second)
-                case Turned(name, about) if name == line:
-                    yield about
-                case Crossing(name, first, second) if line in (first, second):
-                    yield name
-                case _:
-                    pass
+        return [places[0] + along * (max(reach) + more), places[0] + along * (min(reach) - more)]
 
     def points(self) -> Iterator[tuple[Mark, Wanted]]:
         """What is found, and the point itself where the mechanism does not show it."""
         entries: list[tuple[str, int | None]] = [(self.drawn.point, None)] if self.new else []
-        numbered = enumerate(self.drawn.steps, start=1)
-        entries += [(step.name, number) for number, step in numbered if isinstance(step, Crossing)]
+        numbered = enumerate(self.drawn.construction.steps, start=1)
+        entries += [(step.name, number) for number, step in numbered if isinstance(step, PointStep)]
         for name, number in entries:
-            place = _finite(self.drawn.drawn[name])
-            if place is not None and within(at := self.on.window(place), self.on.room):
+            place = self.drawn.board.at(name)
+            if cmath.isfinite(place) and within(at := self.on.window(place), self.on.room):
                 yield Disc(at, 0.6, "vector", "ink", step=number), Wanted(self._label(name), at, gap=0.9, step=number)
 
     def _label(self, name: str) -> Label:

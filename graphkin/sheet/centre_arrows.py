@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from graphkin.centres import Centres
-from graphkin.construction.centring import Far
+from graphkin.drafting import Far
 from graphkin.sheet.centre_lines import reach_of
 from graphkin.sheet.centre_places import Line as PaperLine
 from graphkin.sheet.centre_places import OnPaper, Spot, centre_label, clipped, inside, middle
@@ -68,9 +68,9 @@ _Stand = tuple[Place, complex]
 
 def _places(paper: OnPaper, spot: Spot) -> Iterator[_Stand]:
     """Where the arrow of a centre may stand: at its slide, at the end of a line, at last anywhere."""
-    if isinstance(spot.step, Far):
-        yield from _at_slide(paper, spot, spot.step.slide)
-    for _, line in paper.lines(spot):
+    if isinstance(spot.stage.last, Far):
+        yield from _at_slide(paper, spot, spot.stage.last.line)
+    for line in paper.lines(spot):
         laid = reach_of(paper, spot, line)
         if laid is not None:
             yield from _at_ends(paper, spot, line, laid.ends)

@@ -11,7 +11,6 @@ import math
 from collections.abc import Sequence
 
 from graphkin.centres import Centres
-from graphkin.construction.centring import CentreStep, Far, Kennedy, Pole, Seat
 from graphkin.errors import Lang
 from graphkin.sheet.labels import Room
 from graphkin.sheet.lettering import link_label, plain, width
@@ -21,7 +20,9 @@ from graphkin.value import frozen
 
 __all__ = ["circle_diagram", "circle_size"]
 
-_PENS: dict[type[CentreStep], PenName] = {Seat: "thin", Far: "thin", Kennedy: "dashed", Pole: "centre"}
+_PENS: dict[str, PenName] = {
+    "hinge": "thin", "contact": "thin", "slide": "thin", "two lines": "dashed", "velocities": "centre",
+}  # fmt: skip
 _WORDS: dict[Lang, dict[PenName, str]] = {
     "en": {"thin": "by definition", "dashed": "by Kennedy's theorem", "centre": "from velocities"},
     "zh": {"thin": "由定义直接确定", "dashed": "由三心定理确定", "centre": "由速度求得"},
@@ -42,7 +43,7 @@ def _radius(found: Centres) -> float:
 
 
 def _pens(found: Centres) -> list[PenName]:
-    used = {_PENS[type(step)] for step in found.centring.steps}
+    used = {_PENS[stage.say] for stage in found.centring.stages}
     return [pen for pen in _WORDS["en"] if pen in used]
 
 
@@ -94,8 +95,8 @@ class _Chord:
 
 def _chords(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
     chords = [
-        _Chord(k, _PENS[type(step)], *(nodes[link] for link in found.centring.links[step.centre]))
-        for k, step in enumerate(found.centring.steps, start=1)
+        _Chord(k, _PENS[stage.say], *(nodes[link] for link in found.centring.links[stage.last.name]))
+        for k, stage in enumerate(found.centring.stages, start=1)
     ]
     marks: list[Mark] = [Stroke((c.start, c.end), c.pen, step=c.number) for c in chords]
     for chord, at in _numbered(chords):

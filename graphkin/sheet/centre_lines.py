@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from graphkin.construction import Ray
 from graphkin.sheet.centre_places import SAME, Laid, Line, OnPaper, Spot, clipped, inside
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import plain
@@ -29,14 +28,14 @@ def centre_lines(paper: OnPaper) -> Figure:
     """The lines of all steps, the later ones where no earlier one lies."""
     figure, drawn = Figure(), _Drawn()
     for spot in paper.spots:
-        for source, line in paper.lines(spot):
-            laid = reach_of(paper, spot, line, isinstance(source, Ray))
+        for line in paper.lines(spot):
+            laid = reach_of(paper, spot, line, line.normal)
             if laid is None:
                 continue
-            pen: PenName = "centre" if isinstance(source, Ray) else "dashed"
+            pen: PenName = "centre" if line.normal else "dashed"
             for piece in drawn.fresh(laid):
                 figure.marks.append(Stroke(piece.ends, pen, step=spot.number))
-            if isinstance(source, Ray):
+            if line.normal:
                 figure.wanted += _normal_letters(laid, spot.number)
     return figure
 

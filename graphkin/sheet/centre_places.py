@@ -13,7 +13,7 @@ import numpy as np
 
 from graphkin.centres import Centres
 from graphkin.construction import Ray
-from graphkin.construction.centring import CentreStep, Join, Kennedy, direction_of, place_of
+from graphkin.drafting import LineStep, Stage, drawn_through
 from graphkin.sheet.labels import Room
 from graphkin.sheet.lettering import Label, quantity_label
 from graphkin.sheet.marks import Place
@@ -28,28 +28,29 @@ SAME = 0.05
 
 @frozen
 class Spot:
-    """A centre at one position: the step that finds it (the first is 1) and where it is.
+    """A centre at one position: the stage that finds it (the first is 1) and where it is.
 
     place   [m]; None at infinity. direction  where a centre at infinity lies, a unit vector; 0 for others
     """
 
     name: str
     number: int
-    step: CentreStep
+    stage: Stage
     place: complex | None
     direction: complex = 0j
 
 
 def spots(found: Centres) -> list[Spot]:
     """All centres in the order in which they are found."""
-    return [_spot(found, step, number) for number, step in enumerate(found.centring.steps, start=1)]
+    return [_spot(found, stage, number) for number, stage in enumerate(found.centring.stages, start=1)]
 
 
-def _spot(found: Centres, step: CentreStep, number: int) -> Spot:
-    place = complex(place_of(found.plot, step.centre))
+def _spot(found: Centres, stage: Stage, number: int) -> Spot:
+    name = stage.last.name
+    place = complex(found.board.at(name))
     if cmath.isfinite(place):
-        return Spot(step.centre, number, step, place)
-    return Spot(step.centre, number, step, None, cmath.rect(1, float(direction_of(found.plot, step.centre))))
+        return Spot(name, number, stage, place)
+    return Spot(name, number, stage, None, cmath.rect(1, float(found.board.direction(name))))
 
 
 def centre_label(name: str) -> Label:
@@ -59,11 +60,15 @@ def centre_label(name: str) -> Label:
 
 @frozen
 class Line:
-    """A line on paper: a place on it and its unit direction, and the places of centres on it."""
+    """A line on paper: a place on it and its unit direction, and the places of centres on it.
+
+    normal  it is the common normal of two profiles, and no join of centres
+    """
 
     at: Place
     way: complex
     stops: tuple[Place, ...]
+    normal: bool = False
 
     def along(self, place: Place) -> float:
         """How far along the line a place lies [mm]."""
@@ -98,20 +103,24 @@ class OnPaper:
         """Whether a centre lies in the room."""
         return spot.place is not None and inside(self.room, self.at(spot))
 
-    def lines(self, spot: Spot) -> Iterator[tuple[Join | Ray, Line]]:
+    def lines(self, spot: Spot) -> Iterator[Line]:
         """The lines that give a centre, but for the line at infinity."""
-        if isinstance(spot.step, Kennedy):
-            for line in (spot.step.first, spot.step.second):
-                if (seen := self._line(line, spot)) is not None:
-                    yield line, seen
+        for line in spot.stage.lines if spot.stage.say == "two lines" else ():
+            normal = self.found.centring.normals.get(line.name)
+            seen = self._join(line, spot) if normal is None else self._normal(normal, spot)
+            if seen is not None:
+                yield seen
 
-    def _line(self, line: Join | Ray, spot: Spot) -> Line | None:
-        own = () if spot.place is None else (self.at(spot),)
-        if isinstance(line, Ray):
-            start = self.window(complex(self.found.plot.position[line.through]))
-            way = self.window.turned(complex(self.found.plot.direction(line.direction)))
-            return Line(start, way / abs(way), (start, *self._contact(spot), *own))
-        ends = [self.by_name[line.first], self.by_name[line.second]]
+    def _own(self, spot: Spot) -> tuple[Place, ...]:
+        return () if spot.place is None else (self.at(spot),)
+
+    def _normal(self, line: Ray, spot: Spot) -> Line:
+        start = self.window(complex(self.found.plot.position[line.through]))
+        way = self.window.turned(complex(self.found.plot.direction(line.direction)))
+        return Line(start, way / abs(way), (start, *self._contact(spot), *self._own(spot)), normal=True)
+
+    def _join(self, line: LineStep, spot: Spot) -> Line | None:
+        ends = [self.by_name[end] for end in drawn_through(line)]
         places = [self.at(end) for end in ends if end.place is not None]
         if not places:
             return None
@@ -120,7 +129,7 @@ class OnPaper:
         else:
             way = self.window.turned(next(end.direction for end in ends if end.place is None))
         near = min(places, key=lambda place: abs(place - middle(self.room)))
-        return Line(near, way / abs(way), (*places, *own))
+        return Line(near, way / abs(way), (*places, *self._own(spot)))
 
     def _contact(self, spot: Spot) -> Iterator[Place]:
         """Where the two profiles touch that have this normal."""

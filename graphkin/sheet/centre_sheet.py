@@ -59,7 +59,7 @@ def centre_step_sheets(
 ) -> Iterator[Sheet]:
     """One sheet a centre, in the order in which they are found; what a step adds is emphasised."""
     whole = centre_sheet(found, paper=paper, lang=lang, fit=fit)
-    for number in range(1, len(found.centring.steps) + 1):
+    for number in range(1, len(found.centring.stages) + 1):
         marks = (mark for mark in whole.marks if mark.step is None or mark.step <= number)
         yield replace(whole, marks=tuple(replace(m, new=True) if m.step == number else m for m in marks))
 

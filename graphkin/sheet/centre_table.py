@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import degrees
-from typing import assert_never
 
 from graphkin.centres import Centres
-from graphkin.construction import Ray
-from graphkin.construction.centring import Far, Join, Kennedy, Pole, Seat, direction_of
+from graphkin.drafting import LineStep, Pricked, drawn_through
 from graphkin.errors import Lang
 from graphkin.sheet.centre_arrows import coordinates
 from graphkin.sheet.centre_places import Spot, centre_label, spots
@@ -79,9 +77,9 @@ def centre_table(found: Centres, lang: Lang, room: float, most: float) -> Centre
     for count in range(3, max(4, int(most / PITCH))):
         parts = tuple(Table(head, tuple(rows)).cut(count))
         if sum(part.wide for part in parts) + _BETWEEN * (len(parts) - 1) <= room:
-            return CentreTable(parts, len(found.centring.steps))
+            return CentreTable(parts, len(found.centring.stages))
     kept, lost = _shortened(Table(head, tuple(rows)), room, max(4, int(most / PITCH)) - 1, words["more"])
-    return CentreTable(kept, len(found.centring.steps), lost)
+    return CentreTable(kept, len(found.centring.stages), lost)
 
 
 def _shortened(whole: Table, room: float, count: int, more: str) -> tuple[tuple[Table, ...], int]:
@@ -98,35 +96,28 @@ def _shortened(whole: Table, room: float, count: int, more: str) -> tuple[tuple[
 
 
 def _cells(found: Centres, spot: Spot, words: dict[str, str]) -> tuple[Label, ...]:
-    return plain(str(spot.number)), centre_label(spot.name), _place(found, spot, words), _by(spot, words)
+    return plain(str(spot.number)), centre_label(spot.name), _place(found, spot, words), _by(found, spot, words)
 
 
 def _place(found: Centres, spot: Spot, words: dict[str, str]) -> Label:
     """`(34.37, 0)`, or the direction of a centre at infinity."""
     if spot.place is not None:
         return coordinates(found, spot.place)
-    angle = round(degrees(float(direction_of(found.plot, spot.name))), 6) % 180
+    angle = round(degrees(float(found.board.direction(spot.name))), 6) % 180
     return (Run("→ ∞ "), Run(words["at"]), *number(angle), Run("°"))
 
 
-def _by(spot: Spot, words: dict[str, str]) -> Label:
-    step = spot.step
-    match step:
-        case Seat(contact=None):
-            return (Run(words["hinge"]), *point_label(step.point))
-        case Seat():
-            return plain(words["contact"])
-        case Far():
-            return plain(words["slide"])
-        case Kennedy():
-            return (*_line(step.first, words), Run(" × "), *_line(step.second, words))
-        case Pole():
-            return plain(words["velocities"])
-        case _:
-            assert_never(step)
+def _by(found: Centres, spot: Spot, words: dict[str, str]) -> Label:
+    stage, step = spot.stage, spot.stage.last
+    if stage.say == "two lines":
+        first, second = (_line(found, line, words) for line in stage.lines)
+        return (*first, Run(" × "), *second)
+    if stage.say == "hinge" and isinstance(step, Pricked):
+        return (Run(words["hinge"]), *point_label(step.point))
+    return plain(words[stage.say])
 
 
-def _line(line: Join | Ray, words: dict[str, str]) -> Label:
-    if isinstance(line, Ray):
+def _line(found: Centres, line: LineStep, words: dict[str, str]) -> Label:
+    if line.name in found.centring.normals:
         return (Run(words["normal"]),)
-    return (*centre_label(line.first), *centre_label(line.second))
+    return tuple(run for end in drawn_through(line) for run in centre_label(end))

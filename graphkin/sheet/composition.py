@@ -25,10 +25,10 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.specials import named_specials
 from graphkin.sheet.titleblock import strip, strip_heights
 from graphkin.sheet.wheels import rims
-from graphkin.sheet.window import Figure, Window, births, constructions, first_steps
+from graphkin.sheet.window import PLANES, Figure, Window, births, constructions, first_steps
 from graphkin.value import frozen
 
-__all__ = ["Composed", "compose"]
+__all__ = ["Composed", "compose", "scales_of"]
 
 _TRIAL = 100.0
 """Size of a figure when it is drawn to see how far its signs reach [mm]."""
@@ -139,10 +139,21 @@ def compose(
     The paper is the smallest that holds all and leaves its letters room; the same for `stages` or not.
     """
     work = _Work(_Planes(method, plot), planes, tables(method, plot, lang), lang)
+    composed = _divided(work, paper)
+    return work.on(composed.layout, stages, far=True) if stages or composed.lost else composed
+
+
+def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
+    """The scales of the sheet, without its last lettering; labels that find no place choose paper and scales, too."""
+    return _divided(_Work(_Planes(method, plot), PLANES, tables(method, plot, lang), lang), None).layout.scales
+
+
+def _divided(work: _Work, paper: str | None) -> Composed:
+    """Lettered near by, on the paper divided best."""
     try:
         layout = work.layout(papers_for(paper))
     except TooLargeForPaper as error:
-        raise error.at(method.mechanism.where("scales", error.key)) from None
+        raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
     composed = work.on(layout)
     if composed.lost:
         composed = work.roomier(composed, papers_for(paper))
@@ -152,7 +163,7 @@ def compose(
             larger = work.roomier(larger, _LARGE)
         eased = larger.crowded <= composed.crowded - _EASED
         composed = larger if (larger.lost, not eased) < (composed.lost, True) else composed
-    return work.on(composed.layout, stages, far=True) if stages or composed.lost else composed
+    return composed
 
 
 def _small(composed: Composed) -> bool:

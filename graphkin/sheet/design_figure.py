@@ -12,24 +12,26 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import assert_never
 
-from graphkin.design import Board, Family, Solution
-from graphkin.design.steps import (
+from graphkin.design import Family, Solution
+from graphkin.drafting import (
     Bisector,
+    Board,
     CircleAbout,
     CircleThrough,
+    Construction,
+    Far,
     LayOff,
+    LineStep,
     MarkOn,
     Measure,
     MeasureAngle,
     Meet,
-    Normal,
-    Parallel,
     Place,
+    Pricked,
     Reckon,
-    Slanted,
     Step,
-    Through,
     Turned,
+    drawn_through,
 )
 from graphkin.sheet.about_page import Page, clipped, within
 from graphkin.sheet.labels import Wanted
@@ -63,9 +65,18 @@ class DesignFigure:
     on: Page
     families: tuple[Family, ...] = ()
 
+    @property
+    def construction(self) -> Construction:
+        return self.solution.construction
+
     @cached_property
     def board(self) -> Board:
         return self.solution.board()
+
+    @cached_property
+    def places(self) -> Mapping[str, complex]:
+        """The construction's points [m]."""
+        return self.board.places
 
     def figure(self) -> Figure:
         """Construction and positions; marks carry the number of their stage."""
@@ -78,7 +89,7 @@ class DesignFigure:
         return figure
 
     def _entries(self) -> Iterator[Entry]:
-        for number_, stage in enumerate(self.solution.construction.stages, start=1):
+        for number_, stage in enumerate(self.construction.stages, start=1):
             for step in stage.steps:
                 yield from self._drawn(step, number_)
         yield from self._positions()
@@ -88,38 +99,40 @@ class DesignFigure:
     # --- steps -----------------------------------------------------------------------------------
 
     def _drawn(self, step: Step, stage: int) -> Iterator[Entry]:
+        if isinstance(step, LineStep):
+            yield from self._ruled(step, stage)
+            return
         match step:
             case LayOff(point, about):
                 yield from self._line([about, point], "construction", stage)
-            case Slanted() | Through() | Normal() | Parallel() | Bisector():
-                yield from self._ruled(step, stage)
             case CircleThrough():
-                yield from self._locus(stage) if step.circle == "locus" else self._spanned(step, stage)
+                yield from self._locus(stage) if step.name == "locus" else self._spanned(step, stage)
             case CircleAbout():
                 yield from self._compass(step, stage)
             case Turned(point, of, about):
                 yield from self._turned(point, of, about, stage)
             case Measure(_, first, second):
                 yield from self._line([first, second], "construction", stage)
-            case Place() | Reckon() | MarkOn() | Meet() | MeasureAngle():
+            case Place() | Pricked() | Far() | Reckon() | MarkOn() | Meet() | MeasureAngle():
                 pass
             case _:
                 assert_never(step)
 
     def _line(self, names: list[str], pen: PenName, stage: int) -> Iterator[Entry]:
-        places = [self.on.window(self.board.points[name]) for name in names]
+        places = [self.on.window(self.places[name]) for name in names]
         if abs(places[0] - places[-1]) > _NEAR:
             yield Stroke(tuple(places), pen, step=stage)
 
-    def _ruled(self, step: Slanted | Through | Normal | Parallel | Bisector, stage: int) -> Iterator[Entry]:
+    def _ruled(self, step: LineStep, stage: int) -> Iterator[Entry]:
         """A line from the first to the last of the points that lie on it, and a little beyond."""
-        start, along = self.board.lines[step.line]
+        start, along = self.board.line(step.name)
         size = self._size
-        known = {*self._named(step), *(self._met_on(step.line) or self._lying_on(step))}
-        ways = [(along.conjugate() * (self.board.points[name] - start)).real for name in known]
+        known = {*drawn_through(step), *(self.construction.met_on(step.name) or self._lying_on(step))}
+        ways = [(along.conjugate() * (self.places[name] - start)).real for name in known]
         if isinstance(step, Bisector):
-            half = abs(self.board.points[step.first] - self.board.points[step.second]) / 2
-            ways += [0.0, 0.6 * half, -0.6 * half]
+            half = abs(self.places[step.first] - self.places[step.second]) / 2
+            middle = (along.conjugate() * (self.places[step.first] - start)).real
+            ways += [middle, middle + 0.6 * half, middle - 0.6 * half]
         if not ways or max(ways) - min(ways) < 1e-9 * size:
             here = ways[0] if ways else 0.0
             ways = [here - 0.2 * size, here + 0.2 * size]
@@ -129,32 +142,13 @@ class DesignFigure:
         for stroke in clipped(ends, self.on.room, pen):
             yield Stroke(stroke.places, stroke.pen, step=stage)
 
-    @staticmethod
-    def _named(step: Slanted | Through | Normal | Parallel | Bisector) -> tuple[str, ...]:
-        match step:
-            case Slanted(at=at) | Normal(at=at):
-                return (at,)
-            case Through(_, first, second):
-                return first, second
-            case _:
-                return ()
-
     def _lying_on(self, step: Step) -> list[str]:
         """Points chosen on a bisector."""
         if not isinstance(step, Bisector):
             return []
-        start, along = self.board.lines[step.line]
-        placed = (
-            one.point for stage in self.solution.construction.stages for one in stage.steps if isinstance(one, Place)
-        )  # fmt: skip
-        return [p for p in placed if abs((along.conjugate() * (self.board.points[p] - start)).imag) < 1e-6 * self._size]
-
-    def _met_on(self, name: str) -> list[str]:
-        """Points found on a line or a circle."""
-        return [
-            step.point for stage in self.solution.construction.stages for step in stage.steps
-            if isinstance(step, Meet) and name in (step.first, step.second)
-        ]  # fmt: skip
+        start, along = self.board.line(step.name)
+        placed = (one.name for one in self.construction.steps if isinstance(one, Place))
+        return [p for p in placed if abs((along.conjugate() * (self.places[p] - start)).imag) < 1e-6 * self._size]
 
     def _locus(self, stage: int) -> Iterator[Entry]:
         """The circle of crank centres: full where A may lie, dashed elsewhere; F and G end the arc between them."""
@@ -168,11 +162,11 @@ class DesignFigure:
 
     def _parting(self, at: complex, stage: int) -> Iterator[Entry]:
         """F on the line C1D, or under C1; else G. Neither where it is a point of the linkage or of the construction."""
-        first = self.board.points["C1"]
-        way = self.board.points["D"] - first if "D" in self.board.points else 1j
+        first = self.places["C1"]
+        way = self.places["D"] - first if "D" in self.places else 1j
         off = (way.conjugate() * (at - first)).imag / abs(way)
         place = self.on.window(at)
-        taken = any(abs(self.on.window(z) - place) < _NEAR for z in self.board.points.values())
+        taken = any(abs(self.on.window(z) - place) < _NEAR for z in self.places.values())
         if not taken and within(place, self.on.room):
             yield Disc(place, _DOT, "thin", "ink", step=stage)
             letter = "F" if abs(off) < 1e-6 * abs(at - first) else "G"
@@ -180,8 +174,8 @@ class DesignFigure:
 
     def _spanned(self, step: CircleThrough, stage: int) -> Iterator[Entry]:
         """A circle through three points, from the first to the last and a little beyond."""
-        centre, radius = self.board.circles[step.circle]
-        turns = sorted(cmath.phase(self.board.points[name] - centre) for name in step.points)
+        centre, radius = self.board.circles[step.name]
+        turns = sorted(cmath.phase(self.places[name] - centre) for name in step.points)
         gaps = [(turns[(k + 1) % 3] - turns[k]) % math.tau for k in range(3)]
         widest = max(range(3), key=lambda k: gaps[k])
         start = turns[(widest + 1) % 3]
@@ -200,14 +194,14 @@ class DesignFigure:
 
     def _compass(self, step: CircleAbout, stage: int) -> Iterator[Entry]:
         """A short arc at each point found with it."""
-        centre, radius = self.board.circles[step.circle]
-        for name in self._met_on(step.circle):
-            turn = cmath.phase(self.board.points[name] - centre)
+        centre, radius = self.board.circles[step.name]
+        for name in self.construction.met_on(step.name):
+            turn = cmath.phase(self.places[name] - centre)
             part = min(_PART, 9.0 * self.on.window.scale / radius)
             yield from self._swept(centre, radius, (turn - part, turn + part), "thin", stage)
 
     def _turned(self, point: str, of: str, about: str, stage: int) -> Iterator[Entry]:
-        centre, old, new = (self.on.window(self.board.points[name]) for name in (about, of, point))
+        centre, old, new = (self.on.window(self.places[name]) for name in (about, of, point))
         start = cmath.phase(old - centre)
         sweep = cmath.phase((new - centre) / (old - centre))
         yield Arc(centre, abs(old - centre), start, sweep, "dashed", step=stage)
@@ -217,12 +211,12 @@ class DesignFigure:
 
     @property
     def _size(self) -> float:
-        places = list(self.board.points.values())
+        places = list(self.places.values())
         return max(abs(p - q) for p in places for q in places)
 
     @property
     def _last(self) -> int:
-        return len(self.solution.construction.stages)
+        return len(self.construction.stages)
 
     def _positions(self) -> Iterator[Entry]:
         """The linkage at its limits, or at the positions asked for, in thin lines."""
@@ -235,9 +229,9 @@ class DesignFigure:
 
     def _points(self) -> Iterator[Entry]:
         """Points of the construction with their letters; those of the linkage itself are lettered with it."""
-        for name in self.board.points.keys() & self.solution.places.keys():
-            at = self.on.window(self.board.points[name])
-            yield Disc(at, _DOT, "thin", "ink", step=self.born(name))
+        for name in (name for name in self.places if name in self.solution.places):
+            at = self.on.window(self.places[name])
+            yield Disc(at, _DOT, "thin", "ink", step=self.construction.born(name))
         shown = {name: self.on.window(z) for name, z in self._lettered().items()}
         hinges = [self.on.window(z) for places in self.solution.limits for z in places.values()]
         used: list[complex] = [self.on.window(z) for z in self.solution.places.values()]
@@ -247,8 +241,8 @@ class DesignFigure:
             used.append(at)
             same = [other for other, z in shown.items() if abs(z - at) < _NEAR]
             if all(abs(at - other) > _NEAR for other in hinges):
-                yield Disc(at, _DOT, "thin", "ink", step=self.born(name))
-            yield Wanted(joined([point_label(one) for one in same]), at, gap=0.9, step=self.born(name))
+                yield Disc(at, _DOT, "thin", "ink", step=self.construction.born(name))
+            yield Wanted(joined([point_label(one) for one in same]), at, gap=0.9, step=self.construction.born(name))
 
     def also(self, name: str) -> list[str]:
         """Points of the construction where a point of the linkage lies: B is at B3."""
@@ -259,10 +253,10 @@ class DesignFigure:
 
     def _lettered(self) -> Mapping[str, complex]:
         """The construction's points, and B and C of the positions where it has none."""
-        found = {name: z for name, z in self.board.points.items() if name != "X"}
+        found = {name: z for name, z in self.places.items() if name != "X"}
         for k, places in enumerate(self.solution.limits, start=1):
             for name in self._moving:
-                if f"{name}1" not in self.board.points:
+                if f"{name}1" not in self.places:
                     found[f"{name}{k}"] = places[name]
         return {name: z for name, z in found.items() if name not in self.solution.places}
 
@@ -272,17 +266,9 @@ class DesignFigure:
         first = self.solution.limits[0]
         return [name for name in "BC" if name in first and any(p[name] != first[name] for p in self.solution.limits)]
 
-    def born(self, name: str) -> int:
-        """The stage that makes a point."""
-        for number_, stage in enumerate(self.solution.construction.stages, start=1):
-            for step in stage.steps:
-                if getattr(step, "point", "") == name or getattr(step, "centre", "") == name:
-                    return number_
-        return self._last
-
     def _angles(self) -> Iterator[Entry]:
         """theta at A, and the swing at D (at C for a guide bar), with their values."""
-        at, one = self.board.points, self.solution
+        at, one = self.places, self.solution
         if one.theta is None or len(one.limits) != 2 or "theta" not in self.board.numbers:
             return
         if one.shape == "guide-bar":

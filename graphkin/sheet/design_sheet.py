@@ -9,10 +9,10 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from graphkin import loading, planning
+from graphkin import planning
 from graphkin.agreement import held
 from graphkin.construction import Plot
-from graphkin.design import Design, Solution, as_toml
+from graphkin.design import Design, Solution, mechanism_of
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.sheet import Sheet
@@ -43,7 +43,7 @@ class _Drawn:
 
     @classmethod
     def of(cls, design: Design, solution: Solution) -> _Drawn:
-        method = planning.plan(loading.loads(as_toml(solution, design.kind), name="design", file="design.toml"))
+        method = planning.plan(mechanism_of(solution, design.kind))
         return cls(solution, method, held(method).plot)
 
 
@@ -71,8 +71,8 @@ def design_sheet(
 def _named(want: Wanted, construction: DesignFigure) -> Wanted:
     """The label of a point of the linkage, with the construction's letters for that place; pivots from the start."""
     for name in "ABCD":
-        if want.label == point_label(name) and name in construction.board.points:
-            return replace(want, step=construction.born(name))
+        if want.label == point_label(name) and name in construction.places:
+            return replace(want, step=construction.solution.construction.born(name))
         if want.label == point_label(name) and (also := construction.also(name)):
             return replace(want, label=joined([want.label, *map(point_label, also)]))
     return want
@@ -94,7 +94,7 @@ def _page(drawn: _Drawn, paper: str | None) -> Page:
     board = one.board()
     values = drawn_values(drawn.method, drawn.plot)
     values += [place for places in one.limits for place in places.values()]
-    values = enlarged(values, board.points.values(), _MOST)
+    values = enlarged(values, board.places.values(), _MOST)
     if "locus" in board.circles:
         centre, radius = board.circles["locus"]
         round_about = [centre + radius * way for way in (1, 1j, -1, -1j)]

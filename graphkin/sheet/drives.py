@@ -76,7 +76,7 @@ def _half(sense: float) -> complex:
 def _room(skeleton: Skeleton, place: Place) -> float:
     """How far a place is from the nearest link, in steps of what matters to the eye [mm]."""
     grounds = [
-        (at := skeleton.at(p), at + symbols.PIVOT_DEPTH * ground_way(skeleton, p))
+        (at := skeleton.at(p), at + symbols.PIVOT_DEPTH * ground_way(p, skeleton))
         for p in skeleton.points
         if FRAME in skeleton.mechanism.owners[p]
     ]

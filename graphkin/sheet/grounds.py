@@ -14,23 +14,27 @@ from graphkin.sheet.marks import Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure
 
-__all__ = ["ground_way", "grounds"]
+__all__ = ["away_from", "ground_way", "grounds"]
 
 _REACH = 13.0
 """How far a fixed guide is drawn to each side of its block [mm]."""
 
 
-def grounds(skeleton: Skeleton) -> Figure:
-    """Everything that stands still, and the frame's number beside one sign of it."""
+def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:
+    """Everything that stands still, and the frame's number beside one sign of it.
+
+    others   the same mechanism at further positions drawn over the first
+    """
     figure = Figure()
     spots: list[Place] = []
-    for run in _runs(skeleton):
+    for run in _runs(skeleton, *others):
         figure.marks += run.marks()
         spots.append(run.end(run.high) + run.side * 2)
+    figure.marks += _under_blocks(skeleton, *others)
     for point in skeleton.points:
         owners = skeleton.mechanism.owners[point]
         if FRAME in owners and len(owners) > 1:
-            down = ground_way(skeleton, point)
+            down = ground_way(point, skeleton, *others)
             figure.marks += symbols.pivot(skeleton.at(point), down, skeleton.step(point))
             spots.insert(0, skeleton.at(point) + (symbols.PIVOT_DEPTH + 1) * down)
     if spots:
@@ -39,9 +43,9 @@ def grounds(skeleton: Skeleton) -> Figure:
     return figure
 
 
-def ground_way(skeleton: Skeleton, point: str) -> complex:
+def ground_way(point: str, *skeletons: Skeleton) -> complex:
     """The side on which a pivot's ground lies: down, unless links leave that way."""
-    ways = list(skeleton.directions(point))
+    ways = [way for skeleton in skeletons for way in skeleton.directions(point)]
 
     def badness(down: complex) -> float:
         nearest = max(((way * down.conjugate()).real for way in ways), default=-1.0)
@@ -82,13 +86,25 @@ class _Run:
         ]
 
 
-def _runs(skeleton: Skeleton) -> list[_Run]:
+def _under_blocks(skeleton: Skeleton, *others: Skeleton) -> list[Mark]:
+    """The ground under a block that the frame carries; on a pivot it stands on the pivot's."""
+    marks: list[Mark] = []
+    for slide in skeleton.mechanism.slides:
+        if slide.block == FRAME and len(skeleton.mechanism.owners[slide.point]) == 1:
+            at, along = skeleton.at(slide.point), skeleton.along(slide)
+            side = _ground_side(at, along, skeleton, *others)
+            foot, half = at + side * symbols.BLOCK.imag / 2, 0.7 * symbols.BLOCK.real * along
+            marks += symbols.guide(foot - half, foot + half, side, skeleton.step(slide.point))
+    return marks
+
+
+def _runs(skeleton: Skeleton, *others: Skeleton) -> list[_Run]:
     """Fixed guides; stretches of one line that touch are one."""
     runs: list[_Run] = []
     for slide in skeleton.guides(FRAME):
         if follower(skeleton, slide) is not None:
             continue
-        fresh = _run(skeleton, slide)
+        fresh = _run(slide, skeleton, *others)
         for run in runs:
             if _touch(run, fresh):
                 t = (run.along.conjugate() * (fresh.foot - run.foot)).real
@@ -110,19 +126,26 @@ def _touch(run: _Run, other: _Run) -> bool:
     return run.low - 1 < t + other.high and t + other.low < run.high + 1
 
 
-def _run(skeleton: Skeleton, slide: Slide) -> _Run:
+def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _Run:
+    """Under what slides at every position."""
     at, along = skeleton.at(slide.point), skeleton.along(slide)
     if along.real < -1e-9 or (abs(along.real) < 1e-9 and along.imag < 0):
         along = -along
+    stops = [0.0, *((along.conjugate() * (other.at(slide.point) - at)).real for other in others)]
+    side = _ground_side(at, along, skeleton, *others)
     step = skeleton.step(slide.line.origin)
-    side, pins = _ground_side(skeleton, at, along), slide.block is None
-    return _Run(at, along, -_REACH, _REACH, side, pins, step, slide.name, (slide.point,))
+    low, high = min(stops) - _REACH, max(stops) + _REACH
+    return _Run(at, along, low, high, side, slide.block is None, step, slide.name, (slide.point,))
 
 
-def _ground_side(skeleton: Skeleton, at: Place, along: complex) -> complex:
-    """The side of a fixed line away from the mechanism; below where that does not decide."""
+def _ground_side(at: Place, along: complex, *skeletons: Skeleton) -> complex:
+    return away_from(at, along, [skeleton.at(point) for skeleton in skeletons for point in skeleton.points])
+
+
+def away_from(at: Place, along: complex, places: list[Place]) -> complex:
+    """The side of a fixed line away from the mechanism's points; below where that does not decide."""
     normal = along * 1j
-    weight = sum((normal.conjugate() * (skeleton.at(p) - at)).real for p in skeleton.points)
+    weight = sum((normal.conjugate() * (place - at)).real for place in places)
     below = normal if (normal.imag, normal.real) > (0, 0) else -normal
     if abs(weight) < 5:
         return below

@@ -5,20 +5,23 @@ from __future__ import annotations
 import cmath
 import math
 
-from graphkin.linkages import FourBar, GuideBar, Report, SliderCrank
-from graphkin.linkages.parts import Position
+from graphkin.linkages import Report
+from graphkin.linkages.linkage import Position
 from graphkin.sheet import symbols
+from graphkin.sheet.grounds import away_from
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run
-from graphkin.sheet.linkage_figure import guide_side, on_paper
+from graphkin.sheet.linkage_figure import on_paper
 from graphkin.sheet.marks import Arc, Mark, Place, Stroke
 from graphkin.sheet.paper import BODY
 from graphkin.sheet.window import Figure, Window
 
-__all__ = ["dimensioned_limits", "dimensioned_transmission"]
-
 _FOOT = 15.0
 """How far from the guide the stroke's dimension line lies [mm]."""
+_BESIDE_HINGE, _BESIDE_BLOCK = (0.42, 11.0, 30.0), (0.3, 14.0, 34.0)
+"""Radius of psi: share of the output's arm, least and most [mm]; beside a block it needs more room."""
+_SEEN = 0.05
+"""An arm that leaves its link's line by more does not show its direction [mm]."""
 _NO_HEADS = 7.0
 """An arc shorter than this has no arrow heads [mm]."""
 
@@ -62,36 +65,28 @@ def _joined(*figures: Figure) -> Figure:
 
 def dimensioned_limits(report: Report, window: Window) -> Figure:
     """psi or H between the limits, and theta at the crank's pivot."""
-    first, second = report.limits
     parts = [_theta(report, window)]
     if report.swing is not None:
         parts.append(_psi(report, window))
-    elif isinstance(report.linkage, SliderCrank):
-        parts.append(_stroke(report.linkage, first, second, report.stroke or 0.0, window))
+    elif report.stroke is not None:
+        parts.append(_stroke(report, report.stroke, window))
     return _joined(*parts)
 
 
 def _psi(report: Report, window: Window) -> Figure:
     """At the output's pivot, over its range."""
-    linkage, first = report.linkage, report.limits[0]
-    pivot, tip = _output(report)
-    at, reach = window(first.places[pivot]), abs(window(first.places[tip]) - window(first.places[pivot]))
-    radius = min(max(0.42 * reach, 11.0), 30.0) if isinstance(linkage, FourBar) else min(max(0.3 * reach, 14.0), 34.0)
-    span = report.output_range
+    pivot, tip = report.linkage.arm
+    first = on_paper(report.limits[0], window)
+    at, span = first[pivot], report.output_range
+    share, least, most = _BESIDE_BLOCK if report.slide else _BESIDE_HINGE
+    radius = min(max(share * abs(first[tip] - at), least), most)
     figure = _swept(at, radius, -span.low, -span.width, _degrees("ψ", span.width))
-    if isinstance(linkage, GuideBar) and linkage.offset and report.linkage.driver == "crank":
-        for end in report.limits:
-            along = window.turned(cmath.rect(1, end.turn))
+    for end in report.limits:
+        along = window.turned(cmath.rect(1, end.output))
+        arm = on_paper(end, window)[tip] - at
+        if abs((along.conjugate() * arm).imag) > _SEEN:
             figure.marks.append(Stroke((at, at + along * (radius + 3)), "construction"))
     return figure
-
-
-def _output(report: Report) -> tuple[int, int]:
-    """Which places are the output's pivot and its moving hinge."""
-    linkage = report.linkage
-    if isinstance(linkage, FourBar):
-        return (0, 1) if linkage.driver == "rocker" else (3, 2)
-    return (2, 1) if isinstance(linkage, GuideBar) and linkage.driver == "crank" else (0, 1)
 
 
 def _theta(report: Report, window: Window) -> Figure:
@@ -103,18 +98,18 @@ def _theta(report: Report, window: Window) -> Figure:
     first, second = (on_paper(end, window)[::order] for end in report.limits)
     at, start, end = first[0], first[1] - first[0], second[0] - second[1]
     radius = max(abs(start) + 7.0, 13.0)
-    if isinstance(report.linkage, GuideBar):
+    if report.limits[0].how == "across":
         figure.marks.append(Stroke((at, at + end / abs(end) * (radius + 3)), "construction"))
         figure.marks.append(Stroke((first[1], at + start / abs(start) * (radius + 3)), "construction"))
     return _joined(figure, _arc(at, radius, start / abs(start), end / abs(end), _degrees("θ", report.theta)))
 
 
-def _stroke(slider: SliderCrank, first: Position, second: Position, length: float, window: Window) -> Figure:
+def _stroke(report: Report, length: float, window: Window) -> Figure:
     """A dimension line beside the guide, on the side of the ground."""
-    along = window.turned(cmath.rect(1, slider.way))
-    a, one, other = window(first.places[0]), window(first.places[2]), window(second.places[2])
-    foot = one - along * ((one - a) * along.conjugate()).real
-    side = guide_side(foot, a, along)
+    along = window.turned(cmath.rect(1, report.limits[0].turn))
+    places = [on_paper(end, window) for end in report.limits]
+    one, other = (there[-1] for there in places)
+    side = away_from(one, along, [place for there in places for place in there])
     ends = [place + _FOOT * side for place in (one, other)]
     marks: list[Mark] = [
         Stroke((place + 4.5 * side, place + (_FOOT + 1.5) * side), "construction") for place in (one, other)
@@ -135,21 +130,13 @@ def dimensioned_transmission(report: Report, positions: tuple[Position, ...], wi
 
 
 def _gamma(report: Report, end: Position, window: Window, number: int) -> Figure:
-    linkage, places = report.linkage, on_paper(end, window)
-    gamma, radius = end.gamma or 0.0, 8.0 + 8.0 * number
-    if isinstance(linkage, FourBar):
-        one, other = places[2] - places[1], places[3] - places[2]
-        if linkage.driver == "rocker":
-            return _between(places[1], places[1] - places[2], places[0] - places[1], 15.0, _degrees("γ", gamma, number))
-        return _between(places[2], one, other, 15.0, _degrees("γ", gamma, number))
-    if isinstance(linkage, SliderCrank) and linkage.driver == "crank":
-        along = window.turned(cmath.rect(1, linkage.way))
-        rod = places[1] - places[2]
-        along = along if (along.conjugate() * rod).real > 0 else -along
-        return _between(places[2], along, rod, radius, _degrees("α", math.pi / 2 - gamma, number))
-    if isinstance(linkage, SliderCrank):
-        return _between(places[1], places[1] - places[0], places[2] - places[1], 15.0, _degrees("γ", gamma, number))
-    return Figure()
+    seen, gamma = report.linkage.seen(end), end.gamma or 0.0
+    if seen is None:
+        return Figure()
+    at, one, other = window(seen.at), window.turned(seen.one), window.turned(seen.other)
+    if seen.pressure:
+        return _between(at, one, other, 8.0 + 8.0 * number, _degrees("α", math.pi / 2 - gamma, number))
+    return _between(at, one, other, 15.0, _degrees("γ", gamma, number))
 
 
 def _between(at: Place, one: complex, other: complex, radius: float, label: Label) -> Figure:

@@ -1,31 +1,26 @@
-"""The family of four-link linkages on one sheet: a sketch of each kind with its name. Each in a size of its own."""
+"""The family of four-link linkages on one sheet: a sketch of each kind with its name, each at a scale of its own."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from graphkin.errors import Lang
-from graphkin.linkages import FourBar, GuideBar, Linkage, as_mechanism, kind_name, report
-from graphkin.linkages.family import FAMILY, Member
-from graphkin.linkages.parts import Position
-from graphkin.loading import loads
+from graphkin.linkages import FAMILY, report
+from graphkin.linkages.family import Member
 from graphkin.sheet import Sheet
-from graphkin.sheet.labels import Room, settle
+from graphkin.sheet.labels import Room
 from graphkin.sheet.layout import papers_for
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.linkage_figure import drawn_over
+from graphkin.sheet.linkage_panel import Panel
 from graphkin.sheet.marks import Mark, Stroke, Text
-from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import BODY, TITLE, Paper
-from graphkin.sheet.titleblock import broken
-from graphkin.sheet.window import Figure, Window
-
-__all__ = ["family_sheet"]
+from graphkin.sheet.paper import TITLE, Paper
+from graphkin.words.linkages import kind_name, titled
 
 _COLUMNS = 4
 _HEAD, _FOOT = 10.0, 13.0
 """Room for the title, and for the name under each sketch [mm]."""
-_LETTERS = 6.0
 _TITLE: dict[Lang, str] = {"en": "Linkages of four links", "zh": "平面四杆机构的类型"}
 
 
@@ -34,8 +29,9 @@ def family_sheet(lang: Lang = "en", *, paper: str | None = None) -> Sheet:
     chosen = papers_for(paper or "A4-landscape")[0]
     marks: list[Mark] = list(_frame(chosen, lang))
     for member, cell in zip(FAMILY, _cells(chosen)):
-        marks += _cell(member, cell, lang)
-    machine = loads(as_mechanism(FAMILY[0].linkage), name="linkages", file="linkages.toml")
+        panel = _panel(member, lang)
+        marks += panel.drawn(cell, panel.scale(cell))
+    machine = replace(titled(FAMILY[0].linkage), name="linkages", file="linkages.toml")
     drivers = tuple(float(driver.value or 0.0) for driver in machine.drivers)
     return Sheet(chosen, tuple(marks), {}, {}, machine, drivers, _TITLE[lang], lang)
 
@@ -58,27 +54,8 @@ def _cells(paper: Paper) -> Iterator[Room]:
         yield Room(left, top, left + wide, top + high)
 
 
-def _figure(linkage: Linkage, window: Window) -> Figure:
-    turn = linkage.turn if isinstance(linkage, GuideBar) else 0.0
-    turn = turn if isinstance(linkage, FourBar | GuideBar) else linkage.way
-    return drawn_over(linkage, [Position(linkage.places, turn, 0.0, 0.0, None, "")], window)
-
-
-def _cell(member: Member, cell: Room, lang: Lang) -> list[Mark]:
-    """The sketch as large as its cell lets it be, in the middle, and its name."""
-    room = complex(cell.right - cell.left - 2 * _LETTERS, cell.bottom - cell.top - _FOOT - 2 * _LETTERS)
-    scale = 0.0005
-    left, top, right, bottom = bounds(_figure(member.linkage, Window(0j, scale)).marks)
-    while right - left > room.real or bottom - top > room.imag:
-        scale *= 1.1
-        left, top, right, bottom = bounds(_figure(member.linkage, Window(0j, scale)).marks)
-    middle = complex(cell.left + cell.right, cell.top + cell.bottom - _FOOT) / 2
-    figure = _figure(member.linkage, Window(middle - complex(left + right, top + bottom) / 2, scale))
-    inner = Room(cell.left + 1, cell.top + 1, cell.right - 1, cell.bottom - _FOOT)
-    marks = [*figure.marks, *settle(figure.wanted, figure.marks, inner).marks]
-    pen = cell.bottom - _FOOT + 5.0
-    for line in broken(kind_name(report(member.linkage), lang), BODY, cell.right - cell.left - 4):
-        label = plain(line)
-        marks.append(Text(label, complex((cell.left + cell.right - width(label, BODY)) / 2, pen), BODY))
-        pen += 1.3 * BODY
-    return marks
+def _panel(member: Member, lang: Lang) -> Panel:
+    """A sketch of one, and its name."""
+    linkage = member.linkage
+    name = kind_name(report(linkage), lang)
+    return Panel((linkage.drawn,), lambda window: drawn_over(linkage, [linkage.drawn], window), (name,), _FOOT)

@@ -21,7 +21,7 @@ from graphkin.sheet.specials import contacts, specials
 from graphkin.sheet.wheels import wheels, wheels_of
 from graphkin.sheet.window import Figure
 
-__all__ = ["mechanism_figure"]
+__all__ = ["mechanism_figure", "moving_links"]
 
 
 def mechanism_figure(skeleton: Skeleton, method: Method, drawn: list[complex]) -> Figure:
@@ -34,12 +34,9 @@ def mechanism_figure(skeleton: Skeleton, method: Method, drawn: list[complex]) -
     figure.marks += special.marks + turning.marks
     ground = grounds(skeleton)
     figure.marks += ground.marks
-    for link in skeleton.mechanism.moving:
-        _link(skeleton, link, figure)
-    figure.marks += cams(skeleton).marks
-    for slide in skeleton.mechanism.slides:
-        figure.marks += _sliding(skeleton, slide)
-    figure.marks += _points(skeleton) + touching.marks
+    bodies = _bodies(skeleton)
+    figure.marks += bodies.marks + _hinges(skeleton) + touching.marks
+    figure.wanted += bodies.wanted
     figure.marks += _through_bars(skeleton)
     figure.marks += equivalents(skeleton)
     driving = drives(skeleton)
@@ -50,7 +47,23 @@ def mechanism_figure(skeleton: Skeleton, method: Method, drawn: list[complex]) -
     return figure
 
 
+def moving_links(skeleton: Skeleton) -> list[Mark]:
+    """Links, blocks and hinges alone."""
+    return _bodies(skeleton).marks + _hinges(skeleton)
+
+
 # --- links ------------------------------------------------------------------------------------
+
+
+def _bodies(skeleton: Skeleton) -> Figure:
+    """Links with their numbers, cams, and blocks over their guides."""
+    figure = Figure()
+    for link in skeleton.mechanism.moving:
+        _link(skeleton, link, figure)
+    figure.marks += cams(skeleton).marks
+    for slide in skeleton.mechanism.slides:
+        figure.marks += _sliding(skeleton, slide)
+    return figure
 
 
 def _link(skeleton: Skeleton, link: str, figure: Figure) -> None:
@@ -111,11 +124,7 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     if slide.block is not None:
         if skeleton.is_cylinder(slide):
             return []
-        marks = symbols.block(at, along, Shows(slide.block, "block", (slide.point,), slide.name), step)
-        others = [skeleton.at(p) for p in skeleton.named(slide.block) if p != slide.point]
-        if others and skeleton.blocks[slide.block] is not slide:
-            return marks
-        return marks
+        return symbols.block(at, along, Shows(slide.block, "block", (slide.point,), slide.name), step)
     if slide.guide == FRAME:
         return []
     reach = min(9.0, max(4.0, abs(at - skeleton.at(slide.line.origin)) - 3.0))
@@ -145,7 +154,7 @@ def _through_bars(skeleton: Skeleton) -> list[Mark]:
 # --- points and names -------------------------------------------------------------------------
 
 
-def _points(skeleton: Skeleton) -> list[Mark]:
+def _hinges(skeleton: Skeleton) -> list[Mark]:
     """Hinges as white circles; other points of links as dots."""
     marks: list[Mark] = []
     for point in skeleton.points:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from typing import Protocol
 
-from graphkin.construction import Plot
+from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Line, Slide
 from graphkin.sheet.marks import Place
@@ -19,12 +20,25 @@ OVERRUN = 9.0
 """How far a bar goes on beyond its block [mm]."""
 
 
+class Posed(Protocol):
+    """Where a mechanism's points [m] and links [rad] are: a replayed plot, or a position known otherwise."""
+
+    @property
+    def position(self) -> Mapping[str, Value]: ...
+
+    @property
+    def theta(self) -> Mapping[str, Value]: ...
+
+
 @frozen
 class Skeleton:
-    """A mechanism at one position, through a window. `born`: the step in which each point is found."""
+    """A mechanism at one position, through a window; a point that has no place is not drawn.
+
+    born   the step in which each point is found
+    """
 
     mechanism: Mechanism
-    plot: Plot
+    plot: Posed
     window: Window
     born: Mapping[str, int]
 
@@ -38,8 +52,9 @@ class Skeleton:
         return max((self.born[p] for p in points if p in self.born), default=None)
 
     def named(self, link: str) -> tuple[str, ...]:
-        """The points of a link that people named."""
-        return tuple(p for p in self.mechanism.links[link].points if p[0].isupper())
+        """The points of a link that people named, and that are drawn."""
+        placed = {*self.plot.position, *self.mechanism.links[FRAME].points}
+        return tuple(p for p in self.mechanism.links[link].points if p[0].isupper() and p in placed)
 
     @cached_property
     def points(self) -> tuple[str, ...]:
@@ -59,7 +74,7 @@ class Skeleton:
 
     def along(self, slide: Slide) -> complex:
         """Direction of a slide's line on paper."""
-        return self.window.turned(self.plot.guide_direction(slide.name))
+        return self.direction(slide.line)
 
     def direction(self, line: Line) -> complex:
         """Direction of any line of a link on paper."""

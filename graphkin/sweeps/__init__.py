@@ -1,8 +1,9 @@
 """A mechanism moved along: which positions are reached, and quantities over all of them, by either road."""
 
+from graphkin.quantities import split
 from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.held import held
-from graphkin.sweeps.quantities import Series, asked, split
+from graphkin.sweeps.quantities import Series, asked
 from graphkin.sweeps.remarks import extremes, left_out, remarks
 from graphkin.sweeps.roads import Road
 from graphkin.sweeps.sweep import Sweep, at, parts, sweep, sweep_over

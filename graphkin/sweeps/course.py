@@ -14,6 +14,7 @@ from graphkin.loading.units import read_quantity
 from graphkin.mechanism import Driver
 from graphkin.naming import driver_number
 from graphkin.planning import Method
+from graphkin.quantities import EDGE, driven
 from graphkin.running.path import Event, Path
 from graphkin.running.reaching import reached
 from graphkin.running.tracing import trace
@@ -53,6 +54,11 @@ class Course:
     def angular(self) -> bool:
         """Whether positions are named by an angle, else by a displacement."""
         return self.driver.kind != "slide"
+
+    @property
+    def unit(self) -> str:
+        """SI unit of the swept driver's values."""
+        return driven(not self.angular)
 
     def value(self, t: Value) -> Value:
         """The swept driver's value [rad, m]."""
@@ -195,8 +201,7 @@ def _round_step(step: float) -> float:
 
 def _none(found: Course) -> NoPosition:
     driver, method = found.driver, found.method
-    unit, factor = ("°", 180 / math.pi) if found.angular else (" mm", 1000.0)
-    low, high = (f"{value * factor:.6g}{unit}" for value in found.reach)
+    low, high = map(EDGE[found.unit].shown, found.reach)
     return NoPosition(method.mechanism.where("driver", found.swept), driver.name, low, high)
 
 

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 import numpy as np
 
 from graphkin.errors import Lang, listed
+from graphkin.quantities import EDGE, IN_GRAVITY
 from graphkin.running.path import Event
 from graphkin.sweeps.course import Course
 from graphkin.sweeps.quantities import Series
 from graphkin.sweeps.sweep import Sweep
 
-__all__ = ["STANDARD_GRAVITY", "extremes", "left_out", "named", "remarks", "shown", "told"]
-
-STANDARD_GRAVITY = 9.80665
-"""m/s^2 in 1 g."""
+__all__ = ["extremes", "left_out", "named", "remarks", "shown", "told"]
 
 WORDS: dict[str, dict[Lang, str]] = {
     "range": {
@@ -64,13 +61,11 @@ WORDS: dict[str, dict[Lang, str]] = {
     "least": {"en": "least of the rows: {name} = {value} at {at}", "zh": "表中最小值：{name} = {value}，在 {at} 处"},
 }  # fmt: skip
 
-EDGE = {"rad": ("°", 180 / math.pi), "m": (" mm", 1000.0), "1": ("", 1.0)}
-
 
 def shown(value: float, unit: str) -> str:
     """A value at the edge: `41.2°`, `20 mm`, `0.36 m/s`."""
-    name, factor = EDGE.get(unit, (f" {unit}", 1.0))
-    size = value * factor
+    name = "°" if unit == "rad" else f" {EDGE[unit].name}".rstrip()
+    size = value * EDGE[unit].factor
     return f"{size:.6g}{name}" if abs(size) > 1e-9 else f"0{name}"
 
 
@@ -81,7 +76,7 @@ def at(course: Course, t: float) -> str:
 
 def named(course: Course, value: float) -> str:
     """`AB = 41.2°`, by the driver's value."""
-    return f"{course.driver.name} = {shown(value, 'rad' if course.angular else 'm')}"
+    return f"{course.driver.name} = {shown(value, course.unit)}"
 
 
 def told(event: Event, lang: Lang) -> str:
@@ -91,7 +86,7 @@ def told(event: Event, lang: Lang) -> str:
 
 def remarks(course: Course, lang: Lang) -> Iterator[str]:
     """How far the driver gets, and through what."""
-    unit = "rad" if course.angular else "m"
+    unit = course.unit
     if not course.full_turn:
         low, high = (shown(value, unit) for value in course.reach)
         yield WORDS["range"][lang].format(driver=course.driver.name, low=low, high=high)
@@ -136,4 +131,4 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
 
 def _valued(entry: Series, value: float) -> str:
     text = shown(value, entry.unit)
-    return text + (f" ({value / STANDARD_GRAVITY:.4g} g)" if entry.unit == "m/s^2" else "")
+    return text + (f" ({value * IN_GRAVITY.factor:.4g} {IN_GRAVITY.name})" if entry.unit == "m/s^2" else "")

@@ -7,8 +7,7 @@ special point goes far off, its lines are nearly parallel, and another special p
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from functools import cached_property
+from collections.abc import Callable, Mapping, Sequence
 from typing import Literal
 
 import numpy as np
@@ -16,13 +15,13 @@ import numpy as np
 from graphkin.centres import centres, over
 from graphkin.construction import Plot, replay
 from graphkin.geometry import Value
-from graphkin.mechanism import FRAME
+from graphkin.motions import Motions
 from graphkin.planning import Method, with_other_points
-from graphkin.readings import Motions, Readings
+from graphkin.readings import readings
 from graphkin.running import replay_all
 from graphkin.running.many import replay_along
 from graphkin.running.path import Path, along, stride
-from graphkin.value import frozen
+from graphkin.value import Lazy, frozen
 
 __all__ = ["Road", "centre_path", "moving"]
 
@@ -47,13 +46,13 @@ def moving(method: Method, path: Path, t: np.ndarray, by: Road) -> Motions:
         return motion(method.mechanism, [np.broadcast_to(value, t.shape) for value in path.values(t)])
     rows, patches = _drawn(method, path, t)
     patches += [patch for change in path.changes if (patch := _beside(method, path, t, change.at))]
-    return Mended(rows, t.size, tuple(patches)) if patches else rows
+    return mended(rows, t.size, tuple(patches)) if patches else rows
 
 
 def _drawn(method: Method, path: Path, t: np.ndarray) -> tuple[Motions, list[Patch]]:
     """Motions by the construction, but for change points."""
     plot = replay_along(method, path, t)
-    return Readings(method, plot), _by_other_points(method, path, t, plot)
+    return readings(method, plot), _by_other_points(method, path, t, plot)
 
 
 def _beside(method: Method, path: Path, t: np.ndarray, centre: float) -> Patch | None:
@@ -66,13 +65,15 @@ def _beside(method: Method, path: Path, t: np.ndarray, centre: float) -> Patch |
     for _ in range(NEARER):
         neighbours, patches = _drawn(method, path, centre + aside * PLACES)
         if patches:
-            neighbours = Mended(neighbours, PLACES.size, tuple(patches))
+            neighbours = mended(neighbours, PLACES.size, tuple(patches))
         if _alike(method, neighbours):
             break
         aside /= 2
     rows = np.flatnonzero(np.abs(t - centre) < aside)
+    if not rows.size:
+        return None
     places = np.broadcast_to(np.arange(PLACES.size), (rows.size, PLACES.size))
-    return Patch(rows, neighbours, places, _weights((t[rows] - centre) / aside))
+    return Patch(rows, neighbours, places, _weights((t[rows] - centre) / aside)) if rows.size else None
 
 
 def _alike(method: Method, neighbours: Motions) -> bool:
@@ -100,7 +101,7 @@ def _by_other_points(method: Method, path: Path, t: np.ndarray, plot: Plot) -> l
         there = replay(other.acceleration, replay(other.velocity, along(other, path, t[rows])))
         better = _special_sines(other, there, rows.shape)
         good = np.flatnonzero(better > sines[rows])
-        patches.append(Patch(rows[good], Readings(other, there), good[:, None], np.ones((good.size, 1))))
+        patches.append(Patch(rows[good], readings(other, there), good[:, None], np.ones((good.size, 1))))
         rows = rows[better < FAR_SINE]
     return [patch for patch in patches if patch.rows.size]
 
@@ -135,80 +136,53 @@ class Patch:
     weights: np.ndarray
 
 
+def mended(rows: Motions, count: int, patches: tuple[Patch, ...]) -> Motions:
+    """Motions of which some of the `count` rows are told otherwise; only what is read is put together."""
+    mend = _Mend(rows, count, patches)
+    return Motions(
+        rows.mechanism, mend.table("theta"), mend.table("omega"), mend.table("alpha"),
+        mend.table("s"), mend.table("s_rate"), mend.table("s_acceleration"),
+        mend.table("position"), mend.vectors(Motions.velocity_at), mend.vectors(Motions.acceleration_at),
+    )  # fmt: skip
+
+
 @frozen
-class Mended:
-    """Motions of which some rows are told otherwise."""
+class _Mend:
+    """Rows put into others."""
 
     rows: Motions
     count: int
     patches: tuple[Patch, ...]
 
-    def _mend(self, value: Value, others: Sequence[Value], turning: bool = False) -> Value:
-        mended = np.array(np.broadcast_to(value, (self.count,)))
+    def table(self, name: str) -> Mapping[str, Value]:
+        def entry(key: str) -> Value:
+            others = [getattr(patch.others, name)[key] for patch in self.patches]
+            return self._put(own[key], others, turning=name == "theta")
+
+        own: Mapping[str, Value] = getattr(self.rows, name)
+        return Lazy(own, entry)
+
+    def vectors(self, at: Callable[[Motions, str, str], Value]) -> Mapping[str, Mapping[str, Value]]:
+        """By link, then by any point: that of the link which lies under it."""
+
+        def entry(point: str, link: str) -> Value:
+            with np.errstate(invalid="ignore", over="ignore"):  # of rows that are mended
+                return self._put(at(self.rows, point, link), [at(patch.others, point, link) for patch in self.patches])
+
+        return Lazy(self.rows.omega, lambda link: Lazy(self.rows.position, lambda point: entry(point, link)))
+
+    def _put(self, value: Value, others: Sequence[Value], turning: bool = False) -> Value:
+        found = np.array(np.broadcast_to(value, (self.count,)))
         for patch, other in zip(self.patches, others, strict=True):
             told = np.broadcast_to(other, (int(patch.places.max()) + 1,))[patch.places]
-            mended[patch.rows] = np.sum(patch.weights * (np.unwrap(told, axis=1) if turning else told), axis=1)
-        return mended
-
-    def _table(self, name: str) -> Mapping[str, Value]:
-        others = [getattr(patch.others, name) for patch in self.patches]
-        rows: Mapping[str, Value] = getattr(self.rows, name)
-        turning = name == "theta"
-        return {key: self._mend(value, [other[key] for other in others], turning) for key, value in rows.items()}
-
-    @cached_property
-    def theta(self) -> Mapping[str, Value]:
-        return self._table("theta")
-
-    @cached_property
-    def omega(self) -> Mapping[str, Value]:
-        return self._table("omega")
-
-    @cached_property
-    def alpha(self) -> Mapping[str, Value]:
-        return self._table("alpha")
-
-    @cached_property
-    def s(self) -> Mapping[str, Value]:
-        return self._table("s")
-
-    @cached_property
-    def s_rate(self) -> Mapping[str, Value]:
-        return self._table("s_rate")
-
-    @cached_property
-    def s_acceleration(self) -> Mapping[str, Value]:
-        return self._table("s_acceleration")
-
-    @cached_property
-    def position(self) -> Mapping[str, Value]:
-        return self._table("position")
-
-    def velocity_at(self, point: str, link: str) -> Value:
-        others = [patch.others.velocity_at(point, link) for patch in self.patches]
-        with np.errstate(invalid="ignore", over="ignore"):  # of rows that are mended
-            return self._mend(self.rows.velocity_at(point, link), others)
-
-    def acceleration_at(self, point: str, link: str) -> Value:
-        others = [patch.others.acceleration_at(point, link) for patch in self.patches]
-        with np.errstate(invalid="ignore", over="ignore"):
-            return self._mend(self.rows.acceleration_at(point, link), others)
+            found[patch.rows] = np.sum(patch.weights * (np.unwrap(told, axis=1) if turning else told), axis=1)
+        return found
 
 
 # --- instant centres --------------------------------------------------------------------------
 
 
-def centre_path(method: Method, path: Path, t: np.ndarray, by: Road, links: tuple[str, str]) -> np.ndarray:
-    """Where the instant centre of two links lies at t (n,) on the path [m]; infinite at infinity."""
-    if by == "construction":
-        found = over(centres(method, replay_all(method)), path, t)
-        return np.array(np.broadcast_to(found.place(*links), t.shape))
-    motions = moving(method, path, t, by)
-    point = method.mechanism.points[0]
-    moves = [0j * t if link == FRAME else motions.velocity_at(point, link) for link in links]
-    turns = [0.0 * t if link == FRAME else motions.omega[link] for link in links]
-    fastest = max(float(np.max(np.abs(omega))) for omega in motions.omega.values())
-    turning = turns[0] - turns[1]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        place = motions.position[point] + 1j * (moves[0] - moves[1]) / turning
-    return np.where(np.abs(turning) > 1e-9 * fastest, place, np.inf)
+def centre_path(method: Method, path: Path, t: np.ndarray, links: tuple[str, str]) -> np.ndarray:
+    """Where the instant centre of two links lies at t (n,) on the path, by construction [m]; infinite at infinity."""
+    found = over(centres(method, replay_all(method)), path, t)
+    return np.array(np.broadcast_to(found.place(*links), t.shape))

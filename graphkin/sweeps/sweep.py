@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from graphkin.centres import centre_of
+from graphkin.errors import NOWHERE
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
+from graphkin.quantities import Centre, Quantity, Quotient, named
 from graphkin.running.path import stride
 from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.held import held
@@ -18,6 +19,9 @@ from graphkin.sweeps.roads import Road, centre_path, moving
 from graphkin.value import frozen
 
 __all__ = ["Sweep", "parts", "sweep", "sweep_over"]
+
+Wanted = Mapping[str, Quantity]
+"""Quantities, by what they were asked for as."""
 
 PART = 8192
 """Positions done at once: what they need stays in the processor's cache, and memory stays flat."""
@@ -66,15 +70,16 @@ def sweep_over(course: Course, names: Sequence[str], by: Road = "construction") 
 
 def parts(course: Course, names: Sequence[str], by: Road = "construction", size: int = PART) -> Iterator[Sweep]:
     """The same, some positions at a time: a sweep of any length needs no more memory."""
-    turned = _Turned(course, [name for name in names if name.startswith("theta ")], by)
+    wanted = _read(course, names)
+    turned = _Turned(course, wanted, by)
     for begin in range(0, course.t.size, size):
         here = slice(begin, begin + size)
-        yield _defined(replace(_at(course, names, course.t[here], by, turned), values=course.values[here]))
+        yield _defined(replace(_at(course, wanted, course.t[here], by, turned), values=course.values[here]))
 
 
 def _defined(found: Sweep) -> Sweep:
     """Without positions at which some quantity has no value; quotients and centres may lie at infinity."""
-    own = [entry.values for entry in found.series if not entry.is_place and "/" not in entry.name]
+    own = [entry.values for entry in found.series if not isinstance(entry.quantity, Centre | Quotient)]
     good = np.all([np.isfinite(values) for values in own], axis=0) if own else np.True_
     if np.all(good):
         return found
@@ -87,51 +92,50 @@ def _defined(found: Sweep) -> Sweep:
 
 def at(course: Course, names: Sequence[str], t: np.ndarray, by: Road = "construction") -> Sweep:
     """Quantities at positions t (n,) of the course."""
-    return _at(course, names, t, by, _Turned(course, [name for name in names if name.startswith("theta ")], by))
+    wanted = _read(course, names)
+    return _at(course, wanted, t, by, _Turned(course, wanted, by))
 
 
-def _at(course: Course, names: Sequence[str], t: np.ndarray, by: Road, turned: _Turned) -> Sweep:
-    mechanism = course.method.mechanism
+def _read(course: Course, names: Sequence[str]) -> Wanted:
+    return {name: named(course.method.mechanism, name, NOWHERE) for name in names}
+
+
+def _at(course: Course, wanted: Wanted, t: np.ndarray, by: Road, turned: _Turned) -> Sweep:
     motions = moving(course.method, course.path, t, by)
-    found = [_centre(course, name, t, by) or series(mechanism, motions, name, t.size) for name in names]
-    told = tuple(turned.on(entry, t) for entry in found if entry)
-    return Sweep(course, t, np.asarray(course.value(t)), told, np.empty(0))
-
-
-def _centre(course: Course, name: str, t: np.ndarray, by: Road) -> Series | None:
-    """Where an instant centre lies; None for other quantities."""
-    links = centre_of(course.method.mechanism, name)
-    if links is None:
-        return None
-    places = centre_path(course.method, course.path, t, by, links)
-    return Series(name, "m", np.abs(places), places)
+    found = []
+    for name, quantity in wanted.items():
+        if isinstance(quantity, Centre) and by == "construction":
+            places = centre_path(course.method, course.path, t, quantity.links)
+            found.append(Series(name, quantity, np.abs(places), places))
+        else:
+            found.append(turned.on(series(name, quantity, motions, t.size), t))
+    return Sweep(course, t, np.asarray(course.value(t)), tuple(found), np.empty(0))
 
 
 class _Turned:
     """How far links have turned since the first position: angles that go on beyond a full turn."""
 
-    def __init__(self, course: Course, names: Sequence[str], by: Road) -> None:
+    def __init__(self, course: Course, wanted: Wanted, by: Road) -> None:
         self.tables: dict[str, np.ndarray] = {}
-        if not names:
+        angles = {name: quantity for name, quantity in wanted.items() if quantity.unit == "rad"}
+        if not angles:
             return
         low, high = float(course.t.min()), float(course.t.max())
         count = 2 + int((high - low) / stride(course.method, course.path.pace, FINE_DEG, FINE_PART))
         self.t = np.linspace(low, high, count)
         motions = moving(course.method, course.path, self.t, by)
         first = np.interp(course.t[0], self.t, np.arange(count))
-        for name in names:
-            entry = series(course.method.mechanism, motions, name, count)
-            if entry is not None and entry.unit == "rad":
-                angles = _unwrapped(entry.values)
-                start = np.interp(first, np.arange(count), angles)
-                self.tables[name] = angles - 2 * np.pi * np.floor(start / (2 * np.pi) + 1e-12)
+        for name, quantity in angles.items():
+            table = _unwrapped(series(name, quantity, motions, count).values)
+            start = np.interp(first, np.arange(count), table)
+            self.tables[name] = table - 2 * np.pi * np.floor(start / (2 * np.pi) + 1e-12)
 
     def on(self, entry: Series, t: np.ndarray) -> Series:
         if entry.name not in self.tables:
             return entry
         near = np.interp(t, self.t, self.tables[entry.name])
         values = entry.values + 2 * np.pi * np.round((near - entry.values) / (2 * np.pi))
-        return Series(entry.name, entry.unit, values)
+        return Series(entry.name, entry.quantity, values)
 
 
 def _unwrapped(angles: np.ndarray) -> np.ndarray:
@@ -148,8 +152,8 @@ def _joined(found: Sequence[Sweep]) -> Sweep:
         return found[0]
     entries = tuple(
         Series(
-            first.name, first.unit, np.concatenate([part.series[k].values for part in found]),
-            None if first.vectors is None else np.concatenate([part.series[k].vectors for part in found]), first.along,
+            first.name, first.quantity, np.concatenate([part.series[k].values for part in found]),
+            None if first.vectors is None else np.concatenate([part.series[k].vectors for part in found]),
         )
         for k, first in enumerate(found[0].series)
     )  # fmt: skip

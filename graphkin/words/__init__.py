@@ -9,7 +9,9 @@ Module order: `figures`, `names`, `phrases` (all sentences, both languages side 
 `reading` (the mechanism's side), `plane` (a polygon's side), then one reader a subject: `given`, `position`,
 `sizes`, `equations`, `rotation`, `polygons`. A new step kind fails the type check in each reader of steps
 until it has its words; a new size, in `sizes`; a new direction, in `plane`. `centre_explained` words the instant
-centres, from `centre_phrases`, `centre_steps` (how each is found), `centre_levers`, `centre_drivers`, `centre_uses`.
+centres, from `centre_phrases`, `centre_steps` (how each is found), `centre_levers` (sums between them), `centre_uses`;
+`centre_about` a link about its pole, `centre_poles` the pole of two velocities. `linkages` words the linkages of four
+links, from `linkage_phrases`; `structure`, what a mechanism is made of, and `redundancy`, what repeats in it.
 """
 
 from __future__ import annotations

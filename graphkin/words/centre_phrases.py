@@ -30,7 +30,7 @@ CENTRE_PHRASES: Mapping[str, dict[Lang, str]] = {
         "{name}: in hinge {point}, which joins links {first} and {second}; {place}.",
         "{name}：构件 {first}、{second} 以转动副 {point} 相连，瞬心在 {point}，{place}。",
     ),
-    "rolling": both(
+    "contact": both(
         "{name}: links {first} and {second} roll on each other without sliding: where they touch, {place}.",
         "{name}：构件 {first}、{second} 作纯滚动，瞬心在接触点，{place}。",
     ),
@@ -67,7 +67,7 @@ CENTRE_PHRASES: Mapping[str, dict[Lang, str]] = {
     "met far": both("the lines are parallel, so {name} → ∞ at {angle}", "两线平行，故 {name} → ∞，方向 {angle}"),
     "met infinity": both("so {name} → ∞ at {angle}", "故 {name} → ∞，方向 {angle}"),
     # --- from velocities -----------------------------------------------------------------------
-    "pole": both(
+    "velocities": both(
         "{name} cannot be found by three-centre lines alone: {reason}. From velocities: where links {first} and "
         "{second} have one velocity, {place}.",
         "{name} 仅用三心定理不能确定：{reason}。由速度求得：构件 {first}、{second} 在该点速度相同，{place}。",

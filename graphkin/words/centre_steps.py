@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from math import degrees
 from typing import assert_never
@@ -11,7 +11,19 @@ import numpy as np
 
 from graphkin.centres import Centres
 from graphkin.construction import Ray
-from graphkin.construction.centring import CentreStep, Far, Join, Kennedy, Pole, Seat, direction_of, place_of
+from graphkin.drafting import (
+    Far,
+    LayOff,
+    LineStep,
+    MarkOn,
+    Meet,
+    Place,
+    PointStep,
+    Pricked,
+    Stage,
+    Turned,
+    drawn_through,
+)
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.value import frozen
@@ -45,11 +57,11 @@ class CentreReader:
         return names.point(centre)
 
     def is_far(self, centre: str) -> bool:
-        return not bool(np.isfinite(place_of(self.found.plot, centre)))
+        return not bool(np.isfinite(self.found.board.at(centre)))
 
     def angle(self, centre: str) -> str:
         """The direction of a centre at infinity, from 0 to 180 degrees."""
-        turned = round(degrees(float(direction_of(self.found.plot, centre))), 6) % 180
+        turned = round(degrees(float(self.found.board.direction(centre))), 6) % 180
         return f"{number(turned)}°"
 
     @cached_property
@@ -60,7 +72,7 @@ class CentreReader:
     def place(self, centre: str) -> str:
         if self.is_far(centre):
             return self.say("infinite", angle=self.angle(centre))
-        at = complex(place_of(self.found.plot, centre))
+        at = complex(self.found.board.at(centre))
         x, y = (number(1000 * v, 1000 * self.noise) for v in (at.real, at.imag))
         return self.say("mm", x=x, y=y)
 
@@ -68,78 +80,80 @@ class CentreReader:
 
     def entries(self) -> Iterator[Entry]:
         """How many there are, those by definition, then the others in the order in which they are found."""
-        count, steps = len(self.mechanism.links), self.found.centring.steps
+        count, stages = len(self.mechanism.links), self.found.centring.stages
         yield Heading(self.say("finding"))
         yield Sentence(self.say("count", n=count, less=count - 1, count=len(self.found.pairs)))
-        direct = [step for step in steps if isinstance(step, Seat | Far)]
-        others = [step for step in steps if not isinstance(step, Seat | Far)]
+        others = [stage for stage in stages if stage.say in ("two lines", "velocities")]
+        direct = [stage for stage in stages if stage not in others]
         for head, group in (("definition", direct), ("kennedy", others)):
             if group:
                 yield Sentence(self.say(head))
-            yield from (Sentence("  " + self.sentence(step)) for step in group)
+            yield from (Sentence("  " + self.sentence(stage)) for stage in group)
         for pair in self.found.centring.together:
             yield Sentence("  " + self.say("together", name=self.centre(self.found.name(*pair)), **self._links(pair)))
 
-    def sentence(self, step: CentreStep) -> str:
+    def sentence(self, stage: Stage) -> str:
         """How one centre is found."""
-        name, links = self.centre(step.centre), self._links(self.found.centring.links[step.centre])
+        name = stage.last.name
+        words = {"name": self.centre(name), "place": self.place(name), "angle": self.angle(name)}
+        return self.say(stage.say, **words, **self._made(stage))
+
+    def _made(self, stage: Stage) -> dict[str, str]:
+        """What its links, its point or its lines are called, by the step that makes a centre."""
+        step = stage.last
+        assert isinstance(step, PointStep), step
         match step:
-            case Seat(contact=None):
-                point, place = names.point(step.point), self.place(step.centre)
-                return self.say("hinge", name=name, point=point, place=place, **links)
-            case Seat():
-                return self.say("rolling", name=name, place=self.place(step.centre), **links)
-            case Far():
-                return self.say("slide", name=name, angle=self.angle(step.centre), **links)
-            case Kennedy():
-                lines = {"first": self._line(step, step.first), "second": self._line(step, step.second)}
-                return self.say("two lines", name=name, met=self._met(step), **lines)
-            case Pole():
-                place = self.place(step.centre)
-                return self.say("pole", name=name, reason=self._reason(), place=place, **links)
+            case Pricked():
+                links = self._links(self.found.centring.links[step.name])
+                return {"point": names.point(step.point), "reason": self._reason(), **links}
+            case Meet():
+                first, second = (self._line(step, line) for line in stage.lines)
+                return {"first": first, "second": second, "met": self._met(stage)}
+            case Far() | Place() | LayOff() | MarkOn() | Turned():
+                return self._links(self.found.centring.links[step.name])
             case _:
                 assert_never(step)
 
     def _links(self, pair: tuple[str, str]) -> dict[str, str]:
         return {"first": self.link(pair[0]), "second": self.link(pair[1])}
 
-    def _line(self, step: Kennedy, line: Join | Ray) -> str:
+    def _line(self, step: Meet, line: LineStep) -> str:
         """A line on which a centre lies, and why it does."""
-        if isinstance(line, Ray):
-            return self._normal(step, line)
-        links = self._three(line)
-        ends = [line.first, line.second]
-        far = [end for end in ends if self.is_far(end)]
+        if (normal := self.found.centring.normals.get(line.name)) is not None:
+            return self._normal(step, normal)
+        ends = drawn_through(line)
+        links, far = self._three(ends), [end for end in ends if self.is_far(end)]
         if not far:
             between = " " if any("," in end for end in ends) else ""
             return self.say("join", line=between.join(self.centre(end) for end in ends), links=links)
         if len(far) == 2:
             return self.say("at infinity", first=self.centre(ends[0]), second=self.centre(ends[1]), links=links)
         near = next(end for end in ends if end not in far)
-        by_definition = any(isinstance(s, Far) and s.centre == far[0] for s in self.found.centring.steps)
+        by_definition = isinstance(self.found.centring.construction.made_by[far[0]], Far)
         words = {"near": self.centre(near), "far": self.centre(far[0]), "links": links}
         return self.say("across guide" if by_definition else "parallel", angle=self.angle(far[0]), **words)
 
-    def _normal(self, step: Kennedy, line: Ray) -> str:
-        pair = self.found.centring.links[step.centre]
+    def _normal(self, step: Meet, normal: Ray) -> str:
+        pair = self.found.centring.links[step.name]
         if any({*cam.links} == {*pair} for cam in self.mechanism.cams):
             return self.say("normal", **self._links(pair))
-        return self.say("slot", point=names.point(line.through), **self._links(pair))
+        return self.say("slot", point=names.point(normal.through), **self._links(pair))
 
-    def _three(self, line: Join) -> str:
+    def _three(self, ends: Iterable[str]) -> str:
         """The three links whose centres lie on a line: `1, 2, 3`."""
-        both = (*self.found.centring.links[line.first], *self.found.centring.links[line.second])
+        both = {link for end in ends for link in self.found.centring.links[end]}
         order = {link: k for k, link in enumerate(dict.fromkeys(x for pair in self.found.pairs for x in pair))}
         between = "、" if self.lang == "zh" else ", "
-        return between.join(self.link(link) for link in sorted({*both}, key=lambda link: order[link]))
+        return between.join(self.link(link) for link in sorted(both, key=lambda link: order[link]))
 
-    def _met(self, step: Kennedy) -> str:
-        if not self.is_far(step.centre):
-            return self.say("met", place=self.place(step.centre))
-        ends = [(line.first, line.second) for line in (step.first, step.second) if isinstance(line, Join)]
-        at_infinity = any(self.is_far(first) and self.is_far(second) for first, second in ends)
+    def _met(self, stage: Stage) -> str:
+        centre = stage.last.name
+        if not self.is_far(centre):
+            return self.say("met", place=self.place(centre))
+        joins = [line for line in stage.lines if line.name not in self.found.centring.normals]
+        at_infinity = any(all(self.is_far(end) for end in drawn_through(line)) for line in joins)
         key = "met infinity" if at_infinity else "met far"
-        return self.say(key, name=self.centre(step.centre), angle=self.angle(step.centre))
+        return self.say(key, name=self.centre(centre), angle=self.angle(centre))
 
     def _reason(self) -> str:
         """Why the lines do not suffice."""

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from math import degrees
 
 from graphkin.mechanism import FRAME, Driver, Pose
-from graphkin.redundancy import redundant_constraints
 from graphkin.words import names
 from graphkin.words.entries import Entry, Heading, Sentence
 from graphkin.words.figures import number
 from graphkin.words.reading import Reading
+from graphkin.words.redundancy import redundant_constraints
 
 __all__ = ["given"]
 

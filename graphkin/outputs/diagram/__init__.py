@@ -11,11 +11,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from graphkin.centres import centre_of
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs import files
 from graphkin.outputs.diagram.curves import curves
 from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, has_chinese, letters
+from graphkin.quantities import centre_of
 from graphkin.sweeps import Course, Road
 
 if TYPE_CHECKING:

@@ -13,7 +13,8 @@ from graphkin.outputs.diagram import words
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import has_chinese, typeset, writable
 from graphkin.outputs.diagram.notes import Drawn, note_peaks
-from graphkin.outputs.diagram.panels import Axis, Panel, division, labels_of, limits, panels, unit_of
+from graphkin.outputs.diagram.panels import Axis, Panel, division, labels_of, limits, panels
+from graphkin.quantities import EDGE, IN_GRAVITY
 from graphkin.sheet.lettering import Label, width
 
 if TYPE_CHECKING:
@@ -84,7 +85,7 @@ def _legend_rows(found: Curves, panel: Panel) -> int:
 def _label(found: Curves, k: int) -> Label:
     """What a curve shows, with what else lies on it."""
     group = next(group for group in found.alike if group[0] == k)
-    return labels_of([found.series[j].name for j in group])
+    return labels_of([found.series[j].quantity for j in group])
 
 
 def _panel_height(rows: Sequence[int], notes: int) -> float:
@@ -132,9 +133,9 @@ def _panel(
 
 def _curve(side: Axes, found: Curves, k: int, style: tuple[str, Any]) -> Any:
     entry, course = found.series[k], found.course
-    across = unit_of("rad" if course.angular else "m").factor
+    across = EDGE[course.unit].factor
     (line,) = side.plot(
-        course.value(found.t) * across, entry.signed * unit_of(entry.unit).factor, color=style[0], linestyle=style[1],
+        course.value(found.t) * across, entry.signed * EDGE[entry.unit].factor, color=style[0], linestyle=style[1],
         linewidth=BROAD / POINT, label=typeset(_label(found, k)), gid=f"curve-{k}", solid_joinstyle="round",
     )  # fmt: skip
     return line
@@ -182,7 +183,7 @@ def _acceleration_in_g(sides: Sequence[Axes], panel: Panel, lang: Lang) -> None:
         return
     side = sides[-1]
     away = 1.0 if len(sides) == 1 else 1.0 + SIDE / (WIDTH - LEFT - PLAIN_RIGHT - 2 * SIDE)
-    factor = unit_of("g").factor
+    factor = IN_GRAVITY.factor
     scale = side.secondary_yaxis(away, functions=(lambda a: np.multiply(a, factor), lambda g: np.divide(g, factor)))
     low, high = (end * factor for end in side.get_ylim())
     power, ticks = _power(max(-low, high)), _ticks(side, low, high)
@@ -194,7 +195,7 @@ def _acceleration_in_g(sides: Sequence[Axes], panel: Panel, lang: Lang) -> None:
 def _across(first: Axes, found: Curves, lang: Lang, last: bool) -> None:
     """The x axis: a turn by 30 degrees; a little wider than the range where stops are at its ends."""
     course = found.course
-    factor = unit_of("rad" if course.angular else "m").factor
+    factor = EDGE[course.unit].factor
     low, high = sorted(float(course.value(t)) * factor for t in (found.low, found.high))
     beyond = 0.015 * (high - low) if course.path.stops else 0.0
     first.set_xlim(low - beyond, high + beyond)
@@ -211,7 +212,7 @@ def _thin_lines(first: Axes, found: Curves, panel: Panel) -> None:
     low, high = first.get_ylim()
     if low < 0 < high and (panel.kind != "position" or len(panel.axes) == 1):
         first.axhline(0, color="black", linewidth=THIN / POINT, zorder=1.5)
-    factor = unit_of("rad" if found.course.angular else "m").factor
+    factor = EDGE[found.course.unit].factor
     for event in found.events:
         place = float(found.course.value(event.at)) * factor
         first.axvline(place, color="black", linewidth=THIN / POINT, zorder=1.5, linestyle=(0, (12, 3, 2, 3)))

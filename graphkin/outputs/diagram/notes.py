@@ -10,8 +10,9 @@ import numpy as np
 from graphkin.errors import Lang
 from graphkin.outputs.diagram import words
 from graphkin.outputs.diagram.curves import Curves, Peak
-from graphkin.outputs.diagram.panels import Panel, unit_of
+from graphkin.outputs.diagram.panels import Panel
 from graphkin.outputs.diagram.place import Note, arrange, paths_of
+from graphkin.quantities import EDGE
 from graphkin.running.path import Event
 from graphkin.value import frozen
 
@@ -79,12 +80,12 @@ def _write_peaks(page: Figure, found: Curves, drawn: Drawn, paths: Sequence[Any]
 
 def _peaks(found: Curves, drawn: Drawn) -> Iterator[tuple[int, tuple[float, float], Peak, str]]:
     """(curve, place in its axes, peak, text) of all extremes in a panel."""
-    across = unit_of("rad" if found.course.angular else "m").factor
+    across = EDGE[found.course.unit].factor
     for k in drawn.lines:
-        unit = unit_of(found.series[k].unit)
+        unit = EDGE[found.series[k].unit]
         for peak in found.peaks[k]:
             place = float(found.course.value(peak.t)) * across, peak.value * unit.factor
-            degree = unit.name if unit.name == "°" else ""
+            degree = unit.sign if unit.sign == "°" else ""
             yield k, place, peak, f"{words.figure_of(place[1])}{degree} @ {words.place_of(found, peak.t)}"
 
 
@@ -109,7 +110,7 @@ def _name_event(
     from matplotlib.transforms import Bbox
 
     first, top = drawn.sides[0], drawn.sides[-1]
-    across = unit_of("rad" if found.course.angular else "m").factor
+    across = EDGE[found.course.unit].factor
     x = float(first.transData.transform((float(found.course.value(event.at)) * across, 0))[0])
     text = top.text(0, 0, words.event_mark(event, lang), fontsize=SIZE, rotation=90, transform=None, zorder=5)
     text.set_verticalalignment("bottom")

@@ -6,43 +6,22 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from graphkin.outputs.diagram.curves import Curves
+from graphkin.quantities import EDGE, Displacement, Quantity, Quotient, Rotation
 from graphkin.sheet.lettering import Label, joined, quantity_label, vector_label
-from graphkin.sweeps.remarks import STANDARD_GRAVITY
 from graphkin.value import frozen
 
-__all__ = [
-    "LETTERS", "UNITS", "Axis", "Panel", "Unit", "division", "label_of", "labels_of", "limits", "panels", "unit_of",
-]  # fmt: skip
+__all__ = ["LETTERS", "Axis", "Panel", "division", "label_of", "labels_of", "limits", "panels"]
 
 MOST = 6
 """More curves than these do not stand together."""
 KINDS = ("position", "velocity", "acceleration", "ratio")
 LETTERS = {"rad": "θ", "m": "s", "rad/s": "ω", "m/s": "v", "rad/s^2": "α", "m/s^2": "a", "g": "a", "1": ""}
-_GREEK = {"theta": "θ", "omega": "ω", "alpha": "α", "s": "s"}
 HEADROOM = 0.16
 """Room above and below the curves for what is written at them, as a part of their height."""
 
 
-@frozen
-class Unit:
-    """A unit at the edge: its name, and by what SI values are multiplied."""
-
-    name: str
-    factor: float
-
-
-UNITS = {
-    "rad": Unit("°", 180 / math.pi), "m": Unit("mm", 1000.0), "rad/s": Unit("rad/s", 1.0), "m/s": Unit("m/s", 1.0),
-    "rad/s^2": Unit("rad/s²", 1.0), "m/s^2": Unit("m/s²", 1.0), "1": Unit("", 1.0),
-    "g": Unit("g", 1 / STANDARD_GRAVITY),
-}  # fmt: skip
 _PLACE = {"rad": (0, 0), "m": (0, 1), "rad/s": (1, 0), "m/s": (1, 1), "rad/s^2": (2, 0), "m/s^2": (2, 1), "1": (3, 0)}
 """By SI unit: the kind of panel, and whether it is the second axis of one."""
-
-
-def unit_of(unit: str) -> Unit:
-    """How values of an SI unit are shown."""
-    return UNITS.get(unit, Unit(unit, 1.0))
 
 
 @frozen
@@ -96,7 +75,7 @@ def limits(found: Curves, panel: Panel) -> list[tuple[float, float]]:
 
 
 def _ends(found: Curves, axis: Axis, with_zero: bool) -> tuple[float, float]:
-    factor = unit_of(axis.unit).factor
+    factor = EDGE[axis.unit].factor
     bounds = [(low * factor, high * factor) for low, high in map(found.bounds, axis.curves)]
     extra = [0.0] if with_zero else []
     return min([low for low, _ in bounds] + extra), max([high for _, high in bounds] + extra)
@@ -130,17 +109,16 @@ def division(low: float, high: float, most: int, degrees: bool = False) -> list[
 # --- names ------------------------------------------------------------------------------------
 
 
-def labels_of(names: Sequence[str]) -> Label:
+def labels_of(quantities: Sequence[Quantity]) -> Label:
     """`ω₂ = ω₃`: curves that lie on one another."""
-    return joined([label_of(name) for name in names], " = ")
+    return joined([label_of(quantity) for quantity in quantities], " = ")
 
 
-def label_of(name: str) -> Label:
+def label_of(quantity: Quantity) -> Label:
     """A quantity as the field writes it: `theta 3` as θ₃, `a_k B3B2` as a with k above B3B2."""
-    if "/" in name:
-        return joined([label_of(part.strip()) for part in name.split("/")], "/")
-    quantity, _, of = name.partition(" ")
-    if quantity in _GREEK:
-        return quantity_label(_GREEK[quantity], of.strip())
-    letter, _, part = quantity.partition("_")
-    return vector_label(f"{letter}^{part}_{of.strip()}" if part else f"{letter}_{of.strip()}")
+    if isinstance(quantity, Quotient):
+        return joined([label_of(half) for half in quantity.halves], "/")
+    if isinstance(quantity, Rotation | Displacement):
+        return quantity_label(quantity.letter, quantity.of)
+    part = f"^{quantity.part}" if quantity.part else ""
+    return vector_label(f"{quantity.letter}{part}_{quantity.of}")

@@ -7,7 +7,8 @@ import math
 from graphkin.errors import Lang
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import typeset, writable
-from graphkin.outputs.diagram.panels import LETTERS, unit_of
+from graphkin.outputs.diagram.panels import LETTERS
+from graphkin.quantities import EDGE, IN_GRAVITY, driven
 from graphkin.running.path import Event
 from graphkin.sheet.lettering import link_label, number
 from graphkin.sweeps import Course
@@ -51,11 +52,11 @@ def figure_of(value: float, unit: str = "") -> str:
 def place_of(found: Curves, t: float) -> str:
     """Where a value is reached: `125.3°`, `72.35 mm`; as finely as is told apart in the diagram."""
     course = found.course
-    unit, parts = (unit_of("rad"), 2000) if course.angular else (unit_of("m"), 5000)
+    unit, parts = EDGE[course.unit], 2000 if course.angular else 5000
     step = abs(float(course.value(found.high)) - float(course.value(found.low))) * unit.factor / parts
     digits = max(0, -math.floor(math.log10(step)))
     value = round(float(course.value(t)) * unit.factor, digits) + 0.0
-    return _signed(f"{value:.{digits}f}") + ("°" if course.angular else " mm")
+    return _signed(f"{value:.{digits}f}") + unit.after
 
 
 def across(course: Course, lang: Lang) -> str:
@@ -67,7 +68,7 @@ def across(course: Course, lang: Lang) -> str:
 
 def upright_label(unit: str, lang: Lang, power: int = 0) -> str:
     """What a y axis shows: `ω [rad/s]`, in Chinese as the standard has it `ω /(rad/s)`."""
-    name, letter = unit_of(unit).name, LETTERS.get(unit, "")
+    name, letter = (IN_GRAVITY if unit == "g" else EDGE[unit]).sign, LETTERS.get(unit, "")
     name = r"\mathit{g}" if name == "g" else name
     if power:
         name = f"10^{{{power}}}" + (f"\\ {name}" if name else "")
@@ -90,8 +91,7 @@ def about_drivers(course: Course, lang: Lang) -> str:
         if driver.acceleration:
             parts.append(f"{gain} = {_signed(f'{driver.acceleration:.6g}')} {per_square}")
         if still:
-            unit, factor = (" mm", 1000.0) if driver.kind == "slide" else ("°", unit_of("rad").factor)
-            parts.insert(0, _signed(f"{course.path.start[k] * factor:.6g}{unit}"))
+            parts.insert(0, _signed(EDGE[driven(driver.kind == "slide")].shown(float(course.path.start[k]))))
         told.append(f"{writable(driver.name)}{colon}{comma.join(parts)}")
     word = {"en": "driver ", "zh": "原动件 "} if len(told) == 1 else {"en": "drivers ", "zh": "原动件 "}
     return word[lang] + semicolon.join(told)

@@ -5,13 +5,11 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
+from graphkin.centres.about import About, Carried, Circle
+from graphkin.centres.about_bobillier import Bobillier, Guided
+from graphkin.drafting import Stage
 from graphkin.errors import Lang
-
-if TYPE_CHECKING:
-    from graphkin.centres.about import About, Carried
-    from graphkin.centres.about_bobillier import Bobillier, Guided
 
 __all__ = ["about_words", "bobillier_words"]
 
@@ -104,8 +102,6 @@ def _about(seen: About, lang: Lang) -> Iterator[str]:
 
 
 def _circles(seen: About, lang: Lang) -> Iterator[str]:
-    from graphkin.centres.about import Circle
-
     inflection, returning = seen.inflection, seen.returning
     if inflection is None:
         return
@@ -201,17 +197,21 @@ BOBILLIER: dict[str, dict[Lang, str]] = {
 
 
 def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
-    """One sentence each step of the pencil that a student would write."""
+    """What the two points are known from, and one sentence each stage."""
     first, second = drawn.guides
     known = {"a": first.point, "b": second.point, "a0": first.written, "b0": second.written, "c": drawn.point}
     q, qc = drawn.crossings
     known |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer}
-    crossing = "Q far" if abs(drawn.drawn[q][2]) <= 1e-9 else "Q"
-    if not first.centre[2] and not second.centre[2]:
-        crossing = "Q line"
-    last = "K far" if cmath.isinf(drawn.centre) else "K"
-    keys = ["P", crossing, "axis", "ray c", "axis c", "Qc", last]
+    keys = [_key(drawn, stage) for stage in drawn.construction.stages]
     return [*(_known(entry, lang) for entry in drawn.guides), *(BOBILLIER[key][lang].format(**known) for key in keys)]
+
+
+def _key(drawn: Bobillier, stage: Stage) -> str:
+    """A stage's key; its lines may be parallel."""
+    if stage.say == "Q" and not any(entry.centre[2] for entry in drawn.guides):
+        return "Q line"
+    far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
+    return f"{stage.say} far" if far else stage.say
 
 
 def _known(entry: Guided, lang: Lang) -> str:

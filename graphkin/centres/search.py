@@ -9,24 +9,61 @@ left (several freedoms, lines that coincide) one centre is taken from the veloci
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 import numpy as np
 
-from graphkin.construction import AcrossGuide, Along, Plot, Ray, Touch, replay
-from graphkin.construction.centring import CLEAR, CentreStep, Centring, Far, Join, Kennedy, Pole, Seat, line_of, take
+from graphkin.centres.beneath import board_over, contact_name, from_velocities, normals, pole_name
+from graphkin.construction import Plot, Ray, replay
+from graphkin.drafting import (
+    Board,
+    Construction,
+    Far,
+    LineStep,
+    Meet,
+    Pricked,
+    Stage,
+    Through,
+    Traced,
+    draw,
+    ruled,
+)
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
-from graphkin.planning.equivalent import Contact
+from graphkin.readings import readings
+from graphkin.value import frozen
 
-__all__ = ["centre_name", "centres", "with_centres"]
+__all__ = ["Centring", "centre_name", "search"]
 
+CLEAR = 1e-3
+"""Two lines that are less than this far from being one give no centre."""
 WELL_APART = 0.05
 """Lines that are less than this far from being one are left for a later round."""
 
 Pair = frozenset[str]
+
+
+@frozen
+class Centring:
+    """How the centres of a mechanism are found, one stage each, in an order in which every line is known in time.
+
+    A stage says "hinge", "contact" (wheels that roll on each other), "slide", "two lines" or "velocities".
+
+    links       the two links of each centre, by its name
+    normals     the lines that are common normals of two profiles, by name; every other line joins two centres
+    together    pairs of links that do not move against each other: they have no centre
+    """
+
+    construction: Construction
+    links: Mapping[str, tuple[str, str]]
+    normals: Mapping[str, Ray]
+    together: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def stages(self) -> tuple[Stage, ...]:
+        return self.construction.stages
 
 
 def centre_name(mechanism: Mechanism, first: str, second: str) -> str:
@@ -41,29 +78,25 @@ def _by_number(name: str) -> tuple[float, str]:
     return (float(number[0]) if number else np.inf, name)
 
 
-def with_centres(method: Method, plot: Plot) -> tuple[Centring, Plot]:
-    """The centres, and a plot of the same position that holds them."""
-    plot = _moving(method, plot)
-    search = _Search(method, plot)
-    search.run()
-    return Centring(tuple(search.steps), search.links, tuple(search.missing)), plot
-
-
-def centres(method: Method, plot: Plot) -> Centring:
-    """How all instant centres are found at the position of a plot with positions and velocities.
+def search(method: Method, plot: Plot) -> tuple[Centring, Plot, Board]:
+    """How all instant centres are found at the position of a plot, that plot in motion, and a board that holds them.
 
     Two lines that give a centre are chosen well apart for this position.
     """
-    return with_centres(method, plot)[0]
+    plot = _moving(method, plot)
+    found = _Search(method, plot, board_over(method, plot))
+    found.run()
+    lines = {normal.name: normal.line for normal in normals(method.mechanism)}
+    centring = Centring(Construction({}, tuple(found.stages)), found.links, lines, tuple(found.missing))
+    return centring, plot, found.board
 
 
 def _moving(method: Method, plot: Plot) -> Plot:
-    """The plot, to be written into; with all drivers at 1 where none of them moves: centres do not need a speed."""
+    """The plot, with all drivers at 1 where none of them moves: centres do not need a speed."""
     if any(driver.rate for driver in method.drivers):
-        return replace(plot, centres={}, lean={})
+        return plot
     facts = replace(plot.facts, rates=tuple(1.0 for _ in method.drivers))
-    still = replace(plot, facts=facts, velocity={}, omega={}, s_rate={}, centres={}, lean={})
-    return replay(method.velocity, still)
+    return replay(method.velocity, replace(plot, facts=facts, velocity={}, omega={}, s_rate={}))
 
 
 @dataclass
@@ -72,10 +105,10 @@ class _Search:
 
     method: Method
     plot: Plot
-    steps: list[CentreStep] = field(default_factory=list)
+    board: Board
+    stages: list[Stage] = field(default_factory=list)
     links: dict[str, tuple[str, str]] = field(default_factory=dict)
     known: dict[Pair, str] = field(default_factory=dict)
-    normals: dict[Pair, list[Ray]] = field(default_factory=dict)
 
     @property
     def mechanism(self) -> Mechanism:
@@ -90,23 +123,20 @@ class _Search:
         return [pair for pair in combinations(self.names, 2) if frozenset(pair) not in self.known]
 
     def run(self) -> None:
-        for pair, step in self._by_definition():
+        for pair, stage in self._by_definition():
             if pair not in self.known:
-                self.take(pair, step)
-        for pair, normal in _normals(self.mechanism):
-            self.normals.setdefault(pair, []).append(normal)
+                self.take(pair, stage)
         left: list[tuple[str, str]] = []
         while any(pair not in left for pair in self.missing):
             if not any(self._round(clear) for clear in (WELL_APART, CLEAR)) and not self._pole(left):
                 return
 
-    def take(self, pair: Pair, step: CentreStep) -> None:
-        with np.errstate(divide="ignore", invalid="ignore"):
-            take(step, self.plot)
-        self.steps.append(step)
-        self.known[pair] = step.centre
+    def take(self, pair: Pair, stage: Stage) -> None:
+        draw(stage, self.board)
+        self.stages.append(stage)
+        self.known[pair] = stage.last.name
         first, second = sorted(pair, key=lambda link: _by_number(self.mechanism.called(link)))
-        self.links[step.centre] = first, second
+        self.links[stage.last.name] = first, second
 
     def named(self, pair: Pair) -> str:
         first, second = pair
@@ -114,17 +144,18 @@ class _Search:
 
     # --- by definition ------------------------------------------------------------------------
 
-    def _by_definition(self) -> Iterator[tuple[Pair, CentreStep]]:
+    def _by_definition(self) -> Iterator[tuple[Pair, Stage]]:
         """Hinges, sliding pairs, and contacts without sliding."""
         for hinge in self.mechanism.hinges:
-            for two in combinations(hinge.links, 2):
-                yield frozenset(two), Seat(self.named(frozenset(two)), hinge.point)
+            for two in map(frozenset, combinations(hinge.links, 2)):
+                yield two, Stage("hinge", (Pricked(self.named(two), hinge.point),))
         for slide in self.mechanism.slides:
             if slide.block is not None:
-                two = slide.guide, slide.block
-                yield frozenset(two), Far(self.named(frozenset(two)), slide.name)
+                two = frozenset((slide.guide, slide.block))
+                yield two, Stage("slide", (Traced(slide.name, slide.name), Far(self.named(two), slide.name)))
         for contact in self.method.structure.contacts:
-            yield frozenset(contact.wheels), Seat(self.named(frozenset(contact.wheels)), "", _touch(contact))
+            two = frozenset(contact.wheels)
+            yield two, Stage("contact", (Pricked(self.named(two), contact_name(contact)),))
 
     # --- Kennedy's lines ----------------------------------------------------------------------
 
@@ -133,30 +164,33 @@ class _Search:
         found = False
         for two in self.missing:
             pair = frozenset(two)
-            if (step := self._on_two_lines(pair, clear)) is not None:
-                self.take(pair, step)
+            if (stage := self._on_two_lines(pair, clear)) is not None:
+                self.take(pair, stage)
                 found = True
         return found
 
-    def _on_two_lines(self, pair: Pair, clear: float) -> Kennedy | None:
+    def _on_two_lines(self, pair: Pair, clear: float) -> Stage | None:
         """The two lines that are farthest from being one; the first two, where several are clear."""
-        lines = [(line, line_of(line, self.plot)) for line in self._lines(pair)]
+        lines = [(line, ruled(line, self.board)) for line in self._lines(pair)]
         lines = [(line, place) for line, place in lines if np.isfinite(place).all()]
-        best: tuple[float, Kennedy] | None = None
+        best: tuple[float, LineStep, LineStep] | None = None
         for (one, first), (other, second) in combinations(lines, 2):
             apart = float(np.linalg.norm(np.cross(first, second)))
             if apart > clear and (best is None or min(apart, 0.3) > best[0]):
-                best = min(apart, 0.3), Kennedy(self.named(pair), one, other)
-        return best[1] if best else None
+                best = min(apart, 0.3), one, other
+        if best is None:
+            return None
+        _, one, other = best
+        return Stage("two lines", (one, other, Meet(self.named(pair), one.name, other.name)))
 
-    def _lines(self, pair: Pair) -> Iterator[Join | Ray]:
+    def _lines(self, pair: Pair) -> Iterator[LineStep]:
         """Every line on which a centre lies."""
-        yield from self.normals.get(pair, ())
+        yield from (Traced(one.name, one.name) for one in normals(self.mechanism) if one.links == pair)
         first, second = sorted(pair, key=lambda link: _by_number(self.mechanism.called(link)))
         for third in self.names:
             one, other = self.known.get(frozenset((first, third))), self.known.get(frozenset((third, second)))
             if one is not None and other is not None:
-                yield Join(one, other)
+                yield Through(f"{one} {other}", one, other)
 
     # --- from velocities ----------------------------------------------------------------------
 
@@ -164,57 +198,17 @@ class _Search:
         """One centre from velocities, of the pair that most lines wait for; pairs without relative motion are left."""
         waiting = [pair for pair in self.missing if pair not in left]
         waiting.sort(key=lambda pair: (FRAME not in pair, -self._joined(pair)))
+        motions = readings(self.method, self.plot)
         for pair in waiting:
-            step = Pole(self.named(frozenset(pair)), (self.motion(pair[0]), self.motion(pair[1])))
-            with np.errstate(divide="ignore", invalid="ignore"):
-                take(step, self.plot)
-            if np.isfinite(self.plot.centres[step.centre]).all():
-                self.take(frozenset(pair), step)
+            place = from_velocities(self.board, motions, *pair)
+            if np.isfinite(place).all():
+                self.board.beneath.points[pole_name(*pair)] = place
+                centre = self.named(frozenset(pair))
+                self.take(frozenset(pair), Stage("velocities", (Pricked(centre, pole_name(*pair)),)))
                 return True
-            del self.plot.centres[step.centre]
             left.append(pair)
         return False
 
     def _joined(self, pair: tuple[str, str]) -> int:
         """To how many others two links are joined directly."""
         return sum(not pair_.isdisjoint(pair) for pair_ in self.known)
-
-    def motion(self, link: str) -> tuple[str, str, str]:
-        """A link with a point of the mechanism and that point of it in the velocity polygon."""
-        if link == FRAME:
-            return link, "", ""
-        owners = self.mechanism.owners
-        for node in self.method.velocity.nodes.values():
-            if node.site is None or node.site.point not in self.plot.position:
-                continue
-            at_home = link in owners.get(node.site.point, ()) and node.site.link in owners.get(node.site.point, ())
-            if node.site.link == link or at_home:
-                return link, node.site.point, node.name
-        raise AssertionError(f"link {link} has no point in the velocity polygon")
-
-
-def _touch(contact: Contact) -> Touch:
-    """Where two wheels touch, or a wheel and its track."""
-    first, second = contact.centres
-    if contact.slide:
-        return Touch("", second, slide=contact.slide, offset=-contact.radii[1])
-    return Touch("", first, second, contact.radii[0] / sum(contact.radii))
-
-
-def _normals(mechanism: Mechanism) -> Iterator[tuple[Pair, Ray]]:
-    """The common normals of profiles that touch and slide: of cams, and of pins in slots."""
-    for k, cam in enumerate(mechanism.cams):
-        first, second = cam.profiles
-        if first.line is None and second.line is None:
-            assert first.centre is not None
-            assert second.centre is not None
-            yield frozenset(cam.links), Ray(first.centre, Along(first.centre, second.centre))
-        else:
-            disc = second if first.line is not None else first
-            assert disc.centre is not None
-            yield frozenset(cam.links), Ray(disc.centre, AcrossGuide(f"c{k}"))
-    for slide in mechanism.slides:
-        if slide.block is None:
-            for link in mechanism.owners[slide.point]:
-                yield frozenset((slide.guide, link)), Ray(slide.point, AcrossGuide(slide.name))
-

@@ -1,4 +1,4 @@
-"""The few sums a designer does beside the drawing, by name. Angles [rad], lengths [m]."""
+"""The few sums that are done beside the drawing, by name. Angles [rad], lengths [m]."""
 
 from __future__ import annotations
 
@@ -25,4 +25,7 @@ RULES: Mapping[str, Callable[..., float]] = {
     "straight": lambda: math.pi,
     "same": lambda value: value,
     "over": lambda one, other: one / other,
+    "lever": lambda rate, arm, other: rate * arm / other,
+    "speed": lambda rate, arm, scale: rate * arm * scale,
+    "rate": lambda speed, arm, scale: speed / (arm * scale),
 }

@@ -1,11 +1,9 @@
-"""The words of a linkage report, English and Chinese."""
+"""The words of linkages of four links, English and Chinese."""
 # ruff: noqa: E501
 
 from __future__ import annotations
 
 from graphkin.errors import Lang
-
-__all__ = ["BLOCKS", "FAMILIES", "HOW", "KINDS", "TEXT", "WHY", "Both"]
 
 Both = dict[Lang, str]
 
@@ -80,12 +78,12 @@ WHY: dict[str, Both] = {
         "zh": "{crank} + |e| 大于 {coupler}，{crank} 不能整周转动，只能摆动。",
     },
     "oscillating guide bar": {
-        "en": "{crank} + |e| is less than the frame {frame}: the crank turns fully, the bar {rocker} only swings.",
-        "zh": "{crank} + |e| 小于机架长 {frame}：曲柄能整周转动，导杆 {rocker} 只能摆动。",
+        "en": "{crank} + |e| is less than the frame {frame}: the crank turns fully, the bar {bar} only swings.",
+        "zh": "{crank} + |e| 小于机架长 {frame}：曲柄能整周转动，导杆 {bar} 只能摆动。",
     },
     "rotating guide bar": {
-        "en": "The crank {crank} is longer than {frame} + |e|: crank and bar {rocker} both turn fully.",
-        "zh": "{crank} 大于机架长 {frame} + |e|：曲柄与导杆 {rocker} 都能整周转动。",
+        "en": "The crank {crank} is longer than {frame} + |e|: crank and bar {bar} both turn fully.",
+        "zh": "{crank} 大于机架长 {frame} + |e|：曲柄与导杆 {bar} 都能整周转动。",
     },
     "rocking guide bar": {
         "en": "{crank} and {frame} differ by less than |e|: the bar stops the crank, and neither turns fully.",
@@ -145,3 +143,22 @@ TEXT: dict[str, Both] = {
     "behind": {"en": "{driver} is moved by the linkage before it; ranges, limits and K are those in the mechanism", "zh": "{driver} 由前一机构带动；活动范围、极限位置和 K 是在整个机构中的"},
     "links": {"en": "links {links}", "zh": "构件 {links}"},
 }  # fmt: skip
+
+TITLES: dict[str, Both] = {
+    "fourbar": {"en": "Four-bar linkage", "zh": "铰链四杆机构"},
+    "slider": {"en": "Slider-crank linkage", "zh": "曲柄滑块机构"},
+    "guide": {"en": "Guide-bar linkage", "zh": "导杆机构"},
+}
+"""The title of a file of a linkage, by the word of its kind."""
+
+FIXED: Both = {"en": "{title}, link {link} fixed", "zh": "{title}（以构件 {link} 为机架）"}
+
+DRIVEN: dict[str, Both] = {
+    "slide": {"en": "The slide {one} stays driven.", "zh": "移动副 {one} 仍为主动副。"},
+    "frame": {"en": "The same pair is driven: links {one} and {two}.", "zh": "主动副不变：构件 {one} 与 {two}。"},
+    "moving": {
+        "en": "The same pair is driven, links {one} and {two}: the angle is counted from the moving link {two}.",
+        "zh": "主动副不变（构件 {one} 与 {two}），转角相对于活动构件 {two} 度量。",
+    },
+}
+"""What is said of a driver where another link is held: of a slide, of a link against the new frame, against another."""

@@ -1,19 +1,17 @@
-"""A linkage report in sentences."""
+"""A linkage in words: its report in sentences, the names of the kinds, the titles and notes of files."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 from graphkin.errors import Lang
-from graphkin.linkages.data import lengths
-from graphkin.linkages.finding import Found
-from graphkin.linkages.model import EVEN, FourBar, GuideBar, SliderCrank
-from graphkin.linkages.parts import Position
-from graphkin.linkages.phrases import BLOCKS, FAMILIES, HOW, KINDS, TEXT, WHY
-from graphkin.linkages.report import Report
-
-__all__ = ["amount", "degrees", "found_lines", "kind_name", "lines"]
+from graphkin.linkages import FAMILY, Found, Linkage, Report, filed, inverted, report
+from graphkin.linkages.equal import EVEN
+from graphkin.linkages.linkage import Position
+from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.words.linkage_phrases import BLOCKS, DRIVEN, FAMILIES, FIXED, HOW, KINDS, TEXT, TITLES, WHY
 
 
 def degrees(angle: float, lang: Lang = "en") -> str:
@@ -23,14 +21,14 @@ def degrees(angle: float, lang: Lang = "en") -> str:
 
 
 def _mm(length: float) -> str:
-    return f"{length * 1e3 + 0.0:.6g} mm"
+    """`20 mm`; less than a millionth of one is none."""
+    return f"{length * 1e3:.6g} mm" if abs(length) > 1e-9 else "0 mm"
 
 
 def kind_name(report: Report, lang: Lang) -> str:
     """`crank-rocker`, `offset slider-crank`, `change-point linkage: parallelogram`."""
     kind = KINDS[report.kind][lang]
-    on_frame = not isinstance(report.linkage, FourBar) and report.linkage.block
-    if on_frame and report.kind in BLOCKS:
+    if report.linkage.block and report.kind in BLOCKS:
         return BLOCKS[report.kind][lang]
     if not report.family:
         return kind
@@ -54,7 +52,7 @@ def found_lines(found: Found, report: Report, lang: Lang) -> Iterator[str]:
 
 def lines(report: Report, lang: Lang) -> Iterator[str]:
     """What a linkage is and does, one sentence a line."""
-    sizes = ", ".join(f"{name} = {_mm(value)}" for name, value in lengths(report.linkage).items())
+    sizes = ", ".join(f"{name} = {_mm(value)}" for name, value in report.linkage.sizes.items())
     yield f"{kind_name(report, lang)}: {sizes}" if lang == "en" else f"{kind_name(report, lang)}：{sizes}"
     yield _say("drives", lang, driver=report.driver, output=report.output)
     yield _sums(report, lang)
@@ -74,29 +72,21 @@ def _say(key: str, lang: Lang, **words: object) -> str:
 
 def amount(report: Report, value: float, lang: Lang) -> str:
     """A driver's value: an angle, or a slider's place."""
-    return _mm(value) if report.linkage.driver in ("slider", "slide") else degrees(value, lang)
+    return _mm(value) if report.driver_slides else degrees(value, lang)
 
 
 def _place(report: Report, value: float, lang: Lang) -> str:
-    slides = isinstance(report.linkage, SliderCrank) and report.linkage.driver != "slider"
-    return _mm(value) if slides else degrees(value, lang)
+    return _mm(value) if report.output_slides else degrees(value, lang)
 
 
 def _parts(report: Report) -> dict[str, str]:
     """What the links are called."""
-    names = list(lengths(report.linkage))
-    common = {"driver": report.driver, "output": report.output}
-    if isinstance(report.linkage, FourBar):
-        return common | dict(zip(("crank", "coupler", "rocker", "frame"), names))
-    if isinstance(report.linkage, SliderCrank):
-        return common | dict(zip(("crank", "coupler"), names)) | {"rocker": report.output, "frame": ""}
-    _, b, c = report.linkage.names
-    return common | dict(zip(("crank", "frame"), names)) | {"rocker": c + b, "coupler": ""}
+    return {"driver": report.driver, "output": report.output, **report.linkage.called}
 
 
 def _sums(report: Report, lang: Lang) -> str:
     """`AB + CD = 15 + 55 = 70 mm < BC + AD = 48 + 45 = 93 mm`."""
-    sizes = lengths(report.linkage)
+    sizes = report.linkage.sizes
     gap = report.sum_ends - report.sum_middle
     sign = "=" if abs(gap) <= EVEN * (report.sum_ends + report.sum_middle) else "<" if gap < 0 else ">"
 
@@ -107,7 +97,7 @@ def _sums(report: Report, lang: Lang) -> str:
             return terms
         return terms + " = " + " + ".join(f"{abs(sizes[name]) * 1e3:.6g}" for name in shown)
 
-    key = "grashof" if isinstance(report.linkage, FourBar) else "lengths"
+    key = "lengths" if report.slide else "grashof"
     return _say(
         key, lang, ends=added(report.ends), first=_mm(report.sum_ends), sign=sign, middle=added(report.middle),
         second=_mm(report.sum_middle),
@@ -116,7 +106,7 @@ def _sums(report: Report, lang: Lang) -> str:
 
 def _equal(report: Report, lang: Lang) -> Iterator[str]:
     """Links of one length each, where that is so."""
-    sizes = [(name, value) for name, value in lengths(report.linkage).items() if name != "e"]
+    sizes = [(name, value) for name, value in report.linkage.sizes.items() if name != "e"]
     total = sum(value for _, value in sizes)
     pairs = [
         f"{one} = {other}" for k, (one, a) in enumerate(sizes) for other, b in sizes[:k] if abs(a - b) <= EVEN * total
@@ -129,7 +119,7 @@ def _turns(report: Report, lang: Lang) -> Iterator[str]:
     frame = {"en": "frame", "zh": "机架"}[lang]
     for key, full in (("full", True), ("rocks", False)):
         pairs = [
-            f"{turn.first}–{frame if turn.second == 'frame' else turn.second}"
+            f"{turn.first}–{frame if turn.second == FRAME else turn.second}"
             for turn in report.turns if turn.full == full
         ]  # fmt: skip
         yield _say(key, lang, pairs=", ".join(pairs) or TEXT["nothing"][lang])
@@ -137,10 +127,9 @@ def _turns(report: Report, lang: Lang) -> Iterator[str]:
 
 def _how(report: Report, end: Position, lang: Lang) -> str:
     """What is in line, or at right angles, in words."""
-    names = _parts(report)
-    middle = names.get("coupler") or ""
-    driver = names["crank"] if isinstance(report.linkage, GuideBar | SliderCrank) else report.driver
-    return HOW[end.how][lang].format(driver=driver, middle=middle)
+    called = report.linkage.called
+    driver = called["crank"] if report.slide else report.driver
+    return HOW[end.how][lang].format(driver=driver, middle=called.get("coupler", ""))
 
 
 def _limits(report: Report, lang: Lang) -> Iterator[str]:
@@ -194,26 +183,51 @@ def _gamma(report: Report, lang: Lang) -> Iterator[str]:
 
 
 def _dead(report: Report, lang: Lang) -> Iterator[str]:
-    slides = slide_names(report)
     for driver, values in report.dead.items():
         if values:
-            said = ", ".join(_mm(value) if driver in slides else degrees(value, lang) for value in values)
+            said = ", ".join(_mm(value) if driver == report.slide else degrees(value, lang) for value in values)
             yield _say("dead", lang, driver=driver, values=said)
         else:
             yield _say("no dead", lang, driver=driver)
-
-
-def slide_names(report: Report) -> tuple[str, ...]:
-    """Drivers that are told as displacements: the slider, the block along the bar."""
-    last = tuple(report.dead)[-1]
-    return () if isinstance(report.linkage, FourBar) else (last,)
 
 
 def _advantage(report: Report, lang: Lang) -> Iterator[str]:
     found = report.advantage
     if found is None:
         return
-    unit = " N/(N m)" if isinstance(report.linkage, SliderCrank) else ""
+    unit = " N/(N m)" if report.output_slides else ""
     endless = TEXT["endless"][lang] if found.endless else ""
     at = amount(report, found.at, lang)
     yield _say("advantage", lang, value=f"{found.least:.4g}{unit}", driver=report.driver, at=at, endless=endless)
+
+
+# --- kinds and files -----------------------------------------------------------------------------
+
+
+def family_lines(lang: Lang) -> Iterator[str]:
+    """One line a kind: its name, and where the library has it."""
+    for member in FAMILY:
+        name = kind_name(report(member.linkage), lang)
+        gap = ": " if lang == "en" else "："
+        yield name + (gap + ", ".join(member.library) if member.library else "")
+
+
+def titled(linkage: Linkage) -> Mechanism:
+    """The linkage as a mechanism with its title and its file."""
+    return filed(replace(linkage.mechanism(), title=TITLES[linkage.word]))
+
+
+def held(mechanism: Mechanism, link: str) -> Mechanism:
+    """The mechanism with another link (as people call it) held fast, with its title and its file. Raises NoFixing."""
+    title: dict[Lang, str] = {
+        lang: text.format(title=mechanism.headline(lang), link=link) for lang, text in FIXED.items()
+    }
+    notes = [_note(mechanism, driver, link) for driver in mechanism.drivers]
+    return filed(replace(inverted(mechanism, link), title=title), notes)
+
+
+def _note(mechanism: Mechanism, driver: Driver, fixed: str) -> str:
+    """What becomes of a driver, in both languages."""
+    key = "slide" if driver.kind == "slide" else "frame" if fixed in (driver.link, driver.from_link) else "moving"
+    one, two = mechanism.called(driver.link), mechanism.called(driver.from_link)
+    return " ".join(text.format(one=one, two=two) for text in DRIVEN[key].values())

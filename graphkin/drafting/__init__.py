@@ -1,0 +1,54 @@
+"""Ruler, compass and protractor on named points, lines, circles and numbers: for what is no polygon.
+
+    Construction (stages of steps) -- replay --> Board -- readers --> words, sheets, JSON
+
+A step is a frozen value that names what it makes, and from what; it holds no result. Steps stand in stages, and a
+stage is what one sentence speaks of. A board may lie over a drawing: its points are pricked through, its lines traced.
+
+`steps` holds the kinds of steps, `pencil` does them, `rules` are the sums done beside the drawing; `board` is what is
+drawn then, `projective` its points and lines, so that one at infinity is no exception. All works on arrays alike.
+
+To add a kind of step: its class in `steps`, there in the group of what it makes. The type checker then names each
+reader that has to know it.
+"""
+
+from graphkin.drafting.board import Beneath, Board
+from graphkin.drafting.pencil import draw, replay, ruled
+from graphkin.drafting.projective import INFINITE, Homogeneous
+from graphkin.drafting.rules import theta_of
+from graphkin.drafting.steps import (
+    Bisector,
+    Carried,
+    CircleAbout,
+    CircleStep,
+    CircleThrough,
+    Construction,
+    Far,
+    LayOff,
+    LineStep,
+    MarkOn,
+    Measure,
+    MeasureAngle,
+    Meet,
+    Normal,
+    NumberStep,
+    Parallel,
+    Place,
+    PointStep,
+    Pricked,
+    Reckon,
+    Slanted,
+    Stage,
+    Step,
+    Through,
+    Traced,
+    Turned,
+    drawn_through,
+)
+
+__all__ = [
+    "INFINITE", "Beneath", "Bisector", "Board", "Carried", "CircleAbout", "CircleStep", "CircleThrough", "Construction",
+    "Far", "Homogeneous", "LayOff", "LineStep", "MarkOn", "Measure", "MeasureAngle", "Meet", "Normal", "NumberStep",
+    "Parallel", "Place", "PointStep", "Pricked", "Reckon", "Slanted", "Stage", "Step", "Through", "Traced", "Turned",
+    "draw", "drawn_through", "replay", "ruled", "theta_of",
+]  # fmt: skip

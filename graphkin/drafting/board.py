@@ -1,0 +1,78 @@
+"""The drawing board: what is on it after the steps, and the drawing that may lie underneath."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from graphkin.drafting.projective import Homogeneous, along, foot, improper, place, product, proper
+from graphkin.geometry import Value, unit
+from graphkin.value import frozen
+
+__all__ = ["Beneath", "Board"]
+
+
+@frozen
+class Beneath:
+    """The drawing under the board: points and lines that can be pricked through and traced."""
+
+    points: dict[str, Homogeneous] = field(default_factory=dict)
+    lines: dict[str, Homogeneous] = field(default_factory=dict)
+
+
+def _exactly(value: Value) -> Value:
+    return value
+
+
+@dataclass
+class Board:
+    """Points, lines, circles (centre [m] and radius [m]), numbers [SI]; single ones, or arrays over positions.
+
+    origin, size   where coordinates are counted from [m], and their unit [m]
+    read, written  how the ruler reads a length [m], and how a sum is written down: exactly, if nothing else is said
+    lean           by point: how far the two lines that meet in it are from being one, 0 to 1
+    """
+
+    origin: complex = 0j
+    size: float = 1.0
+    beneath: Beneath = field(default_factory=Beneath)
+    points: dict[str, Homogeneous] = field(default_factory=dict)
+    lines: dict[str, Homogeneous] = field(default_factory=dict)
+    circles: dict[str, tuple[Value, Value]] = field(default_factory=dict)
+    numbers: dict[str, Value] = field(default_factory=dict)
+    lean: dict[str, Value] = field(default_factory=dict)
+    read: Callable[[Value], Value] = _exactly
+    written: Callable[[Value], Value] = _exactly
+
+    def at(self, point: str) -> Value:
+        """Where a point is [m]; infinite at infinity, NaN where what should give it does not meet."""
+        return place(self.points[point], self.origin, self.size)
+
+    @property
+    def places(self) -> dict[str, Value]:
+        """Where all points are [m]."""
+        return {point: self.at(point) for point in self.points}
+
+    def direction(self, point: str) -> Value:
+        """The direction in which a point at infinity lies [rad], in (-pi/2, pi/2]."""
+        x, y, _ = self.points[point]
+        angle = np.arctan2(y, x)
+        return np.where(angle > np.pi / 2, angle - np.pi, np.where(angle <= -np.pi / 2, angle + np.pi, angle))[()]
+
+    def toward(self, at: str, point: str) -> Value:
+        """Unit vector from a point to another, +x where there is none; NaN where both are at one place."""
+        return unit(self.at(point) - self.at(at)) if point else 1.0 + 0j
+
+    def line(self, name: str) -> tuple[Value, Value]:
+        """A point of a line [m], and its direction (unit vector)."""
+        return self.origin + self.size * foot(self.lines[name]), along(self.lines[name])
+
+    def seen(self, at: Value) -> Homogeneous:
+        """A place [m] in the coordinates of the board."""
+        return proper((at - self.origin) / self.size)
+
+    def sloping(self, at: Value, direction: Value) -> Homogeneous:
+        """The line through a place [m] in a direction (unit vector)."""
+        return product(self.seen(at), improper(direction))

@@ -1,0 +1,32 @@
+"""A link of one point whose own axis is the way it slides, and that is to be pushed along that very axis.
+
+Two such slides in a row extend a telescope; where something else than a driver is to move the link, they say the same
+twice, and the drawing is dead in every position: a yoke whose slot was to lie across its guide, a follower's flat face.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from graphkin.errors import AlongOwnAxis
+from graphkin.mechanism import Mechanism
+
+__all__ = ["along_own_axis"]
+
+
+def along_own_axis(mechanism: Mechanism, links: Sequence[str], angle_deg: float) -> AlongOwnAxis | None:
+    """The error that says so of one of these links; None where it is another dead point."""
+    called = tuple(mechanism.called(link) for link in links)
+    for link in links:
+        points = [point for point in mechanism.links[link].points if point in mechanism.points]
+        own = next((k for k, slide in enumerate(mechanism.slides) if slide.block == link), None)
+        if len(points) == 1 and own is not None and any(slide.guide == link for slide in mechanism.slides):
+            where = mechanism.where("links", link)
+            return AlongOwnAxis(where, called, angle_deg, link, points[0], _unused(mechanism), f"slide.{own}")
+    return None
+
+
+def _unused(mechanism: Mechanism) -> str:
+    """A letter for one more point."""
+    letters = [letter for letter in "QHTUVWXYZEFG" if letter not in mechanism.points]
+    return letters[0] if letters else "Q'"

@@ -1,0 +1,27 @@
+"""Quantities: what can be asked of a mechanism, read from text once.
+
+A `Quantity` knows its unit, its letters and its sign rule, and what it is in any `Motions`, whichever road they come
+from. To add one: a class in `kinds`, its word in `reading`. Units at the edge are one table, in `units`.
+"""
+
+from graphkin.quantities.kinds import (
+    Answer,
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    on_axis,
+)
+from graphkin.quantities.reading import SHAPE, WORDS, centre_of, meant, named, parts, read, split
+from graphkin.quantities.relative import relative
+from graphkin.quantities.units import EDGE, GRAVITY, IN_GRAVITY, Unit, driven
+
+__all__ = [
+    "EDGE", "GRAVITY", "IN_GRAVITY", "SHAPE", "WORDS", "Answer", "Centre", "Component", "Displacement", "Moving",
+    "Place", "Quantity", "Quotient", "Rotation", "Unit", "centre_of", "driven", "meant", "named", "on_axis", "parts",
+    "read", "relative", "split",
+]  # fmt: skip

@@ -1,0 +1,59 @@
+"""The motion of one site seen from another, and its parts."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+from graphkin.geometry import Value, dot
+from graphkin.mechanism import Mechanism
+from graphkin.motions import Motions
+from graphkin.naming import Seen, common_link
+
+__all__ = ["absolute", "has_part", "relative"]
+
+Plane = Literal["velocity", "acceleration"]
+
+
+def absolute(motions: Motions, plane: Plane, site: Seen) -> Value:
+    """Velocity or acceleration of a site [m/s, m/s^2]."""
+    at = motions.velocity_at if plane == "velocity" else motions.acceleration_at
+    return at(site.point, site.link)
+
+
+def has_part(mechanism: Mechanism, part: str, of: Seen, seen_from: Seen) -> bool:
+    """Whether there is such a part: n and t of points of one link, or of centres that profiles keep apart; k and r of
+    coincident points."""
+    if part in ("n", "t"):
+        return bool(common_link(mechanism, of, seen_from) is not None or mechanism.cams or mechanism.rolls)
+    return part == "" or of.point == seen_from.point
+
+
+def relative(motions: Motions, plane: Plane, part: str, of: Seen, seen_from: Seen) -> Value:
+    """The motion of one site seen from another, or a part of it that there is: n, t, k or r.
+
+    The Coriolis part takes the rotation of the link of `seen_from`.
+    """
+    whole = absolute(motions, plane, of) - absolute(motions, plane, seen_from)
+    if part == "":
+        return whole
+    if part not in ("n", "t"):
+        return _coincident(motions, part, of, seen_from, whole)
+    arm = motions.position[of.point] - motions.position[seen_from.point]
+    link = common_link(motions.mechanism, of, seen_from)
+    if link is None:
+        return _between_centres(part, arm, whole)
+    return -(motions.omega[link] ** 2) * arm if part == "n" else 1j * motions.alpha[link] * arm
+
+
+def _between_centres(part: str, arm: Value, whole: Value) -> Value:
+    """Of two centres that profiles keep apart, as by a link: the acceleration along their line and across it."""
+    along = arm * dot(arm, whole) / np.abs(arm) ** 2
+    return along if part == "n" else whole - along
+
+
+def _coincident(motions: Motions, part: str, of: Seen, seen_from: Seen, whole: Value) -> Value:
+    slip = absolute(motions, "velocity", of) - absolute(motions, "velocity", seen_from)
+    coriolis = 2j * motions.turning(seen_from.link) * slip
+    return coriolis if part == "k" else whole - coriolis
