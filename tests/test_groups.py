@@ -136,8 +136,11 @@ def test_positions_by_fit_keep_the_branch():
     method = plan(mechanism)
     moved = course(method, ["135:495:2"])
     drawn, exact = (moving(method, moved.path, moved.t, by) for by in ("construction", "analysis"))
+    beside = np.min([np.abs(moved.t - change.at) for change in moved.path.changes], axis=0) < np.radians(0.5)
     for link in mechanism.moving:
-        assert np.max(np.abs(drawn.omega[link] - exact.omega[link])) < 1e-7
+        off, largest = np.abs(drawn.omega[link] - exact.omega[link]), np.max(np.abs(exact.omega[link]))
+        assert np.all(off[~beside] < 1e-9)
+        assert np.all(off[beside] <= 1e-8 * largest)  # a tenth of a degree from a change point digits are lost
     plot = replay_all(method, [method.drivers[0].value + np.linspace(0, 2 * np.pi, 181)])
     assert abs(plot.position["C"][0] - plot.position["C"][-1]) < 1e-9
 

@@ -193,7 +193,7 @@ def test_a_sweep_reads_only_what_is_asked():
     """Tables of motions are made when they are read."""
     method = plan(library.load("ex3-7"))
     course = sweeps.course(method, ["0:360:10"])
-    motions = sweeps.roads.moving(method, course.way, course.t, "construction")
+    motions = sweeps.roads.moving(method, course.path, course.t, "construction")
     assert isinstance(motions, Motions)
     made = motions.velocities["5"]
     assert not any(made._made.values())
