@@ -16,6 +16,8 @@ PLACES = 12
 """Positions at which they are held: both ends, and ten between."""
 ASIDE_DEG, ASIDE_PART = 0.5, 0.005
 """So near a stop speeds grow without bound, and digits are lost: there it is held this far from it instead."""
+BESIDE = 4
+"""So many times as far from a change point, where what the neighbours lead to is told."""
 
 
 def held(course: Course) -> float:
@@ -32,10 +34,16 @@ def held(course: Course) -> float:
 
 
 def _places(course: Course) -> np.ndarray:
-    """Twelve places, evenly over what is asked for, none right beside a stop."""
+    """Twelve places, evenly over what is asked for, none right beside a stop or a change point."""
     low, high = float(course.t.min()), float(course.t.max())
     aside = stride(course.method, course.path.pace, ASIDE_DEG, ASIDE_PART)
     aside = min(aside, (course.path.last - course.path.first) / 4)
     for stop in course.path.stops:
         low, high = (low, min(high, stop.at - aside)) if stop.at > 0 else (max(low, stop.at + aside), high)
-    return np.unique(np.linspace(low, high, PLACES)) if low <= high else np.empty(0)
+    if low > high:
+        return np.empty(0)
+    t = np.linspace(low, high, PLACES)
+    for change in course.path.changes:
+        near = np.abs(t - change.at) < BESIDE * aside
+        t[near] = change.at + BESIDE * aside * np.where(t[near] < change.at, -1.0, 1.0)
+    return np.unique(np.clip(t, low, high))
