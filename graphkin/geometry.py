@@ -12,7 +12,9 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["Leg", "Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines", "unit"]
+__all__ = [
+    "Leg", "Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines", "unit", "weights_of",
+]  # fmt: skip
 
 Value = Any
 """A float, a complex number, or an array of either."""
@@ -87,3 +89,12 @@ def meet_circles(
         sine = d * height / (r1 * r2)
     miss = np.maximum(d - (r1 + r2), np.abs(r1 - r2) - d)
     return c1 + (along + 1j * side * height) * e, sine, miss
+
+
+def weights_of(x: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Lagrange's weights of neighbours at places (k,), for x (m,): (m, k). What they lead to is a weighted sum."""
+    weights = np.ones((x.size, places.size))
+    for k, place in enumerate(places):
+        for other in np.delete(places, k):
+            weights[:, k] *= (x - other) / (place - other)
+    return weights

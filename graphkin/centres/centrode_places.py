@@ -14,7 +14,7 @@ from graphkin.centres.beneath import board_over, from_velocities, pole_name
 from graphkin.centres.found import Centres
 from graphkin.construction import Plot, replay
 from graphkin.drafting import Board, draw
-from graphkin.geometry import Value
+from graphkin.geometry import Value, weights_of
 from graphkin.mechanism import FRAME
 from graphkin.motions import Motions
 from graphkin.readings import readings
@@ -59,9 +59,8 @@ def _led_to(board: Board, beside: Board, name: str, rows: np.ndarray, x: np.ndar
     with np.errstate(divide="ignore", invalid="ignore"):
         near = near / np.linalg.norm(near, axis=0)
         near = near * np.where(np.sum(near * near[:, :1], axis=0) < 0, -1.0, 1.0)
-    weights = [np.prod([(x - other) / (node - other) for other in BESIDE if other != node], axis=0) for node in BESIDE]
     seen = np.array(np.broadcast_to(board.points[name].reshape(3, -1), (3, count)))
-    seen[:, rows] = near @ np.array(weights)
+    seen[:, rows] = near @ weights_of(x, BESIDE).T
     board.points[name] = seen
 
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from graphkin.centres import centres, over
 from graphkin.construction import Plot, replay
-from graphkin.geometry import Value
+from graphkin.geometry import Value, weights_of
 from graphkin.motions import Motions
 from graphkin.planning import Method, with_other_points
 from graphkin.readings import readings
@@ -73,14 +73,14 @@ def _beside(method: Method, path: Path, t: np.ndarray, centre: float) -> Patch |
     if not rows.size:
         return None
     places = np.broadcast_to(np.arange(PLACES.size), (rows.size, PLACES.size))
-    return Patch(rows, neighbours, places, _weights((t[rows] - centre) / aside)) if rows.size else None
+    return Patch(rows, neighbours, places, weights_of((t[rows] - centre) / aside, PLACES)) if rows.size else None
 
 
 def _alike(method: Method, neighbours: Motions) -> bool:
     """Whether all neighbours tell a change point as the inner ones do."""
     zero, middle = np.zeros(1), slice(1, -1)
-    weights = _weights(zero)[0]
-    weights[middle] -= _weights(zero, PLACES[middle])[0]
+    weights = weights_of(zero, PLACES)[0]
+    weights[middle] -= weights_of(zero, PLACES[middle])[0]
     points = method.mechanism.points
     places = np.array([np.broadcast_to(neighbours.position[point], PLACES.shape) for point in points])
     return bool(np.max(np.abs(places @ weights)) < ALIKE * method.size)
@@ -112,15 +112,6 @@ def _special_sines(method: Method, plot: Plot, shape: tuple[int, ...]) -> np.nda
     for ternary in method.ternaries.values():
         least = np.fmin(least, plot.sines.get(("position", ternary.name), 1.0))
     return least
-
-
-def _weights(x: np.ndarray, places: np.ndarray = PLACES) -> np.ndarray:
-    """Lagrange's weights of neighbours at places (k,), for x (m,): (m, k)."""
-    weights = np.ones((x.size, places.size))
-    for k, place in enumerate(places):
-        for other in np.delete(places, k):
-            weights[:, k] *= (x - other) / (place - other)
-    return weights
 
 
 @frozen
