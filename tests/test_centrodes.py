@@ -32,10 +32,11 @@ from graphkin.errors import GraphkinError, UnknownLink
 from graphkin.errors.centring import NoCentrode, UnknownCentre
 from graphkin.loading import loads
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.outputs.animation import animation
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
-from graphkin.sheet.centrode_frames import centrode_animation, centrode_frames
+from graphkin.sheet.centrode_frames import centrode_frames
 from graphkin.sheet.centrode_sheet import centrode_sheet
 from graphkin.sheet.marks import Stroke
 from graphkin.sweeps import Course, course
@@ -305,7 +306,7 @@ def _distance(place: complex, places: tuple[complex, ...]) -> float:
 
 def test_animation_shows_one_frame_at_a_time():
     frames = list(centrode_frames(rolled("fig3-6", "3", "1"), 12))
-    text = centrode_animation(frames, 6)
+    text = animation(frames, 6)
     root = ET.fromstring(text)
     groups = [child for child in root if child.tag.endswith("}g")]
     assert len(groups) == len(frames)

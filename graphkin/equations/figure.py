@@ -12,11 +12,12 @@ from graphkin.equations.model import Model
 from graphkin.equations.polygons import Arrow
 from graphkin.equations.readers import place
 from graphkin.equations.symbols import Symbol
-from graphkin.sheet.labels import Room, Wanted, settle
+from graphkin.sheet.labels import Wanted, settle
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.marks import Arc, Mark, Place, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.obstacles import bounds
+from graphkin.sheet.paper import Room
 from graphkin.sheet.scales import finest
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wheels import rims

@@ -14,9 +14,9 @@ import numpy as np
 from graphkin.centres import Centres
 from graphkin.construction import Ray
 from graphkin.drafting import LineStep, Stage, drawn_through
-from graphkin.sheet.labels import Room
 from graphkin.sheet.lettering import Label, quantity_label
 from graphkin.sheet.marks import Place
+from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Window
 from graphkin.value import frozen
 
@@ -101,7 +101,7 @@ class OnPaper:
 
     def shown(self, spot: Spot) -> bool:
         """Whether a centre lies in the room."""
-        return spot.place is not None and inside(self.room, self.at(spot))
+        return spot.place is not None and self.room.holds(self.at(spot))
 
     def lines(self, spot: Spot) -> Iterator[Line]:
         """The lines that give a centre, but for the line at infinity."""
@@ -128,7 +128,7 @@ class OnPaper:
             way = places[1] - places[0]
         else:
             way = self.window.turned(next(end.direction for end in ends if end.place is None))
-        near = min(places, key=lambda place: abs(place - middle(self.room)))
+        near = min(places, key=lambda place: abs(place - self.room.middle))
         return Line(near, way / abs(way), (*places, *self._own(spot)))
 
     def _contact(self, spot: Spot) -> Iterator[Place]:
@@ -162,14 +162,6 @@ class Laid:
     @property
     def ends(self) -> tuple[Place, Place]:
         return self.line.point(self.start), self.line.point(self.end)
-
-
-def inside(room: Room, place: Place) -> bool:
-    return room.left <= place.real <= room.right and room.top <= place.imag <= room.bottom
-
-
-def middle(room: Room) -> Place:
-    return complex(room.left + room.right, room.top + room.bottom) / 2
 
 
 def clipped(line: Line, room: Room) -> tuple[float, float] | None:
