@@ -36,7 +36,7 @@ def written(model: Model, by: By, lang: Lang) -> Document:
     """The document, filling the model's legend."""
     page = Page(lang)
     page.say("every vector", euler=_euler())
-    page.add(figure(model, phrase("figure", lang)))
+    page.add(figure(model, phrase("figure", lang), lang))
     _given(model, page)
     if not model.tasks:
         page.say("no loop")

@@ -14,7 +14,7 @@ from graphkin.sheet.scales import finest, finest_each
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
-__all__ = ["Extent", "corners", "enlarged"]
+__all__ = ["Extent", "corners", "cut_out", "enlarged"]
 
 _TRIAL = 100.0
 """Size of a figure when it is drawn to see how far its signs reach [mm]."""
@@ -96,6 +96,13 @@ class Extent:
         x = (room.left + room.right - whole.real) / 2 + self.left
         y = (room.top + room.bottom - whole.imag) / 2 + self.top + self.size.imag / scale
         return Window(complex(x, y) - self.low.conjugate() / scale, scale)
+
+
+def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tuple[Window, Room]:
+    """Through which window a figure fills a paper cut to its size, with a margin [mm]; and the whole of that paper."""
+    left, top, right, bottom = bounds(draw(Window(0j, scale)).marks)
+    whole = Room(0.0, 0.0, right - left + 2 * margin, bottom - top + 2 * margin)
+    return Window(complex(margin - left, margin - top), scale), whole
 
 
 def corners(places: Sequence[complex]) -> tuple[complex, complex]:
