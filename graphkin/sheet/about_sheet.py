@@ -102,9 +102,10 @@ class _Drawing:
             yield from self._named([foot - reach * along, foot + reach * along], "thin", INFLECTION_LINE)
         if not seen.diameter or seen.returning is None or not isinstance(seen.inflection, Circle):
             return
-        for drawn, pen, words in ((seen.inflection, "thin", INFLECTION), (seen.returning, "dashed", RETURN)):
+        pens: tuple[PenName, ...] = ("thin", "dashed")
+        for drawn, pen, words in zip((seen.inflection, seen.returning), pens, (INFLECTION, RETURN), strict=True):
             places = circle(window(drawn.centre), drawn.radius / window.scale, room)
-            yield from self._named(places, pen, words)  # type: ignore[arg-type]
+            yield from self._named(places, pen, words)
         yield from self._spot(seen.pole + seen.diameter, plain("W", italic=True), 0.6)
 
     def _named(self, places: list[Place], pen: PenName, words: Mapping[Lang, str]) -> Iterator[Entry]:

@@ -40,7 +40,7 @@ def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
         length = _LONG if spot.place is None else _SHORT
         start, way = _free(_places(paper, spot), length, taken, drawn, paper)
         head = "∞" if spot.place is None else spot.name
-        arrow = VectorMark("centres", spot.name, "", head, start, start + length * way, spot.number)  # type: ignore[arg-type]
+        arrow = VectorMark("centres", spot.name, "", head, start, start + length * way, spot.number)
         figure.marks.append(arrow)
         label = (*centre_label(spot.name), *(INFINITY if spot.place is None else _off(paper.found, spot)))
         figure.wanted.append(Wanted(label, arrow.end, gap=0.7, away=way, step=spot.number))

@@ -47,7 +47,7 @@ def centre_figure(paper: OnPaper) -> Figure:
 def _marked(paper: OnPaper, spot: Spot) -> list[Mark]:
     """A small circle with a dot; over a hinge the dot alone shows."""
     at, step = paper.at(spot), spot.number
-    dot = PointMark("centres", spot.name, spot.name, at, _DOT, step=step)  # type: ignore[arg-type]
+    dot = PointMark("centres", spot.name, spot.name, at, _DOT, step=step)
     hinges = (paper.window(place) for place in mechanism_places(paper.found.method, paper.found.plot))
     if any(abs(hinge - at) < _CIRCLE for hinge in hinges):
         return [dot]

@@ -14,10 +14,14 @@ from graphkin.sheet.lettering import Label
 from graphkin.sheet.paper import PenName
 from graphkin.value import frozen
 
-__all__ = ["Arc", "Disc", "Fill", "Form", "Mark", "Place", "PointMark", "Shows", "Stroke", "Text", "VectorMark"]
+__all__ = [
+    "Arc", "Disc", "Fill", "Form", "Layer", "Mark", "Place", "PointMark", "Shows", "Stroke", "Text", "VectorMark",
+]  # fmt: skip
 
 Place = complex
 Fill = Literal["none", "paper", "ink", "grey"]
+Layer = Plane | Literal["centres"]
+"""What a mark belongs to: a plane of the construction, or the instant centres over the mechanism."""
 Form = Literal["bar", "guide", "block", "slot", "wheel"]
 
 
@@ -98,7 +102,7 @@ class VectorMark:
     part   which part of the motion, as in `Term`
     """
 
-    plane: Plane
+    plane: Layer
     name: str
     tail: str
     head: str
@@ -122,7 +126,7 @@ class PointMark:
     site  the point and the link of which it is meant to be a part, as `B@3`; "" for what is no point of a link
     """
 
-    plane: Plane
+    plane: Layer
     name: str
     of: str
     at: Place

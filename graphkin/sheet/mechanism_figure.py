@@ -15,7 +15,7 @@ from graphkin.sheet.drives import drives
 from graphkin.sheet.grounds import grounds
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import link_label, point_label
-from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke
+from graphkin.sheet.marks import Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton, hull, in_line
 from graphkin.sheet.specials import contacts, specials
 from graphkin.sheet.wheels import wheels, wheels_of
@@ -161,9 +161,9 @@ def _hinges(skeleton: Skeleton) -> list[Mark]:
         hinged = len(skeleton.mechanism.owners[point]) > 1 or _is_pin(skeleton, point)
         radius = symbols.HINGE if hinged else 0.6
         step = skeleton.step(point)
-        fill = "paper" if hinged else "ink"
+        fill: Fill = "paper" if hinged else "ink"
         site = f"{point}@{skeleton.mechanism.owners[point][0]}"
-        marks.append(PointMark("position", point, point, skeleton.at(point), radius, fill, step, site=site))  # type: ignore[arg-type]
+        marks.append(PointMark("position", point, point, skeleton.at(point), radius, fill, step, site=site))
     return marks
 
 
