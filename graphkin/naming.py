@@ -10,7 +10,7 @@ import re
 from collections.abc import Collection
 
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Cam, Gear, Roll
+from graphkin.pairs import Slide
 from graphkin.value import frozen
 
 __all__ = ["PairName", "Seen", "common_link", "driver_number", "named", "pair", "seen"]
@@ -95,13 +95,11 @@ def named(mechanism: Mechanism, pair: PairName) -> tuple[str, str]:
     table, k = pair
     if isinstance(k, str):
         return table, k
-    if table == "slide":
-        slide = mechanism.slides[k]
-        return ("slide", slide.name) if slide.named else ("guide", slide.point)
-    if table == "roll" and mechanism.rolls[k].named:
-        return table, mechanism.rolls[k].name
-    pairs: dict[str, tuple[Gear, ...] | tuple[Roll, ...] | tuple[Cam, ...]]
-    pairs = {"gear": mechanism.gears, "roll": mechanism.rolls, "cam": mechanism.cams}
-    names = ["–".join(mechanism.called(link) for link in each.joins) for each in pairs[table]]
+    of_table = [each for each in mechanism.pairs if each.table == table]
+    if of_table[k].given:
+        return table, of_table[k].given
+    if isinstance(slide := of_table[k], Slide):
+        return "guide", slide.point
+    names = ["–".join(mechanism.called(link) for link in each.joins) for each in of_table]
     nth = names[: k + 1].count(names[k])
     return table, names[k] if names.count(names[k]) == 1 else f"{names[k]} ({nth})"

@@ -18,6 +18,7 @@ from graphkin.loading import json_schema_text, load, loads
 from graphkin.loading.positions import positions
 from graphkin.loading.source import LARGEST_FILE
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.pairs import Cam
 
 FOURBAR = """\
 [frame]
@@ -263,14 +264,14 @@ def test_a_block_of_one_point_in_two_slides_has_a_tilt_in_the_second() -> None:
 
 
 def test_gears_with_the_frame_by_its_name() -> None:
-    sun, ring = loads(GEARS).gears
+    sun, ring = loads(GEARS).pairs
     assert (sun.links, sun.centres, sun.radii, sun.internal) == (("1", "2"), ("O", "P"), (0.03, 0.02), False)
     assert (ring.links, ring.internal) == (("2", FRAME), True)
 
 
 def test_rolling_on_a_line() -> None:
     mechanism = loads(ROLL)
-    (roll,) = mechanism.rolls
+    (roll,) = mechanism.pairs
     assert (roll.name, roll.named, roll.wheel, roll.centre, roll.radius) == ("along", True, "2", "C", 0.05)
     assert (roll.track, roll.left, roll.track_centre) == ("1", True, None)
     assert roll.line is not None
@@ -282,20 +283,20 @@ def test_rolling_on_a_circle() -> None:
     text = edit(
         ROLL, 'name = "along"\nthrough = "O"\ntoward = "E"', 'on_centre = "O"\non_radius = 300\ninternal = true'
     )
-    (roll,) = loads(text.split("[[driver]]\nslide")[0]).rolls
+    (roll,) = loads(text.split("[[driver]]\nslide")[0]).pairs
     assert (roll.name, roll.named, roll.line) == ("r0", False, None)
     assert (roll.track_centre, roll.track_radius, roll.internal) == ("O", 0.3, True)
 
 
 def test_a_cam_of_a_circle_and_a_line() -> None:
-    (cam,) = loads(CAM).cams
+    (cam,) = loads(CAM).of(Cam)
     disc, face = cam.profiles
     assert (disc.centre, disc.radius, disc.line) == ("B", 0.025, None)
     assert (face.centre, face.left) == (None, False)
     assert face.line is not None
     assert (face.line.link, face.line.origin) == ("2", "D")
     edge = loads(edit(CAM, '{ through = "D", toward = "H", side = "right" }', '{ centre = "H", radius = 0 }'))
-    assert edge.cams[0].profiles[1].radius == 0
+    assert edge.of(Cam)[0].profiles[1].radius == 0
 
 
 def test_a_flat_cam_fixed_to_the_frame() -> None:

@@ -107,9 +107,7 @@ def parts(values: Complex, axis: int) -> Real:
 
 def _size(mechanism: Mechanism) -> float:
     """The longest distance between two points of one link, or radius [m]; without any, the largest displacement."""
-    circles = [*(radius for gear in mechanism.gears for radius in gear.radii),
-               *(radius for roll in mechanism.rolls for radius in (roll.radius, roll.track_radius)),
-               *(profile.radius for cam in mechanism.cams for profile in cam.profiles)]  # fmt: skip
+    circles = [radius for pair in mechanism.pairs for _, _, radius in pair.circles]
     arms = [abs(a - b) for link in mechanism.links.values() for a in link.points.values()
             for b in link.points.values()]  # fmt: skip
     values = [abs(driver.value) for driver in mechanism.drivers if driver.kind == "slide" and driver.value]

@@ -251,7 +251,7 @@ def about(found: Centres, link: str, points: Collection[str] = ()) -> About:
         if name not in machine.points:
             raise UnknownPoint(WHERE, name, machine.points)
     own = next(point for point in machine.links[link].points if point in plot.position)
-    named = tuple(points) or tuple(point for point in machine.links[link].points if point[0].isupper())
+    named = tuple(points) or machine.named(link)
     place, motion = complex(plot.position[own]), _motion(found, plot, link, own)
     assumed = not any(driver.rate for driver in found.method.drivers)
     return About(found, plot, link, (place, *motion[:2]), *motion[2:], named, assumed)

@@ -114,12 +114,11 @@ class ByCentres:
 
 def driven_point(mechanism: Mechanism, driver: Driver) -> tuple[str, str, str]:
     """The point that a driver slides, the link it is driven with, and the link that carries its way."""
-    for slide in mechanism.slides:
-        if slide.name == driver.link:
-            owners = (name for name in mechanism.owners[slide.point] if name != slide.guide)
-            return slide.point, slide.block or next(owners), slide.guide
-    roll = next(roll for roll in mechanism.rolls if roll.name == driver.link)
-    return roll.centre, roll.wheel, roll.track
+    pair = mechanism.pair(driver.link)
+    assert pair.path is not None
+    point, track = pair.path.point, pair.path.line.link
+    moved = (link for link in (*pair.joins, *mechanism.owners[point]) if link != track)
+    return point, next(moved), track
 
 
 def advantages(by: ByCentres) -> dict[str, float]:

@@ -68,12 +68,7 @@ def _wheel(mark: Shown, mechanism: Mechanism, at: Callable[[str], complex], scal
 
 def _radii(mechanism: Mechanism, link: str, centre: str) -> set[float]:
     """Radii of a link's circles about one point [m]."""
-    circles = {entry for gear in mechanism.gears for entry in zip(gear.links, gear.centres, gear.radii, strict=True)}
-    circles |= {(roll.wheel, roll.centre, roll.radius) for roll in mechanism.rolls}
-    circles |= {(r.track, r.track_centre, r.track_radius) for r in mechanism.rolls if r.track_centre is not None}
-    for cam in mechanism.cams:
-        circles |= {(name, p.centre, p.radius) for name, p in zip(cam.links, cam.profiles, strict=True) if p.centre}
-    return {radius for name, point, radius in circles if (name, point) == (link, centre)}
+    return {radius for pair in mechanism.pairs for *at, radius in pair.circles if at == [link, centre]}
 
 
 # --- on a line of a link ----------------------------------------------------------------------

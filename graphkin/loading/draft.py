@@ -24,6 +24,7 @@ class Draft:
 
     links     by name; a link whose measures are wrong has its points at stand-in places, so that the other
               tables can still be checked
+    starts    points that nobody named, where lines begin that are given by coordinates, and where those stand
     problems  what was found wrong; `stop_if_wrong` raises it
     """
 
@@ -32,6 +33,7 @@ class Draft:
     frame: str = "0"
     links: dict[str, Link] = field(default_factory=dict)
     frame_points: dict[str, complex] = field(default_factory=dict)
+    starts: dict[str, Path] = field(default_factory=dict)
     problems: list[GraphkinError] = field(default_factory=list)
     _taken: set[str] = field(default_factory=set)
     given: set[str] = field(default_factory=set)
@@ -89,7 +91,7 @@ class Draft:
 
     def named(self, link: str) -> tuple[str, ...]:
         """The points of a link that people named."""
-        return tuple(point for point in self.links[link].points if point[0].isupper())
+        return tuple(point for point in self.links[link].points if point not in self.starts)
 
     def owners(self, *points: str) -> Sequence[str]:
         """The links that have all these points, moving ones first."""

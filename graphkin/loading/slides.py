@@ -10,21 +10,11 @@ from graphkin.loading.lines import read_line
 from graphkin.loading.positions import Path
 from graphkin.loading.schema import SlideTable
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Slide
-
-__all__ = ["read_slides"]
+from graphkin.pairs import Pair, Slide
 
 
-def read_slides(draft: Draft, tables: Sequence[SlideTable]) -> tuple[Slide, ...]:
-    slides: list[Slide] = []
-    for number, table in enumerate(tables):
-        with draft.noting():
-            name = draft.name(table.name, f"s{number}", "slide", number)
-            slides.append(_slide(draft, table, name, slides, ("slide", number)))
-    return tuple(slides)
-
-
-def _slide(draft: Draft, table: SlideTable, name: str, before: list[Slide], path: Path) -> Slide:
+def read_slide(draft: Draft, table: SlideTable, path: Path, before: Sequence[Pair]) -> Slide:
+    name = draft.name(table.name, f"s{path[1]}", *path)
     guide = draft.link(table.guide, *path, "guide")
     if table.pin is not None:
         block, point, tilt = None, _pin(draft, table, table.pin, guide, path), 0.0
@@ -64,12 +54,11 @@ def _block(draft: Draft, table: SlideTable, guide: str, path: Path) -> tuple[str
     return block, point
 
 
-def _tilt(draft: Draft, table: SlideTable, block: str, before: list[Slide], path: Path) -> float:
+def _tilt(draft: Draft, table: SlideTable, block: str, before: Sequence[Pair], path: Path) -> float:
     """Angle from the line to the block's own direction. A block of one point takes its direction from its
     first slide's line; in a second slide, as the frame and a block of more points, it has one already."""
-    has_direction = (
-        block == FRAME or len(draft.links[block].points) > 1 or any(slide.block == block for slide in before)
-    )
+    slid_before = any(isinstance(pair, Slide) and pair.block == block for pair in before)
+    has_direction = block == FRAME or len(draft.links[block].points) > 1 or slid_before
     if has_direction and table.tilt is None:
         raise NeedsTilt(draft.where(*path), block)
     if table.tilt and not has_direction:

@@ -11,33 +11,18 @@ its table in `graphkin.loading`, a rule in `graphkin.planning` and one in `graph
 
 from __future__ import annotations
 
-from typing import ClassVar, Protocol
-
 from graphkin.pairs.cam import Cam, Profile
 from graphkin.pairs.gear import Gear
 from graphkin.pairs.line import Line
+from graphkin.pairs.pair import Circle, Pair, Rod, Rolling, Slot, pin_name, rod_name, start_name
 from graphkin.pairs.revolute import Revolute
 from graphkin.pairs.roll import Roll
 from graphkin.pairs.slide import Slide
 
-__all__ = ["PAIRS", "Cam", "Gear", "Line", "Pair", "Profile", "Revolute", "Roll", "Slide"]
+__all__ = [
+    "PAIRS", "Cam", "Circle", "Gear", "Line", "Pair", "Profile", "Revolute", "Rod", "Roll", "Rolling", "Slide", "Slot",
+    "pin_name", "rod_name", "start_name",
+]  # fmt: skip
 
-
-class Pair(Protocol):
-    """The contract of a pair kind."""
-
-    table: ClassVar[str]
-    """Name of its table in the mechanism file; empty where the file has none (a hinge is a shared point)."""
-
-    @property
-    def joins(self) -> tuple[str, ...]:
-        """The links it joins."""
-
-
-PAIRS: tuple[type[Revolute] | type[Slide] | type[Gear] | type[Roll] | type[Cam], ...] = (
-    Revolute,
-    Slide,
-    Gear,
-    Roll,
-    Cam,
-)
+PAIRS: tuple[type[Pair], ...] = (Revolute, Slide, Gear, Roll, Cam)
+"""The kinds, in the order in which a mechanism lists its pairs. Every table that depends on kinds has exactly these."""

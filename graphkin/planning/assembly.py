@@ -107,7 +107,7 @@ def _ambiguous(structure: Structure, plot: Plot, first: int, second: int) -> Amb
     places = {
         point: (_at(value, first), _at(value, second))
         for point, value in plot.position.items()
-        if point[0].isupper() and abs(_at(value, first) - _at(value, second)) > 1e-9 * size
+        if point in mechanism.points and abs(_at(value, first) - _at(value, second)) > 1e-9 * size
     }
     point, (one, two) = next(iter(places.items()), ("", (0j, 0j)))
     return AmbiguousSketch(

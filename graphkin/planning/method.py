@@ -69,6 +69,11 @@ class Method:
         return bridged or bool(self.aside) or self.structure.surplus != 0
 
     @property
+    def special(self) -> frozenset[str]:
+        """The special points, which no link of the file has."""
+        return frozenset(found.name for found in self.ternaries.values())
+
+    @property
     def constructions(self) -> tuple[Construction, Construction, Construction]:
         return self.position, self.velocity, self.acceleration
 

@@ -89,7 +89,7 @@ def _order(structure: Structure) -> tuple[Stage, ...]:
     order, left = stages(structure)
     if left:
         homes = dict.fromkeys(structure.home(body) for body in left)
-        names = [name for name in homes if name in structure.mechanism.links and " " not in name]
+        names = [name for name in homes if structure.is_link(name)]
         raise HigherClass(structure.mechanism.where("links", names[0]), tuple(names))
     _refuse_held_twice(structure, order)
     return order

@@ -46,7 +46,6 @@ def as_aside(found: Iterable[SetAside]) -> Aside:
     gone = {row for each in pairs for row in each.rows}
     return Aside(
         slides=frozenset(row.name for row in gone if row.kind == "line"),
-        cams=frozenset(row.name for each in pairs if each.pair[0] == "cam" for row in each.rows),
         angles=frozenset(row.name for row in gone if row.kind == "angle" and Row("line", row.name) not in gone),
         contacts=frozenset(row.name for row in gone if row.kind == "slip"),
     )

@@ -53,7 +53,7 @@ def as_drawn(
     structure, plot = _standing(mechanism, lower, repeats)
     drawn = {link: float(plot.theta[link]) if link in plot.theta else 0.0 for link in structure.bodies}
     drawn |= {slide_key(slide): float(value) for slide, value in plot.s.items()}
-    sketch = {**lower.sketch, **{p: complex(z) for p, z in plot.position.items() if p[0].isupper()}}
+    sketch = {**lower.sketch, **{p: complex(z) for p, z in plot.position.items() if p in mechanism.points}}
     drivers = tuple(_valued(driver, plot, drawn) for driver in mechanism.drivers)
     driven = replace(lower, drivers=drivers, sketch=sketch)
     return _counted_on(replace(structure, mechanism=driven), drawn), driven
@@ -173,8 +173,7 @@ def _with(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], rep
 
 def _shows_nothing(mechanism: Mechanism, structure: Structure, body: str) -> bool:
     """Whether one cannot see how a wheel stands: it hangs on its centre alone, and has no other point."""
-    wheels = {wheel for gear in mechanism.gears for wheel in gear.joins}
-    wheels |= {wheel for roll in mechanism.rolls for wheel in roll.joins}
+    wheels = {wheel for pair in mechanism.pairs if pair.rolling is not None for wheel in pair.joins}
     wheels |= {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
     hinges = list(structure.joints(body))
     return body in wheels and len(hinges) < 2 and len(set(structure.shapes[body].values())) == 1
@@ -184,7 +183,7 @@ def _left(structure: Structure) -> tuple[str, ...]:
     """The links that nothing places, those first whose direction is open."""
     left = [body for body in stages(structure)[1] if not structure.is_pin(body)]
     turning = [body for body in left if structure.base(body) != FRAME]
-    return tuple(name for name in turning or left if " " not in name)
+    return tuple(name for name in turning or left if structure.is_link(name))
 
 
 # --- comparing --------------------------------------------------------------------------------

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from itertools import pairwise
+from typing import Any
 
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Slide
+from graphkin.pairs import Cam, Pair, Slide, pin_name
 from graphkin.planning import Method
 from graphkin.sheet import symbols
-from graphkin.sheet.cams import cams, equivalents, follower
+from graphkin.sheet.cams import equivalents, follower, profiles
 from graphkin.sheet.drives import drives
 from graphkin.sheet.grounds import grounds
 from graphkin.sheet.labels import Wanted
@@ -60,9 +61,9 @@ def _bodies(skeleton: Skeleton) -> Figure:
     figure = Figure()
     for link in skeleton.mechanism.moving:
         _link(skeleton, link, figure)
-    figure.marks += cams(skeleton).marks
-    for slide in skeleton.mechanism.slides:
-        figure.marks += _sliding(skeleton, slide)
+    for kind, symbol in OVER_LINKS.items():
+        for pair in skeleton.mechanism.of(kind):
+            figure.marks += symbol(skeleton, pair)
     return figure
 
 
@@ -99,7 +100,7 @@ def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
         return symbols.cylinder(skeleton.at(origin), skeleton.at(slide.point), _cylinder(slide), step)
     start, end = skeleton.guide_bar(slide)
     marks = symbols.bar([start, end], Shows(slide.guide, "guide", (origin, slide.point), slide.name), step)
-    if skeleton.is_welded(slide) and origin[0].isupper():
+    if skeleton.is_welded(slide) and slide.line.named:
         foot = skeleton.at(origin)
         far = max((start, end), key=lambda p: abs(p - foot))
         others = [skeleton.at(p) for p in skeleton.named(slide.guide) if p != origin]
@@ -110,7 +111,7 @@ def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
 
 def _cylinder(slide: Slide) -> tuple[Shows, Shows, Shows]:
     """Foot and tube of the guide; the rod, which ends at the point that slides."""
-    rod = slide.block or f"pin {slide.name}"
+    rod = slide.block or pin_name(slide)
     foot, tube = (Shows(slide.guide, "guide", points, slide.name) for points in ((slide.line.origin,), ()))
     return foot, tube, Shows(rod, "guide", (slide.point,), slide.name)
 
@@ -130,6 +131,10 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     reach = min(9.0, max(4.0, abs(at - skeleton.at(slide.line.origin)) - 3.0))
     shows = Shows(slide.guide, "slot", (slide.point,), slide.name)
     return symbols.slot(at - reach * along, at + 9.0 * along, shows, step=step)
+
+
+OVER_LINKS: Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]] = {Cam: profiles, Slide: _sliding}
+"""The signs of pairs that stand over the links; `wheels` stand under them, hinges are points."""
 
 
 def _through_bars(skeleton: Skeleton) -> list[Mark]:

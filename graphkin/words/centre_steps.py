@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from math import degrees
 from typing import assert_never
@@ -10,7 +10,7 @@ from typing import assert_never
 import numpy as np
 
 from graphkin.centres import Centres
-from graphkin.construction import Ray
+from graphkin.centres.beneath import CommonNormal
 from graphkin.drafting import (
     Far,
     LayOff,
@@ -26,6 +26,7 @@ from graphkin.drafting import (
 )
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.pairs import Cam, Pair, Slide
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.centre_phrases import told
@@ -33,6 +34,10 @@ from graphkin.words.entries import Entry, Heading, Sentence
 from graphkin.words.figures import number
 
 __all__ = ["CentreReader"]
+
+
+NORMALS: Mapping[type[Pair], str] = {Cam: "normal", Slide: "slot"}
+"""What the common normal of a pair is called, of each kind that slips."""
 
 
 @frozen
@@ -133,11 +138,10 @@ class CentreReader:
         words = {"near": self.centre(near), "far": self.centre(far[0]), "links": links}
         return self.say("across guide" if by_definition else "parallel", angle=self.angle(far[0]), **words)
 
-    def _normal(self, step: Meet, normal: Ray) -> str:
+    def _normal(self, step: Meet, normal: CommonNormal) -> str:
         pair = self.found.centring.links[step.name]
-        if any({*cam.links} == {*pair} for cam in self.mechanism.cams):
-            return self.say("normal", **self._links(pair))
-        return self.say("slot", point=names.point(normal.through), **self._links(pair))
+        key = NORMALS[type(normal.pair)]
+        return self.say(key, point=names.point(normal.line.through), **self._links(pair))
 
     def _three(self, ends: Iterable[str]) -> str:
         """The three links whose centres lie on a line: `1, 2, 3`."""

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
 
 from graphkin.assur import Structure, structure
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
+from graphkin.pairs import Cam, Gear, Pair, Revolute, Roll, Slide
 from graphkin.planning import Method
 from graphkin.words.redundancy import redundant_constraints
 
@@ -77,6 +79,16 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
     yield f"{say('methods')}: {', '.join(say(key) for key in found.methods) or say('none')}"
 
 
+KINDS: Mapping[type[Pair], Callable[[Any], tuple[str, str]]] = {
+    Revolute: lambda hinge: ("multiple" if len(hinge.links) > 2 else "hinge", hinge.point),
+    Slide: lambda slide: ("pin" if slide.block is None else "slide", slide.point),
+    Gear: lambda gear: ("gear", ""),
+    Roll: lambda roll: ("roll", ""),
+    Cam: lambda cam: ("cam", ""),
+}
+"""The line of each kind, and the point it is about."""
+
+
 class _Speaker:
     def __init__(self, lang: Lang) -> None:
         self.lang = lang
@@ -89,17 +101,10 @@ def _pairs(mechanism: Mechanism, say: _Speaker) -> Iterator[str]:
     def called(links: tuple[str, ...]) -> str:
         return ", ".join(mechanism.called(link) for link in links)
 
-    for hinge in mechanism.hinges:
-        yield say("multiple" if len(hinge.links) > 2 else "hinge", point=hinge.point, links=called(hinge.links))
-    for slide in mechanism.slides:
-        guide = mechanism.called(slide.guide)
-        if slide.block is None:
-            yield say("pin", point=slide.point, guide=guide)
-        else:
-            yield say("slide", block=mechanism.called(slide.block), guide=guide)
-    for key, pairs in (("gear", mechanism.gears), ("roll", mechanism.rolls), ("cam", mechanism.cams)):
-        for pair in pairs:
-            yield say(key, links=called(pair.joins))
+    for pair in (*mechanism.hinges, *mechanism.pairs):
+        key, point = KINDS[type(pair)](pair)
+        guide, *block = pair.joins
+        yield say(key, point=point, links=called(pair.joins), guide=called((guide,)), block=called(tuple(block)))
 
 
 def _freedoms(method: Method, found: Structure, say: _Speaker) -> Iterator[str]:

@@ -1,0 +1,83 @@
+"""One registry of pair kinds: every table that depends on kinds has exactly these, and names are told by nobody but it."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+import graphkin
+from graphkin import library
+from graphkin.analytic.rules import RULES
+from graphkin.errors.motion import PAIRS as CALLED
+from graphkin.loading.pairs import READERS
+from graphkin.loading.schema import File
+from graphkin.mechanism import Mechanism
+from graphkin.naming import named
+from graphkin.pairs import PAIRS, Pair, Revolute
+from graphkin.sheet.mechanism_figure import OVER_LINKS
+from graphkin.sheet.wheels import UNDER_LINKS
+from graphkin.words.centre_steps import NORMALS
+from graphkin.words.equivalents import EQUIVALENTS
+from graphkin.words.structure import KINDS
+
+EVERY = set(PAIRS)
+REPLACED = {kind for kind in PAIRS if kind.equivalent is not Pair.equivalent}
+SLIPPING = {kind for kind in PAIRS if kind.rolling is Pair.rolling and kind.slipping is not Pair.slipping} | {
+    kind for kind in REPLACED if kind.rolling is Pair.rolling
+}
+
+
+@pytest.mark.parametrize(("table", "kinds"), [
+    (RULES, EVERY),
+    (KINDS, EVERY),
+    ({Revolute: None, **UNDER_LINKS, **OVER_LINKS}, EVERY),
+    (EQUIVALENTS, REPLACED),
+    (NORMALS, SLIPPING),
+], ids=("loop rules", "structure", "signs", "equivalents", "normals"))  # fmt: skip
+def test_each_table_has_exactly_the_kinds(table: dict[type[Pair], object], kinds: set[type[Pair]]) -> None:
+    assert set(table) == kinds
+
+
+def test_no_kind_has_two_signs() -> None:
+    assert not set(UNDER_LINKS) & set(OVER_LINKS)
+
+
+def test_tables_of_the_file_are_those_of_the_kinds() -> None:
+    assert set(READERS) == {kind.table for kind in PAIRS} - {""}
+    assert set(READERS) <= set(File.__dataclass_fields__)
+    assert set(READERS) <= set(CALLED)
+
+
+def kinds_of(mechanism: Mechanism) -> set[type[Pair]]:
+    return {type(pair) for pair in (*mechanism.hinges, *mechanism.pairs)}
+
+
+def test_the_library_has_every_kind() -> None:
+    assert set.union(*(kinds_of(library.load(name)) for name in library.names())) == EVERY
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_pairs_have_names_and_places_of_their_own(name: str) -> None:
+    mechanism = library.load(name)
+    names = [pair.name for pair in mechanism.pairs]
+    assert len(set(names)) == len(names)
+    for pair in mechanism.pairs:
+        assert mechanism.pair(pair.name) is pair
+        assert mechanism.where(*mechanism.path(pair)).line
+        assert named(mechanism, mechanism.path(pair))[0] in CALLED
+        for link in pair.joins:
+            assert link in mechanism.links
+
+
+PARSED = re.compile(r"""\[0\]\.is(upper|lower)\(|(startswith|removeprefix|endswith)\(["'](c|e|e g|pin|\*| origin)? ?["']\)""")
+
+
+def test_no_name_is_taken_apart() -> None:
+    """What a name stands for is a field: of a `Link`, a `Line`, a `Slide` of an equivalent, a `Node`; `words.names` alone
+    spells names as people read them.
+    """
+    files = (path for path in Path(graphkin.__file__).parent.rglob("*.py") if path.parts[-2:] != ("words", "names.py"))
+    lines = ((path.name, line) for path in files for line in path.read_text("utf-8").splitlines())
+    assert [(name, line.strip()) for name, line in lines if PARSED.search(line)] == []
