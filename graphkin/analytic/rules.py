@@ -16,11 +16,10 @@ from typing import Any, NamedTuple
 
 from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.pairs import Cam, Gear, Line, Revolute, Roll, Slide
+from graphkin.tolerances import ROUNDED
 
 __all__ = ["RULES", "Joint", "Relation", "Share", "Unknown", "driven", "placing", "shares", "theta"]
 
-_ROUNDED = 1e-6
-"""A link carries two centres at their distance if it does to this, relatively: lengths in files are rounded."""
 
 
 class Unknown(NamedTuple):
@@ -183,7 +182,7 @@ def _line_of_centres(
     for link in mechanism.links.values():
         if link.points.keys() >= set(centres):
             carried = abs(link.arm(*centres))
-            if length is None or abs(carried - length) <= _ROUNDED * length:
+            if length is None or abs(carried - length) <= ROUNDED * length:
                 return link.name, ()
     first, second = ends
     start = Joint(first.link, first.arm, name, 0)
