@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "value", "errors", "geometry", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
+    "value", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
     "agreement", "centres", "linkages", "words", "design", "sweeps", "check", "results", "reports", "sheet",
     "outputs", "equations", "finding", "api", "batches", "cli",

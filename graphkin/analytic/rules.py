@@ -16,11 +16,10 @@ from typing import Any, NamedTuple
 
 from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.pairs import Cam, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
+from graphkin.tolerances import ROUNDED
 
 __all__ = ["RULES", "Joint", "Relation", "Share", "Unknown", "driven", "placing", "shares", "theta"]
 
-_ROUNDED = 1e-6
-"""A link carries two centres at their distance if it does to this, relatively: lengths in files are rounded."""
 
 
 class Unknown(NamedTuple):
@@ -149,7 +148,7 @@ def _line_of_centres(
     for link in mechanism.links.values():
         if link.points.keys() >= set(rod.points):
             carried = abs(link.arm(*rod.points))
-            if length is None or abs(carried - length) <= _ROUNDED * length:
+            if length is None or abs(carried - length) <= ROUNDED * length:
                 return link.name, ()
     name, (first, second) = _own(pair), rod.links
     arm, far = (mechanism.links[link].points[point] for link, point in zip(rod.links, rod.points, strict=True))

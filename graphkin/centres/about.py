@@ -16,7 +16,6 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.centres.beneath import STILL
 from graphkin.centres.found import Centres
 from graphkin.construction import Plot, replay
 from graphkin.drafting import INFINITE
@@ -25,6 +24,7 @@ from graphkin.errors.centring import FrameStands
 from graphkin.geometry import cross, dot
 from graphkin.mechanism import FRAME
 from graphkin.readings import readings
+from graphkin.tolerances import STILL
 from graphkin.value import frozen
 
 __all__ = ["INFINITY", "About", "Carried", "Circle", "Line", "about", "euler_savary", "link_of"]

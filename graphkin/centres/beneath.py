@@ -22,12 +22,10 @@ from graphkin.motions import Motions
 from graphkin.pairs import Pair, Rod, Slot
 from graphkin.planning import Method
 from graphkin.planning.equivalent import Contact
+from graphkin.tolerances import STILL
 from graphkin.value import frozen
 
-__all__ = ["STILL", "CommonNormal", "board_over", "contact_name", "from_velocities", "normals", "pole_name"]
-
-STILL = 1e-11
-"""Links that move against each other by less than this part of the fastest motion stand still against each other."""
+__all__ = ["CommonNormal", "board_over", "contact_name", "from_velocities", "normals", "pole_name"]
 
 
 def contact_name(contact: Contact) -> str:

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from graphkin.centres.advantages import advantages
 from graphkin.centres.found import Centres
 from graphkin.centres.search import Centring
-from graphkin.centres.uses import ByCentres, advantages
 from graphkin.drafting import LineStep, Stage, drawn_through
 from graphkin.errors import Lang
 
@@ -102,8 +102,8 @@ def _way(by: str | list[list[str]], lang: Lang) -> str:
 
 def advantage_lines(found: Centres, lang: Lang) -> Iterator[str]:
     """How many times the driver's torque a link gives, by the ratios of the centres' distances."""
-    by, mechanism = ByCentres(found), found.method.mechanism
+    mechanism = found.method.mechanism
     driver = next((d for d in mechanism.drivers if d.rate), mechanism.drivers[0])
-    for link, value in advantages(by).items():
+    for link, value in advantages(found).items():
         names = {"out": mechanism.called(link), "driver": mechanism.called(driver.link)}
         yield "  " + WORDS["advantage"][lang].format(value=f"{value:.4g}", **names)

@@ -17,6 +17,7 @@ from graphkin.planning.branch_search import BETWEEN, DeadEnd, branches, told_sli
 from graphkin.planning.branches import Branches
 from graphkin.planning.own_axis import along_own_axis
 from graphkin.planning.structure import Structure
+from graphkin.tolerances import CLOSED
 from graphkin.value import frozen
 
 __all__ = ["DEAD_SINE", "Assembly", "assemble", "extent", "links_of", "refuse_bad_positions", "refuse_open"]
@@ -24,8 +25,6 @@ __all__ = ["DEAD_SINE", "Assembly", "assemble", "extent", "links_of", "refuse_ba
 DEAD_DEG = 0.5
 """Lines that meet under less than this give no usable drawing [deg]."""
 DEAD_SINE = float(np.sin(np.radians(DEAD_DEG)))
-CLOSED = 1e-9
-"""A gap of less than this part of the mechanism's size is none."""
 
 
 @frozen

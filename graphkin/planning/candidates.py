@@ -10,9 +10,10 @@ import numpy as np
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import PairName
 from graphkin.pairs import Pair
-from graphkin.planning.ranks import RANK, rank
+from graphkin.planning.ranks import rank
 from graphkin.planning.restraints import Row, Rows
 from graphkin.planning.structure import Structure
+from graphkin.tolerances import RANK
 from graphkin.value import frozen
 
 __all__ = ["Candidates", "SetAside", "over"]

@@ -14,11 +14,10 @@ from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Gear, Line
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Structure
+from graphkin.tolerances import ROUNDED
 
 __all__ = ["facts_of", "refuse_contacts_apart", "with_sides"]
 
-ROUNDED = 1e-6
-"""Lengths in files are rounded: this part of a length is no gap."""
 
 
 def refuse_contacts_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot: Plot) -> None:

@@ -16,9 +16,10 @@ import numpy as np
 from graphkin.mechanism import Driver, Mechanism
 from graphkin.planning.candidates import Candidates, SetAside, over
 from graphkin.planning.contradicting import Contradictions
-from graphkin.planning.ranks import CLOSED, drawn_place, open_by, rank
+from graphkin.planning.ranks import drawn_place, open_by, rank
 from graphkin.planning.restraints import Array, Restraints, Row, Rows, settled
 from graphkin.planning.structure import Aside, Structure
+from graphkin.tolerances import CLOSED
 
 __all__ = ["SetAside", "as_aside", "repeated", "still_repeated"]
 

@@ -20,14 +20,13 @@ from graphkin.planning.position import position
 from graphkin.planning.repeated import SetAside, as_aside, still_repeated
 from graphkin.planning.stages import stages
 from graphkin.planning.structure import Structure
+from graphkin.tolerances import ROUNDED
 from graphkin.value import frozen
 
 __all__ = ["as_drawn"]
 
 Repeats = tuple[SetAside, ...]
 
-SAME = 1e-6
-"""Values that differ by less say the same [rad, mechanism's size]: figures in files are rounded."""
 TRIES = 64
 """So many choices of poses to leave out are tried."""
 
@@ -154,7 +153,7 @@ def _placed(
     facts = facts_of(structure, None, {})
     found = assemble(structure, construction, choices, facts, {})
     plot = replay(with_sides(construction, found.sides), Plot(facts, found.near))
-    refuse_open(structure, plot, SAME)
+    refuse_open(structure, plot, ROUNDED)
     return structure, plot
 
 
@@ -207,7 +206,7 @@ def _off(plot: Plot, given: _Given) -> float:
 
 
 def _holds(plot: Plot, given: _Given) -> bool:
-    return abs(_off(plot, given)) < (SAME * extent(plot) if given.fixes.kind == "slide" else SAME)
+    return abs(_off(plot, given)) < (ROUNDED * extent(plot) if given.fixes.kind == "slide" else ROUNDED)
 
 
 def _told(given: _Given, off: float) -> tuple[str, str, str]:

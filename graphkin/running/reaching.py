@@ -12,13 +12,11 @@ from graphkin.errors import NotReached
 from graphkin.geometry import Value
 from graphkin.planning.method import Method
 from graphkin.running.many import along_in_parts
-from graphkin.running.path import Path, along, stride, turned
+from graphkin.running.path import STEP_DEG, STEP_PART, Path, along, stride, turned
 from graphkin.running.tracing import trace
 
 __all__ = ["moved_to", "reached"]
 
-STEP_DEG, STEP_PART = 3.0, 0.02
-"""How far a mechanism is moved at once where its position is found from the one before [deg, of its size]."""
 SURPRISE = 0.02
 """How far a link may turn beside what its turning so far foretold [rad]; more, and the step is halved."""
 SHORTEST = 1 / 256

@@ -14,6 +14,7 @@ from graphkin.construction import Arc, Fit, Meet, Plot, Swing
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
 from graphkin.running.path import Event, Path, along, stride
+from graphkin.tolerances import TOUCH
 
 __all__ = [
     "LOOK_DEG",
@@ -29,8 +30,6 @@ __all__ = [
 
 LOOK_DEG, LOOK_PART = 0.5, 0.002
 """How closely the path is looked at [deg, of the mechanism's size]."""
-TOUCH = 1e-11
-"""Circles that miss each other by less than this part of the mechanism's size touch."""
 TOUCHING_SINE = 3e-6
 """The sine to which two loci come down, as closely as it is looked at, where they touch."""
 LOW_SINE = 0.3
