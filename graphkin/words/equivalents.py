@@ -60,11 +60,11 @@ def _cam(reading: Reading, k: int, cam: Cam) -> str:
         one, other = (names.point(centre) for centre in centres)
         if first.radius and second.radius:
             length = _distance(centres, (first.radius, second.radius), cam.internal)
-            return reading.say("circles touch", first=one, second=other, length=length, link=link)
+            return reading.say("contacts.circles touch", first=one, second=other, length=length, link=link)
         if not first.radius:
             one, other = other, one
         length = f"{names.pair(*centres)} = {number(1000 * (first.radius + second.radius))} mm"
-        return reading.say("edge on circle", first=one, second=other, length=length, link=link)
+        return reading.say("contacts.edge on circle", first=one, second=other, length=length, link=link)
     flat, disc = (first, second) if first.line is not None else (second, first)
     assert flat.line is not None
     assert disc.centre is not None
@@ -74,14 +74,14 @@ def _cam(reading: Reading, k: int, cam: Cam) -> str:
         "link": reading.link(flat.line.link),
     }
     if not disc.radius:
-        return reading.say("edge touches", **words)
-    return reading.say("flat touches", length=_radius(disc.radius), **words)
+        return reading.say("contacts.edge touches", **words)
+    return reading.say("contacts.flat touches", length=_radius(disc.radius), **words)
 
 
 def _on_line(reading: Reading, roll: RollingPair, line: Line) -> str:
     held = roll.name not in reading.contact_slides  # by a sliding pair
     return reading.say(
-        "wheel held at line" if held else "wheel on line",
+        "contacts.wheel held at line" if held else "contacts.wheel on line",
         wheel=reading.link(roll.wheel),
         face=_face(reading, line),
         link=reading.link(line.link),
@@ -94,7 +94,7 @@ def _on_circle(reading: Reading, roll: RollingPair) -> str:
     assert roll.track_centre is not None
     centres = (roll.track_centre, roll.centre)
     return reading.say(
-        "wheel on circle",
+        "contacts.wheel on circle",
         wheel=reading.link(roll.wheel),
         first=names.point(roll.track_centre),
         second=names.point(roll.centre),
@@ -105,7 +105,7 @@ def _on_circle(reading: Reading, roll: RollingPair) -> str:
 
 def _line_of_centres(reading: Reading, gear: Gear, link: str) -> str:
     return reading.say(
-        "line of centres",
+        "contacts.line of centres",
         wheels=reading.listed([reading.link(wheel) for wheel in gear.links]),
         length=_distance(gear.centres, gear.radii, gear.internal),
         link=names.point(link),
@@ -138,13 +138,13 @@ def _path(reading: Reading, name: str) -> Iterator[Entry]:
         place = reading.plot.facts.shapes[FRAME][origin]
         x, y = (reading.on_paper(value) for value in (place.real, place.imag))
         start, angle = path[0].upper() + path[1:], degrees(slide.line.direction)
-        yield Sentence(reading.say("fixed path", path=start, place=f"({x}, {y})", angle=angle))
+        yield Sentence(reading.say("contacts.fixed path", path=start, place=f"({x}, {y})", angle=angle))
     elif any(_uses(step, origin) for step in reading.method.position.steps):
         beside, mark = reading.track_origin(name), names.point(origin)
         if beside[0].isupper():
-            yield Sentence(reading.say("abreast", path=path, mark=mark, origin=names.point(beside)))
+            yield Sentence(reading.say("contacts.abreast", path=path, mark=mark, origin=names.point(beside)))
         else:
-            yield Sentence(reading.say("marked start", path=path, mark=mark))
+            yield Sentence(reading.say("contacts.marked start", path=path, mark=mark))
 
 
 def _uses(step: Step, origin: str) -> bool:
