@@ -60,7 +60,7 @@ PHRASES: Phrases = {
     ),
     "along": ("Projected along the direction of {slide}:", "向 {slide} 的方向投影，得"),
     "square": (
-        "The length of the side that changes, from squares of both sides:",
+        "The length of the side that changes, from squares of both sides, which eliminates {angle}:",
         "两端取模的平方，消去 {angle}，得",
     ),
     "each across": (
