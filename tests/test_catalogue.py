@@ -14,7 +14,7 @@ import graphkin
 
 PACKAGE = Path(graphkin.__file__).parent
 SPEAKER = PACKAGE / "words"
-APART = {"reports.py", "linkages.py", "summary.py"}
+APART = {"reports.py", "summary.py"}
 """Files that have words of their own as yet."""
 SPEAKING = {"say", "phrase", "in_both", "head"}
 """Functions and methods whose first argument is the name of a phrase."""

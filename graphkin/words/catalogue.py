@@ -17,6 +17,7 @@ from graphkin.errors import Lang
 Phrases = Mapping[str, tuple[str, str]]
 """By key: English, Chinese."""
 
+LANGUAGES: tuple[Lang, ...] = get_args(Lang)
 _ROOM = re.compile("(?<=[\u4e00-\u9fff]) +(?=[\u4e00-\u9fff])")
 
 
@@ -34,7 +35,7 @@ def say(name: str, lang: Lang, /, **words: object) -> str:
 
 def in_both(name: str, /, **words: object) -> dict[Lang, str]:
     """The same in each language, for what bears its title in both."""
-    return {lang: say(name, lang, **words) for lang in get_args(Lang)}
+    return {lang: say(name, lang, **words) for lang in LANGUAGES}
 
 
 def close(text: str) -> str:
