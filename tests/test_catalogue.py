@@ -109,8 +109,22 @@ def in_one(call: ast.Call, functions: list[Function]) -> bool:
 @cache
 def texts() -> frozenset[str]:
     """Every text that stands in the code, its phrases apart."""
-    nodes = (node for path in readers() for node in ast.walk(ast.parse(path.read_text("utf-8"))))
-    return frozenset(node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str))
+    return frozenset(node.value for node in nodes() if isinstance(node, ast.Constant) and isinstance(node.value, str))
+
+
+@cache
+def made() -> frozenset[str]:
+    """Texts that the code makes of a word and something open, as patterns: `f"{pivot} chosen"`."""
+    patterns = (next(asked(node, node)) for node in nodes() if isinstance(node, ast.JoinedStr))
+    return frozenset(pattern for pattern in patterns if re.search("[a-z]{4}", pattern))
+
+
+def nodes() -> Iterator[ast.AST]:
+    return (node for path in readers() for node in ast.walk(ast.parse(path.read_text("utf-8"))))
+
+
+def is_known(word: str) -> bool:
+    return word in texts() or word.isdigit() or any(re.fullmatch(pattern, word) for pattern in made())
 
 
 def test_what_is_asked_for_exists():
@@ -124,7 +138,7 @@ def test_what_is_asked_for_exists():
 def is_asked_for(name: str) -> bool:
     """By itself, or as one of a family whose other words the code knows."""
     found = [match for pattern in patterns() if pattern and (match := re.fullmatch(pattern, name))]
-    return any(all(word in texts() or word.isdigit() for word in match.groups()) for match in found)
+    return any(all(map(is_known, match.groups())) for match in found)
 
 
 def test_what_exists_is_asked_for():

@@ -95,8 +95,8 @@ def _sums(report: Report, lang: Lang) -> str:
         return terms + " = " + " + ".join(f"{abs(sizes[name]) * 1e3:.6g}" for name in shown)
 
     key = "linkages.lengths" if report.slide else "linkages.grashof"
-    ends, middle = added(report.ends), added(report.middle)
-    return say(key, lang, ends=ends, middle=middle, first=_mm(report.sum_ends), sign=sign, second=_mm(report.sum_middle))
+    first = {"ends": added(report.ends), "first": _mm(report.sum_ends)}
+    return say(key, lang, **first, sign=sign, middle=added(report.middle), second=_mm(report.sum_middle))
 
 
 def _equal(report: Report, lang: Lang) -> Iterator[str]:
