@@ -7,12 +7,12 @@ import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from graphkin.centres import told
 from graphkin.check import Measured, Report
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
 from graphkin.quantities import EDGE, Centre, Quotient, Rotation, Unit, driven
 from graphkin.sweeps import Series, Sweep
+from graphkin.words.centre_explained import place
 
 __all__ = ["book_lines", "check_lines", "given_values", "solve_lines", "sweep_lines", "table"]
 
@@ -144,7 +144,7 @@ def _answers(asked: Json, lang: Lang) -> Iterator[str]:
         yield f"{say('asked', lang)}:"
     for question, entry in asked.items():
         if "at" in entry or "direction" in entry:
-            yield f"  {question} = {told(entry, lang)}" + (" mm" if "at" in entry else "")
+            yield f"  {question} = {place(entry, lang)}" + (" mm" if "at" in entry else "")
             continue
         if entry["value"] is None:
             yield f"  {question}: {say('not answered', lang)}"

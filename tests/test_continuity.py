@@ -30,7 +30,8 @@ from graphkin.errors import DeadPoint, RoadsDiffer
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
-from graphkin.sweeps import course, held, left_out, parts, sweep
+from graphkin.sweeps import course, held, parts, sweep
+from graphkin.words.sweeps import left_out
 
 COUNT = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
 """Mechanisms of each kind; 0: one of some kinds."""

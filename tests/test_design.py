@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import graphkin
-from graphkin import design, loading
+from graphkin import loading
 from graphkin.design import angle_pairs, coupler_positions, guide_bar, hinges, rocker, slider
 from graphkin.errors import (
     CouplerChanges,
@@ -19,6 +19,8 @@ from graphkin.errors import (
     WrongNumber,
 )
 from graphkin.linkages import FourBar, SliderCrank, report
+from graphkin.outputs.designs import as_json
+from graphkin.words import design as words
 
 RANDOM = np.random.default_rng(23)
 rad = math.radians
@@ -201,7 +203,7 @@ def test_a_wish_out_of_range_is_told_within_what_bounds():
                 below = low * (1 - 1e-6)
                 inside = any(other["low"] < below < other["high"] for other in others)
                 assert inside or not rocker(length, swing, k, frame=below).solutions
-        assert "mm" in design.error(found).message("zh")
+        assert "mm" in words.error(found).message("zh")
 
 
 @pytest.mark.parametrize(
@@ -360,7 +362,7 @@ def test_three_positions_in_line_have_no_centre():
     found = coupler_positions(hinges([0j, 0.01 + 0j, 0.02 + 0j], [0.2, 0.5, 0.9], 0.05))
     assert not found.solutions
     assert [reason.key for reason in found.why] == ["in line"]
-    assert "infinity" in design.error(found).message("en")
+    assert "infinity" in words.error(found).message("en")
 
 
 def test_two_positions_leave_pivots_free():
@@ -440,14 +442,14 @@ def test_positions_of_any_kind_are_judged_told_and_written():
         found += [angle_pairs(pairs, 0.1), angle_pairs(pairs, 0.1, crank=RANDOM.uniform(0.01, 0.2))]
         for one in found:
             assert one.solutions or one.why
-            assert len(design.lines(one, "zh")) == len(design.lines(one, "en"))
+            assert len(words.lines(one, "zh")) == len(words.lines(one, "en"))
             for solution in one.solutions:
                 assert solution.valid == (not solution.why)
                 lengths = (solution.a, solution.b, solution.c, solution.d)
                 at = solution.places
                 drawn = [abs(at[q] - at[p]) for p, q in ("AB", "BC", "CD", "AD")]
                 assert drawn == pytest.approx(lengths, rel=1e-9), "places are those of the linkage"
-                loading.loads(design.as_toml(solution, one.kind))
+                loading.loads(words.as_toml(solution, one.kind))
 
 
 # --- told, written ----------------------------------------------------------------------------------------
@@ -475,7 +477,7 @@ DESIGNS = {
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_every_design_is_told(name, lang):
     found = DESIGNS[name]
-    text = design.lines(found, lang)
+    text = words.lines(found, lang)
     assert text[1].startswith("(1) ")
     assert not any("{" in line or "nan" in line for line in text)
     for one in found.solutions:
@@ -484,7 +486,7 @@ def test_every_design_is_told(name, lang):
 
 def test_the_sentences_of_example_2_3():
     one = DESIGNS["rocker"].best
-    text = design.sentences(one.construction, one.board(), "zh")
+    text = words.sentences(one.construction, one.board(), "zh")
     for number, part in enumerate(("23.478°", "40°", "66.522°", "△C1C2P", "71 mm", "20.773 mm")):
         assert part in text[number]
 
@@ -493,7 +495,7 @@ def test_the_sentences_of_example_2_3():
 def test_every_solution_is_a_mechanism_that_is_analysed_back(name):
     found = DESIGNS[name]
     for one in found.solutions:
-        machine = loading.loads(design.as_toml(one, found.kind))
+        machine = loading.loads(words.as_toml(one, found.kind))
         assert machine.headline("zh") != machine.headline("en")
         graphkin.plan(machine)
         start = float(graphkin.motion(machine).values[0])
@@ -542,7 +544,7 @@ def _outputs(machine, values):
 def test_as_data(name):
     import json
 
-    data = json.loads(json.dumps(design.as_json(DESIGNS[name]), allow_nan=False))
+    data = json.loads(json.dumps(as_json(DESIGNS[name]), allow_nan=False))
     assert data["format"] == 1
     assert [one["a"] for one in data["solutions"]] == [one.a for one in DESIGNS[name].solutions]
     assert set("abcde") <= set(data["solutions"][0])

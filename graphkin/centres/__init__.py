@@ -11,10 +11,7 @@ Words are in `words.centre_*`, sheets in `sheet.centre_*` and `sheet.about_*`: t
 
 from graphkin.centres.advantages import advantages
 from graphkin.centres.centrode_places import over
+from graphkin.centres.data import as_json, place
 from graphkin.centres.found import Centres, centres
-from graphkin.centres.telling import advantage_lines, as_json, place, rows, told
 
-__all__ = [
-    "Centres", "advantage_lines", "advantages", "as_json", "centres", "over", "place", "rows",
-    "told",
-]  # fmt: skip
+__all__ = ["Centres", "advantages", "as_json", "centres", "over", "place"]

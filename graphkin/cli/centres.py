@@ -157,8 +157,7 @@ def _told(asked: _Asked, source: str) -> Iterator[str]:
 
 def _listed(asked: _Asked, found: Centres) -> Iterator[str]:
     from graphkin import reports
-    from graphkin.centres import advantage_lines, rows
-    from graphkin.words.centre_explained import explain_centres
+    from graphkin.words.centre_explained import advantage_lines, explain_centres, rows
 
     mechanism = found.method.mechanism
     yield f"{mechanism.name}  {mechanism.headline(asked.lang)}"
@@ -193,7 +192,7 @@ def _point(found: Centres, name: str) -> str:
 
 def _of_two_velocities(asked: _Asked) -> None:
     from graphkin.centres.ways import from_text
-    from graphkin.words.centre_poles import pole_words
+    from graphkin.words.centre_about import pole_words
 
     click.echo("\n".join(pole_words(from_text(asked.velocities), asked.lang)))
 

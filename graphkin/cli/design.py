@@ -82,10 +82,15 @@ def answering(make: Callable[..., Design]) -> Callable[..., None]:
 
 
 def _tell(found: Design, as_json: bool, lang: Lang) -> None:
-    from graphkin import design as designing
+    if as_json:
+        from graphkin.outputs.designs import as_json as data
 
-    click.echo(json_line(designing.as_json(found)) if as_json else "\n".join(designing.lines(found, lang)))
-    if not as_json and (missing := designing.error(found)) is not None:
+        click.echo(json_line(data(found)))
+        return
+    from graphkin.words.design import error, lines
+
+    click.echo("\n".join(lines(found, lang)))
+    if (missing := error(found)) is not None:
         raise missing
 
 
@@ -93,13 +98,13 @@ def _write(
     found: Design, output: Path | None, steps: Path | None, toml: Path | None, paper: str | None, force: bool,
     lang: Lang,
 ) -> None:  # fmt: skip
-    from graphkin import design as designing
     from graphkin.outputs import files, svg
     from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
+    from graphkin.words.design import as_toml, error
 
     if not (output or steps or toml):
         return
-    if (missing := designing.error(found)) is not None:
+    if (missing := error(found)) is not None:
         raise missing
     pages = [] if output is None else [(output, svg.svg(design_sheet(found, paper=paper, lang=lang)))]
     if steps is not None:
@@ -115,7 +120,7 @@ def _write(
         click.echo(str(path), err=True)
     if toml is not None and found.best is not None:
         with files.beside(toml, force, (b"graphkin",)) as draft:
-            draft.write_text("# graphkin\n" + designing.as_toml(found.best, found.kind), encoding="utf-8", newline="\n")
+            draft.write_text("# graphkin\n" + as_toml(found.best, found.kind), encoding="utf-8", newline="\n")
         click.echo(str(toml), err=True)
 
 

@@ -64,6 +64,7 @@ def sweep(
       graphkin sweep ex3-7 --of "theta 3, omega 3, alpha 3, s ram, v E, a E" -o diagram.svg
     """
     from graphkin import api, finding, reports, sweeps
+    from graphkin.words.sweeps import extremes, left_out, remarks
 
     if output is not None and output.suffix.lower() not in WRITTEN and str(output) != "-":
         raise click.UsageError(f"{output}: the file to write must end in {', '.join(WRITTEN)}")
@@ -77,12 +78,12 @@ def sweep(
     if output is None:
         found = sweeps.sweep_over(course, names, by)
         click.echo("\n".join(reports.book_lines(found) if table else reports.sweep_lines(found)))
-        left_out = sweeps.left_out(course, found.undefined, lang)
-        for line in (*sweeps.remarks(course, lang), *left_out, *sweeps.extremes(found, lang)):
+        undefined = left_out(course, found.undefined, lang)
+        for line in (*remarks(course, lang), *undefined, *extremes(found, lang)):
             click.echo(line, err=table)
     else:
-        undefined = _write_sweep(output, course, names, by, force, lang)
-        for line in (*sweeps.remarks(course, lang), *sweeps.left_out(course, undefined, lang)):
+        missing = _write_sweep(output, course, names, by, force, lang)
+        for line in (*remarks(course, lang), *left_out(course, missing, lang)):
             click.echo(line, err=True)
     for text in limits:
         for line in finding.lines(finding.limit(course, text, ranges, by), lang):

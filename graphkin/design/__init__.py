@@ -11,12 +11,11 @@ from graphkin.design.guide import guide_bar
 from graphkin.design.model import Arc, Design, Family, Reason, Solution
 from graphkin.design.pairs import angle_pairs
 from graphkin.design.poses import coupler_positions, hinges
-from graphkin.design.proof import as_toml, linkage_of, mechanism_of, proof
+from graphkin.design.proof import linkage_of, proof
 from graphkin.design.rocker import rocker
 from graphkin.design.slider import slider
-from graphkin.design.telling import as_json, error, lines, said, sentences
 
 __all__ = [
-    "Arc", "Design", "Family", "Reason", "Solution", "angle_pairs", "as_json", "as_toml", "coupler_positions", "error",
-    "guide_bar", "hinges", "lines", "linkage_of", "mechanism_of", "proof", "rocker", "said", "sentences", "slider",
+    "Arc", "Design", "Family", "Reason", "Solution", "angle_pairs", "coupler_positions", "guide_bar", "hinges",
+    "linkage_of", "proof", "rocker", "slider",
 ]  # fmt: skip

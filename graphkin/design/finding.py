@@ -34,10 +34,9 @@ def circle_stages(side: float) -> tuple[Stage, ...]:
         Through("C1C2", "C1", "C2"), Reckon("rest", "complement", ("theta",)),
         Slanted("C1P", "C1", "C2", "rest", -side), Normal("C2P", "C2", "C1C2"), Meet("P", "C1P", "C2P"),
     )  # fmt: skip
-    beyond = "" if side > 0 else " beyond"
     return (
-        Stage("corner" + beyond, corner),
-        Stage("circle" + beyond, (CircleThrough("locus", ("C1", "C2", "P"), "O"),)),
+        Stage("corner" if side > 0 else "corner beyond", corner),
+        Stage("circle" if side > 0 else "circle beyond", (CircleThrough("locus", ("C1", "C2", "P"), "O"),)),
     )
 
 

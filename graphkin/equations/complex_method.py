@@ -28,13 +28,13 @@ def write_complex(model: Model, page: Page) -> None:
     for task in model.tasks:
         for polygon in task.polygons:
             number += 1
-            page.head("polygon", number=number, names=ring(model, polygon))
+            page.head("equations.polygon", number=number, names=ring(model, polygon))
             if len(task.polygons) == 1 and not task.rollings:
                 _solved(model, page, pretty, task, polygon, str(number) if polygons > 1 else "")
             else:
                 _closed(page, pretty, polygon)
         for rolling in task.rollings:
-            page.head("rolling", names=", ".join(model.bodies.called(w) for w in rolling.contact.wheels))
+            page.head("equations.rolling", names=", ".join(model.bodies.called(w) for w in rolling.contact.wheels))
             _rolled(page, pretty, rolling.moving, Letter(rolling.constant))
         if not task.polygons and len(task.unknowns) == 1:
             _one_rolled(page, pretty, task)
@@ -70,9 +70,9 @@ def complex_sides(pretty: Pretty, polygon: Polygon, of: Sum) -> tuple[Node, Node
 
 def _closed(page: Page, pretty: Pretty, polygon: Polygon) -> None:
     """The closure in complex form and in components, then its derivatives."""
-    page.say("closure")
+    page.say("equations.closure")
     page.show(complex_sides(pretty, polygon, polygon.sum))
-    page.say("parts")
+    page.say("equations.parts")
     page.show(*(complex_sides(pretty, polygon, part) for part in (polygon.sum.real, polygon.sum.imag)))
 
 
@@ -81,30 +81,30 @@ def _derived(page: Page, pretty: Pretty, polygon: Polygon, order: int) -> None:
     if not any(arrow.length.moves for arrow in polygon.arrows):
         derived = derived.over_i
     derived = derived if order == 1 else derived.rate
-    page.say("derived" if order == 1 else "derived again")
+    page.say("equations.derived" if order == 1 else "equations.derived again")
     page.show(complex_sides(pretty, polygon, derived))
 
 
 def _solved(model: Model, page: Page, pretty: Pretty, task: Task, polygon: Polygon, low: str) -> None:
     """A dyad: position, velocity, acceleration."""
     split = Split(polygon.sum, task.unknowns)
-    page.say("unknown", unknowns=listed(task.unknowns))
-    page.head("position", 3)
+    page.say("equations.unknown", unknowns=listed(task.unknowns))
+    page.head("equations.position", 3)
     _closed(page, pretty, polygon)
     Solver(page, pretty, model.ledger, model.values, low).write(split)
     for order, head in ((1, "velocity"), (2, "acceleration")):
-        page.head(head, 3)
+        page.head(f"equations.{head}", 3)
         _derived(page, pretty, polygon, order)
-        page.say("rates")
+        page.say("equations.rates")
         found = quotients(split, order)
         page.show(*((Letter(each.symbol), pretty.quotient(each.top, each.bottom)) for each in found))
 
 
 def _rolled(page: Page, pretty: Pretty, moving: Sum, constant: Node) -> None:
     """The angle relation and its derivatives."""
-    page.say("rolling relation")
+    page.say("equations.rolling relation")
     page.show((pretty.sum(moving), constant))
-    page.say("derived")
+    page.say("equations.derived")
     page.show(sides(pretty, moving.rate), sides(pretty, moving.rate.rate))
 
 
@@ -119,16 +119,16 @@ def _one_rolled(page: Page, pretty: Pretty, task: Task) -> None:
         rest = Sum(tuple(term for term in of.terms if not term.has(wanted)))
         rows.append((Letter(wanted), pretty.quotient(-rest, bottom)))
         wanted = wanted.rate if wanted.kind != "push" else None
-    page.say("hence")
+    page.say("equations.hence")
     page.show(*rows)
 
 
 def _together(model: Model, page: Page, pretty: Pretty, task: Task) -> None:
     """A group that no dyad leads through."""
     names = [model.bodies.called(body) for body in _group_bodies(model, task)]
-    page.head("group", names=", ".join(names))
-    page.say("unknown", unknowns=listed(task.unknowns))
-    page.say("newton", count=len(task.equations))
+    page.head("equations.group", names=", ".join(names))
+    page.say("equations.unknown", unknowns=listed(task.unknowns))
+    page.say("equations.newton", count=len(task.equations))
     matrices(model, page, pretty, task.equations, task.unknowns, numbers=False)
 
 
@@ -150,11 +150,11 @@ def _points(model: Model, page: Page, pretty: Pretty) -> None:
     points = asked_points(model)
     for number, point in enumerate(points, start=1):
         found = chain(model, point, "" if len(points) == 1 else str(number))
-        page.head("point", name=point)
-        page.say("point from", start=model.bodies.spot(found.start), name=point)
+        page.head("equations.point", name=point)
+        page.say("equations.point from", start=model.bodies.spot(found.start), name=point)
         place, velocity, acceleration = (Letter(symbol) for symbol in vectors(model, found))
         page.show((place, pretty.sum(found.sum)))
-        page.say("derived")
+        page.say("equations.derived")
         page.show((velocity, _whole(pretty, found.sum.rate)))
         page.show((acceleration, _whole(pretty, found.sum.rate.rate)))
 

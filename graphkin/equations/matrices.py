@@ -64,13 +64,13 @@ def matrices(
     system = System(tuple(equations), tuple(unknowns), known)
     writer = _Writer(model, page, pretty, system)
     if len(equations) > len(unknowns):
-        page.say("more rows")
-    page.head("velocity", 3)
+        page.say("equations.more rows")
+    page.head("equations.velocity", 3)
     writer.velocity()
-    page.head("acceleration", 3)
+    page.head("equations.acceleration", 3)
     writer.acceleration()
     if numbers:
-        page.say("numbers")
+        page.say("equations.numbers")
         writer.numbers()
 
 
@@ -110,18 +110,18 @@ class _Writer:
             right = Row((Letter(self.one), name[2]))
         else:
             right = Row((name[2], Letter(OMEGA_D, bold=True)))
-        page.say("as matrices")
+        page.say("equations.as matrices")
         page.show((Row((name[0], name[1])), right))
         self._joined(right)
-        page.say("matrix A")
+        page.say("equations.matrix A")
         page.show((name[0], self.grid(system.a)))
         if system.drivers:
-            page.say("matrix B" if self.one is not None else "matrix B many")
+            page.say("equations.matrix B" if self.one is not None else "equations.matrix B many")
             page.show((name[2], self.grid(system.b)))
-        page.say("columns")
+        page.say("equations.columns")
         page.show((name[1], self.column(system.unknowns, 1)), (Letter(ALPHA, True), self.column(system.unknowns, 2)))
         if len(system.drivers) > 1:
-            page.say("driver columns")
+            page.say("equations.driver columns")
             page.show((Letter(OMEGA_D, bold=True), self.column(system.drivers, 1)),
                       (Letter(ALPHA_D, bold=True), self.column(system.drivers, 2)))  # fmt: skip
 
@@ -137,7 +137,7 @@ class _Writer:
         """(3-24), with the driver's own acceleration where it has one."""
         page, system = self.page, self.system
         page.show((Row((Letter(A, True), Letter(ALPHA, True))), Row(tuple(self._right()))))
-        page.say("derivatives")
+        page.say("equations.derivatives")
         page.show((Letter(A_RATE, True), self.grid(system.rate(system.a))))
         if system.drivers:
             page.show((Letter(B_RATE, True), self.grid(system.rate(system.b))))
@@ -161,7 +161,7 @@ class _Writer:
         for symbol, entries in sums:
             if entries and entries[0]:
                 page.show((Letter(symbol, True), self._numbers(entries)))
-        page.say("solution")
+        page.say("equations.solution")
         rows = []
         for symbol, order in ((OMEGA, 1), (ALPHA, 2)):
             values = [0.0 if rate is None else float(self._values[rate]) for rate in _rates(system.unknowns, order)]

@@ -25,12 +25,12 @@ def write_matrix(model: Model, page: Page) -> None:
     if not model.unknowns:
         _points(model, page, pretty)
         return
-    page.head("position", 3)
-    page.say("unknown", unknowns=listed(model.unknowns))
+    page.head("equations.position", 3)
+    page.say("equations.unknown", unknowns=listed(model.unknowns))
     for number, polygon in enumerate((p for task in model.tasks for p in task.polygons), start=1):
-        page.head("polygon", 3, number=number, names=ring(model, polygon))
+        page.head("equations.polygon", 3, number=number, names=ring(model, polygon))
         page.show(complex_sides(pretty, polygon, polygon.sum))
-    page.say("all unknowns")
+    page.say("equations.all unknowns")
     equations = [each for task in model.tasks for each in task.equations]
     page.show(*(_unknown_left(pretty, each, model.unknowns) for each in equations))
     _differentiated(page, pretty, equations, model.unknowns)
@@ -46,7 +46,7 @@ def _unknown_left(pretty: Pretty, of: Sum, unknowns: tuple[Symbol, ...]) -> tupl
 def _differentiated(page: Page, pretty: Pretty, equations: list[Sum], unknowns: tuple[Symbol, ...]) -> None:
     """(3-22): unknown rates left."""
     rates = tuple(symbol.rate for symbol in unknowns if symbol.rate is not None)
-    page.say("derived")
+    page.say("equations.derived")
     page.show(*(_unknown_left(pretty, each.rate, rates) for each in equations))
 
 
@@ -54,8 +54,8 @@ def _points(model: Model, page: Page, pretty: Pretty) -> None:
     points = asked_points(model)
     for number, point in enumerate(points, start=1):
         found = chain(model, point, "" if len(points) == 1 else str(number))
-        page.head("point", name=point)
-        page.say("point from", start=model.bodies.spot(found.start), name=point)
+        page.head("equations.point", name=point)
+        page.say("equations.point from", start=model.bodies.spot(found.start), name=point)
         _point(model, page, pretty, found)
 
 

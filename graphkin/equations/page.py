@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 
 from graphkin.equations.document import Block, Display, Heading, Sentence, Table
 from graphkin.equations.layout import Node
-from graphkin.equations.phrases import phrase
 from graphkin.errors import Lang
+from graphkin.words.catalogue import phrase, say
 
 __all__ = ["Page"]
 
@@ -22,10 +22,10 @@ class Page:
     blocks: list[Block] = field(default_factory=list)
     shown: int = 0
 
-    def head(self, key: str, level: int = 2, **words: str | int) -> None:
-        self.blocks.append(Heading(phrase(key, self.lang).format(**words), level))
+    def head(self, key: str, level: int = 2, /, **words: str | int) -> None:
+        self.blocks.append(Heading(say(key, self.lang, **words), level))
 
-    def say(self, key: str, **given: str | int | Node) -> None:
+    def say(self, key: str, /, **given: str | int | Node) -> None:
         """A sentence; what is given is put in where the phrase names it."""
         parts: list[str | Node] = []
         for k, piece in enumerate(re.split(r"\{(\w+)\}", phrase(key, self.lang))):
@@ -42,8 +42,7 @@ class Page:
         return self.shown
 
     def table(self, heads: Iterable[str], rows: Iterable[Iterable[str | Node]]) -> None:
-        words = tuple(phrase(head, self.lang) for head in heads)
-        self.blocks.append(Table(words, tuple(tuple(row) for row in rows)))
+        self.blocks.append(Table(tuple(heads), tuple(tuple(row) for row in rows)))
 
     def add(self, block: Block) -> None:
         self.blocks.append(block)

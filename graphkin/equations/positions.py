@@ -57,7 +57,7 @@ class Solver:
         other, angle = split.angles
         lever, arm, known = split.lever(other), split.lever(angle), split.known
         turned = known.conjugate * arm
-        self.page.say("eliminate angle", other=Letter(other), angle=Letter(angle))
+        self.page.say("equations.eliminate angle", other=Letter(other), angle=Letter(angle))
         self._half_angle(
             angle, turned.imag.times(2.0), turned.real.times(-2.0), squared(lever) - squared(arm) - squared(known)
         )
@@ -67,13 +67,13 @@ class Solver:
         """RRP: across the guide the displacement vanishes."""
         angle, slide = split.angles[0], split.slides[0]
         line, lever, known = unit(split.slid(slide)), split.lever(angle), split.known
-        self.page.say("eliminate slide", other=Letter(slide))
+        self.page.say("equations.eliminate slide", other=Letter(slide))
         if single(lever) is not None:
             self._sine(line, lever * phasor(number(1.0), Angle.of(angle)), known)
         else:
             turned = line.conjugate * lever
             self._half_angle(angle, turned.real, turned.imag, cross(line, known))
-        self.page.say("along", slide=Letter(slide))
+        self.page.say("equations.along", slide=Letter(slide))
         self._projected(split, slide)
 
     def _turning_slide(self, split: Split) -> None:
@@ -83,7 +83,7 @@ class Solver:
         line = phasor(number(1.0), term.angle - Angle.of(angle))
         offset = dot(line, lever).times(-term.factor)
         under = squared(known) - cross(line, lever) * cross(line, lever)
-        self.page.say("square", angle=Letter(angle))
+        self.page.say("equations.square", angle=Letter(angle))
         root = Root(self.pretty.sum(under))
         if offset.terms or float(self.values[slide]) < 0:
             self.page.show((Letter(slide), Row((*_items(offset, self.pretty), Op("±"), root))))
@@ -94,7 +94,7 @@ class Solver:
 
     def _two_slides(self, split: Split) -> None:
         """Both directions are known: each displacement across the other's line."""
-        self.page.say("each across")
+        self.page.say("equations.each across")
         rows = []
         for slide, other in (split.slides, split.slides[::-1]):
             across, term = unit(split.slid(other)), split.slid(slide)
@@ -112,12 +112,12 @@ class Solver:
         whole = added([(False, Row((first, Call("sin", (theta,))))), (False, Row((second, Call("cos", (theta,))))),
                        (False, third)])  # fmt: skip
         self.page.show((whole, ZERO))
-        self.page.say("with")
+        self.page.say("equations.with")
         self.page.show(*((Letter(name), self.pretty.factored(of)) for name, of in zip(names, (a, b, c), strict=True)))
         root = Root(added([(False, Pow(first, 2)), (False, Pow(second, 2)), (True, Pow(third, 2))]))
         top = Row((first, Op("±"), root))
         half = Call("tan", (Row((theta, Op("/"), Num("2"))),))
-        self.page.say("solved")
+        self.page.say("equations.solved")
         self.page.show((half, Frac(top, Row((second, Op("−"), third)))))
         x = float(self.values[angle])
         rise = float(a.at(self.values)) * np.cos(x) - float(b.at(self.values)) * np.sin(x)
@@ -141,7 +141,7 @@ class Solver:
 
     def _direction(self, angle: Symbol, lever: Sum, rest: Sum) -> None:
         """lever · e^(iθ) = −rest: θ is the direction of −rest less that of the lever."""
-        self.page.say("direction of", angle=Letter(angle))
+        self.page.say("equations.direction of", angle=Letter(angle))
         term = single(lever)
         if term is None:
             if lever.terms and lever.terms[0].factor < 0:
@@ -157,7 +157,7 @@ class Solver:
         return Call("atan2", (self.pretty.sum(vector.imag), self.pretty.sum(vector.real)))
 
     def _sign(self, positive: bool) -> None:
-        self.page.say("sign", sign="+" if positive else "−")
+        self.page.say("equations.sign", sign="+" if positive else "−")
 
 
 def _items(of: Sum, pretty: Pretty) -> tuple[Node, ...]:

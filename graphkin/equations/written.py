@@ -13,13 +13,13 @@ from graphkin.equations.ledger import Entry
 from graphkin.equations.matrix_method import write_matrix
 from graphkin.equations.model import Model, model_of
 from graphkin.equations.page import Page
-from graphkin.equations.phrases import phrase
 from graphkin.equations.pretty import Pretty
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.planning import Method
 from graphkin.quantities import EDGE, Unit
+from graphkin.words.catalogue import say
 
 __all__ = ["document"]
 
@@ -35,16 +35,16 @@ def document(method: Method, by: By = "complex", lang: Lang = "en") -> Document:
 def written(model: Model, by: By, lang: Lang) -> Document:
     """The document, filling the model's legend."""
     page = Page(lang)
-    page.say("every vector", euler=_euler())
-    page.add(figure(model, phrase("figure", lang), lang))
+    page.say("equations.every vector", euler=_euler())
+    page.add(figure(model, say("equations.figure", lang), lang))
     _given(model, page)
     if not model.tasks:
-        page.say("no loop")
+        page.say("equations.no loop")
     (write_complex if by == "complex" else write_matrix)(model, page)
-    page.head("legend")
-    page.table(("symbol", "meaning", "value"), _legend(model, lang))
+    page.head("equations.legend")
+    page.table((say(f"equations.{head}", lang) for head in ("symbol", "meaning", "value")), _legend(model, lang))
     mechanism = model.method.mechanism
-    title = f"{mechanism.headline(lang)}{'：' if lang == 'zh' else ': '}{phrase(by, lang)}"
+    title = f"{mechanism.headline(lang)}{say('common.colon', lang)}{say(f'equations.method {by}', lang)}"
     return Document(title, tuple(page.blocks), by, lang, mechanism.name)
 
 
@@ -57,12 +57,12 @@ def _euler() -> Node:
 def _given(model: Model, page: Page) -> None:
     """The drivers, and the angles that follow others at once."""
     if model.drivers:
-        page.say("driver" if len(model.drivers) == 1 else "drivers", drivers=listed(model.drivers))
+        page.say("equations.driver" if len(model.drivers) == 1 else "equations.drivers", drivers=listed(model.drivers))
     if model.alias:
         pretty = Pretty({})
-        page.say("fixed angles")
+        page.say("equations.fixed angles")
         page.show(*((Letter(name), pretty.angle(angle)) for name, angle in model.alias.items()))
-        page.say("same rates")
+        page.say("equations.same rates")
         rates = [_rates(name, angle) for name, angle in model.alias.items()]
         page.show(*((Letter(name), pretty.sum(of)) for order in zip(*rates) for name, of in order))
 

@@ -12,7 +12,7 @@ from dataclasses import replace
 from graphkin import planning
 from graphkin.agreement import held
 from graphkin.construction import Plot
-from graphkin.design import Design, Solution, mechanism_of
+from graphkin.design import Design, Solution
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.sheet.alone import Alone, place_for
@@ -25,6 +25,7 @@ from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import LABEL
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.value import frozen
+from graphkin.words.design import error, mechanism_of
 
 __all__ = ["design_sheet", "design_step_sheets"]
 
@@ -53,8 +54,6 @@ def design_sheet(
     design: Design, *, solution: Solution | None = None, paper: str | None = None, lang: Lang = "en"
 ) -> Sheet:
     """Draw a design that has a solution: the best one, or the one given. Raises NoDesign, UnknownPaper."""
-    from graphkin.design import error
-
     chosen = solution or design.best
     if chosen is None:
         raise error(design) or AssertionError("a design without a best solution has none")

@@ -4,11 +4,9 @@ from graphkin.quantities import split
 from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.held import held
 from graphkin.sweeps.quantities import Series, asked
-from graphkin.sweeps.remarks import extremes, left_out, remarks
 from graphkin.sweeps.roads import Road
 from graphkin.sweeps.sweep import Sweep, at, parts, sweep, sweep_over
 
 __all__ = [
-    "Course", "Road", "Series", "Sweep", "asked", "at", "course", "extremes", "held", "left_out", "parts", "remarks",
-    "split", "sweep", "sweep_over",
+    "Course", "Road", "Series", "Sweep", "asked", "at", "course", "held", "parts", "split", "sweep", "sweep_over",
 ]  # fmt: skip

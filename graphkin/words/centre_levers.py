@@ -11,10 +11,10 @@ from graphkin.drafting import Reckon
 from graphkin.mechanism import FRAME
 from graphkin.value import frozen
 from graphkin.words import names
+from graphkin.words.catalogue import say
 from graphkin.words.centre_steps import CentreReader
 from graphkin.words.entries import Calculation, Entry, Sentence
 from graphkin.words.figures import degrees, number
-from graphkin.words.phrases import say
 
 __all__ = ["LeverReader"]
 
@@ -44,8 +44,8 @@ class LeverReader:
             return self.calculation(lever, found, name)
         if lever.stage.say == "together":
             words = {"first": self.reader.link(lever.base), "second": self.reader.link(lever.link)}
-            return Sentence(self.reader.say("together", name=self._shared(lever), **words))
-        return Sentence(self.reader.say("not told", name=self.rate(lever.link)))
+            return Sentence(self.reader.say("centres.together", name=self._shared(lever), **words))
+        return Sentence(self.reader.say("centres.not told", name=self.rate(lever.link)))
 
     def calculation(self, lever: Lever, found: Reckon, name: str = "") -> Calculation:
         value = float(self.levers.board.numbers[found.name])
@@ -108,27 +108,27 @@ class LeverReader:
     # --- notes ----------------------------------------------------------------------------------
 
     def sense(self, omega: float) -> str:
-        return say("ccw" if omega > 0 else "cw", self.reader.lang)
+        return say("common.ccw" if omega > 0 else "common.cw", self.reader.lang)
 
     def _shared(self, lever: Lever) -> str:
         return self.reader.centre(self.levers.found.name(lever.base, lever.link))
 
     def _note(self, lever: Lever, meant: Number) -> str:
         """The sense of a rotation, or the direction of a motion."""
-        levers, tell, link = self.levers, self.reader.say, lever.link
+        levers, say, link = self.levers, self.reader.say, lever.link
         match lever.stage.say:
             case "levered":
                 outside = levers.omega(lever.base) * levers.omega(link) > 0
                 ends = self._stretch(*(levers.found.name(FRAME, one) for one in (lever.base, link)))
-                key = "sense outside" if outside else "sense between"
-                return tell(key, sense=self.sense(levers.omega(link)), centre=self._shared(lever), ends=ends)
+                key = "centres.sense outside" if outside else "centres.sense between"
+                return say(key, sense=self.sense(levers.omega(link)), centre=self._shared(lever), ends=ends)
             case "alike":
-                return tell("sense alike", sense=self.sense(levers.omega(link)), centre=self._shared(lever))
+                return say("centres.sense alike", sense=self.sense(levers.omega(link)), centre=self._shared(lever))
             case "pushed":
-                return tell("along", angle=degrees(levers.way(link)))
+                return say("centres.along", angle=degrees(levers.way(link)))
             case "triangle":
-                between = "，" if self.reader.lang == "zh" else ", "
-                return tell("triangle") + between + tell("along", angle=degrees(levers.way(link)))
+                along = say("centres.along", angle=degrees(levers.way(link)))
+                return say("centres.triangle") + say("common.and") + along
             case "glides":
                 return ""
             case "point" | "pair":
@@ -140,5 +140,5 @@ class LeverReader:
         angle = degrees(self.levers.moved(meant, lever.link))
         if lever.stage.say == "point" and self.levers.turning[lever.link]:
             arm = self._stretch(self.levers.found.name(FRAME, lever.link), meant.of)
-            return self.reader.say("across", arm=arm, angle=angle)
-        return self.reader.say("at", angle=angle)
+            return self.reader.say("centres.across", arm=arm, angle=angle)
+        return self.reader.say("centres.at", angle=angle)

@@ -29,7 +29,7 @@ from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Cam, Pair, Slide
 from graphkin.value import frozen
 from graphkin.words import names
-from graphkin.words.centre_phrases import told
+from graphkin.words.catalogue import say
 from graphkin.words.entries import Entry, Heading, Sentence
 from graphkin.words.figures import number
 
@@ -51,8 +51,8 @@ class CentreReader:
     def mechanism(self) -> Mechanism:
         return self.found.method.mechanism
 
-    def say(self, key: str, **words: object) -> str:
-        return told(key, self.lang, **words)
+    def say(self, key: str, /, **words: object) -> str:
+        return say(key, self.lang, **words)
 
     def link(self, link: str) -> str:
         """What people call a link."""
@@ -76,32 +76,33 @@ class CentreReader:
 
     def place(self, centre: str) -> str:
         if self.is_far(centre):
-            return self.say("infinite", angle=self.angle(centre))
+            return self.say("centres.infinite", angle=self.angle(centre))
         at = complex(self.found.board.at(centre))
         x, y = (number(1000 * v, 1000 * self.noise) for v in (at.real, at.imag))
-        return self.say("mm", x=x, y=y)
+        return self.say("centres.mm", x=x, y=y)
 
     # --- sentences ------------------------------------------------------------------------------
 
     def entries(self) -> Iterator[Entry]:
         """How many there are, those by definition, then the others in the order in which they are found."""
         count, stages = len(self.mechanism.links), self.found.centring.stages
-        yield Heading(self.say("finding"))
-        yield Sentence(self.say("count", n=count, less=count - 1, count=len(self.found.pairs)))
+        yield Heading(self.say("centres.finding"))
+        yield Sentence(self.say("centres.count", n=count, less=count - 1, count=len(self.found.pairs)))
         others = [stage for stage in stages if stage.say in ("two lines", "velocities")]
         direct = [stage for stage in stages if stage not in others]
-        for head, group in (("definition", direct), ("kennedy", others)):
+        for head, group in ((self.say("centres.definition"), direct), (self.say("centres.kennedy"), others)):
             if group:
-                yield Sentence(self.say(head))
+                yield Sentence(head)
             yield from (Sentence("  " + self.sentence(stage)) for stage in group)
         for pair in self.found.centring.together:
-            yield Sentence("  " + self.say("together", name=self.centre(self.found.name(*pair)), **self._links(pair)))
+            name = self.centre(self.found.name(*pair))
+            yield Sentence("  " + self.say("centres.together", name=name, **self._links(pair)))
 
     def sentence(self, stage: Stage) -> str:
         """How one centre is found."""
         name = stage.last.name
         words = {"name": self.centre(name), "place": self.place(name), "angle": self.angle(name)}
-        return self.say(stage.say, **words, **self._made(stage))
+        return self.say(f"centres.found {stage.say}", **words, **self._made(stage))
 
     def _made(self, stage: Stage) -> dict[str, str]:
         """What its links, its point or its lines are called, by the step that makes a centre."""
@@ -130,39 +131,40 @@ class CentreReader:
         links, far = self._three(ends), [end for end in ends if self.is_far(end)]
         if not far:
             between = " " if any("," in end for end in ends) else ""
-            return self.say("join", line=between.join(self.centre(end) for end in ends), links=links)
+            return self.say("centres.join", line=between.join(self.centre(end) for end in ends), links=links)
         if len(far) == 2:
-            return self.say("at infinity", first=self.centre(ends[0]), second=self.centre(ends[1]), links=links)
+            first, second = (self.centre(end) for end in ends)
+            return self.say("centres.at infinity", first=first, second=second, links=links)
         near = next(end for end in ends if end not in far)
         by_definition = isinstance(self.found.centring.construction.made_by[far[0]], Far)
         words = {"near": self.centre(near), "far": self.centre(far[0]), "links": links}
-        return self.say("across guide" if by_definition else "parallel", angle=self.angle(far[0]), **words)
+        key = "centres.across guide" if by_definition else "centres.parallel"
+        return self.say(key, angle=self.angle(far[0]), **words)
 
     def _normal(self, step: Meet, normal: CommonNormal) -> str:
         pair = self.found.centring.links[step.name]
-        key = NORMALS[type(normal.pair)]
+        key = f"centres.{NORMALS[type(normal.pair)]}"
         return self.say(key, point=names.point(normal.line.through), **self._links(pair))
 
     def _three(self, ends: Iterable[str]) -> str:
         """The three links whose centres lie on a line: `1, 2, 3`."""
         both = {link for end in ends for link in self.found.centring.links[end]}
         order = {link: k for k, link in enumerate(dict.fromkeys(x for pair in self.found.pairs for x in pair))}
-        between = "、" if self.lang == "zh" else ", "
-        return between.join(self.link(link) for link in sorted(both, key=lambda link: order[link]))
+        return self.say("common.list").join(self.link(link) for link in sorted(both, key=lambda link: order[link]))
 
     def _met(self, stage: Stage) -> str:
         centre = stage.last.name
         if not self.is_far(centre):
-            return self.say("met", place=self.place(centre))
+            return self.say("centres.met", place=self.place(centre))
         joins = [line for line in stage.lines if line.name not in self.found.centring.normals]
         at_infinity = any(all(self.is_far(end) for end in drawn_through(line)) for line in joins)
-        key = "met infinity" if at_infinity else "met far"
+        key = "centres.met infinity" if at_infinity else "centres.met far"
         return self.say(key, name=self.centre(centre), angle=self.angle(centre))
 
     def _reason(self) -> str:
         """Why the lines do not suffice."""
         count = len(self.mechanism.drivers)
-        return self.say("several freedoms", count=count) if count > 1 else self.say("lines coincide")
+        return self.say("centres.several freedoms", count=count) if count > 1 else self.say("centres.lines coincide")
 
     # --- for those who use the centres ----------------------------------------------------------
 

@@ -11,11 +11,11 @@ from graphkin.mechanism import FRAME, Driver
 from graphkin.naming import Seen, common_link
 from graphkin.quantities import Moving, Quantity, Rotation, parts
 from graphkin.words import names
+from graphkin.words.catalogue import say
 from graphkin.words.centre_levers import LeverReader
 from graphkin.words.centre_steps import CentreReader
 from graphkin.words.entries import Calculation, Entry, Heading, Sentence
 from graphkin.words.figures import number
-from graphkin.words.phrases import say
 
 __all__ = ["uses"]
 
@@ -27,12 +27,12 @@ def uses(reader: CentreReader, scale: float) -> Iterator[Entry]:
 
     scale  of the drawing from which lengths are taken [m/mm]
     """
-    yield Heading(reader.say("using"))
+    yield Heading(reader.say("centres.using"))
     driver = next((driver for driver in reader.mechanism.drivers if driver.rate), None)
     if driver is None:
-        yield Sentence(reader.say("resting"))
+        yield Sentence(reader.say("centres.resting"))
         return
-    yield Sentence(reader.say("scale", scale=names.SCALE["position"], value=number(scale)))
+    yield Sentence(reader.say("centres.scale", scale=names.SCALE["position"], value=number(scale)))
     levers = LeverReader(reader, Levers(reader.found, scale))
     yield _given(levers, driver)
     yield from levers.entries(levers.levers.start(driver))
@@ -47,13 +47,13 @@ def _given(levers: LeverReader, driver: Driver) -> Entry:
         name, rate = names.of_slide("ṡ", driver.link), driver.rate
         if guide == FRAME:
             name, rate = f"v_{names.point(point)}", abs(rate)
-        return Sentence(levers.reader.say("given", what=f"{name} = {number(rate)} m/s"))
+        return Sentence(levers.reader.say("centres.given", what=f"{name} = {number(rate)} m/s"))
     if driver.from_link == FRAME:
         name = levers.rate(driver.link)
     else:
         name = names.relative("ω", called(driver.link), called(driver.from_link))
-    sense = say("note", lang, note=levers.sense(driver.rate))
-    return Sentence(levers.reader.say("given", what=f"{name} = {number(abs(driver.rate))} rad/s{sense}"))
+    sense = say("common.note", lang, note=levers.sense(driver.rate))
+    return Sentence(levers.reader.say("centres.given", what=f"{name} = {number(abs(driver.rate))} rad/s{sense}"))
 
 
 def _answers(levers: LeverReader, driver: Driver) -> Iterator[Entry]:
@@ -71,7 +71,7 @@ def _answers(levers: LeverReader, driver: Driver) -> Iterator[Entry]:
                 yield entry
     rates = [text for text, halves in wanted.items() if halves and halves[0].word in _RATES]
     if rates:
-        yield Sentence(reader.say("no accelerations", names=names.listed(rates, reader.lang)))
+        yield Sentence(reader.say("centres.no accelerations", names=names.listed(rates, reader.lang)))
 
 
 def _answer(levers: LeverReader, *wanted: Quantity) -> Iterator[Entry]:
@@ -83,7 +83,7 @@ def _answer(levers: LeverReader, *wanted: Quantity) -> Iterator[Entry]:
 
 
 def _missing(levers: LeverReader, name: str) -> Entry:
-    return Sentence(levers.reader.say("not told", name=name))
+    return Sentence(levers.reader.say("centres.not told", name=name))
 
 
 def _rotation(levers: LeverReader, link: str) -> Iterator[Entry]:
@@ -147,7 +147,7 @@ def _difference(levers: LeverReader, name: str, of: Seen, seen_from: Seen) -> It
     difference = velocities[0] - velocities[1]
     largest = hypot(*(abs(velocity) for velocity in velocities))
     difference = difference if abs(difference) > 1e-6 * largest else 0j
-    note = levers.reader.say("triangle")
+    note = levers.reader.say("centres.triangle")
     yield Calculation(name, (), "", printed(abs(difference)), "m/s", note if difference else "")
 
 
@@ -162,7 +162,7 @@ def _quotient(levers: LeverReader, top: Quantity, bottom: Quantity) -> Iterator[
     (one, first), (other, second) = values[0], values[1]
     figures = f"{number(abs(first))} / {number(abs(second))}"
     turning = top.word == "omega"
-    note = levers.reader.say("same" if first * second > 0 else "opposite") if turning and first else ""
+    note = levers.reader.say("centres.same" if first * second > 0 else "centres.opposite") if turning and first else ""
     yield Calculation(f"{one} / {other}", (), figures, printed(abs(first / second)), "", note)
 
 

@@ -66,7 +66,7 @@ def known_arrow(polygon: Polygon, step: LayOff) -> Iterator[Entry]:
     if isinstance(size, Normal) and not step.term.part:
         alpha, point = polygon.reading.rate("α", size.link), names.point(size.head)
         tail = names.point(size.tail)
-        yield Sentence(polygon.reading.say("only normal", alpha=alpha, of=point, seen_from=tail))
+        yield Sentence(polygon.reading.say("derivation.only normal", alpha=alpha, of=point, seen_from=tail))
     yield known_size(polygon, step.term, (step.term,))
     yield Sentence(_lay_off(polygon, step))
 
@@ -106,22 +106,22 @@ def _introduction(polygon: Polygon, part: Equation) -> str:
         return special
     found = dict.fromkeys(_relation(polygon, term) for term in part.left + part.right if term.seen_from)
     relations = [relation for relation in found if relation]
-    motion = say(f"motion {polygon.plane}")
     if relations:
-        first = say("between relations").join(relations[:-1])
-        joined = say("last relation").join([first, relations[-1]] if first else relations)
-        return say("from relations", relations=joined, motion=motion)
-    return say("plain equation", of=names.point(part.of), motion=motion)
+        first = say("derivation.between relations").join(relations[:-1])
+        joined = say("derivation.last relation").join([first, relations[-1]] if first else relations)
+        return say(f"derivation.from relations, {polygon.plane}", relations=joined)
+    motion = say(f"derivation.motion {polygon.plane}")
+    return say("derivation.plain equation", of=names.point(part.of), motion=motion)
 
 
 def _relation(polygon: Polygon, term: Term) -> str:
     of, seen_from = names.point(term.of), names.point(term.seen_from)
     if not term.part and isinstance(term.direction, Along | AcrossGuide):
-        return polygon.reading.say("contact points", of=of, seen_from=seen_from)
+        return polygon.reading.say("contacts.contact points", of=of, seen_from=seen_from)
     if _coincident(term):
-        return polygon.reading.say("coincident", of=of, seen_from=seen_from)
+        return polygon.reading.say("derivation.coincident", of=of, seen_from=seen_from)
     link = _link(polygon, term)
-    return polygon.reading.say("points of link", of=of, seen_from=seen_from, link=link) if link else ""
+    return polygon.reading.say("derivation.points of link", of=of, seen_from=seen_from, link=link) if link else ""
 
 
 def _coincident(term: Term) -> bool:
@@ -147,7 +147,7 @@ def _translation(polygon: Polygon, part: Equation) -> str:
     if not isinstance(part.right[0].size, Drawn) or not polygon.reading.translates(last.size.link):
         return ""
     return polygon.reading.say(
-        "translates",
+        "derivation.translates",
         link=polygon.reading.link(last.size.link),
         of=polygon.seen(part.of, ""),
         seen_from=names.vector(part.right[0].name(polygon.plane)),
@@ -173,7 +173,7 @@ def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...])
             case Ray():
                 pass  # told where it crosses another
             case Given(point):
-                yield Sentence(polygon.reading.say("from anywhere", point=names.point(point)))
+                yield Sentence(polygon.reading.say("derivation.from anywhere", point=names.point(point)))
             case Image() | Measure() | Arc() | Swing() | Roll() | Fit() | Touch() | Simultaneous():
                 raise AssertionError("an equation of a polygon is drawn with arrows and lines")
             case _:
@@ -185,29 +185,30 @@ def _lay_off(polygon: Polygon, step: LayOff, carried: bool = False, told: bool =
     start, tip = names.point(step.start), names.point(step.tip)
     name = names.vector(term.name(polygon.plane))
     if not polygon.size(term.tail, term.head):
-        return say("lay off nothing", name=name, tip=tip, start=start)
+        return say("derivation.lay off nothing", name=name, tip=tip, start=start)
     ends = (step.tip, step.start) if step.backwards else (step.start, step.tip)
     length = polygon.laid(name, term.tail, term.head, ends)
     if not polygon.construction.nodes[step.tip].of:
-        way = say("aside backward" if step.backwards else "aside forward", start=start)
+        way = say("derivation.aside backward" if step.backwards else "derivation.aside forward", start=start)
         return say(
-            "aside more" if told else "aside",
+            "derivation.aside more" if told else "derivation.aside",
             name=name,
             way=way,
             length=length,
             tip=tip,
         )
     if carried:
-        key = "carry back reversed" if step.backwards else "carry back"
+        key = "derivation.carry back reversed" if step.backwards else "derivation.carry back"
         return say(key, name=name, start=start, length=length, tip=tip)
-    return say("lay off backwards" if step.backwards else "lay off", name=name, start=start, length=length)
+    key = "derivation.lay off backwards" if step.backwards else "derivation.lay off"
+    return say(key, name=name, start=start, length=length)
 
 
 def _meet(polygon: Polygon, step: Meet, terms: tuple[Term, ...]) -> str:
     rays = [locus for locus in (step.first, step.second) if isinstance(locus, Ray)]
     directions = [polygon.line_direction(ray.direction, terms) for ray in rays]
     return polygon.reading.say(
-        "meet rays one point" if rays[0].through == rays[1].through else "meet rays",
+        "derivation.meet rays one point" if rays[0].through == rays[1].through else "derivation.meet rays",
         first=names.point(rays[0].through),
         second=names.point(rays[1].through),
         first_direction=directions[0],
@@ -227,7 +228,8 @@ def _measured(polygon: Polygon, part: Equation) -> Iterator[Entry]:
     sought = not any(_alone(part, side) for side in (part.left, part.right))
     lengths = dict.fromkeys([*ends, (pole, node)] if sought and node != pole else ends)
     listed = [f"{names.stretch(*pair)} = {_millimetres(polygon, pair)}" for pair in lengths]
-    yield Sentence(polygon.reading.say("measured", lengths=polygon.reading.say("and").join(listed)))
+    joined = polygon.reading.say("common.and").join(listed)
+    yield Sentence(polygon.reading.say("derivation.measured", lengths=joined))
     for term in unknown:
         yield _result(polygon, term)
     if sought and node != pole:

@@ -56,11 +56,11 @@ def _circles_touch(reading: Reading, cam: Cam, rod: Rod) -> str:
     link = names.point(rod_name(cam))
     if radius and more:
         length = _distance(rod.points, (radius, more), cam.internal)
-        return reading.say("circles touch", first=one, second=other, length=length, link=link)
+        return reading.say("contacts.circles touch", first=one, second=other, length=length, link=link)
     if not radius:
         one, other = other, one
     length = f"{names.pair(*rod.points)} = {number(1000 * rod.length)} mm"
-    return reading.say("edge on circle", first=one, second=other, length=length, link=link)
+    return reading.say("contacts.edge on circle", first=one, second=other, length=length, link=link)
 
 
 def _flat_touches(reading: Reading, slot: Slot) -> str:
@@ -70,8 +70,8 @@ def _flat_touches(reading: Reading, slot: Slot) -> str:
         "link": reading.link(slot.line.link),
     }
     if not slot.offset:
-        return reading.say("edge touches", **words)
-    return reading.say("flat touches", length=_radius(abs(slot.offset)), **words)
+        return reading.say("contacts.edge touches", **words)
+    return reading.say("contacts.flat touches", length=_radius(abs(slot.offset)), **words)
 
 
 def _rolling(reading: Reading, roll: RollingPair) -> Iterator[Entry]:
@@ -86,7 +86,7 @@ def _rolling(reading: Reading, roll: RollingPair) -> Iterator[Entry]:
 def _on_line(reading: Reading, roll: RollingPair, line: Line) -> str:
     held = roll.name not in reading.contact_slides  # by a sliding pair
     return reading.say(
-        "wheel held at line" if held else "wheel on line",
+        "contacts.wheel held at line" if held else "contacts.wheel on line",
         wheel=reading.link(roll.wheel),
         face=_face(reading, line),
         link=reading.link(line.link),
@@ -99,7 +99,7 @@ def _on_circle(reading: Reading, roll: RollingPair) -> str:
     assert roll.track_centre is not None
     centres = (roll.track_centre, roll.centre)
     return reading.say(
-        "wheel on circle",
+        "contacts.wheel on circle",
         wheel=reading.link(roll.wheel),
         first=names.point(roll.track_centre),
         second=names.point(roll.centre),
@@ -112,7 +112,7 @@ def _line_of_centres(reading: Reading, gear: Gear) -> Iterator[Entry]:
     if rod_name(gear) in reading.method.structure.bodies:
         words = {"wheels": reading.listed([reading.link(wheel) for wheel in gear.links]),
                  "length": _distance(gear.centres, gear.radii, gear.internal)}  # fmt: skip
-        yield Sentence(reading.say("line of centres", **words, link=names.point(rod_name(gear))))
+        yield Sentence(reading.say("contacts.line of centres", **words, link=names.point(rod_name(gear))))
 
 
 EQUIVALENTS: Mapping[type[Pair], Callable[[Reading, Any], Iterator[Entry]]] = {
@@ -149,13 +149,13 @@ def _path(reading: Reading, name: str) -> Iterator[Entry]:
         place = reading.plot.facts.shapes[FRAME][origin]
         x, y = (reading.on_paper(value) for value in (place.real, place.imag))
         start, angle = path[0].upper() + path[1:], degrees(slide.line.direction)
-        yield Sentence(reading.say("fixed path", path=start, place=f"({x}, {y})", angle=angle))
+        yield Sentence(reading.say("contacts.fixed path", path=start, place=f"({x}, {y})", angle=angle))
     elif any(_uses(step, origin) for step in reading.method.position.steps):
         (beside,), mark = reading.mechanism.pair(name).lines, names.point(origin)
         if beside.named:
-            yield Sentence(reading.say("abreast", path=path, mark=mark, origin=names.point(beside.origin)))
+            yield Sentence(reading.say("contacts.abreast", path=path, mark=mark, origin=names.point(beside.origin)))
         else:
-            yield Sentence(reading.say("marked start", path=path, mark=mark))
+            yield Sentence(reading.say("contacts.marked start", path=path, mark=mark))
 
 
 def _uses(step: Step, origin: str) -> bool:

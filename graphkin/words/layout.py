@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator
 from typing import assert_never
 
 from graphkin.errors import Lang
+from graphkin.words.catalogue import close, say
 from graphkin.words.entries import Arrow, Calculation, Entry, Heading, Sentence, VectorEquation
-from graphkin.words.phrases import say
 
 __all__ = ["lines", "width"]
 
@@ -28,8 +28,8 @@ def lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
             case Sentence(text):
                 yield f"  {text}"
             case Calculation():
-                note = say("note", lang, note=entry.note) if entry.note else ""
-                yield f"    {entry.text}{note}"
+                note = say("common.note", lang, note=entry.note) if entry.note else ""
+                yield f"    {entry.text}{close(note) if lang == 'zh' else note}"
             case VectorEquation():
                 yield from _equation(entry, lang)
             case _:
@@ -39,7 +39,7 @@ def lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
 def _equation(equation: VectorEquation, lang: Lang) -> Iterator[str]:
     columns = list(_columns(equation))
     rows = zip(*(_centred(column) for column in columns), strict=True)
-    labels = _padded(["", say("direction row", lang), say("size row", lang)])
+    labels = _padded(["", say("derivation.direction row", lang), say("derivation.size row", lang)])
     for label, row in zip(labels, rows, strict=True):
         yield f"    {label}  {' '.join(row)}".rstrip()
 

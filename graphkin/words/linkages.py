@@ -11,7 +11,10 @@ from graphkin.linkages import FAMILY, Found, Linkage, Report, filed, inverted, r
 from graphkin.linkages.equal import EVEN
 from graphkin.linkages.linkage import Position
 from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.words.linkage_phrases import BLOCKS, DRIVEN, FAMILIES, FIXED, HOW, KINDS, TEXT, TITLES, WHY
+from graphkin.words.catalogue import LANGUAGES, in_both, say
+
+HELD_BLOCKS = ("oscillating guide bar", "rotating guide bar", "slider-crank", "rocker-slider")
+"""Kinds that have a name of their own where the block is joined to the frame."""
 
 
 def degrees(angle: float, lang: Lang = "en") -> str:
@@ -27,36 +30,34 @@ def _mm(length: float) -> str:
 
 def kind_name(report: Report, lang: Lang) -> str:
     """`crank-rocker`, `offset slider-crank`, `change-point linkage: parallelogram`."""
-    kind = KINDS[report.kind][lang]
-    if report.linkage.block and report.kind in BLOCKS:
-        return BLOCKS[report.kind][lang]
-    if not report.family:
+    if report.linkage.block and report.kind in HELD_BLOCKS:
+        return say(f"linkages.block {report.kind}", lang)
+    kind = say(f"linkages.kind {report.kind}", lang)
+    if report.family in ("", "bar"):
         return kind
-    family = FAMILIES.get(report.family, KINDS.get(report.family, {"en": report.family, "zh": report.family}))[lang]
+    family = say(f"linkages.kind {report.family}", lang)
     if report.family in ("in-line", "offset"):
         return f"{family} {kind}" if lang == "en" else f"{family}{kind}"
-    if report.family == "bar":
-        return kind
-    return f"{kind}: {family}" if lang == "en" else f"{kind}：{family}"
+    return f"{kind}{say('common.colon', lang)}{family}"
 
 
 def found_lines(found: Found, report: Report, lang: Lang) -> Iterator[str]:
     """Lines of a linkage found in a mechanism: which links it is made of first."""
     links = ", ".join(found.links)
-    yield TEXT["links"][lang].format(links=links)
+    yield say("linkages.links", lang, links=links)
     yield from lines(report, lang)
     if found.driven != "driver":
         key = "behind" if found.before is not None else found.driven
-        yield TEXT[key][lang].format(driver=report.driver)
+        yield say(f"linkages.found {key}", lang, driver=report.driver)
 
 
 def lines(report: Report, lang: Lang) -> Iterator[str]:
     """What a linkage is and does, one sentence a line."""
     sizes = ", ".join(f"{name} = {_mm(value)}" for name, value in report.linkage.sizes.items())
-    yield f"{kind_name(report, lang)}: {sizes}" if lang == "en" else f"{kind_name(report, lang)}：{sizes}"
-    yield _say("drives", lang, driver=report.driver, output=report.output)
+    yield f"{kind_name(report, lang)}{say('common.colon', lang)}{sizes}"
+    yield say("linkages.drives", lang, driver=report.driver, output=report.output)
     yield _sums(report, lang)
-    yield WHY[report.kind][lang].format(**_parts(report))
+    yield say(f"linkages.why {report.kind}", lang, **_parts(report))
     yield from _equal(report, lang)
     yield from _turns(report, lang)
     yield from _limits(report, lang)
@@ -64,10 +65,6 @@ def lines(report: Report, lang: Lang) -> Iterator[str]:
     yield from _gamma(report, lang)
     yield from _dead(report, lang)
     yield from _advantage(report, lang)
-
-
-def _say(key: str, lang: Lang, **words: object) -> str:
-    return TEXT[key][lang].format(**words)
 
 
 def amount(report: Report, value: float, lang: Lang) -> str:
@@ -97,11 +94,9 @@ def _sums(report: Report, lang: Lang) -> str:
             return terms
         return terms + " = " + " + ".join(f"{abs(sizes[name]) * 1e3:.6g}" for name in shown)
 
-    key = "lengths" if report.slide else "grashof"
-    return _say(
-        key, lang, ends=added(report.ends), first=_mm(report.sum_ends), sign=sign, middle=added(report.middle),
-        second=_mm(report.sum_middle),
-    )  # fmt: skip
+    key = "linkages.lengths" if report.slide else "linkages.grashof"
+    first = {"ends": added(report.ends), "first": _mm(report.sum_ends)}
+    return say(key, lang, **first, sign=sign, middle=added(report.middle), second=_mm(report.sum_middle))
 
 
 def _equal(report: Report, lang: Lang) -> Iterator[str]:
@@ -112,83 +107,83 @@ def _equal(report: Report, lang: Lang) -> Iterator[str]:
         f"{one} = {other}" for k, (one, a) in enumerate(sizes) for other, b in sizes[:k] if abs(a - b) <= EVEN * total
     ]
     if pairs:
-        yield _say("equal", lang, pairs=", ".join(pairs))
+        yield say("linkages.equal", lang, pairs=", ".join(pairs))
 
 
 def _turns(report: Report, lang: Lang) -> Iterator[str]:
-    frame = {"en": "frame", "zh": "机架"}[lang]
-    for key, full in (("full", True), ("rocks", False)):
+    frame = say("linkages.frame", lang)
+    for full in (True, False):
         pairs = [
             f"{turn.first}–{frame if turn.second == FRAME else turn.second}"
             for turn in report.turns if turn.full == full
         ]  # fmt: skip
-        yield _say(key, lang, pairs=", ".join(pairs) or TEXT["nothing"][lang])
+        joined = ", ".join(pairs) or say("linkages.nothing", lang)
+        yield say("linkages.full" if full else "linkages.rocks", lang, pairs=joined)
 
 
 def _how(report: Report, end: Position, lang: Lang) -> str:
     """What is in line, or at right angles, in words."""
     called = report.linkage.called
     driver = called["crank"] if report.slide else report.driver
-    return HOW[end.how][lang].format(driver=driver, middle=called.get("coupler", ""))
+    return say(f"linkages.how {end.how}", lang, driver=driver, middle=called.get("coupler", ""))
 
 
 def _limits(report: Report, lang: Lang) -> Iterator[str]:
     span = report.driver_span
     if span.full:
-        yield _say("turns", lang, driver=report.driver)
+        yield say("linkages.turns", lang, driver=report.driver)
     else:
         low, high = (amount(report, value, lang) for value in (span.low, span.high))
-        yield _say("range", lang, driver=report.driver, low=low, high=high)
+        yield say("linkages.range", lang, driver=report.driver, low=low, high=high)
     if not report.limits:
-        yield _say("no limits", lang, output=report.output)
+        yield say("linkages.no limits", lang, output=report.output)
         return
     for number, end in enumerate(report.limits, start=1):
-        text = _say(
-            "limit", lang, number=number, how=_how(report, end, lang), driver=report.driver,
+        text = say(
+            "linkages.limit", lang, number=number, how=_how(report, end, lang), driver=report.driver,
             value=amount(report, end.driver, lang), output=report.output, place=_place(report, end.output, lang),
         )  # fmt: skip
-        yield text + ("" if end.gamma is None else _say("and gamma", lang, gamma=degrees(end.gamma, lang)))
+        yield text + ("" if end.gamma is None else say("linkages.and gamma", lang, gamma=degrees(end.gamma, lang)))
     if report.swing is not None:
-        yield _say("swing", lang, output=report.output, value=degrees(report.swing, lang))
+        yield say("linkages.swing", lang, output=report.output, value=degrees(report.swing, lang))
     elif report.stroke is not None:
-        yield _say("stroke", lang, output=report.output, value=_mm(report.stroke))
+        yield say("linkages.stroke", lang, output=report.output, value=_mm(report.stroke))
 
 
 def _ratio(report: Report, lang: Lang) -> Iterator[str]:
     if report.k is None or report.theta is None:
         if report.limits:
-            yield _say("undetermined" if report.kind == "change-point" else "no ratio", lang)
+            yield say("linkages.undetermined" if report.kind == "change-point" else "linkages.no ratio", lang)
     elif report.slow is None:
-        yield _say("no quick return", lang)
+        yield say("linkages.no quick return", lang)
     else:
-        yield _say("theta", lang, theta=degrees(report.theta, lang), k=f"{report.k:.5g}")
+        yield say("linkages.theta", lang, theta=degrees(report.theta, lang), k=f"{report.k:.5g}")
         one, other = (number + 1 for number in report.slow)
-        yield _say("slow", lang, one=one, other=other, driver=report.timed_by or report.driver)
+        yield say("linkages.slow", lang, one=one, other=other, driver=report.timed_by or report.driver)
 
 
 def _gamma(report: Report, lang: Lang) -> Iterator[str]:
     least, alpha = report.gamma_min, report.alpha_max
     if least is None or alpha is None:
-        yield _say("no gamma", lang)
+        yield say("linkages.no gamma", lang)
     elif report.level:
-        yield _say("level", lang)
+        yield say("linkages.level", lang)
     else:
         for end in report.critical:
-            value = amount(report, end.driver, lang)
-            gamma = degrees(end.gamma or 0.0, lang)
-            yield _say("gamma", lang, gamma=gamma, how=_how(report, end, lang), driver=report.driver, value=value)
+            words = {"gamma": degrees(end.gamma or 0.0, lang), "how": _how(report, end, lang)}
+            yield say("linkages.gamma", lang, **words, driver=report.driver, value=amount(report, end.driver, lang))
         values = ", ".join(amount(report, end.driver, lang) for end in report.least)
         words = {"gamma": degrees(least, lang), "alpha": degrees(alpha, lang)}
-        yield _say("least", lang, **words, driver=report.driver, values=values)
+        yield say("linkages.least", lang, **words, driver=report.driver, values=values)
 
 
 def _dead(report: Report, lang: Lang) -> Iterator[str]:
     for driver, values in report.dead.items():
         if values:
             said = ", ".join(_mm(value) if driver == report.slide else degrees(value, lang) for value in values)
-            yield _say("dead", lang, driver=driver, values=said)
+            yield say("linkages.dead", lang, driver=driver, values=said)
         else:
-            yield _say("no dead", lang, driver=driver)
+            yield say("linkages.no dead", lang, driver=driver)
 
 
 def _advantage(report: Report, lang: Lang) -> Iterator[str]:
@@ -196,9 +191,9 @@ def _advantage(report: Report, lang: Lang) -> Iterator[str]:
     if found is None:
         return
     unit = " N/(N m)" if report.output_slides else ""
-    endless = TEXT["endless"][lang] if found.endless else ""
-    at = amount(report, found.at, lang)
-    yield _say("advantage", lang, value=f"{found.least:.4g}{unit}", driver=report.driver, at=at, endless=endless)
+    endless = say("linkages.endless", lang) if found.endless else ""
+    value, at = f"{found.least:.4g}{unit}", amount(report, found.at, lang)
+    yield say("linkages.advantage", lang, value=value, driver=report.driver, at=at, endless=endless)
 
 
 # --- kinds and files -----------------------------------------------------------------------------
@@ -208,20 +203,17 @@ def family_lines(lang: Lang) -> Iterator[str]:
     """One line a kind: its name, and where the library has it."""
     for member in FAMILY:
         name = kind_name(report(member.linkage), lang)
-        gap = ": " if lang == "en" else "："
-        yield name + (gap + ", ".join(member.library) if member.library else "")
+        yield name + (say("common.colon", lang) + ", ".join(member.library) if member.library else "")
 
 
 def titled(linkage: Linkage) -> Mechanism:
     """The linkage as a mechanism with its title and its file."""
-    return filed(replace(linkage.mechanism(), title=TITLES[linkage.word]))
+    return filed(replace(linkage.mechanism(), title=in_both(f"linkages.title {linkage.word}")))
 
 
 def held(mechanism: Mechanism, link: str) -> Mechanism:
     """The mechanism with another link (as people call it) held fast, with its title and its file. Raises NoFixing."""
-    title: dict[Lang, str] = {
-        lang: text.format(title=mechanism.headline(lang), link=link) for lang, text in FIXED.items()
-    }
+    title = {lang: say("linkages.fixed", lang, title=mechanism.headline(lang), link=link) for lang in LANGUAGES}
     notes = [_note(mechanism, driver, link) for driver in mechanism.drivers]
     return filed(replace(inverted(mechanism, link), title=title), notes)
 
@@ -230,4 +222,4 @@ def _note(mechanism: Mechanism, driver: Driver, fixed: str) -> str:
     """What becomes of a driver, in both languages."""
     key = "slide" if driver.kind == "slide" else "frame" if fixed in (driver.link, driver.from_link) else "moving"
     one, two = mechanism.called(driver.link), mechanism.called(driver.from_link)
-    return " ".join(text.format(one=one, two=two) for text in DRIVEN[key].values())
+    return " ".join(in_both(f"linkages.driven {key}", one=one, two=two).values())

@@ -185,5 +185,5 @@ class Polygon:
     def measured_absolute(self, node: str) -> Calculation:
         """The motion of a point, with its direction to +x."""
         pole = self.construction.pole
-        note = self.reading.say("at direction", angle=self.angle(pole, node))
+        note = self.reading.say("derivation.at direction", angle=self.angle(pole, node))
         return self.measured(pole, node, self.seen(self.of(node), ""), note)

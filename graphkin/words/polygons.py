@@ -37,7 +37,7 @@ __all__ = ["polygon"]
 def polygon(reading: Reading, plane: Plane) -> Iterator[Entry]:
     """Pole, known motions, equations, and what is read off each, in the order of the construction."""
     drawn = Polygon(reading, plane)
-    yield Heading(reading.say(plane))
+    yield Heading(reading.say(f"derivation.plane {plane}"))
     for part in drawn.construction.parts:
         if isinstance(part, Equation):
             yield from equation(drawn, part)
@@ -74,10 +74,10 @@ def _pole(drawn: Polygon, step: Given) -> str:
     reading, pole = drawn.reading, names.point(step.point)
     first = next(iter(drawn.construction.equations), None)
     if first is not None and any(isinstance(other, Given) for other in first.steps):
-        return reading.say("pole last", pole=pole)
+        return reading.say("derivation.pole last", pole=pole)
     if not step.also:
-        return reading.say("pole", pole=pole)
+        return reading.say("derivation.pole", pole=pole)
     nodes = reading.listed([names.point(node) for node in step.also])
     points = reading.listed([names.point(drawn.of(node)) for node in step.also])
-    key = "pole fixed" if len(step.also) == 1 else "pole fixed, several"
+    key = "derivation.pole fixed" if len(step.also) == 1 else "derivation.pole fixed, several"
     return reading.say(key, pole=pole, points=points, nodes=nodes)

@@ -53,7 +53,7 @@ class PositionReader:
 
     def entries(self) -> Iterator[Entry]:
         construction = self.reading.method.position
-        yield Heading(self.reading.say("position"))
+        yield Heading(self.reading.say("derivation.plane position"))
         yield from self._fixed()
         yield from equivalents(self.reading)
         for part in construction.parts:
@@ -98,14 +98,14 @@ class PositionReader:
         shape = reading.plot.facts.shapes[FRAME]
         fixed = [f"{names.point(p)}{self._paper(shape[p])}" for p in shape if reading.named(p)]
         if fixed:
-            yield Sentence(reading.say("fixed points", points=reading.say("and").join(fixed)))
+            yield Sentence(reading.say("derivation.fixed points", points=reading.say("common.and").join(fixed)))
         for slide in reading.mechanism.slides:
             if slide.guide == FRAME:
                 origin = slide.line.origin
                 place = names.point(origin) if slide.line.named else self._paper(shape[origin])
                 guide = self.reading.path(slide.name)
                 angle = degrees(slide.line.direction)
-                yield Sentence(reading.say("fixed guide", guide=guide, place=place, angle=angle))
+                yield Sentence(reading.say("derivation.fixed guide", guide=guide, place=place, angle=angle))
 
     def _paper(self, place: complex) -> str:
         """Coordinates on paper, in mm."""
@@ -152,16 +152,16 @@ class PositionReader:
         angle = degrees(arrow)
         aside = "*" in step.start + step.tip
         length = self._reach(step.term.size, names.stretch(step.start, step.tip) if aside else "")
-        start, tip = reading.place(step.start), reading.place(step.tip)
+        words = {"start": reading.place(step.start), "tip": reading.place(step.tip), "length": length, "angle": angle}
         if isinstance(step.term.direction, AlongGuide):
             guide = self.reading.path(step.term.direction.slide)
-            return reading.say("lay off slide", start=start, length=length, guide=guide, angle=angle, tip=tip)
-        return reading.say("lay off link", start=start, length=length, angle=angle, tip=tip)
+            return reading.say("derivation.lay off slide", guide=guide, **words)
+        return reading.say("derivation.lay off link", **words)
 
     def _meet(self, step: Meet) -> str:
         circles = isinstance(step.first, Arc) or isinstance(step.second, Arc)
         return self.reading.say(
-            "meet circles" if circles else "meet lines",
+            "derivation.meet circles" if circles else "derivation.meet lines",
             first=_sentence_start(self._locus(step.first)),
             second=self._locus(step.second),
             point=names.point(step.point),
@@ -170,12 +170,12 @@ class PositionReader:
     def _locus(self, locus: Ray | Arc) -> str:
         reading = self.reading
         if isinstance(locus, Arc):
-            return reading.say("circle", about=reading.place(locus.about), length=self._reach(locus.reach))
+            return reading.say("derivation.circle", about=reading.place(locus.about), length=self._reach(locus.reach))
         match locus.direction:
             case AlongGuide(slide):
                 pair = reading.method.structure.slides[slide]
                 if pair.guide == FRAME and pair.line.origin == locus.through:
-                    return reading.say("take guide", guide=self.reading.path(slide))
+                    return reading.say("derivation.take guide", guide=self.reading.path(slide))
                 return self._parallel(locus.through, locus.direction)
             case Along() | Across() | AcrossGuide() | Quarter():
                 return self._parallel(locus.through, locus.direction)
@@ -184,8 +184,8 @@ class PositionReader:
 
     def _parallel(self, through: str, direction: Direction) -> str:
         angle = degrees(self.reading.plot.direction(direction))
-        at = self.reading.say("at direction", angle=angle)
-        return self.reading.say("line parallel", through=self.reading.place(through), direction=at)
+        at = self.reading.say("derivation.at direction", angle=angle)
+        return self.reading.say("derivation.line parallel", through=self.reading.place(through), direction=at)
 
     def _swing(self, step: Swing) -> str:
         reading = self.reading
@@ -194,9 +194,9 @@ class PositionReader:
         pivot, through = reading.place(step.pivot), reading.place(step.through)
         link = reading.link(step.link)
         if offset <= reading.noise:
-            return reading.say("swing join", link=link, pivot=pivot, through=through)
+            return reading.say("derivation.swing join", link=link, pivot=pivot, through=through)
         length = self._length("r", "h", offset)
-        return reading.say("swing tangent", link=link, pivot=pivot, through=through, length=length)
+        return reading.say("derivation.swing tangent", link=link, pivot=pivot, through=through, length=length)
 
     def _corner(self, link: str, corners: tuple[str, str, str]) -> str:
         """A third point of a link whose two points are drawn."""
@@ -207,12 +207,11 @@ class PositionReader:
         point, called = names.point(third), reading.link(link)
         if abs(cross(one, other)) <= reading.noise * abs(one):
             line = names.pair(first, second)
-            both = reading.say("and").join(lengths)
-            return reading.say("shape line", point=point, link=called, line=line, length=both)
+            both = reading.say("common.and").join(lengths)
+            return reading.say("derivation.shape line", point=point, link=called, line=line, length=both)
         triangle = "△" + "".join(names.point(p) for p in corners)
-        return reading.say(
-            "shape corner", point=point, link=called, first=lengths[0], second=lengths[1], triangle=triangle
-        )
+        words = {"first": lengths[0], "second": lengths[1], "triangle": triangle}
+        return reading.say("derivation.shape corner", point=point, link=called, **words)
 
     def _arm(self, tail: str, head: str) -> str:
         pair = names.pair(tail, head)
@@ -228,9 +227,10 @@ class PositionReader:
             if len(named) > 1:
                 angle = degrees(reading.plot.arm(named[0], named[1]))
                 name, arrow = reading.rate("θ", member), names.arrow(named[0], named[1])
-                found.append(reading.say("angle of", name=name, angle=angle, arrow=arrow))
+                found.append(reading.say("derivation.angle of", name=name, angle=angle, arrow=arrow))
         if found:
-            yield Sentence(reading.say("measured angles", angles=reading.say("and").join(found)))
+            angles = reading.say("common.and").join(found)
+            yield Sentence(reading.say("derivation.measured angles", angles=angles))
 
     def _slide(self, slide: str) -> Iterator[Entry]:
         """The displacement by its name, or as the distance of two points, or as where its point has come to lie."""
@@ -246,14 +246,14 @@ class PositionReader:
             text = f"l_{names.pair(origin, point)} = {number(reading.distance(origin, point) * 1000)} mm"
         else:
             text = self._coordinates(point)
-        yield Sentence(reading.say("measured slide", length=text))
+        yield Sentence(reading.say("derivation.measured slide", length=text))
 
     def _coordinates(self, point: str) -> str:
         """`x_C = 103.6 mm, y_C = −20 mm`."""
         reading, name = self.reading, names.point(point)
         place, noise = complex(reading.plot.position[point]), reading.noise * 1000
         x, y = (number(value * 1000, noise) for value in (place.real, place.imag))
-        return reading.say("and").join([f"x_{name} = {x} mm", f"y_{name} = {y} mm"])
+        return reading.say("common.and").join([f"x_{name} = {x} mm", f"y_{name} = {y} mm"])
 
 
 def _sentence_start(text: str) -> str:

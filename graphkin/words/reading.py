@@ -14,8 +14,8 @@ from graphkin.planning import Method
 from graphkin.planning.motion import Labels
 from graphkin.value import frozen
 from graphkin.words import names
+from graphkin.words.catalogue import close, say
 from graphkin.words.figures import number
-from graphkin.words.phrases import say
 
 __all__ = ["Reading"]
 
@@ -35,8 +35,9 @@ class Reading:
     scales: Mapping[str, float]
     lang: Lang
 
-    def say(self, key: str, **words: object) -> str:
-        return say(key, self.lang, **words)
+    def say(self, key: str, /, **words: object) -> str:
+        text = say(key, self.lang, **words)
+        return close(text) if self.lang == "zh" else text
 
     def listed(self, parts: list[str]) -> str:
         return names.listed(parts, self.lang)
@@ -107,14 +108,16 @@ class Reading:
         """The line of a slide: two points on it (`BC`), or `guide ram`."""
         pair = self.method.structure.slides[slide]
         if pair.named and pair.guide == FRAME and slide not in self.contact_slides:
-            return self.say("guide of", name=slide)
+            return self.say("derivation.guide of", name=slide)
         on_it = self._points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
         if on_it is None and slide in self.contact_slides:
             rolling = pair.stands_for.rolling if pair.stands_for is not None else None
             kind, link = ("track", rolling.wheels[1]) if rolling else ("face", pair.guide)
             alone = len(self.contact_slides) == 1
-            return self.say(kind) if alone else self.say(f"{kind} of", link=self.link(link))
-        return names.pair(*on_it) if on_it else self.say("guide of", name=slide if pair.named else pair.point)
+            return self.say(f"contacts.{kind}") if alone else self.say(f"contacts.{kind} of", link=self.link(link))
+        if on_it:
+            return names.pair(*on_it)
+        return self.say("derivation.guide of", name=slide if pair.named else pair.point)
 
     @cached_property
     def contact_slides(self) -> frozenset[str]:
@@ -126,8 +129,8 @@ class Reading:
         """What the line of a slide is called in the drawing."""
         pair = self.method.structure.slides[slide]
         if slide in self.contact_slides:
-            return self.say("path of", name=names.point(pair.point))
-        return self.say("guide of", name=slide if pair.named else names.point(pair.point))
+            return self.say("contacts.path of", name=names.point(pair.point))
+        return self.say("derivation.guide of", name=slide if pair.named else names.point(pair.point))
 
     def points_along(self, slide: str) -> tuple[str, str] | None:
         """Two points of the guide whose line is parallel to the slide's."""
@@ -164,8 +167,10 @@ class Reading:
         slides = self.method.structure.slides
         slide = next(s for s in slides.values() if s.line.origin == point)
         if slide.name in self.contact_slides:
-            return names.point(point) if slide.guide != FRAME else self.say("path start", path=self.path(slide.name))
-        return self.say("origin of", name=slide.name if slide.named else slide.point)
+            if slide.guide != FRAME:
+                return names.point(point)
+            return self.say("contacts.path start", path=self.path(slide.name))
+        return self.say("derivation.origin of", name=slide.name if slide.named else slide.point)
 
     def named(self, point: str) -> bool:
         """Whether a point has a letter: it is not merely where a line begins."""

@@ -203,19 +203,19 @@ def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:
     contact, moved = relation.contact, relation.slid_value
     wheels = reading.listed([reading.link(link) for link in contact.wheels])
     if max(abs(relation.value(link)) for link, _ in contact.angles) < 1e-6 and abs(moved) <= reading.noise:
-        yield Sentence(reading.say("rolled nothing", wheels=wheels))
+        yield Sentence(reading.say("contacts.rolled nothing", wheels=wheels))
         return
-    yield Sentence(reading.say("rolled", wheels=wheels, relation=relation.text))
+    yield Sentence(reading.say("contacts.rolled", wheels=wheels, relation=relation.text))
     link = _unknown(reading, step)
     if not link:
         way = float(reading.plot.s[step.slide]) - reading.plot.facts.drawn[slide_key(step.slide)]
         yield Calculation(_moved(reading, "Δs", step.slide), (), "", way * 1000, "mm")
         return
     name, value = reading.rate("Δθ", link), relation.value(link)
-    yield Sentence(reading.say("turned by", link=reading.link(link), name=name))
+    yield Sentence(reading.say("contacts.turned by", link=reading.link(link), name=name))
     if contact.slide:
         yield Calculation(relation.slid, (), "", moved * 1000, "mm")
-    yield relation.solved(link, value, "°", reading.say("tied"))
+    yield relation.solved(link, value, "°", reading.say("derivation.tied"))
 
 
 def _unknown(reading: Reading, step: Roll) -> str:
@@ -233,9 +233,9 @@ def touched(reading: Reading, step: Touch) -> str:
     length = f"{names.pair(step.centre, step.point)} = {reading.on_paper(reach)} mm"
     words = {"point": step.point, "centre": names.point(step.centre), "length": length}
     if contact.slide:
-        return reading.say("touch line", first=second, second=first, **words)
+        return reading.say("contacts.touch line", first=second, second=first, **words)
     line = names.pair(*contact.centres)
-    return reading.say("touch wheels", first=first, second=second, line=line, **words)
+    return reading.say("contacts.touch wheels", first=first, second=second, line=line, **words)
 
 
 # --- polygons -----------------------------------------------------------------------------------
@@ -246,10 +246,10 @@ def rolling(polygon: Polygon, step: Roll) -> Iterator[Entry]:
     reading = polygon.reading
     relation = relation_of(polygon, step.contact)
     wheels = reading.listed([reading.link(link) for link in relation.contact.wheels])
-    yield Sentence(reading.say("rolling relation", wheels=wheels, relation=relation.text))
+    yield Sentence(reading.say("contacts.rolling relation", wheels=wheels, relation=relation.text))
     link = _unknown(reading, step)
     if link:
-        yield relation.solved(link, relation.value(link), polygon.rate_unit, reading.say("tied"))
+        yield relation.solved(link, relation.value(link), polygon.rate_unit, reading.say("derivation.tied"))
     else:
         slide, table = names.SLIDING[polygon.plane], polygon.reading.plot
         value = float((table.s_rate if polygon.plane == "velocity" else table.s_acceleration)[step.slide])
@@ -261,7 +261,7 @@ def checked(polygon: Polygon, contact: Contact) -> str:
     if contact.slide:
         return ""
     relation = relation_of(polygon, InStep(contact.name, contact.angles))
-    return polygon.reading.say("check relation", relation=relation.text, figures=relation.figures)
+    return polygon.reading.say("contacts.check relation", relation=relation.text, figures=relation.figures)
 
 
 @dataclass(frozen=True)
@@ -300,6 +300,6 @@ def same_velocity(polygon: Polygon, wheel: str, letter: str, contact: Contact, n
     reading = polygon.reading
     other = next(link for link in contact.wheels if link != wheel)
     of, same = (polygon.seen(reading.numbered(letter, link), "") for link in (wheel, other))
-    key = "no velocity" if other == FRAME else "same velocity"
+    key = "contacts.no velocity" if other == FRAME else "contacts.same velocity"
     words = {"first": reading.link(wheel), "second": reading.link(other), "point": letter}
     return reading.say(key, of=of, other=same, node=names.point(node), **words)

@@ -41,7 +41,7 @@ def rotation(polygon: Polygon, step: Measure) -> Iterator[Entry]:
             yield Sentence(check)
         if polygon.plane == "velocity" and not polygon.arrow(step.tail, step.head):
             resting = step.tail == polygon.construction.pole
-            key = "rest now" if resting else "translation now"
+            key = "derivation.rest now" if resting else "derivation.translation now"
             link = polygon.reading.link(step.of)
             yield Sentence(polygon.reading.say(key, name=name, link=link))
     yield from _group(polygon, step.of)
@@ -53,7 +53,7 @@ def _group(polygon: Polygon, link: str) -> Iterator[Entry]:
     held = [other for other in others if not _driven_between(polygon, other, link)]
     if held and polygon.plane == "velocity":
         links = reading.listed([reading.link(member) for member in (*held, link)])
-        yield Sentence(reading.say("held", links=links))
+        yield Sentence(reading.say("derivation.held", links=links))
     for other in others:
         yield _tie(polygon, other, link)
 
@@ -82,7 +82,7 @@ def _sense_note(polygon: Polygon, step: Measure) -> str:
         return sense
     tail, head = (names.point(p) for p in step.lever)
     ends, link = names.arrow(step.tail, step.head), reading.link(step.of)
-    return reading.say("sense rule", sense=sense, ends=ends, head=head, link=link, tail=tail)
+    return reading.say("derivation.sense rule", sense=sense, ends=ends, head=head, link=link, tail=tail)
 
 
 def _turning(polygon: Polygon, step: Measure) -> float:
@@ -102,7 +102,7 @@ def _resolved(polygon: Polygon, step: Measure) -> Iterator[Entry]:
     numbers = f"{number(polygon.scale)} × {number(length_mm)}"
     tangential = Calculation(name, (), numbers, across, names.UNIT[polygon.plane]).text
     ends, line = names.stretch(step.tail, step.head), names.pair(*step.lever)
-    yield Sentence(reading.say("tangential part", ends=ends, line=line, tangential=tangential))
+    yield Sentence(reading.say("derivation.tangential part", ends=ends, line=line, tangential=tangential))
     yield _rate(polygon, step, name, length_mm)
 
 
@@ -116,8 +116,8 @@ def ties(polygon: Polygon) -> Iterator[Entry]:
     if still and polygon.plane == "velocity":
         zero = [" = ".join([*(reading.rate(symbol, link) for link in still), "0"]) for symbol in ("ω", "α")]
         links = reading.listed([reading.link(link) for link in still])
-        key = "never turn" if len(still) == 1 else "never turn, several"
-        yield Sentence(reading.say(key, links=links, rates=reading.say("and").join(zero)))
+        key = "derivation.never turn" if len(still) == 1 else "derivation.never turn, several"
+        yield Sentence(reading.say(key, links=links, rates=reading.say("common.and").join(zero)))
     driven = {driver.link for driver in reading.mechanism.drivers if driver.from_link == FRAME}
     turns = reading.plot.facts.turns
     for link in reading.mechanism.moving:
@@ -141,11 +141,12 @@ def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
         return Calculation(polygon.rate(link), (formula,), "", abs(value), polygon.rate_unit, note)
     figures = [(sign, number(rate, noise)) for sign, _, rate in parts]
     numbers = _signed(figures) if len(figures) > 1 else ""
-    return Calculation(polygon.rate(link), (formula,), numbers, value, polygon.rate_unit, reading.say("tied"))
+    note = reading.say("derivation.tied")
+    return Calculation(polygon.rate(link), (formula,), numbers, value, polygon.rate_unit, note)
 
 
 def _sense(polygon: Polygon, value: float) -> str:
-    return polygon.reading.say("ccw" if value > 0 else "cw")
+    return polygon.reading.say("common.ccw" if value > 0 else "common.cw")
 
 
 def _driven_between(polygon: Polygon, link: str, other: str) -> list[tuple[int, int, float]]:
@@ -185,7 +186,7 @@ def sliding(polygon: Polygon, step: Measure) -> Iterator[Entry]:
         yield Calculation(symbol, (formula if size else name,), "", value if size else 0.0, unit)
     elif polygon.plane == "velocity" and size and pair.guide != FRAME and pair.line.named:
         stretch = names.pair(pair.line.origin, pair.point)
-        key = "grows" if value * float(reading.plot.s[step.of]) > 0 else "shrinks"
+        key = "derivation.grows" if value * float(reading.plot.s[step.of]) > 0 else "derivation.shrinks"
         yield Sentence(reading.say(key, stretch=stretch, size=number(size)))
 
 
@@ -198,7 +199,7 @@ def image(polygon: Polygon, step: Image) -> Iterator[Entry]:
     first, second, third = step.corners
     corners = [_corner(polygon, node, corner) for node, corner in zip(step.base, step.corners, strict=False)]
     words = {
-        "image": reading.say(f"image {polygon.plane}"),
+        "image": reading.say(f"derivation.image {polygon.plane}"),
         "link": reading.link(step.link),
         "point": names.point(step.point),
         "small": names.stretch(*corners),
@@ -207,13 +208,13 @@ def image(polygon: Polygon, step: Image) -> Iterator[Entry]:
     }
     one, other = (reading.plot.arm(p, third) for p in (first, second))
     if not polygon.arrow(*step.base):
-        yield Sentence(reading.say("image point", **words))
+        yield Sentence(reading.say("derivation.image point", **words))
     elif abs(cross(one, other)) <= reading.noise * max(abs(one), abs(other)):
-        yield Sentence(reading.say("image line", ratio=_ratio(polygon, step, corners), **words))
+        yield Sentence(reading.say("derivation.image line", ratio=_ratio(polygon, step, corners), **words))
     else:
         small = "△" + "".join(names.point(p) for p in (*corners, step.point))
         large = "△" + "".join(names.point(p) for p in step.corners)
-        yield Sentence(reading.say("image triangle", **{**words, "small": small, "large": large}))
+        yield Sentence(reading.say("derivation.image triangle", **{**words, "small": small, "large": large}))
     yield polygon.measured_absolute(step.point)
 
 

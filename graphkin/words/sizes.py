@@ -38,7 +38,7 @@ def known_size(polygon: Polygon, term: Term, equation: tuple[Term, ...]) -> Calc
     sized = _sized(polygon, term, term.size, polygon.direction_row(term, equation))
     value = polygon.size(term.tail, term.head)
     angle = polygon.angle(term.tail, term.head)
-    note = polygon.reading.say("at angle", direction=sized.way, angle=angle) if value else ""
+    note = polygon.reading.say("derivation.at angle", direction=sized.way, angle=angle) if value else ""
     formulas = (*_other_names(polygon, term), sized.formula)
     name = names.vector(term.name(polygon.plane))
     return Calculation(name, formulas, sized.numbers, value, names.UNIT[polygon.plane], note)
@@ -85,7 +85,7 @@ def _sized(polygon: Polygon, term: Term, size: Size, direction: str) -> Sized:
 
 def _times(polygon: Polygon, rate: str, value: float, ends: tuple[str, str], direction: str) -> Sized:
     length = number(polygon.reading.distance(*ends))
-    way = polygon.reading.say("sense of", direction=direction, rate=rate)
+    way = polygon.reading.say("derivation.sense of", direction=direction, rate=rate)
     return Sized(f"{rate} l_{names.pair(*ends)}", f"{number(abs(value))} × {length}", way)
 
 
@@ -100,7 +100,7 @@ def _coriolis(polygon: Polygon, term: Term, size: Coriolis, direction: str) -> S
     relative = velocity.seen(term.of, term.seen_from)
     omega = number(abs(reading.plot.omega[size.link]))
     numbers = f"2 × {omega} × {number(velocity.size(size.tail, size.head))}"
-    way = reading.say("quarter turned", relative=relative, rate=rate, direction=direction)
+    way = reading.say("derivation.quarter turned", relative=relative, rate=rate, direction=direction)
     return Sized(f"2 {rate} {relative}", numbers, way)
 
 
@@ -111,7 +111,7 @@ def _driven(polygon: Polygon, term: Term, size: Driven, direction: str) -> Sized
     along = complex(reading.plot.guide_direction(size.slide))
     grows = (arrow * along.conjugate()).real > 0
     s = names.of_slide("s", size.slide)
-    way = reading.say("slide grows" if grows else "slide shrinks", direction=direction, s=s)
+    way = reading.say("derivation.slide grows" if grows else "derivation.slide shrinks", direction=direction, s=s)
     return Sized(f"|{names.of_slide(names.SLIDING[polygon.plane], size.slide)}|", "", way)
 
 

@@ -44,16 +44,14 @@ def fitted(reading: Reading, step: Fit) -> Iterator[Entry]:
     if step.closures:
         lengths = reading.listed(_arms(reading, step))
         words = {"links": links, "template": reading.link(_template(reading, step)), "lengths": lengths}
-        geared = bool(step.contacts)
-        yield Sentence(
-            reading.say("fit geared", relations=relations, **words) if geared else reading.say("fit", **words)
-        )
+        key = "contacts.fit geared" if step.contacts else "contacts.fit"
+        yield Sentence(reading.say(key, relations=relations, **words))
     else:
-        yield Sentence(reading.say("fit train", links=links, relations=relations))
+        yield Sentence(reading.say("contacts.fit train", links=links, relations=relations))
     found = [_angle(reading, link) for link in members]
     found += [_slide(reading, slide) for slide in step.slides]
-    values = reading.say("and").join(value for value in found if value)
-    yield Sentence(reading.say("fitted", values=values))
+    values = reading.say("common.and").join(value for value in found if value)
+    yield Sentence(reading.say("contacts.fitted", values=values))
 
 
 def _members(reading: Reading, base: str) -> list[str]:
@@ -94,7 +92,7 @@ def _arms(reading: Reading, step: Fit) -> list[str]:
                 else:
                     along = reading.points_along(part.slide) if slide.guide != FRAME else None
                     guide = names.pair(*along) if along else reading.path(part.slide)
-                    found[reading.say("lies on", point=names.point(slide.point), guide=guide)] = None
+                    found[reading.say("contacts.lies on", point=names.point(slide.point), guide=guide)] = None
     return list(found)
 
 
@@ -104,7 +102,7 @@ def _angle(reading: Reading, link: str) -> str:
         return ""
     angle = degrees(reading.plot.arm(points[0], points[1]))
     arrow = names.arrow(points[0], points[1])
-    return reading.say("angle of", name=reading.rate("θ", link), angle=angle, arrow=arrow)
+    return reading.say("derivation.angle of", name=reading.rate("θ", link), angle=angle, arrow=arrow)
 
 
 def _slide(reading: Reading, slide: str) -> str:
@@ -123,15 +121,16 @@ def special_point(reading: Reading, step: Meet) -> str:
     site = reading.method.position.nodes[step.point].site
     assert site is not None
     lines = [_line(reading, locus) for locus in (step.first, step.second) if isinstance(locus, Ray)]
-    return reading.say("special point", first=lines[0], second=lines[1], point=step.point, link=reading.link(site.link))
+    words = {"first": lines[0], "second": lines[1], "point": step.point}
+    return reading.say("contacts.special point", link=reading.link(site.link), **words)
 
 
 def _line(reading: Reading, ray: Ray) -> str:
     match ray.direction:
         case Along(tail, head):
-            return reading.say("leg line", line=names.pair(tail, head))
+            return reading.say("contacts.leg line", line=names.pair(tail, head))
         case AcrossGuide(slide):
-            return reading.say("leg normal", through=names.point(ray.through), guide=reading.path(slide))
+            return reading.say("contacts.leg normal", through=names.point(ray.through), guide=reading.path(slide))
         case Across() | AlongGuide() | Quarter():
             raise AssertionError("a leg's line runs along a bar or across a guide")
         case _:
@@ -149,7 +148,7 @@ def special_introduction(polygon: Polygon, part: Equation) -> str:
         return ""
     first, second = (_leg(polygon, term) for term in legs)
     link = polygon.reading.link(node.site.link)
-    return polygon.reading.say("special", of=names.point(part.of), link=link, first=first, second=second)
+    return polygon.reading.say("contacts.special", of=names.point(part.of), link=link, first=first, second=second)
 
 
 def _leg(polygon: Polygon, term: Term) -> str:
@@ -175,7 +174,7 @@ def instant_centre(polygon: Polygon, part: Equation) -> str:
     if any(term.tail != pole for term in legs):
         return ""
     return polygon.reading.say(
-        "instant centre",
+        "contacts.instant centre",
         point=names.point(node.site.point),
         link=polygon.reading.link(node.site.link),
         name=polygon.seen(part.of, ""),
@@ -194,18 +193,18 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
     said = []
     if step.chains:
         loops = reading.listed([_loop(polygon, chain) for chain in step.chains])
-        said.append(reading.say("the loop" if len(step.chains) == 1 else "the loops", loops=loops))
+        said.append(reading.say("contacts.the loop" if len(step.chains) == 1 else "contacts.the loops", loops=loops))
     if step.contacts:
         relations = reading.listed([relation_of(polygon, contact).text for contact in step.contacts])
-        said.append(reading.say("the relations", relations=relations))
-    equations = reading.say("and both").join(said)
+        said.append(reading.say("contacts.the relations", relations=relations))
+    equations = reading.say("contacts.and both").join(said)
     equations = equations[0].upper() + equations[1:]
-    yield Sentence(reading.say("together", unknowns=unknowns, equations=equations))
+    yield Sentence(reading.say("contacts.together", unknowns=unknowns, equations=equations))
     table = plot.omega if polygon.plane == "velocity" else plot.alpha
     noise = 1e-9 * max(float(abs(rate)) for rate in table.values())
     for link in dict.fromkeys(members):
         value = float(table[link]) if abs(table[link]) > noise else 0.0
-        note = reading.say("ccw" if value > 0 else "cw") if value else ""
+        note = reading.say("common.ccw" if value > 0 else "common.cw") if value else ""
         yield Calculation(polygon.rate(link), (), "", abs(value), polygon.rate_unit, note)
     rates = plot.s_rate if polygon.plane == "velocity" else plot.s_acceleration
     for slide, symbol in zip(step.slides, slides, strict=True):

@@ -12,7 +12,7 @@ from graphkin.quantities import EDGE, IN_GRAVITY, driven
 from graphkin.running.path import Event
 from graphkin.sheet.lettering import link_label, number
 from graphkin.sweeps import Course
-from graphkin.sweeps.remarks import told
+from graphkin.words.sweeps import told
 
 __all__ = ["HEADINGS", "about_drivers", "across", "event_line", "event_mark", "figure_of", "place_of", "upright_label"]
 

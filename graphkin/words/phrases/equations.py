@@ -1,21 +1,11 @@
-"""What is said between the equations, in both languages."""
+"""Between the equations, and in their legend."""
 
-from __future__ import annotations
+from graphkin.words.catalogue import Phrases
 
-from graphkin.errors import Lang
-
-__all__ = ["phrase"]
-
-
-def phrase(key: str, lang: Lang) -> str:
-    return _PHRASES[key][0 if lang == "en" else 1]
-
-
-_PHRASES: dict[str, tuple[str, str]] = {
+PHRASES: Phrases = {
     # headings
-    "complex": ("Method of complex vectors", "复数矢量法"),
-    "matrix": ("Matrix method", "矩阵法"),
-    "polygons": ("Closed vector polygons", "封闭矢量多边形"),
+    "method complex": ("Method of complex vectors", "复数矢量法"),
+    "method matrix": ("Matrix method", "矩阵法"),
     "polygon": ("Vector polygon {number}: {names}", "矢量多边形 {number}：{names}"),
     "rolling": ("Rolling of {names}", "{names} 的滚动"),
     "group": ("Group of links {names}", "构件组 {names}"),
@@ -33,10 +23,8 @@ _PHRASES: dict[str, tuple[str, str]] = {
     "figure": ("The mechanism with its link vectors", "机构的杆矢量图"),
     # polygons
     "every vector": (
-        "Every link is a vector with a length l and a direction θ, counted counter-clockwise from the x axis; a "
-        "displacement s is the length of a vector that changes. i is the imaginary unit; {euler}.",
-        "将各构件表示为杆矢量，其长度为 l，方位角为 θ，由 x 轴起逆时针方向计量为正；滑块位移 s 为长度变化的矢量。"
-        "i 为虚数单位，{euler}。",
+        "Every link is a vector with a length l and a direction θ, counted counter-clockwise from the x axis; a displacement s is the length of a vector that changes. i is the imaginary unit; {euler}.",
+        "将各构件表示为杆矢量，其长度为 l，方位角为 θ，由 x 轴起逆时针方向计量为正；滑块位移 s 为长度变化的矢量。i 为虚数单位，{euler}。",
     ),
     "drivers": ("Given: the drivers {drivers}.", "已知：原动件的运动 {drivers}。"),
     "driver": ("Given: the driver {drivers}.", "已知：原动件的运动 {drivers}。"),
@@ -44,14 +32,8 @@ _PHRASES: dict[str, tuple[str, str]] = {
         "Every link follows from the drivers directly; there is no polygon to close.",
         "各构件的位置均可由原动件直接求得，无需封闭矢量多边形。",
     ),
-    "fixed angles": (
-        "Links that keep their angle to one another:",
-        "方位角关系固定的构件：",
-    ),
-    "same rates": (
-        "so they turn together:",
-        "故其角速度、角加速度分别相等：",
-    ),
+    "fixed angles": ("Links that keep their angle to one another:", "方位角关系固定的构件："),
+    "same rates": ("so they turn together:", "故其角速度、角加速度分别相等："),
     "unknown": ("Unknown: {unknowns}.", "未知量：{unknowns}。"),
     "closure": ("The vectors of the polygon close:", "封闭矢量方程写成复数矢量形式："),
     "parts": ("Real and imaginary parts, by Euler's formula:", "应用欧拉公式将实部和虚部分离，得"),
@@ -59,8 +41,7 @@ _PHRASES: dict[str, tuple[str, str]] = {
     "derived again": ("Derived by time once more:", "再对时间求导，可得"),
     # positions
     "eliminate angle": (
-        "To eliminate {other}, its vectors are left alone on one side, both sides are squared and added. This gives an "
-        "equation for {angle}:",
+        "To eliminate {other}, its vectors are left alone on one side, both sides are squared and added. This gives an equation for {angle}:",
         "将含 {other} 的项单独留在等式一端，两端平方后相加，消去 {other}，得关于 {angle} 的方程",
     ),
     "eliminate slide": (
@@ -78,17 +59,17 @@ _PHRASES: dict[str, tuple[str, str]] = {
         "于是 {angle} 为其余矢量之和的方位角（atan2(y, x) 为矢量 (x, y) 的方位角）：",
     ),
     "along": ("Projected along the direction of {slide}:", "向 {slide} 的方向投影，得"),
-    "square": ("The length of the side that changes, from squares of both sides:", "两端取模的平方，消去 {angle}，得"),
+    "square": (
+        "The length of the side that changes, from squares of both sides, which eliminates {angle}:",
+        "两端取模的平方，消去 {angle}，得",
+    ),
     "each across": (
         "Projected across each of the two guides, which eliminates the other displacement:",
         "分别向垂直于两导路的方向投影，可得",
     ),
     "newton": (
-        "These {count} equations hold {count} unknowns that no pair of them separates: there is no closed form "
-        "that ruler and compass could draw. They are solved by Newton's method from a nearby position; "
-        "velocities and accelerations follow from linear equations, below in matrices.",
-        "上列 {count} 个方程含 {count} 个未知量，不能逐对分离求解，无简单的封闭解，须用牛顿迭代法由邻近位置求出；"
-        "速度和加速度由线性方程组求得，以矩阵形式列于下。",
+        "These {count} equations hold {count} unknowns that no pair of them separates: there is no closed form that ruler and compass could draw. They are solved by Newton's method from a nearby position; velocities and accelerations follow from linear equations, below in matrices.",
+        "上列 {count} 个方程含 {count} 个未知量，不能逐对分离求解，无简单的封闭解，须用牛顿迭代法由邻近位置求出；速度和加速度由线性方程组求得，以矩阵形式列于下。",
     ),
     # rates
     "rates": (
@@ -101,10 +82,7 @@ _PHRASES: dict[str, tuple[str, str]] = {
     ),
     "hence": ("Hence", "故"),
     # points
-    "point from": (
-        "The vector from {start} to {name} runs over the links:",
-        "由 {start} 至 {name} 的位置矢量为",
-    ),
+    "point from": ("The vector from {start} to {name} runs over the links:", "由 {start} 至 {name} 的位置矢量为"),
     # matrix
     "all unknowns": (
         "All polygons together, terms with unknowns on the left:",
@@ -120,10 +98,7 @@ _PHRASES: dict[str, tuple[str, str]] = {
     "columns": ("The columns of the followers' velocities and accelerations:", "从动件的速度列阵与加速度列阵为"),
     "driver columns": ("The drivers' velocities and accelerations:", "原动件的速度列阵与加速度列阵为"),
     "derivatives": ("Their derivatives by time:", "对时间的导数为"),
-    "numbers": (
-        "With the values of the drawn position (m, rad, s):",
-        "代入给定位置的数值（单位 m、rad、s）：",
-    ),
+    "numbers": ("With the values of the drawn position (m, rad, s):", "代入给定位置的数值（单位 m、rad、s）："),
     "solution": ("Solved:", "解得"),
     "more rows": (
         "There are more rows than unknowns: some constraints repeat others, and hold all the same.",

@@ -1,0 +1,49 @@
+"""The catalogue: everything graphkin says but its errors, which bring their own words.
+
+A phrase is an English and a Chinese text with the same placeholders, in the file of its subject in `phrases`. It is
+asked for by that file and its key there, `say("sweeps.range", lang, driver=..)`; a file is imported when first needed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from functools import cache
+from importlib import import_module
+from typing import get_args
+
+from graphkin.errors import Lang
+
+Phrases = Mapping[str, tuple[str, str]]
+"""By key: English, Chinese."""
+
+LANGUAGES: tuple[Lang, ...] = get_args(Lang)
+_ROOM = re.compile("(?<=[\u4e00-\u9fff]) +(?=[\u4e00-\u9fff])")
+
+
+def phrase(name: str, lang: Lang) -> str:
+    """A phrase as it stands in the catalogue. name: `subject.key`."""
+    subject, _, key = name.partition(".")
+    en, zh = _phrases(subject)[key]
+    return zh if lang == "zh" else en
+
+
+def say(name: str, lang: Lang, /, **words: object) -> str:
+    """A phrase with these words put in."""
+    return phrase(name, lang).format(**words)
+
+
+def in_both(name: str, /, **words: object) -> dict[Lang, str]:
+    """The same in each language, for what bears its title in both."""
+    return {lang: say(name, lang, **words) for lang in LANGUAGES}
+
+
+def close(text: str) -> str:
+    """Chinese leaves no room between two Chinese words."""
+    return _ROOM.sub("", text)
+
+
+@cache
+def _phrases(subject: str) -> Phrases:
+    found: Phrases = import_module(f"{__package__}.phrases.{subject}").PHRASES
+    return found

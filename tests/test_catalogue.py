@@ -1,0 +1,150 @@
+"""The catalogue: both languages of a phrase say the same, what is asked for exists, and what exists is asked for."""
+
+from __future__ import annotations
+
+import ast
+import re
+import string
+from collections.abc import Iterator
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+
+import graphkin
+
+PACKAGE = Path(graphkin.__file__).parent
+SPEAKER = PACKAGE / "words"
+APART = {"reports.py", "summary.py"}
+"""Files that have words of their own as yet."""
+SPEAKING = {"say", "phrase", "in_both", "head"}
+"""Functions and methods whose first argument is the name of a phrase."""
+
+
+@cache
+def catalogue() -> dict[str, tuple[str, str]]:
+    files = [path.stem for path in (SPEAKER / "phrases").glob("*.py") if path.stem != "__init__"]
+    tables = {name: import_module(f"graphkin.{SPEAKER.name}.phrases.{name}").PHRASES for name in files}
+    return {f"{name}.{key}": texts for name, table in tables.items() for key, texts in table.items()}
+
+
+def placeholders(text: str) -> set[tuple[str, str | None]]:
+    """By name and format: a figure has as many digits in either language."""
+    return {(name, form) for _, name, form, _ in string.Formatter().parse(text) if name is not None}
+
+
+def test_both_languages_take_the_same_words():
+    unlike = [name for name, (en, zh) in catalogue().items() if placeholders(en) != placeholders(zh)]
+    assert not unlike
+
+
+# --- asked for ----------------------------------------------------------------------------------
+
+
+def readers() -> Iterator[Path]:
+    return (path for path in PACKAGE.rglob("*.py") if path.parent != SPEAKER / "phrases" and path.name not in APART)
+
+
+Function = ast.FunctionDef | ast.AsyncFunctionDef
+
+
+def asked(node: ast.expr, inside: ast.AST) -> Iterator[str]:
+    """The names that an argument may stand for, as patterns: a text, one of several, or a text with a word left open."""
+    match node:
+        case ast.Constant(str(text)):
+            yield re.escape(text)
+        case ast.IfExp():
+            yield from asked(node.body, inside)
+            yield from asked(node.orelse, inside)
+        case ast.JoinedStr(parts):
+            yield "".join(re.escape(part.value) if isinstance(part, ast.Constant) else "(.+)" for part in parts)
+        case ast.Tuple(parts) | ast.List(parts):
+            for part in parts:
+                yield from asked(part, inside)
+        case ast.Name(name):
+            for value in bound(name, inside):
+                yield from asked(value, inside)
+        case _:
+            yield ""
+
+
+def bound(name: str, inside: ast.AST) -> Iterator[ast.expr]:
+    """What a name of a function is set to, or runs over."""
+    for node in ast.walk(inside):
+        match node:
+            case ast.Assign(targets=[ast.Name(target)], value=value) if target == name:
+                yield value
+            case ast.comprehension(target=ast.Name(target), iter=run) | ast.For(target=ast.Name(target), iter=run) if target == name:
+                yield run
+
+
+def is_parameter(node: ast.expr, inside: ast.AST) -> bool:
+    """Whether a speaking function hands on what it is asked itself."""
+    return (
+        isinstance(inside, Function) and inside.name in SPEAKING
+        and isinstance(node, ast.Name) and node.id in {a.arg for a in inside.args.args}
+    )  # fmt: skip
+
+
+@cache
+def patterns() -> dict[str, str]:
+    """What the package asks for, and where."""
+    found: dict[str, str] = {}
+    for path in readers():
+        tree = ast.parse(path.read_text("utf-8"))
+        functions = [node for node in tree.body for node in ast.walk(node) if isinstance(node, Function)]
+        for inside in [*functions, tree]:
+            for call in (node for node in ast.walk(inside) if isinstance(node, ast.Call) and node.args):
+                called = call.func.id if isinstance(call.func, ast.Name) else getattr(call.func, "attr", "")
+                if called not in SPEAKING or is_parameter(call.args[0], inside) or (inside is tree and in_one(call, functions)):
+                    continue
+                place = f"{path.relative_to(PACKAGE)}:{call.lineno}"
+                found |= dict.fromkeys(asked(call.args[0], inside), place)
+    return found
+
+
+def in_one(call: ast.Call, functions: list[Function]) -> bool:
+    return any(call in ast.walk(function) for function in functions)
+
+
+@cache
+def texts() -> frozenset[str]:
+    """Every text that stands in the code, its phrases apart."""
+    return frozenset(node.value for node in nodes() if isinstance(node, ast.Constant) and isinstance(node.value, str))
+
+
+@cache
+def made() -> frozenset[str]:
+    """Texts that the code makes of a word and something open, as patterns: `f"{pivot} chosen"`."""
+    patterns = (next(asked(node, node)) for node in nodes() if isinstance(node, ast.JoinedStr))
+    return frozenset(pattern for pattern in patterns if re.search("[a-z]{4}", pattern))
+
+
+def nodes() -> Iterator[ast.AST]:
+    return (node for path in readers() for node in ast.walk(ast.parse(path.read_text("utf-8"))))
+
+
+def is_known(word: str) -> bool:
+    return word in texts() or word.isdigit() or any(re.fullmatch(pattern, word) for pattern in made())
+
+
+def test_what_is_asked_for_exists():
+    missing = {
+        place: pattern for pattern, place in patterns().items()
+        if not pattern or not any(re.fullmatch(pattern, name) for name in catalogue())
+    }  # fmt: skip
+    assert not missing
+
+
+def is_asked_for(name: str) -> bool:
+    """By itself, or as one of a family whose other words the code knows."""
+    found = [match for pattern in patterns() if pattern and (match := re.fullmatch(pattern, name))]
+    return any(all(map(is_known, match.groups())) for match in found)
+
+
+def test_what_exists_is_asked_for():
+    assert not [name for name in catalogue() if not is_asked_for(name)]
+
+
+def test_only_the_catalogue_reads_phrases():
+    files = [path for path in readers() if "PHRASES" in path.read_text("utf-8")]
+    assert files == [SPEAKER / "catalogue.py"]
