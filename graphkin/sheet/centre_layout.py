@@ -17,7 +17,7 @@ from graphkin.sheet.layout import HEAD, divided, papers_for
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.plain_mechanism import mechanism_places
 from graphkin.sheet.scales import finest
-from graphkin.sheet.titleblock import strip_heights
+from graphkin.sheet.titleblock import strip_height
 from graphkin.sheet.window import Window
 from graphkin.value import frozen
 
@@ -144,7 +144,7 @@ def _divided(found: Centres, paper: Paper, lang: Lang) -> tuple[Room, Room, Room
     """Strip at the foot; the circle diagram at the right, or under the figure on upright paper."""
     whole = paper.frame
     table = centre_table(found, lang, whole.size.real - _TITLE, 0.4 * paper.height)
-    field, strip = divided(paper, max(strip_heights()[paper.name], table.height + 1 + _BAR))
+    field, strip = divided(paper, max(strip_height(paper), table.height + 1 + _BAR))
     if paper.landscape:
         edge = field.right - circle_size(found).real
         return replace(field, right=edge), replace(field, left=edge), strip, table

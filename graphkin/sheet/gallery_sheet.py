@@ -18,7 +18,7 @@ from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.paper import BODY, Paper, Room
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.plain_mechanism import plain_mechanism, shown_places
-from graphkin.sheet.titleblock import Strip, strip_heights
+from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
@@ -96,7 +96,7 @@ def _grid(pictures: Sequence[Picture], given: float | None, papers: Sequence[Pap
 
 def _grids(pictures: Sequence[Picture], given: float | None, paper: Paper) -> Iterator[_Grid]:
     """Every number of columns; the file's own scale where it is not too fine."""
-    field, foot = divided(paper, strip_heights()[paper.name])
+    field, foot = divided(paper, strip_height(paper))
     for columns in range(1, len(pictures) + 1):
         cells = field.cells(len(pictures), columns)
         scale = pictures[0].scale(cells[0])
