@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 import graphkin
+from graphkin import library
+from graphkin.centres import centres
+from graphkin.centres.about import about
+from graphkin.loading import loads
+from graphkin.planning import plan
+from graphkin.running import replay_all
+from graphkin.sheet import Sheet, sheet
+from graphkin.sheet.about_sheet import about_sheet
+from graphkin.sheet.centre_sheet import centre_sheet
+from graphkin.sheet.gallery_sheet import side_by_side
 
 PACKAGE = Path(graphkin.__file__).parent
 TEXTS = {path.relative_to(PACKAGE).as_posix(): path.read_text("utf-8") for path in PACKAGE.rglob("*.py")}
@@ -75,3 +86,24 @@ def test_a_breach_is_seen():
         tree = ast.parse(text)
         call = next(node for node in ast.walk(tree) if isinstance(node, ast.Call))
         assert ast.unparse(call.func) in names_of(tree, "graphkin.sheet.labels", "settle"), text
+
+
+# --- scales -----------------------------------------------------------------------------------
+
+
+def of_a_file(scale: float) -> Iterator[Sheet]:
+    """Every sheet of a mechanism whose file gives its scale."""
+    text = library.text("ex3-1")
+    method = plan(loads(re.sub(r"(?m)^length = .*", f"length = {scale}", text), name="scaled", file="scaled.toml"))
+    plot = replay_all(method)
+    found = centres(method, plot)
+    yield sheet(method, plot)
+    yield centre_sheet(found)
+    yield about_sheet(about(found, "2"))
+    yield side_by_side(method, [plot], ["here"])
+
+
+@pytest.mark.parametrize("scale", [0.001, 0.0027, 0.00048])
+def test_the_scale_of_the_file_is_kept_where_the_figure_fits(scale: float):
+    """A scale that is not of the series, too, and by every sheet."""
+    assert [drawn.scales["position"] for drawn in of_a_file(scale)] == [scale] * 4
