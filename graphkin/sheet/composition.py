@@ -79,7 +79,7 @@ def mechanism_step_sheets(
 ) -> Iterator[Sheet]:
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
     work = _Work(_Planes(method, plot), _planes(only), tables(method, plot, lang), lang)
-    return step_sheets(_staged(work, paper), range(1, step_count(method) + 1))
+    yield from step_sheets(_staged(work, paper), range(1, step_count(method) + 1))
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
