@@ -14,7 +14,7 @@ import re
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, assert_never
 
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs import files
@@ -149,6 +149,8 @@ class _Pen:
                 element = self._point(mark)
             case Text():
                 element = self._text(mark)
+            case _:
+                assert_never(mark)
         if told := stated(mark):
             element["class"] = _class(mark)
             element.attribs |= {f"data-{key}": value for key, value in told.items()}

@@ -1,9 +1,21 @@
-"""The sheet: a mechanism and its polygons on paper, as a value in millimetres.
+"""The sheet: a mechanism and what is found of it on paper, as a value in millimetres.
 
-`sheet(method, plot)` turns the points of a replay into marks (`marks`): the mechanism with its signs
-(`mechanism_figure`, `symbols`), the polygons (`polygons`), tables and title, each figure in a room of the
-smallest paper that holds all (`layout`), and labels where nothing else lies (`labels`). What file it goes
-into is `graphkin.outputs`' business. `centre_sheet` is the sheet of instant centres, made of the `centre_*` modules.
+    what a subject found -- a figure through a window --> Figure     marks, and labels that want a place
+    Figure -- fit, layout --> Panel                                  which paper, which scale, where on it
+    Panels, Strip -- page --> Sheet                                  labels settled, title and results, single steps
+
+`sheet(method, plot)` is the sheet of a mechanism with its polygons (`composition`); each other one is a small file of
+its own, `.._sheet`. A mechanism is drawn by `mechanism_figure` with the signs of `symbols`, for all of them. What file
+a sheet goes into is `graphkin.outputs`' business.
+
+How to add a sheet:
+ 1. the figure: a function from a `Window` to a `Figure`, and the places it is to show [SI units];
+ 2. its room: alone under a heading (`alone.place_for`, `.sheet`), or in cells over captions (`pictures.Picture`, whose
+    `Extent.of(places, draw)` says how large it is; `paper.Room.cells`, `.panel(cell, scale)`);
+ 3. the page, unless it is alone: `Page(paper, panels, mechanism, drivers, lang, Strip(room, tables)).sheet()`, where
+    `layout.papers_for` knows the paper and `layout.divided` parts it into field and strip (`titleblock.strip_height`);
+ 4. one sheet a step: number the marks (`step`), then `page.step_sheets(whole, numbers)`;
+ 5. the command that writes it hands it to `graphkin.outputs`; its command line in `tests/golden.py` keeps it.
 """
 
 from __future__ import annotations

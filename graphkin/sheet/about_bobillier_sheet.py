@@ -49,7 +49,7 @@ def bobillier_step_sheets(
 ) -> Iterator[Sheet]:
     """One sheet a step, its newest marks emphasised."""
     whole = bobillier_sheet(seen, drawn, paper=paper, lang=lang)
-    return step_sheets(whole, range(1, len([*drawn.construction.steps]) + 1))
+    yield from step_sheets(whole, range(1, len([*drawn.construction.steps]) + 1))
 
 
 def _places(seen: About, drawn: Bobillier) -> list[complex]:

@@ -14,7 +14,7 @@ from graphkin.sheet.marks import Mark
 from graphkin.sheet.page import Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Room
 from graphkin.sheet.plain_mechanism import plain_mechanism
-from graphkin.sheet.titleblock import Strip, strip_heights
+from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
@@ -61,5 +61,5 @@ def place_for(method: Method, plots: Sequence[Plot], places: Sequence[complex], 
         return sum((plain_mechanism(method, plot, window) for plot in plots), Figure())
 
     extent = replace(Extent.of(places, drawn), given=method.mechanism.scales.get("length"), labels=_LABELS)
-    layout = alone(extent, strip_heights(), paper)
+    layout = alone(extent, strip_height, paper)
     return Alone(method, layout, layout.window("position", extent))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property, partial
 
@@ -16,8 +16,7 @@ from graphkin.sheet.fit import Extent, corners
 from graphkin.sheet.layout import HEAD, divided, papers_for
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.plain_mechanism import mechanism_places
-from graphkin.sheet.scales import finest
-from graphkin.sheet.titleblock import strip_heights
+from graphkin.sheet.titleblock import strip_height
 from graphkin.sheet.window import Window
 from graphkin.value import frozen
 
@@ -50,7 +49,8 @@ class Measures:
     @cached_property
     def extent(self) -> Extent:
         """Of the mechanism alone."""
-        return Extent.of(self.places, partial(bare_mechanism, self.found), letters=_LETTERS, trial=_TRIAL)
+        given = self.found.method.mechanism.scales.get("length")
+        return Extent.of(self.places, partial(bare_mechanism, self.found), given, letters=_LETTERS, trial=_TRIAL)
 
     @property
     def longest(self) -> float:
@@ -70,9 +70,10 @@ class Measures:
         y = max(low.imag - place.imag, place.imag - high.imag, 0.0)
         return max(x, y) / self.longest
 
-    def box(self, near: float) -> tuple[complex, complex]:
-        """What holds the mechanism and the centres near it."""
-        return corners([*self.places, *(place for place in self.finite if self.off(place) <= near)])
+    def box(self, places: Iterable[complex]) -> Extent:
+        """What holds the mechanism and more places."""
+        low, high = corners([*self.places, *places])
+        return replace(self.extent, low=low, high=high)
 
 
 @frozen
@@ -110,41 +111,36 @@ def _on(measures: Measures, paper: Paper, lang: Lang, fit: bool) -> Iterator[Cen
     inner = room.size - measures.extent.reach
     if min(inner.real, inner.imag) < 15:
         return
-    scales = set()
-    for near in (_FIT,) if fit else _NEAR:
-        low, high = measures.box(near)
-        scales.add(_scale(measures, high - low, inner, fit))
-    for scale in sorted(scales):
-        low, high, shown = _held(measures, inner * scale)
-        window = replace(measures.extent, low=low, high=high).window(room, scale)
-        yield CentreLayout(paper, field, circle, strip, table, window, shown, measures.longest / scale)
+    around = (_FIT,) if fit else _NEAR
+    boxes = (measures.box(place for place in measures.finite if measures.off(place) <= near) for near in around)
+    for scale in sorted({_scale(measures, box, room, fit) for box in boxes}):
+        shown = _held(measures, inner * scale)
+        window = measures.box(shown).window(room, scale)
+        yield CentreLayout(paper, field, circle, strip, table, window, len(shown), measures.longest / scale)
 
 
-def _scale(measures: Measures, size: complex, room: complex, fit: bool) -> float:
+def _scale(measures: Measures, box: Extent, room: Room, fit: bool) -> float:
     """The finest at which all fits; the file's own, where the mechanism (to fit: all of it) fits at that."""
-    chosen, given = finest(size, room), measures.found.method.mechanism.scales.get("length")
-    if given is None or given < finest(size if fit else measures.extent.size, room):
-        return chosen
-    return given
+    given = measures.extent.given
+    kept = given is not None and (box if fit else measures.extent).fits(given, room)
+    return given if given is not None and kept else box.finest(room)
 
 
-def _held(measures: Measures, room: complex) -> tuple[complex, complex, int]:
-    """The mechanism and as many centres as a room holds [m], the nearest first; how many they are."""
-    held, shown = list(measures.places), 0
+def _held(measures: Measures, room: complex) -> list[complex]:
+    """As many centres as a room holds beside the mechanism [m], the nearest first."""
+    held: list[complex] = []
     for place in measures.finite:
-        low, high = corners([*held, place])
-        size = high - low
+        size = measures.box([*held, place]).size
         if size.real <= room.real * (1 + 1e-9) and size.imag <= room.imag * (1 + 1e-9):
             held.append(place)
-            shown += 1
-    return *corners(held), shown
+    return held
 
 
 def _divided(found: Centres, paper: Paper, lang: Lang) -> tuple[Room, Room, Room, CentreTable]:
     """Strip at the foot; the circle diagram at the right, or under the figure on upright paper."""
     whole = paper.frame
     table = centre_table(found, lang, whole.size.real - _TITLE, 0.4 * paper.height)
-    field, strip = divided(paper, max(strip_heights()[paper.name], table.height + 1 + _BAR))
+    field, strip = divided(paper, max(strip_height(paper), table.height + 1 + _BAR))
     if paper.landscape:
         edge = field.right - circle_size(found).real
         return replace(field, right=edge), replace(field, left=edge), strip, table

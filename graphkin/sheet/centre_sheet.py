@@ -52,7 +52,7 @@ def centre_step_sheets(
 ) -> Iterator[Sheet]:
     """One sheet a centre, in the order in which they are found; what a step adds is emphasised."""
     whole = centre_sheet(found, paper=paper, lang=lang, fit=fit)
-    return step_sheets(whole, range(1, len(found.centring.stages) + 1))
+    yield from step_sheets(whole, range(1, len(found.centring.stages) + 1))
 
 
 def _lettered(page: Page) -> Lettered:

@@ -14,18 +14,18 @@ from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.gear_images import GearImage, gear_images
-from graphkin.sheet.layout import LARGE, Layout, lay_out, papers_for
+from graphkin.sheet.layout import Layout, lay_out, papers_for
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
-from graphkin.sheet.paper import Paper
+from graphkin.sheet.paper import LARGE, Paper
 from graphkin.sheet.pencil import pencil_lines
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.polygons import Polygon, polygon_figure
 from graphkin.sheet.results import Table, tables
 from graphkin.sheet.scales import KEYS, TooLargeForPaper
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.titleblock import Strip, strip_heights
+from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import PLANES, Figure, Window, births, constructions, first_steps, step_count
 from graphkin.value import frozen
 
@@ -79,7 +79,7 @@ def mechanism_step_sheets(
 ) -> Iterator[Sheet]:
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
     work = _Work(_Planes(method, plot), _planes(only), tables(method, plot, lang), lang)
-    return step_sheets(_staged(work, paper), range(1, step_count(method) + 1))
+    yield from step_sheets(_staged(work, paper), range(1, step_count(method) + 1))
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -163,15 +163,11 @@ def _divided(work: _Work, paper: str | None) -> _Composed:
     except TooLargeForPaper as error:
         raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
     composed = work.roomier(work.on(layout), papers_for(paper))
-    if paper is None and _small(composed) and (composed.crowded > _CROWDED or composed.lost):
+    if paper is None and composed.layout.paper not in LARGE and (composed.crowded > _CROWDED or composed.lost):
         larger = work.roomier(work.on(work.layout(LARGE)), LARGE)
         eased = larger.crowded <= composed.crowded - _EASED
         composed = larger if (larger.lost, not eased) < (composed.lost, True) else composed
     return composed
-
-
-def _small(composed: _Composed) -> bool:
-    return not composed.layout.paper.name.startswith("A3")
 
 
 @frozen
@@ -202,7 +198,7 @@ class _Work:
     def layout(self, papers: Sequence[Paper], crowded: Collection[Plane] = (), more: int = 1) -> Layout:
         """The best division; crowded planes count as if they had more labels."""
         extents = {p: replace(e, labels=e.labels * more) if p in crowded else e for p, e in self.extents.items()}
-        return lay_out(extents, strip_heights(self.found), papers)
+        return lay_out(extents, partial(strip_height, found=self.found), papers)
 
     def roomier(self, composed: _Composed, papers: Sequence[Paper]) -> _Composed:
         """The same size of paper divided for the planes where labels found no place, if there are and that helps."""

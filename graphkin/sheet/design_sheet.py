@@ -82,7 +82,7 @@ def design_step_sheets(
 ) -> Iterator[Sheet]:
     """One sheet a numbered sentence that draws something; what it adds is emphasised. The linkage comes last."""
     whole = design_sheet(design, solution=solution, paper=paper, lang=lang)
-    return step_sheets(whole, sorted({mark.step for mark in whole.marks if mark.step is not None}))
+    yield from step_sheets(whole, sorted({mark.step for mark in whole.marks if mark.step is not None}))
 
 
 def _page(drawn: _Drawn, paper: str | None) -> Alone:

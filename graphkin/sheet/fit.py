@@ -22,6 +22,8 @@ _LETTERS = 6.5
 """What labels need around a figure [mm]."""
 _LEAST = 5.0
 """Points in less room than this are no figure [mm]."""
+_CLOSE = 1 + 1e-9
+"""What is too large by rounding alone still fits."""
 
 
 @frozen
@@ -74,6 +76,14 @@ class Extent:
     @property
     def reach(self) -> complex:
         return complex(self.left + self.right, self.top + self.bottom)
+
+    def scale(self, room: Room) -> float:
+        """The given scale where it fits one room at that, else the finest at which it does."""
+        return self.given if self.given is not None and self.fits(self.given, room) else self.finest(room)
+
+    def fits(self, scale: float, room: Room) -> bool:
+        whole, inner = self.size / scale, room.size - self.reach
+        return whole.real <= inner.real * _CLOSE and whole.imag <= inner.imag * _CLOSE
 
     def finest(self, room: Room) -> float:
         """The finest scale of the series at which it fits one room."""

@@ -18,7 +18,7 @@ from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.paper import BODY, Paper, Room
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.plain_mechanism import plain_mechanism, shown_places
-from graphkin.sheet.titleblock import Strip, strip_heights
+from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
@@ -49,7 +49,7 @@ def side_by_side(
     if not 0 < len(plots) <= MOST or len(captions) != len(plots):
         raise ValueError(f"1 to {MOST} positions, each with a caption; given: {len(plots)}, {len(captions)}")
     pictures = _pictures(method, plots, captions)
-    grid = _grid(pictures, method.mechanism.scales.get("length"), papers_for(paper))
+    grid = _grid(pictures, papers_for(paper))
     panels = [picture.panel(cell, grid.scale) for picture, cell in zip(pictures, grid.cells)]
     return Page(grid.paper, panels, method.mechanism, plots[0].facts.values, lang, Strip(grid.strip)).sheet()
 
@@ -62,7 +62,7 @@ def _pictures(method: Method, plots: Sequence[Plot], captions: Sequence[str]) ->
     def over(window: Window) -> Figure:
         return sum((figure(window) for figure in figures), Figure())
 
-    extent = Extent.of(places, over, letters=_LETTERS, trial=_TRIAL)
+    extent = Extent.of(places, over, method.mechanism.scales.get("length"), letters=_LETTERS, trial=_TRIAL)
     lettered = (f"({chr(ord('a') + number)}) {caption}" for number, caption in enumerate(captions))
     shown = [Caption((text,), _FOOT, first=4.5, pitch=1.3 * BODY, sides=2.0) for text in lettered]
     return [Picture(extent, figure, caption) for figure, caption in zip(figures, shown)]
@@ -81,12 +81,12 @@ class _Grid:
     scale: float
 
 
-def _grid(pictures: Sequence[Picture], given: float | None, papers: Sequence[Paper]) -> _Grid:
+def _grid(pictures: Sequence[Picture], papers: Sequence[Paper]) -> _Grid:
     """The smallest paper with figures large enough, else the one with the largest."""
     best: _Grid | None = None
     for area in sorted({paper.width * paper.height for paper in papers}):
         same = [paper for paper in papers if paper.width * paper.height == area]
-        grids = [grid for paper in same for grid in _grids(pictures, given, paper)]
+        grids = [grid for paper in same for grid in _grids(pictures, paper)]
         best = min([*grids, *([best] if best else [])], key=lambda grid: grid.scale)
         if pictures[0].extent.longest / best.scale >= _LARGE_ENOUGH:
             return best
@@ -94,10 +94,9 @@ def _grid(pictures: Sequence[Picture], given: float | None, papers: Sequence[Pap
     return best
 
 
-def _grids(pictures: Sequence[Picture], given: float | None, paper: Paper) -> Iterator[_Grid]:
-    """Every number of columns; the file's own scale where it is not too fine."""
-    field, foot = divided(paper, strip_heights()[paper.name])
+def _grids(pictures: Sequence[Picture], paper: Paper) -> Iterator[_Grid]:
+    """Every number of columns."""
+    field, foot = divided(paper, strip_height(paper))
     for columns in range(1, len(pictures) + 1):
         cells = field.cells(len(pictures), columns)
-        scale = pictures[0].scale(cells[0])
-        yield _Grid(paper, cells, foot, given if given is not None and given >= scale else scale)
+        yield _Grid(paper, cells, foot, pictures[0].scale(cells[0]))

@@ -8,7 +8,7 @@ largest figures is taken.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -18,12 +18,12 @@ import numpy as np
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
 from graphkin.sheet.fit import Extent
-from graphkin.sheet.paper import PAPERS, Paper, Room
+from graphkin.sheet.paper import LARGE, PAPERS, Paper, Room
 from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, finer
 from graphkin.sheet.window import Window
 from graphkin.value import frozen
 
-__all__ = ["HEAD", "LARGE", "Layout", "alone", "divided", "lay_out", "papers_for"]
+__all__ = ["HEAD", "Layout", "alone", "divided", "lay_out", "papers_for"]
 
 HEAD = 7.5
 """Height of a figure's heading [mm]."""
@@ -33,9 +33,12 @@ _MECHANISM = 1.3
 """How much more the mechanism counts: its signs keep their size and need room between them."""
 _IN_ORDER = 0.12
 """What it is worth that the figures follow one another as they are drawn."""
-LARGE = [PAPERS["A3-landscape"], PAPERS["A3"]]
 _LARGE_ENOUGH = 130.0
 """A figure of this size alone on its paper needs no larger one [mm]."""
+
+
+Height = Callable[[Paper], float]
+"""What the tables and the title need on a paper [mm]."""
 
 
 @frozen
@@ -66,7 +69,7 @@ def divided(paper: Paper, height: float) -> tuple[Room, Room]:
     return Room(whole.left, whole.top, whole.right, edge), Room(whole.left, edge, whole.right, whole.bottom)
 
 
-def alone(extent: Extent, strip_height: Mapping[str, float], paper: str | None) -> Layout:
+def alone(extent: Extent, strip_height: Height, paper: str | None) -> Layout:
     """One figure alone; a given scale that is too fine is not kept. Raises UnknownPaper."""
     layout = _freely(extent, strip_height, papers_for(paper))
     if paper is None and extent.longest / layout.scales["position"] < _LARGE_ENOUGH:
@@ -74,7 +77,7 @@ def alone(extent: Extent, strip_height: Mapping[str, float], paper: str | None) 
     return layout
 
 
-def _freely(extent: Extent, strip_height: Mapping[str, float], papers: Sequence[Paper]) -> Layout:
+def _freely(extent: Extent, strip_height: Height, papers: Sequence[Paper]) -> Layout:
     """A given scale is kept where it fits."""
     try:
         return lay_out({"position": extent}, strip_height, papers)
@@ -82,10 +85,9 @@ def _freely(extent: Extent, strip_height: Mapping[str, float], papers: Sequence[
         return lay_out({"position": replace(extent, given=None)}, strip_height, papers)
 
 
-def lay_out(extents: Mapping[Plane, Extent], strip_height: Mapping[str, float], candidates: Sequence[Paper]) -> Layout:
+def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: Sequence[Paper]) -> Layout:
     """The smallest of the papers that holds all.
 
-    strip_height  what the tables and the title need on each paper [mm]
     Raises TooLargeForPaper where a given scale is too fine for every paper.
     """
     for size in dict.fromkeys(p.width * p.height for p in candidates):
@@ -95,11 +97,11 @@ def lay_out(extents: Mapping[Plane, Extent], strip_height: Mapping[str, float], 
     raise _too_large(extents, strip_height, candidates)
 
 
-def _best(papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Mapping[str, float]) -> Layout | None:
+def _best(papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Height) -> Layout | None:
     """The first of the best divisions, None where nothing fits."""
     best, found = -math.inf, None
     for paper in papers:
-        field, strip = divided(paper, strip_height[paper.name])
+        field, strip = divided(paper, strip_height(paper))
         ways = list(_divisions(field, tuple(extents)))
         scales = [{plane: _scales(extents[plane], rooms[plane]) for plane in extents} for rooms in ways]
         scores = np.stack([_score(extents, *way) for way in zip(scales, ways)], axis=-1)
@@ -149,7 +151,7 @@ def _worth(plane: Plane, large: Any, labels: int) -> Any:
 
 
 def _too_large(
-    extents: Mapping[Plane, Extent], strip_height: Mapping[str, float], papers: Sequence[Paper]
+    extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper]
 ) -> TooLargeForPaper:
     """The given scale that does not fit, and the finest one that would."""
     given = [plane for plane, extent in extents.items() if extent.given is not None]

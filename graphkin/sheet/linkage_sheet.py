@@ -17,7 +17,7 @@ from graphkin.sheet.linkage_angles import dimensioned_limits, dimensioned_transm
 from graphkin.sheet.linkage_figure import drawn_over, pictured
 from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.pictures import Caption, Picture
-from graphkin.sheet.titleblock import Strip, strip_heights
+from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
 from graphkin.words.linkages import amount, degrees, kind_name, titled
 
@@ -35,7 +35,7 @@ def limit_sheet(report: Report, lang: Lang = "en", *, paper: str | None = None, 
     """
     chosen = papers_for(paper or "A4-landscape")[0]
     pictures = _pictures(report, lang)
-    field, foot = divided(chosen, strip_heights()[chosen.name])
+    field, foot = divided(chosen, strip_height(chosen))
     cells = field.cells(len(pictures), len(pictures) if chosen.landscape else 1)
     scale = max(picture.scale(cell) for picture, cell in zip(pictures, cells))
     panels = [picture.panel(cell, scale) for picture, cell in zip(pictures, cells)]

@@ -7,7 +7,7 @@ from typing import Literal
 
 from graphkin.value import frozen
 
-__all__ = ["BODY", "LABEL", "LEAST", "PAPERS", "PENS", "TITLE", "Paper", "Pen", "PenName", "Room"]
+__all__ = ["BODY", "LABEL", "LARGE", "LEAST", "PAPERS", "PENS", "TITLE", "Paper", "Pen", "PenName", "Room"]
 
 
 @frozen
@@ -71,6 +71,8 @@ PAPERS: Mapping[str, Paper] = {
     )
 }
 """In the order in which they are tried: the smallest that fits is taken."""
+LARGE = (PAPERS["A3-landscape"], PAPERS["A3"])
+"""Tried, too, where a smaller one holds all but leaves it little room."""
 
 PenName = Literal["visible", "outline", "vector", "thin", "hatch", "dashed", "centre", "construction", "leader"]
 

@@ -48,8 +48,8 @@ class Picture:
     caption: Caption
 
     def scale(self, cell: Room) -> float:
-        """The finest at which it fits a cell [m/mm]."""
-        return self.extent.finest(self._over(cell))
+        """At which it fits a cell [m/mm]."""
+        return self.extent.scale(self._over(cell))
 
     def panel(self, cell: Room, scale: float) -> Panel:
         """On paper."""

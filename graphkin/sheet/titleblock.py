@@ -10,12 +10,12 @@ from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
 from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
-from graphkin.sheet.paper import BODY, LEAST, PAPERS, TITLE, Paper, Room
+from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room
 from graphkin.sheet.results import Table, arranged, drawn_tables, height_of
 from graphkin.sheet.scales import written
 from graphkin.value import frozen
 
-__all__ = ["Strip", "broken", "frame", "strip", "strip_heights"]
+__all__ = ["Strip", "broken", "frame", "strip", "strip_height"]
 
 _WIDE = 64.0
 """Width of the title block [mm]."""
@@ -25,17 +25,13 @@ _BAR = 9.0
 _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
 
 
-def strip_heights(found: Sequence[Table] = ()) -> Mapping[str, float]:
-    """What the strip needs on each paper [mm]."""
-    return {name: _height(found, paper) for name, paper in PAPERS.items()}
+def strip_height(paper: Paper, found: Sequence[Table] = ()) -> float:
+    """What the strip needs on a paper [mm]."""
+    return max(_LEAST_HEIGHT, height_of(arranged([*found], _room(paper))) + 1 + _BAR)
 
 
 def _room(paper: Paper) -> float:
     return paper.width - 2 * paper.margin - _WIDE - 6
-
-
-def _height(found: Sequence[Table], paper: Paper) -> float:
-    return max(_LEAST_HEIGHT, height_of(arranged([*found], _room(paper))) + 1 + _BAR)
 
 
 @frozen
