@@ -26,7 +26,8 @@ from graphkin import library, sweep
 from graphkin.analytic import motion
 from graphkin.centres import Centres, centres
 from graphkin.centres.centrode_places import carried_to, over
-from graphkin.centres.centrodes import Centrodes, arc_length, centrodes, path, whole
+from graphkin.centres.centrode_sampling import arc_length
+from graphkin.centres.centrodes import Centrodes, centrodes, path, whole
 from graphkin.drafting import INFINITE
 from graphkin.errors import GraphkinError, UnknownLink
 from graphkin.errors.centring import NoCentrode, UnknownCentre

@@ -22,7 +22,7 @@ from graphkin.planning.special import Ternary
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.planning.structure import Hinge, Structure
 
-__all__ = ["Labels", "motion"]
+__all__ = ["motion"]
 
 
 def motion(

@@ -15,11 +15,13 @@ from graphkin.construction import Plot, replay, slide_key
 from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, Where
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning.assembly import assemble, extent, refuse_open
+from graphkin.planning.candidates import SetAside
 from graphkin.planning.drawn import facts_of, with_sides
 from graphkin.planning.position import position
-from graphkin.planning.repeated import SetAside, as_aside, still_repeated
+from graphkin.planning.repeated import as_aside, still_repeated
 from graphkin.planning.stages import stages
 from graphkin.planning.structure import Structure
+from graphkin.quantities import EDGE, driven
 from graphkin.tolerances import ROUNDED
 from graphkin.value import frozen
 
@@ -211,8 +213,5 @@ def _holds(plot: Plot, given: _Given) -> bool:
 
 def _told(given: _Given, off: float) -> tuple[str, str, str]:
     """What is said, what holds, and how far they are apart, with units."""
-    said, unit, scale = given.fixes.value or 0.0, "°", 180 / np.pi
-    if given.fixes.kind == "slide":
-        unit, scale = " mm", 1000.0
-    said_text, holds, apart = (f"{value * scale:.6g}{unit}" for value in (said, said + off, abs(off)))
-    return said_text, holds, apart
+    said, unit = given.fixes.value or 0.0, EDGE[driven(given.fixes.kind == "slide")]
+    return unit.shown(said), unit.shown(said + off), unit.shown(abs(off))

@@ -11,7 +11,7 @@ from graphkin.errors import Lang
 from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning import Method
-from graphkin.planning.motion import Labels
+from graphkin.planning.labels import Labels
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.catalogue import close, say
