@@ -10,7 +10,6 @@ import re
 from collections.abc import Collection
 
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Slide
 from graphkin.value import frozen
 
 __all__ = ["PairName", "Seen", "common_link", "driver_number", "named", "pair", "seen"]
@@ -98,8 +97,8 @@ def named(mechanism: Mechanism, pair: PairName) -> tuple[str, str]:
     of_table = [each for each in mechanism.pairs if each.table == table]
     if of_table[k].given:
         return table, of_table[k].given
-    if isinstance(slide := of_table[k], Slide):
-        return "guide", slide.point
+    if (known := of_table[k].known_by) is not None:
+        return known
     names = ["–".join(mechanism.called(link) for link in each.joins) for each in of_table]
     nth = names[: k + 1].count(names[k])
     return table, names[k] if names.count(names[k]) == 1 else f"{names[k]} ({nth})"

@@ -67,6 +67,7 @@ def test_pairs_have_names_and_places_of_their_own(name: str) -> None:
         assert mechanism.pair(pair.name) is pair
         assert mechanism.where(*mechanism.path(pair)).line
         assert named(mechanism, mechanism.path(pair))[0] in CALLED
+        assert not pair.pin or pair.pin in mechanism.points
         for link in pair.joins:
             assert link in mechanism.links
 

@@ -173,7 +173,7 @@ def _hinges(skeleton: Skeleton) -> list[Mark]:
 
 
 def _is_pin(skeleton: Skeleton, point: str) -> bool:
-    return any(slide.point == point and slide.block is None for slide in skeleton.mechanism.slides)
+    return any(pair.pin == point for pair in skeleton.mechanism.pairs)
 
 
 def _names(skeleton: Skeleton) -> list[Wanted]:
