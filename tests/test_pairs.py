@@ -10,14 +10,19 @@ import pytest
 import graphkin
 from graphkin import library
 from graphkin.analytic.rules import RULES
+from graphkin.errors import CannotAssemble
 from graphkin.errors.motion import PAIRS as CALLED
+from graphkin.loading import loads
 from graphkin.loading.pairs import READERS
 from graphkin.loading.schema import File
 from graphkin.mechanism import Mechanism
 from graphkin.naming import named
 from graphkin.pairs import PAIRS, Pair, Revolute
-from graphkin.sheet.mechanism_figure import OVER_LINKS
+from graphkin.planning import plan
+from graphkin.sheet.mechanism_figure import BEFORE_LINKS, OVER_LINKS
 from graphkin.sheet.wheels import UNDER_LINKS
+from graphkin.sweeps import course
+from graphkin.sweeps.remarks import remarks
 from graphkin.words.centre_steps import NORMALS
 from graphkin.words.equivalents import EQUIVALENTS
 from graphkin.words.structure import KINDS
@@ -32,7 +37,7 @@ SLIPPING = {kind for kind in PAIRS if kind.rolling is Pair.rolling and kind.slip
 @pytest.mark.parametrize(("table", "kinds"), [
     (RULES, EVERY),
     (KINDS, EVERY),
-    ({Revolute: None, **UNDER_LINKS, **OVER_LINKS}, EVERY),
+    ({Revolute: None, **UNDER_LINKS, **BEFORE_LINKS, **OVER_LINKS}, EVERY),
     (EQUIVALENTS, REPLACED),
     (NORMALS, SLIPPING),
 ], ids=("loop rules", "structure", "signs", "equivalents", "normals"))  # fmt: skip
@@ -41,7 +46,7 @@ def test_each_table_has_exactly_the_kinds(table: dict[type[Pair], object], kinds
 
 
 def test_no_kind_has_two_signs() -> None:
-    assert not set(UNDER_LINKS) & set(OVER_LINKS)
+    assert len({*UNDER_LINKS, *BEFORE_LINKS, *OVER_LINKS}) == len(UNDER_LINKS) + len(BEFORE_LINKS) + len(OVER_LINKS)
 
 
 def test_tables_of_the_file_are_those_of_the_kinds() -> None:
@@ -70,6 +75,35 @@ def test_pairs_have_names_and_places_of_their_own(name: str) -> None:
         assert not pair.pin or pair.pin in mechanism.points
         for link in pair.joins:
             assert link in mechanism.links
+
+
+CAM_OUT_OF_REACH = """
+[frame]
+A = [0, 0]
+D = [80, 0]
+[links.1]
+AC = 40
+[links.2]
+DB = 40
+[[cam]]
+links = ["1", "2"]
+profiles = [{ centre = "C", radius = 20 }, { centre = "B", radius = 10 }]
+[[driver]]
+vector = "AC"
+angle = 50
+omega = 3
+[sketch]
+B = [50, 20]
+"""
+
+
+def test_messages_call_a_rod_as_the_drawings_do() -> None:
+    """`links 2 and e`, at a link that the file has."""
+    with pytest.raises(CannotAssemble, match=r":7, links\.2: .* between links 2 and e\.") as caught:
+        plan(loads(CAM_OUT_OF_REACH.replace("angle = 50", "angle = 150")))
+    assert "e c0" not in caught.value.message("zh")
+    stops = list(remarks(course(plan(loads(CAM_OUT_OF_REACH)), ["0:360:60"]), "en"))
+    assert any("links 2 and e lie in line" in line for line in stops)
 
 
 PARSED = re.compile(r"""\[0\]\.is(upper|lower)\(|(startswith|removeprefix|endswith)\(["'](c|e|e g|pin|\*| origin)? ?["']\)""")

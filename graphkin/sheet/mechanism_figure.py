@@ -24,6 +24,8 @@ from graphkin.sheet.window import Figure
 
 __all__ = ["mechanism_figure", "moving_links"]
 
+Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
+
 
 def mechanism_figure(skeleton: Skeleton, method: Method, drawn: list[complex]) -> Figure:
     """Wheels and ground first, then links, blocks over their guides, hinges over links, arrows last.
@@ -58,13 +60,18 @@ def moving_links(skeleton: Skeleton) -> list[Mark]:
 
 def _bodies(skeleton: Skeleton) -> Figure:
     """Links with their numbers, cams, and blocks over their guides."""
-    figure = Figure()
+    figure = Figure(_signs(skeleton, BEFORE_LINKS))
     for link in skeleton.mechanism.moving:
         _link(skeleton, link, figure)
-    for kind, symbol in OVER_LINKS.items():
-        for pair in skeleton.mechanism.of(kind):
-            figure.marks += symbol(skeleton, pair)
+    figure.marks += _signs(skeleton, OVER_LINKS)
     return figure
+
+
+def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
+    """The signs of all pairs of these kinds."""
+    return [
+        mark for kind, sign in signs.items() for pair in skeleton.mechanism.of(kind) for mark in sign(skeleton, pair)
+    ]
 
 
 def _link(skeleton: Skeleton, link: str, figure: Figure) -> None:
@@ -133,8 +140,13 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     return symbols.slot(at - reach * along, at + 9.0 * along, shows, step=step)
 
 
-OVER_LINKS: Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]] = {Cam: profiles, Slide: _sliding}
-"""The signs of pairs that stand over the links; `wheels` stand under them, hinges are points."""
+OVER_LINKS: Signs = {
+    Cam: profiles,
+    Slide: _sliding,
+}
+"""The signs of pairs that stand over the links; hinges are points."""
+BEFORE_LINKS: Signs = {}
+"""Those over which links are drawn, as they are over `wheels`."""
 
 
 def _through_bars(skeleton: Skeleton) -> list[Mark]:
