@@ -9,6 +9,7 @@ import pytest
 
 import graphkin
 from graphkin import library
+from graphkin.analytic import mobility
 from graphkin.analytic.rules import RULES
 from graphkin.errors import CannotAssemble
 from graphkin.errors.motion import PAIRS as CALLED
@@ -25,7 +26,7 @@ from graphkin.sweeps import course
 from graphkin.sweeps.remarks import remarks
 from graphkin.words.centre_steps import NORMALS
 from graphkin.words.equivalents import EQUIVALENTS
-from graphkin.words.structure import KINDS
+from graphkin.words.structure import KINDS, structure_lines
 
 EVERY = set(PAIRS)
 REPLACED = {kind for kind in PAIRS if kind.equivalent is not Pair.equivalent}
@@ -104,6 +105,37 @@ def test_messages_call_a_rod_as_the_drawings_do() -> None:
     assert "e c0" not in caught.value.message("zh")
     stops = list(remarks(course(plan(loads(CAM_OUT_OF_REACH)), ["0:360:60"]), "en"))
     assert any("links 2 and e lie in line" in line for line in stops)
+
+
+COUPLED = """
+[frame]
+name = "4"
+A = [0, 0]
+D = [80, 0]
+[links.1]
+AB = 30
+[links.2]
+BC = 70
+[links.3]
+shape = { D = [0, 0], C = [60, 0], E = [20, 30] }
+[[driver]]
+vector = "AB"
+angle = 60
+omega = 10
+alpha = 5
+[sketch]
+C = [75, 60]
+"""
+
+
+def test_a_contact_between_points_of_one_link_repeats_what_the_link_holds() -> None:
+    """Two discs on crank and rocker whose centres the coupler joins: both roads count one equation, and it is named."""
+    discs = '[[cam]]\nlinks = ["1", "3"]\nprofiles = [{ centre = "B", radius = 50 }, { centre = "C", radius = 20 }]\n'
+    mechanism = loads(COUPLED.replace("[[driver]]", discs + "[[driver]]"))
+    assert mobility(mechanism).repeated == 1
+    method = plan(mechanism)
+    assert [(each.pair, each.part) for each in method.aside] == [(("cam", 0), "link")]
+    assert any("cam pair 1–3" in line for line in structure_lines(method, "en"))
 
 
 PARSED = re.compile(r"""\[0\]\.is(upper|lower)\(|(startswith|removeprefix|endswith)\(["'](c|e|e g|pin|\*| origin)? ?["']\)""")

@@ -146,7 +146,7 @@ def _line_of_centres(
 
     A new link of open length is a rod from the first centre that slides through the second.
     """
-    for link in mechanism.links.values():
+    for link in mechanism.links.values() if rod.carried else ():
         if link.points.keys() >= set(rod.points):
             carried = abs(link.arm(*rod.points))
             if length is None or abs(carried - length) <= _ROUNDED * length:

@@ -22,8 +22,8 @@ from graphkin.value import frozen
 __all__ = [
     "ALSO", "ANCHOR", "ANGLE", "EDGE_RADIUS", "FLAG", "LENGTH", "LINK_KEY", "MEASURE_PATTERN", "NAME", "NEW_NAME",
     "NUMBER", "PLACE", "POINT_NAME", "POINT_PATTERN", "RADIUS", "SCALE", "SIDE", "TEXT", "TRIPLES", "VECTOR", "Kind",
-    "anything", "described", "entry", "further", "key", "keys", "kind_of", "list_of", "mapping", "one_table", "quantity_of",
-    "table", "tables", "title", "two",
+    "anything", "described", "entry", "further", "key", "keys", "kind_of", "list_of", "mapping", "one_table",
+    "quantity_of", "table", "tables", "title", "two",
 ]  # fmt: skip
 
 MEASURE_PATTERN = r"^([A-Z][0-9]*'*){2,3}$"
