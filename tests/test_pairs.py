@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import graphkin
 from graphkin import library
-from graphkin.analytic import mobility
+from graphkin.analytic import mobility, motion
 from graphkin.analytic.rules import RULES
 from graphkin.errors import CannotAssemble
 from graphkin.errors.motion import PAIRS as CALLED
@@ -136,6 +137,22 @@ def test_a_contact_between_points_of_one_link_repeats_what_the_link_holds() -> N
     method = plan(mechanism)
     assert [(each.pair, each.part) for each in method.aside] == [(("cam", 0), "link")]
     assert any("cam pair 1–3" in line for line in structure_lines(method, "en"))
+
+
+@pytest.mark.parametrize("slot", [
+    'pin = "B"\nguide = "3"\ncentre = "C"', 'pin = "C"\nguide = "1"\ncentre = "B"',
+], ids=("slot on the rocker", "slot on the crank"))  # fmt: skip
+def test_a_pin_in_a_circular_slot_moves_as_a_four_bar(slot: str) -> None:
+    """With the coupler's length as its radius, over the whole turn."""
+    turn = np.radians(np.arange(60, 420, 5.0))
+    bar = motion(loads(COUPLED), [turn])
+    cut = motion(loads(COUPLED.replace("[links.2]\nBC = 70", f"[[slide]]\n{slot}\nradius = 70")), [turn])
+    for point in "BCE":
+        for one, other in zip(
+            (bar.position, bar.velocity, bar.acceleration), (cut.position, cut.velocity, cut.acceleration), strict=True
+        ):
+            assert other[point] == pytest.approx(one[point], rel=1e-9, abs=1e-12)
+    assert cut.alpha["3"] == pytest.approx(bar.alpha["3"], rel=1e-9)
 
 
 PARSED = re.compile(r"""\[0\]\.is(upper|lower)\(|(startswith|removeprefix|endswith)\(["'](c|e|e g|pin|\*| origin)? ?["']\)""")

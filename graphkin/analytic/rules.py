@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
-from graphkin.pairs import Cam, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
+from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
 
 __all__ = ["RULES", "Joint", "Relation", "Share", "Unknown", "driven", "placing", "shares", "theta"]
 
@@ -113,7 +113,7 @@ def roll(mechanism: Mechanism, pair: Roll) -> Share:
     return Share(joints, (_no_slip(pair.rolling, line),))
 
 
-def replaced(mechanism: Mechanism, pair: Cam) -> Share:
+def replaced(mechanism: Mechanism, pair: Cam | CircularSlot) -> Share:
     """A higher pair by its lower-pair equivalent alone: two points at a distance, or a point beside a line.
 
     Source: Sun Huan, Theory of Machines, section 2-6 (replacement of higher pairs).
@@ -128,6 +128,7 @@ def replaced(mechanism: Mechanism, pair: Cam) -> Share:
 RULES: dict[type[Any], Callable[[Mechanism, Any], Share]] = {
     Revolute: hinge,
     Slide: slide,
+    CircularSlot: replaced,
     Gear: gear,
     Roll: roll,
     Cam: replaced,

@@ -23,6 +23,7 @@ How to add a pair kind; `tests/test_pairs.py` names the table in which it is sti
 from __future__ import annotations
 
 from graphkin.pairs.cam import Cam, Profile
+from graphkin.pairs.circular_slot import CircularSlot
 from graphkin.pairs.gear import Gear
 from graphkin.pairs.line import Line
 from graphkin.pairs.pair import Circle, Pair, Rod, Rolling, Slot, pin_name, rod_name, start_name
@@ -31,9 +32,9 @@ from graphkin.pairs.roll import Roll
 from graphkin.pairs.slide import Slide
 
 __all__ = [
-    "PAIRS", "Cam", "Circle", "Gear", "Line", "Pair", "Profile", "Revolute", "Rod", "Roll", "Rolling", "Slide", "Slot",
-    "pin_name", "rod_name", "start_name",
+    "PAIRS", "Cam", "Circle", "CircularSlot", "Gear", "Line", "Pair", "Profile", "Revolute", "Rod", "Roll", "Rolling",
+    "Slide", "Slot", "pin_name", "rod_name", "start_name",
 ]  # fmt: skip
 
-PAIRS: tuple[type[Pair], ...] = (Revolute, Slide, Gear, Roll, Cam)
+PAIRS: tuple[type[Pair], ...] = (Revolute, Slide, CircularSlot, Gear, Roll, Cam)
 """The kinds, in the order in which a mechanism lists its pairs. Every table that depends on kinds has exactly these."""

@@ -18,7 +18,7 @@ __all__ = ["Arc", "Disc", "Fill", "Form", "Mark", "Place", "PointMark", "Shows",
 
 Place = complex
 Fill = Literal["none", "paper", "ink", "grey"]
-Form = Literal["bar", "guide", "block", "slot", "wheel"]
+Form = Literal["bar", "guide", "block", "slot", "wheel", "arc"]
 
 
 @frozen
@@ -27,7 +27,7 @@ class Shows:
 
     form    "bar": corners at `points`, one by one; "guide": on a line of the link, reaching over `points`;
             "block": about its point, sides along and across the line; "slot": its middle on the line, sides along it,
-            reaching over `points`; "wheel": a circle about its point
+            reaching over `points`; "wheel": a circle about its point; "arc": about the first point, past the second
     points  of the plane, as their marks are called
     line    the slide, roll or cam whose line it is
     """

@@ -8,10 +8,11 @@ from itertools import pairwise
 from typing import Any
 
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, Pair, Slide, pin_name
+from graphkin.pairs import Cam, CircularSlot, Pair, Slide, pin_name
 from graphkin.planning import Method
 from graphkin.sheet import symbols
 from graphkin.sheet.cams import equivalents, follower, profiles
+from graphkin.sheet.circular_slots import circular_slot
 from graphkin.sheet.drives import drives
 from graphkin.sheet.grounds import grounds
 from graphkin.sheet.labels import Wanted
@@ -145,7 +146,7 @@ OVER_LINKS: Signs = {
     Slide: _sliding,
 }
 """The signs of pairs that stand over the links; hinges are points."""
-BEFORE_LINKS: Signs = {}
+BEFORE_LINKS: Signs = {CircularSlot: circular_slot}
 """Those over which links are drawn, as they are over `wheels`."""
 
 

@@ -56,6 +56,12 @@ CONTACT_PHRASES: Mapping[str, dict[Lang, str]] = {
         "高副低代（瞬时）：尖顶 {second} 在以 {first} 为圆心的圆上，距离为 {length}；"
         "故以两端铰接于 {first}、{second} 的构件 {link} 代替该高副。",
     ),
+    "pin in arc": both(
+        "Higher pair replaced by lower pairs: pin {pin} moves in a circular slot of link {guide} about {centre}, at "
+        "the distance {length}. A link {link} with hinges at {centre} and {pin} stands for the slot.",
+        "高副低代：销 {pin} 在构件 {guide} 上以 {centre} 为圆心的圆弧槽中移动，距离为 {length}；"
+        "故以两端铰接于 {centre}、{pin} 的构件 {link} 代替该高副。",
+    ),
     "flat touches": both(
         "Higher pair replaced by lower pairs, at this instant: the circle about {centre} touches the "
         "straight face{face} of "

@@ -8,7 +8,7 @@ from typing import Any
 from graphkin.assur import Structure, structure
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
-from graphkin.pairs import Cam, Gear, Pair, Revolute, Roll, Slide
+from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Roll, Slide
 from graphkin.planning import Method
 from graphkin.words.redundancy import redundant_constraints
 
@@ -20,6 +20,9 @@ WORDS: dict[str, dict[Lang, str]] = {
     "multiple": {"en": "multiple hinge {point}: links {links}", "zh": "复合铰链 {point}：构件 {links}"},
     "slide": {"en": "sliding pair: {block} on {guide}", "zh": "移动副：构件 {block} 与 {guide}"},
     "pin": {"en": "pin {point} in a slot of {guide}", "zh": "销 {point} 在构件 {guide} 的滑槽中（高副）"},
+    "circular slot": {
+        "en": "pin {point} in a circular slot of {guide}", "zh": "销 {point} 在构件 {guide} 的圆弧槽中（高副）",
+    },
     "gear": {"en": "gear pair: {links}", "zh": "齿轮副：{links}"},
     "roll": {"en": "rolling without slip: {links}", "zh": "纯滚动副：{links}"},
     "cam": {"en": "cam pair: {links}", "zh": "凸轮副：{links}"},
@@ -82,6 +85,7 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
 KINDS: Mapping[type[Pair], Callable[[Any], tuple[str, str]]] = {
     Revolute: lambda hinge: ("multiple" if len(hinge.links) > 2 else "hinge", hinge.point),
     Slide: lambda slide: ("pin" if slide.block is None else "slide", slide.point),
+    CircularSlot: lambda slot: ("circular slot", slot.point),
     Gear: lambda gear: ("gear", ""),
     Roll: lambda roll: ("roll", ""),
     Cam: lambda cam: ("cam", ""),
