@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.analytic import Motion
-from graphkin.pairs import Cam, Gear, Line, Roll
+from graphkin.pairs import Cam, CircularSlot, Gear, Line, Roll
 
 Array = np.ndarray
 Circle = tuple[str, str, float]
@@ -31,6 +31,10 @@ def touching(found: Motion) -> Iterator[tuple[Array, Array]]:
         else:
             gap, _, relative = beside(found, roll.line, roll.left, wheel)
             yield gap, relative
+    for slot in m.of(CircularSlot):
+        arm = found.position[slot.point] - found.position[slot.centre]
+        cut = found.velocity[slot.centre] + 1j * found.omega[slot.guide] * arm
+        yield abs(arm) - slot.radius, ((found.velocity[slot.point] - cut) / arm).real * slot.radius
     for cam in m.of(Cam):
         (first, second), (one, other) = cam.links, cam.profiles
         if one.line is not None:

@@ -13,7 +13,7 @@ import random
 from dataclasses import dataclass, field, replace
 
 from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
-from graphkin.pairs import Cam, Gear, Line, Profile, Roll, Slide
+from graphkin.pairs import Cam, CircularSlot, Gear, Line, Profile, Roll, Slide
 
 DYADS = ("RRR", "RRP", "PRR", "RPR", "PRP", "RPP", "PPR")
 
@@ -366,3 +366,50 @@ def cam(seed: int) -> Mechanism:
     machine = build.finish(f"cam-{seed}")
     face = Profile(None, 0.0, Line("2", origin, line / build.bodies["2"].axis), left)
     return replace(machine, pairs=(*machine.pairs, Cam("c0", ("1", "2"), (Profile(disc, radius, None, True), face), False)))
+
+
+def circular_slot(seed: int) -> Mechanism:
+    """Pins in circular slots: of a follower, of a link on a coupler, one leg of a ternary link, or all three.
+
+    Crank, frame, follower or coupler has the slot, and another the pin; followers turn or slide.
+    """
+    build = _begun(seed, "circular")
+    rng = build.rng
+    kind = rng.choice(("follower", "on a coupler", "leg", "three slots"))
+    grounds = [FRAME, "1", rng.choice((FRAME, "1"))]
+    rng.shuffle(grounds)
+    if kind == "follower":
+        other, ground = rng.choice(((FRAME, "1"), ("1", FRAME)))
+        (build.hinge if rng.random() < 0.6 else build.slide)(other, "2")
+        slots = [(ground, "2")]
+    elif kind == "on a coupler":
+        build.hinge("1", "2")
+        build.hinge("2", "3")
+        (build.hinge if rng.random() < 0.7 else build.slide)("3", FRAME)
+        (build.hinge if rng.random() < 0.6 else build.slide)(rng.choice((FRAME, "1")), "4")
+        slots = [("2", "4")]
+    elif kind == "leg":
+        for leg, ground in zip(("3", "4"), grounds):
+            build.hinge(ground, leg)
+            build.hinge(leg, "2")
+        slots = [(grounds[2], "2")]
+    else:
+        slots = [(ground, "2") for ground in grounds]
+    return _with_slots(build, f"circular-{seed}", slots)
+
+
+def _with_slots(build: Build, name: str, slots: list[tuple[str, str]]) -> Mechanism:
+    """A pin of one link of each two in a circular slot of the other."""
+    ends = []
+    for two in slots:
+        guide, link = build.rng.sample(two, 2)
+        centre, pin = build.letter(), build.letter()
+        build.body(guide).points[centre] = build.place()
+        build.body(link).points[pin] = build.place()
+        ends.append((guide, centre, link, pin))
+    machine = build.finish(name)
+    return replace(machine, pairs=(*machine.pairs, *(
+        CircularSlot(
+            f"c{k}", guide, centre, abs(build.bodies[guide].points[centre] - build.bodies[link].points[pin]), link, pin
+        ) for k, (guide, centre, link, pin) in enumerate(ends)
+    )))  # fmt: skip

@@ -25,7 +25,7 @@ from graphkin.sweeps import sweep
 
 KINDS = (
     *DYADS, "cylinder", "relative_angle", "coupler_angle", "chain", "triad", "six_bar", "geared_five_bar", "epicyclic",
-    "rolling", "cam",
+    "rolling", "cam", "circular_slot",
 )  # fmt: skip
 
 

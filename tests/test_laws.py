@@ -35,6 +35,7 @@ MAKERS = {kind: partial(random_mechanisms.dyad, kind) for kind in random_mechani
     name: getattr(random_mechanisms, name)
     for name in (
         "cylinder", "relative_angle", "coupler_angle", "chain", "triad", "six_bar", "geared_five_bar", "epicyclic", "rolling", "cam",
+        "circular_slot",
     )
 }  # fmt: skip
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
-from graphkin.pairs import Cam, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
+from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
 from graphkin.tolerances import ROUNDED
 
 __all__ = ["RULES", "Joint", "Relation", "Share", "Unknown", "driven", "placing", "shares", "theta"]
@@ -112,7 +112,7 @@ def roll(mechanism: Mechanism, pair: Roll) -> Share:
     return Share(joints, (_no_slip(pair.rolling, line),))
 
 
-def replaced(mechanism: Mechanism, pair: Cam) -> Share:
+def replaced(mechanism: Mechanism, pair: Cam | CircularSlot) -> Share:
     """A higher pair by its lower-pair equivalent alone: two points at a distance, or a point beside a line.
 
     Source: Sun Huan, Theory of Machines, section 2-6 (replacement of higher pairs).
@@ -127,6 +127,7 @@ def replaced(mechanism: Mechanism, pair: Cam) -> Share:
 RULES: dict[type[Any], Callable[[Mechanism, Any], Share]] = {
     Revolute: hinge,
     Slide: slide,
+    CircularSlot: replaced,
     Gear: gear,
     Roll: roll,
     Cam: replaced,
@@ -145,7 +146,7 @@ def _line_of_centres(
 
     A new link of open length is a rod from the first centre that slides through the second.
     """
-    for link in mechanism.links.values():
+    for link in mechanism.links.values() if rod.carried else ():
         if link.points.keys() >= set(rod.points):
             carried = abs(link.arm(*rod.points))
             if length is None or abs(carried - length) <= ROUNDED * length:

@@ -84,7 +84,7 @@ def read_cam(draft: Draft, table: CamTable, path: Path, before: Sequence[Pair]) 
         raise PointOnPoint(draft.where(*path, "profiles"))
     if table.internal and first.radius == second.radius:
         raise SameCircles(draft.where(*path, "profiles"))
-    return Cam(draft.name(None, f"c{path[1]}", *path), links, (first, second), table.internal)
+    return Cam(draft.numbered("c"), links, (first, second), table.internal)
 
 
 def _profile(draft: Draft, table: ProfileTable, link: str, number: int, path: Path) -> Profile:

@@ -37,6 +37,7 @@ class Draft:
     problems: list[GraphkinError] = field(default_factory=list)
     _taken: set[str] = field(default_factory=set)
     given: set[str] = field(default_factory=set)
+    _numbers: dict[str, int] = field(default_factory=dict)
 
     def where(self, *path: str | int) -> Where:
         """The place of a key, or of the nearest key above it that the file has."""
@@ -108,6 +109,11 @@ class Draft:
             raise DuplicateName(self.where(*path, "name"), given)
         self._taken.add(given)
         return given
+
+    def numbered(self, letter: str) -> str:
+        """A name for a pair that has none, by the next number: c0, c1, .."""
+        self._numbers[letter] = self._numbers.get(letter, -1) + 1
+        return f"{letter}{self._numbers[letter]}"
 
     def can_be_driven(self, given: str) -> bool:
         """Whether a sliding or rolling pair has this name."""

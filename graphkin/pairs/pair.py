@@ -81,6 +81,16 @@ class Pair:
         return ""
 
     @property
+    def known_by(self) -> tuple[str, str] | None:
+        """What it is called in messages, and the point it is told by, where that is not the links it joins."""
+        return None
+
+    @property
+    def pin(self) -> str:
+        """The point that is a pin in its slot."""
+        return ""
+
+    @property
     def lower(self) -> bool:
         """Whether it takes two freedoms; a higher pair takes one."""
         return False

@@ -52,6 +52,14 @@ class Slide(Pair):
         return self.name if self.named else ""
 
     @property
+    def known_by(self) -> tuple[str, str]:
+        return "guide", self.point
+
+    @property
+    def pin(self) -> str:
+        return self.point if self.block is None else ""
+
+    @property
     def lower(self) -> bool:
         return self.block is not None
 

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing
+from graphkin.naming import spelled
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
 from graphkin.running.path import Event, Path, along, stride
@@ -78,7 +79,7 @@ def _kind(step: Crossing) -> str:
 
 
 def _called(method: Method, step: Crossing) -> tuple[str, ...]:
-    return tuple(method.mechanism.called(link) for link in links_of(method.structure, step))
+    return tuple(spelled(method.mechanism.called(link)) for link in links_of(method.structure, step))
 
 
 def first_touching(method: Method, path: Path, t: np.ndarray, step: Crossing, plot: Plot) -> tuple[float, bool] | None:

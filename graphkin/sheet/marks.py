@@ -22,7 +22,7 @@ Place = complex
 Fill = Literal["none", "paper", "ink", "grey"]
 Layer = Plane | Literal["centres"]
 """What a mark belongs to: a plane of the construction, or the instant centres over the mechanism."""
-Form = Literal["bar", "guide", "block", "slot", "wheel"]
+Form = Literal["bar", "guide", "block", "slot", "wheel", "arc"]
 
 
 @frozen
@@ -31,7 +31,7 @@ class Shows:
 
     form    "bar": corners at `points`, one by one; "guide": on a line of the link, reaching over `points`;
             "block": about its point, sides along and across the line; "slot": its middle on the line, sides along it,
-            reaching over `points`; "wheel": a circle about its point
+            reaching over `points`; "wheel": a circle about its point; "arc": about the first point, past the second
     points  of the plane, as their marks are called
     line    the slide, roll or cam whose line it is
     """

@@ -8,10 +8,11 @@ from itertools import pairwise
 from typing import Any
 
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, Pair, Slide, pin_name
+from graphkin.pairs import Cam, CircularSlot, Pair, Slide, pin_name
 from graphkin.planning import Method
 from graphkin.sheet import symbols
 from graphkin.sheet.cams import equivalents, follower, profiles
+from graphkin.sheet.circular_slots import circular_slot
 from graphkin.sheet.drives import drives
 from graphkin.sheet.grounds import grounds
 from graphkin.sheet.labels import Wanted
@@ -23,6 +24,8 @@ from graphkin.sheet.wheels import wheels, wheels_of
 from graphkin.sheet.window import Figure
 
 __all__ = ["mechanism_figure", "moving_links"]
+
+Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
 
 
 def mechanism_figure(skeleton: Skeleton, method: Method, drawn: list[complex]) -> Figure:
@@ -58,13 +61,18 @@ def moving_links(skeleton: Skeleton) -> list[Mark]:
 
 def _bodies(skeleton: Skeleton) -> Figure:
     """Links with their numbers, cams, and blocks over their guides."""
-    figure = Figure()
+    figure = Figure(_signs(skeleton, BEFORE_LINKS))
     for link in skeleton.mechanism.moving:
         _link(skeleton, link, figure)
-    for kind, symbol in OVER_LINKS.items():
-        for pair in skeleton.mechanism.of(kind):
-            figure.marks += symbol(skeleton, pair)
+    figure.marks += _signs(skeleton, OVER_LINKS)
     return figure
+
+
+def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
+    """The signs of all pairs of these kinds."""
+    return [
+        mark for kind, sign in signs.items() for pair in skeleton.mechanism.of(kind) for mark in sign(skeleton, pair)
+    ]
 
 
 def _link(skeleton: Skeleton, link: str, figure: Figure) -> None:
@@ -133,8 +141,13 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     return symbols.slot(at - reach * along, at + 9.0 * along, shows, step=step)
 
 
-OVER_LINKS: Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]] = {Cam: profiles, Slide: _sliding}
-"""The signs of pairs that stand over the links; `wheels` stand under them, hinges are points."""
+OVER_LINKS: Signs = {
+    Cam: profiles,
+    Slide: _sliding,
+}
+"""The signs of pairs that stand over the links; hinges are points."""
+BEFORE_LINKS: Signs = {CircularSlot: circular_slot}
+"""Those over which links are drawn, as they are over `wheels`."""
 
 
 def _through_bars(skeleton: Skeleton) -> list[Mark]:
@@ -173,7 +186,7 @@ def _hinges(skeleton: Skeleton) -> list[Mark]:
 
 
 def _is_pin(skeleton: Skeleton, point: str) -> bool:
-    return any(slide.point == point and slide.block is None for slide in skeleton.mechanism.slides)
+    return any(pair.pin == point for pair in skeleton.mechanism.pairs)
 
 
 def _names(skeleton: Skeleton) -> list[Wanted]:

@@ -26,7 +26,7 @@ from graphkin.drafting import (
 )
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Cam, Pair, Slide
+from graphkin.pairs import Cam, CircularSlot, Pair, Slide
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.catalogue import say
@@ -36,7 +36,7 @@ from graphkin.words.figures import number
 __all__ = ["CentreReader"]
 
 
-NORMALS: Mapping[type[Pair], str] = {Cam: "normal", Slide: "slot"}
+NORMALS: Mapping[type[Pair], str] = {Cam: "normal", Slide: "slot", CircularSlot: "circular slot"}
 """What the common normal of a pair is called, of each kind that slips."""
 
 

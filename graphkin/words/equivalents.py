@@ -23,7 +23,7 @@ from graphkin.construction import (
     Touch,
 )
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, Gear, Line, Pair, Rod, Slot, rod_name
+from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, Slot, rod_name
 from graphkin.pairs import Roll as RollingPair
 from graphkin.words import names
 from graphkin.words.entries import Entry, Sentence
@@ -74,6 +74,13 @@ def _flat_touches(reading: Reading, slot: Slot) -> str:
     return reading.say("contacts.flat touches", length=_radius(abs(slot.offset)), **words)
 
 
+def _circular_slot(reading: Reading, slot: CircularSlot) -> Iterator[Entry]:
+    centre, pin = names.point(slot.centre), names.point(slot.point)
+    length = f"{names.pair(slot.centre, slot.point)} = {number(1000 * slot.radius)} mm"
+    words = {"guide": reading.link(slot.guide), "link": names.point(rod_name(slot)), "length": length}
+    yield Sentence(reading.say("contacts.pin in arc", centre=centre, pin=pin, **words))
+
+
 def _rolling(reading: Reading, roll: RollingPair) -> Iterator[Entry]:
     if roll.line is not None:
         yield Sentence(_on_line(reading, roll, roll.line))
@@ -117,6 +124,7 @@ def _line_of_centres(reading: Reading, gear: Gear) -> Iterator[Entry]:
 
 EQUIVALENTS: Mapping[type[Pair], Callable[[Reading, Any], Iterator[Entry]]] = {
     Cam: _cam,
+    CircularSlot: _circular_slot,
     RollingPair: _rolling,
     Gear: _line_of_centres,
 }

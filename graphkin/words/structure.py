@@ -8,7 +8,7 @@ from typing import Any
 from graphkin.assur import Structure, structure
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
-from graphkin.pairs import Cam, Gear, Pair, Revolute, Roll, Slide
+from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Roll, Slide
 from graphkin.planning import Method
 from graphkin.words.catalogue import say
 from graphkin.words.redundancy import redundant_constraints
@@ -36,6 +36,7 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
 KINDS: Mapping[type[Pair], Callable[[Any], tuple[str, str]]] = {
     Revolute: lambda hinge: ("multiple" if len(hinge.links) > 2 else "hinge", hinge.point),
     Slide: lambda slide: ("pin" if slide.block is None else "slide", slide.point),
+    CircularSlot: lambda slot: ("circular slot", slot.point),
     Gear: lambda gear: ("pair gear", ""),
     Roll: lambda roll: ("pair roll", ""),
     Cam: lambda cam: ("pair cam", ""),

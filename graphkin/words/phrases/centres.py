@@ -52,6 +52,10 @@ PHRASES: Phrases = {
         "the normal of the slot through {point}, where links {first} and {second} touch",
         "构件 {first}、{second} 接触处 {point} 的槽的法线",
     ),
+    "circular slot": (
+        "the normal n–n of the circular slot, through its centre {point}, where links {first} and {second} touch",
+        "构件 {first}、{second} 接触处圆弧槽的公法线 n–n（过槽的圆心 {point}）",
+    ),
     "met": ("where the two lines meet, {place}", "两线交点，{place}"),
     "met far": ("the lines are parallel, so {name} → ∞ at {angle}", "两线平行，故 {name} → ∞，方向 {angle}"),
     "met infinity": ("so {name} → ∞ at {angle}", "故 {name} → ∞，方向 {angle}"),

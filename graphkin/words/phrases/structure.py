@@ -10,6 +10,7 @@ PHRASES: Phrases = {
     "multiple": ("multiple hinge {point}: links {links}", "复合铰链 {point}：构件 {links}"),
     "slide": ("sliding pair: {block} on {guide}", "移动副：构件 {block} 与 {guide}"),
     "pin": ("pin {point} in a slot of {guide}", "销 {point} 在构件 {guide} 的滑槽中（高副）"),
+    "circular slot": ("pin {point} in a circular slot of {guide}", "销 {point} 在构件 {guide} 的圆弧槽中（高副）"),
     "pair gear": ("gear pair: {links}", "齿轮副：{links}"),
     "pair roll": ("rolling without slip: {links}", "纯滚动副：{links}"),
     "pair cam": ("cam pair: {links}", "凸轮副：{links}"),
