@@ -28,8 +28,8 @@ __version__ = "0.1.0"
 ORDER = (
     "value", "errors", "geometry", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
-    "agreement", "centres", "linkages", "design", "sweeps", "words", "check", "results", "reports", "sheet",
-    "outputs", "equations", "finding", "api", "batches", "cli",
+    "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "results", "words", "sheet",
+    "outputs", "equations", "api", "batches", "cli",
 )  # fmt: skip
 
 _WHERE = {

@@ -21,7 +21,8 @@ from graphkin.sheet.linkage_panel import Panel
 from graphkin.sheet.paper import Paper
 from graphkin.sheet.titleblock import strip, strip_heights
 from graphkin.sheet.window import Figure, Window
-from graphkin.words.linkages import amount, degrees, kind_name, titled
+from graphkin.words.linkages import amount, kind_name, titled
+from graphkin.words.numbers import angle as degrees
 
 _CAPTION = 22.0
 """Room for a caption of four lines under each figure [mm]."""

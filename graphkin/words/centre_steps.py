@@ -30,7 +30,7 @@ from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.catalogue import say
 from graphkin.words.entries import Entry, Heading, Sentence
-from graphkin.words.figures import number
+from graphkin.words.numbers import number
 
 __all__ = ["CentreReader"]
 

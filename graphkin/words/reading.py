@@ -15,7 +15,7 @@ from graphkin.planning.motion import Labels
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.catalogue import close, say
-from graphkin.words.figures import number
+from graphkin.words.numbers import number
 
 __all__ = ["Reading"]
 
