@@ -5,7 +5,7 @@ the data; only the edge (the command line, a notebook) asks for the words.
 
 `base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys and
 values, `shapes` about a link's measures, `pairs` about sliding pairs, gears, rolling and cams, `drivers`
-about drivers and poses, `motion` about assembly and movement, `asking` about what is asked for, `finding` about conditions. A new error is a class in one of them, and
+about drivers and poses, `motion` about assembly and movement, `singular` about the analysis, `asking` about what is asked for, `finding` about conditions. A new error is a class in one of them, and
 a line here.
 """
 
@@ -153,6 +153,7 @@ from graphkin.errors.shapes import (
     TooFewMeasures,
     TooManyPoints,
 )
+from graphkin.errors.singular import NoAssembly, NotJoined, SingularPosition
 
 __all__ = [
     "NOWHERE",
@@ -204,6 +205,7 @@ __all__ = [
     "NeedsTwo",
     "Negative",
     "NegativeSize",
+    "NoAssembly",
     "NoBobillier",
     "NoCentrode",
     "NoDesign",
@@ -226,6 +228,7 @@ __all__ = [
     "NoVector",
     "NotALength",
     "NotANumber",
+    "NotJoined",
     "NotOnBisector",
     "NotOneBody",
     "NotOneOf",
@@ -255,6 +258,7 @@ __all__ = [
     "SayValue",
     "Several",
     "ShapeAndMeasures",
+    "SingularPosition",
     "SlidesOnItself",
     "TooDeep",
     "TooFar",
