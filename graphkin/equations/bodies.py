@@ -121,7 +121,7 @@ class Bodies:
 
     def _theta(self, body: str, steady: bool) -> Symbol:
         symbol = self.ledger.fresh("θ", self.called(body), "angle", steady)
-        texts = tuple(meaning(f"equations.{rate}", link=self.called(body)) for rate in _TURNING)
+        texts = tuple(meaning(f"equations.turning {rate}", link=self.called(body)) for rate in _TURNING)
         readers = angle_readers(self.structure, body, self.drawn)
         return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), readers)
 

@@ -138,7 +138,7 @@ class Arrows:
             symbol = self.ledger.fresh("s", self._low(slide), "displacement", steady)
             guide, point = self.bodies.called(slide.guide), slide.point
             words = {"point": point, "guide": guide, "start": self.bodies.spot(slide.line.origin)}
-            texts = tuple(meaning(f"equations.{rate}", **words) for rate in _SLIDING)
+            texts = tuple(meaning(f"equations.sliding {rate}", **words) for rate in _SLIDING)
             self.ledger.variable(symbol, texts, ("mm", "m/s", "m/s^2"), slide_readers(self.structure, slide))
             self.slides[name] = symbol
         return self.slides[name]
@@ -153,7 +153,7 @@ class Arrows:
         return self.bodies.called(slide.block)
 
 
-_SLIDING = ("displacement", "sliding velocity", "sliding acceleration")
+_SLIDING = ("displacement", "velocity", "acceleration")
 
 
 

@@ -131,7 +131,7 @@ def _swing(found: Found, lang: Lang) -> Iterator[str]:
 
 
 def _phase(found: Found, name: str, phase: Phase, lang: Lang) -> str:
-    called = say(f"finding.{name}", lang, way=say("finding.up" if phase.up else "finding.down", lang))
+    called = say(f"finding.phase {name}", lang, way=say("finding.up" if phase.up else "finding.down", lang))
     driver, angle = found.drivers[found.swept].name, quantity(phase.angle, "rad")
     text = say("finding.phase", lang, name=called, driver=driver, angle=angle)
     if phase.time is None or phase.mean is None:

@@ -36,8 +36,9 @@ def _pairs(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
         return ", ".join(mechanism.called(link) for link in links)
 
     for hinge in mechanism.hinges:
-        key = "structure.multiple" if len(hinge.links) > 2 else "structure.hinge"
-        yield say(key, lang, point=hinge.point, links=called(hinge.links))
+        several = len(hinge.links) > 2
+        words = {"point": hinge.point, "links": called(hinge.links)}
+        yield say("structure.multiple" if several else "structure.hinge", lang, **words)
     for slide in mechanism.slides:
         guide = mechanism.called(slide.guide)
         if slide.block is None:

@@ -73,7 +73,7 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
             continue
         for key, k in (("greatest", int(np.nanargmax(values))), ("least", int(np.nanargmin(values)))):
             place = named(sweep.course, float(sweep.values[k]))
-            yield say(f"sweeps.{key}", lang, name=entry.name, value=_valued(entry, float(values[k])), at=place)
+            yield say(f"sweeps.extreme {key}", lang, name=entry.name, value=_valued(entry, float(values[k])), at=place)
 
 
 def _valued(entry: Series, value: float) -> str:

@@ -14,7 +14,6 @@ PHRASES: Phrases = {
     "acceleration": ("Acceleration", "加速度分析"),
     "point": ("Point {name}", "{name} 点的运动"),
     "legend": ("Symbols", "符号说明"),
-    "results": ("Values at the drawn position", "给定位置的数值"),
     # tables
     "symbol": ("symbol", "符号"),
     "meaning": ("meaning", "含义"),
@@ -108,9 +107,9 @@ PHRASES: Phrases = {
     "length": ("length {ends} of link {link}", "构件 {link} 的长度 {ends}"),
     "frame direction": ("direction of the frame's {vector}", "机架矢量 {vector} 的方位角"),
     "offset": ("angle from the direction of link {link} to {vector}", "构件 {link} 的方向到 {vector} 的夹角"),
-    "direction": ("direction of link {link}", "构件 {link} 的方位角"),
-    "angular velocity": ("angular velocity of link {link}", "构件 {link} 的角速度"),
-    "angular acceleration": ("angular acceleration of link {link}", "构件 {link} 的角加速度"),
+    "turning direction": ("direction of link {link}", "构件 {link} 的方位角"),
+    "turning angular velocity": ("angular velocity of link {link}", "构件 {link} 的角速度"),
+    "turning angular acceleration": ("angular acceleration of link {link}", "构件 {link} 的角加速度"),
     "relative direction": ("direction of link {link} against link {other}", "构件 {link} 相对构件 {other} 的方位角"),
     "relative angular velocity": (
         "angular velocity of link {link} against link {other}",
@@ -120,7 +119,7 @@ PHRASES: Phrases = {
         "angular acceleration of link {link} against link {other}",
         "构件 {link} 相对构件 {other} 的角加速度",
     ),
-    "displacement": (
+    "sliding displacement": (
         "displacement of {point} along the guide on link {guide}, from {start}",
         "{point} 沿构件 {guide} 上导路、自 {start} 起的位移",
     ),
