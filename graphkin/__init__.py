@@ -8,14 +8,23 @@ velocity and its acceleration polygon step by step, and proves them right agains
     Method + driver values -- running --> Plot  named points and quantities, scalars or arrays
     Plot -- sheet --> Sheet -- outputs --> SVG
     Mechanism -- analytic --> Motion            the other road; it never reads a construction
-    check: Plot, or a drawing file, beside Motion
 
-    subjects (centres, design): Construction -- drafting.replay --> Board of points, lines, circles, numbers
+    subjects: centres, linkages, design, sweeps, finding    data; what of it is drawn, by drafting.replay on a Board
+    check: Plot, or a drawing file, beside Motion           results: all of it as plain data
+    any of these -- words --> lines in either language      -- sheet, outputs, equations --> files
 
 A module imports only from those before it in `ORDER`. A construction is data: a reader of its steps (replay,
 words, sheet, check) handles every kind of step, and the type checker sees to that. The steps of `construction` draw a
-mechanism and its polygons, on complex numbers; `drafting` is beside them, for what is no polygon. Words come before
-design as long as design words itself.
+mechanism and its polygons, on complex numbers; `drafting` is beside them, for what is no polygon. A subject makes data
+and knows no language; words, sheets and files read any subject's data.
+
+How to add a subject:
+1. A package with a public face of one page, its line in `ORDER` before `words`: data made of a mechanism, a method or
+   numbers. Its errors in a file of `errors`.
+2. `words/phrases/SUBJECT.py`, and a reader `words/SUBJECT.py`: its data and a language -> lines.
+3. `sheet/SUBJECT_sheet.py` where there is something to draw: its data -> Sheet.
+4. A command in `cli`: parse, call one function, print.
+5. Its command lines, in both languages, in tests/golden.py; tests/test_order.py and test_catalogue.py hold its laws.
 """
 
 from __future__ import annotations
@@ -28,8 +37,8 @@ __version__ = "0.1.0"
 ORDER = (
     "value", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
-    "agreement", "centres", "linkages", "design", "sweeps", "words", "check", "results", "reports", "sheet",
-    "outputs", "equations", "finding", "api", "batches", "cli",
+    "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "results", "words", "sheet",
+    "outputs", "equations", "api", "batches", "cli",
 )  # fmt: skip
 
 _WHERE = {

@@ -11,6 +11,7 @@ import pytest
 from graphkin import api, finding, loading, sweeps
 from graphkin.errors import GraphkinError
 from graphkin.finding.search import Curve, crossings, differences, followed, tops, touches, vanishing
+from graphkin.words.finding import lines
 
 PLAIN = """
 [frame]
@@ -236,7 +237,7 @@ def test_all_drivers_are_scaled_together() -> None:
     (speeds,) = found.speeds
     ratios = [rate / driver.rate for rate, driver in zip(speeds.rates, found.drivers, strict=True)]
     assert ratios == pytest.approx([speeds.factor] * 2)
-    assert any("proportion" in line for line in finding.lines(found))
+    assert any("proportion" in line for line in lines(found))
 
 
 def test_extremes_without_a_limit_are_no_numbers() -> None:
@@ -268,7 +269,7 @@ SAID = [
 @pytest.mark.parametrize(("name", "condition"), SAID)
 def test_both_languages_say_the_same_numbers(name: str, condition: str) -> None:
     found = found_by(name, condition)
-    english, chinese = (list(finding.lines(found, lang)) for lang in ("en", "zh"))
+    english, chinese = (list(lines(found, lang)) for lang in ("en", "zh"))
     assert len(english) == len(chinese) > 1
     assert english != chinese or not found.looked
     for one, other in zip(english, chinese, strict=True):
@@ -284,10 +285,10 @@ def numbers(line: str) -> list[str]:
 
 
 def test_words_tell_range_and_dead_points() -> None:
-    line = next(finding.lines(found_by("p3-22", "max v S")))
+    line = next(lines(found_by("p3-22", "max v S")))
     assert "dead point" in line
-    assert next(finding.lines(found_by("p3-13", "v C = 0"))).endswith("(looked from AB = 0 deg to 360 deg, a full turn)")
-    assert any("nearest" in text for text in finding.lines(found_by("p3-13", "v C = 1.2")))
+    assert next(lines(found_by("p3-13", "v C = 0"))).endswith("(looked from AB = 0 deg to 360 deg, a full turn)")
+    assert any("nearest" in text for text in lines(found_by("p3-13", "v C = 1.2")))
 
 
 WRONG = [

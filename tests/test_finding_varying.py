@@ -14,9 +14,11 @@ from graphkin import api, finding, library, loading
 from graphkin.errors import GraphkinError
 from graphkin.finding.dimensions import dimension, replaced
 from graphkin.outputs import svg
+from graphkin.sheet.found_sheet import drawn as drawn_positions
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Text
 from graphkin.sheet.obstacles import bounds
+from graphkin.words.finding_table import table_lines
 
 
 def test_strokes_over_the_screw_of_the_engine() -> None:
@@ -56,7 +58,7 @@ def test_what_cannot_be_assembled_has_a_row_that_says_so() -> None:
     failed = [row for row in table.rows if row.error is not None]
     assert 0 < len(failed) < len(table.rows)
     for lang in ("en", "zh"):
-        lines = list(finding.table_lines(table, lang))
+        lines = list(table_lines(table, lang))
         assert len(lines) == len(table.rows) + 2
         for row, line in zip(table.rows, lines[2:], strict=True):
             assert (row.error is None) or row.error.message(lang) in line
@@ -70,7 +72,7 @@ def test_what_cannot_be_assembled_has_a_row_that_says_so() -> None:
 def test_every_condition_fills_its_columns(condition: str) -> None:
     table = finding.vary(api.load("p3-13"), "AB=50:60:10", condition)
     for lang in ("en", "zh"):
-        head, *rows = list(finding.table_lines(table, lang))[1:]
+        head, *rows = list(table_lines(table, lang))[1:]
         assert "AB [mm]" in head
         assert [row.split()[0] for row in rows] == ["50", "60"]
 
@@ -160,7 +162,7 @@ SHEETS = [
 def test_positions_stand_side_by_side(name: str, condition: str, count: int, lang) -> None:
     method = api.plan(api.load(name))
     found = finding.find(method, condition)
-    drawn = finding.drawn(method, found, lang)
+    drawn = drawn_positions(method, found, lang)
     assert drawn is not None
     sheet, left_out = drawn
     assert (len(found.shown) or 1, left_out) == (count, 0)
@@ -173,7 +175,7 @@ def test_positions_stand_side_by_side(name: str, condition: str, count: int, lan
     assert right <= sheet.paper.width - sheet.paper.margin + 1e-9
     assert bottom <= sheet.paper.height - sheet.paper.margin + 1e-9
     assert overlaps(texts) == []
-    assert svg.svg(sheet) == svg.svg(finding.drawn(method, found, lang)[0])
+    assert svg.svg(sheet) == svg.svg(drawn_positions(method, found, lang)[0])
 
 
 def overlaps(texts: list[Text]) -> list[tuple[str, str]]:
@@ -208,7 +210,7 @@ def test_true_scale_and_fixed_points_alike() -> None:
 def test_more_than_a_sheet_holds_are_said_to_be_left_out() -> None:
     method = api.plan(api.load("p3-13"))
     found = finding.find(method, "slowest BC", ("AB=0:340:20",))
-    drawn = finding.drawn(method, found)
+    drawn = drawn_positions(method, found)
     assert drawn is not None
     assert drawn[1] == len(found.slow) - 12 == 6
 
@@ -216,4 +218,4 @@ def test_more_than_a_sheet_holds_are_said_to_be_left_out() -> None:
 def test_nothing_to_draw_is_no_sheet() -> None:
     method = api.plan(api.load("ex3-1"))
     found = finding.find(method, "omega 2 = omega 3")
-    assert finding.drawn(method, replace(found, positions=())) is None
+    assert drawn_positions(method, replace(found, positions=())) is None

@@ -24,10 +24,10 @@ from graphkin.planning import plan
 from graphkin.sheet.mechanism_figure import BEFORE_LINKS, OVER_LINKS
 from graphkin.sheet.wheels import UNDER_LINKS
 from graphkin.sweeps import course
-from graphkin.sweeps.remarks import remarks
 from graphkin.words.centre_steps import NORMALS
 from graphkin.words.equivalents import EQUIVALENTS
 from graphkin.words.structure import KINDS, structure_lines
+from graphkin.words.sweeps import remarks
 
 EVERY = set(PAIRS)
 REPLACED = {kind for kind in PAIRS if kind.equivalent is not Pair.equivalent}

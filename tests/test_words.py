@@ -26,8 +26,8 @@ from graphkin.words import (
     vector_equations,
 )
 from graphkin.words.catalogue import phrase
-from graphkin.words.figures import degrees, number
-from graphkin.words.layout import width
+from graphkin.words.numbers import degrees, number
+from graphkin.words.text_table import width
 
 SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
 LANGS: tuple[Lang, Lang] = ("en", "zh")

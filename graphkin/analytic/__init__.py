@@ -14,7 +14,7 @@ Mechanism -> rules      each pair's joints and linear relations (one function a 
 
 from graphkin.analytic.freedom import Mobility, mobility
 from graphkin.analytic.motions import Motion, conditioning, motion
-from graphkin.analytic.singular import NoAssembly, NotJoined, SingularPosition
+from graphkin.errors import NoAssembly, NotJoined, SingularPosition
 
 __all__ = [
     "Mobility",

@@ -16,9 +16,9 @@ from graphkin.analytic.branching import SAME, Judge, branched
 from graphkin.analytic.loops import Loops, loops_of
 from graphkin.analytic.newton import Closure, close, search
 from graphkin.analytic.rules import Relation, driven, placing
-from graphkin.analytic.singular import NoAssembly
 from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Complex, Real
+from graphkin.errors import NoAssembly
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.tolerances import ROUNDED
 

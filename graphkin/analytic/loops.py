@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphkin.analytic.rules import Joint, Relation, Unknown, shares, theta
-from graphkin.analytic.singular import NotJoined
 from graphkin.analytic.vectors import Complex, Real, Vectors
+from graphkin.errors import NotJoined
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Rod
 

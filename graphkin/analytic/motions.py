@@ -13,8 +13,8 @@ from graphkin.analytic.moving import moved
 from graphkin.analytic.newton import Closure, inverse
 from graphkin.analytic.rates import Rates, rates
 from graphkin.analytic.rules import driven
-from graphkin.analytic.singular import SingularPosition
 from graphkin.analytic.vectors import Complex, Real
+from graphkin.errors import SingularPosition
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
 from graphkin.value import frozen

@@ -31,7 +31,7 @@ SCALES: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "ac
 class Fault:
     """Something wrong with a drawing file that is no length; or, as a note, what was not judged.
 
-    kind  as in `reports.FAULTS`
+    kind  as the catalogue has it, `checks.fault ..`
     what  which element, and what about it
     """
 

@@ -156,12 +156,12 @@ def _told(asked: _Asked, source: str) -> Iterator[str]:
 
 
 def _listed(asked: _Asked, found: Centres) -> Iterator[str]:
-    from graphkin import reports
     from graphkin.words.centre_explained import advantage_lines, explain_centres, rows
+    from graphkin.words.text_table import table
 
     mechanism = found.method.mechanism
     yield f"{mechanism.name}  {mechanism.headline(asked.lang)}"
-    yield from reports.table(list(rows(found, asked.lang)))
+    yield from table(list(rows(found, asked.lang)))
     yield ""
     yield from explain_centres(found, asked.lang)
     yield from advantage_lines(found, asked.lang)

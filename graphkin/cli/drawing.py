@@ -122,14 +122,15 @@ def solve(mechanisms: tuple[str, ...], as_json: bool, lang: Lang) -> None:
 
 
 def _solved(source: str, as_json: bool, lang: Lang) -> Iterator[str]:
-    from graphkin import api, reports, results
+    from graphkin import api, results
+    from graphkin.words.results import solve_lines
 
     machine = read(source)
     found = results.results(machine, api.plan(machine), lang)
     if as_json:
         yield json_line(found)
     else:
-        yield from reports.solve_lines(machine, found, lang)
+        yield from solve_lines(machine, found, lang)
 
 
 @click.command()
@@ -145,8 +146,8 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
     Example:
       graphkin check ex3-1.svg
     """
-    from graphkin import reports
     from graphkin.check import measure
+    from graphkin.words.checks import check_lines
 
     if not math.isfinite(tolerance):
         raise click.UsageError("--tolerance takes a finite number")
@@ -158,6 +159,6 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
             click.echo(error.message(lang), err=True)
             status = 3
             continue
-        click.echo("\n".join(reports.check_lines(report, tolerance, lang)))
+        click.echo("\n".join(check_lines(report, tolerance, lang)))
         status = max(status, 0 if report.passed(tolerance) else 1)
     sys.exit(status)

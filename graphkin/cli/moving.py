@@ -63,8 +63,9 @@ def sweep(
       graphkin sweep p3-20 --driver 0:360:1 -o needle.csv
       graphkin sweep ex3-7 --of "theta 3, omega 3, alpha 3, s ram, v E, a E" -o diagram.svg
     """
-    from graphkin import api, finding, reports, sweeps
-    from graphkin.words.sweeps import extremes, left_out, remarks
+    from graphkin import api, finding, sweeps
+    from graphkin.words.finding import lines
+    from graphkin.words.sweeps import book_lines, extremes, left_out, remarks, sweep_lines
 
     if output is not None and output.suffix.lower() not in WRITTEN and str(output) != "-":
         raise click.UsageError(f"{output}: the file to write must end in {', '.join(WRITTEN)}")
@@ -77,7 +78,7 @@ def sweep(
     sweeps.held(course)
     if output is None:
         found = sweeps.sweep_over(course, names, by)
-        click.echo("\n".join(reports.book_lines(found) if table else reports.sweep_lines(found)))
+        click.echo("\n".join(book_lines(found) if table else sweep_lines(found)))
         undefined = left_out(course, found.undefined, lang)
         for line in (*remarks(course, lang), *undefined, *extremes(found, lang)):
             click.echo(line, err=table)
@@ -86,7 +87,7 @@ def sweep(
         for line in (*remarks(course, lang), *left_out(course, missing, lang)):
             click.echo(line, err=True)
     for text in limits:
-        for line in finding.lines(finding.limit(course, text, ranges, by), lang):
+        for line in lines(finding.limit(course, text, ranges, by), lang):
             click.echo(line, err=table or output is not None)
 
 
@@ -159,19 +160,23 @@ def find(
       graphkin find p3-21 "stroke s piston" --vary DH=55:125:5
     """
     from graphkin import api, finding
+    from graphkin.words.finding import lines
+    from graphkin.words.finding_table import table_lines
 
     machine = read(mechanism)
     if dimension:
         if output is not None:
             raise click.UsageError("-o draws the positions of one mechanism; leave out --vary")
         table = finding.vary(machine, dimension, condition, ranges, by, plan=api.plan)
-        click.echo(json_line(finding.table_json(table)) if as_json else "\n".join(finding.table_lines(table, lang)))
+        click.echo(json_line(finding.table_json(table)) if as_json else "\n".join(table_lines(table, lang)))
         return
     method = api.plan(machine)
     found = finding.find(method, condition, ranges, by)
-    click.echo(json_line(finding.as_json(found)) if as_json else "\n".join(finding.lines(found, lang)))
+    click.echo(json_line(finding.as_json(found)) if as_json else "\n".join(lines(found, lang)))
     if output is not None:
-        _draw_found(output, finding.drawn(method, found, lang, paper=paper), force)
+        from graphkin.sheet.found_sheet import drawn
+
+        _draw_found(output, drawn(method, found, lang, paper=paper), force)
 
 
 def _draw_found(output: Path, drawn: tuple[Sheet, int] | None, force: bool) -> None:

@@ -17,10 +17,10 @@ from graphkin.analytic import Motion
 from graphkin.equations.ledger import Ledger
 from graphkin.equations.readers import angle_readers, difference
 from graphkin.equations.symbols import NO_ANGLE, Angle, Symbol
-from graphkin.errors import Lang
 from graphkin.mechanism import FRAME, Driver
 from graphkin.pairs import Slide
 from graphkin.planning.structure import Structure
+from graphkin.words.catalogue import Meaning, meaning
 
 __all__ = ["Bodies", "quarters"]
 
@@ -34,10 +34,6 @@ def quarters(angle: float) -> int | None:
     """How many quarter turns an angle is; None where it is none."""
     count = round(angle / (math.pi / 2))
     return count % 4 if abs(angle - count * math.pi / 2) < _STRAIGHT else None
-
-
-def link_text(name: str) -> dict[Lang, str]:
-    return {"en": f"link {name}", "zh": f"构件 {name}"}
 
 
 @dataclass
@@ -126,10 +122,7 @@ class Bodies:
 
     def _theta(self, body: str, steady: bool) -> Symbol:
         symbol = self.ledger.fresh("θ", self.called(body), "angle", steady)
-        name = link_text(self.called(body))
-        texts: tuple[Mapping[Lang, str], ...] = tuple(
-            {"en": f"{en} of {name['en']}", "zh": f"{name['zh']} 的{zh}"} for en, zh in _TURNING
-        )
+        texts = tuple(meaning(f"equations.turning {rate}", link=self.called(body)) for rate in _TURNING)
         readers = angle_readers(self.structure, body, self.drawn)
         return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), readers)
 
@@ -137,8 +130,8 @@ class Bodies:
         names = self.called(driver.link), self.called(driver.from_link)
         low = "".join(names) if all(len(name) == 1 for name in names) else "/".join(names)
         symbol = self.ledger.fresh("φ", low, "angle", driver.acceleration == 0)
-        texts: tuple[Mapping[Lang, str], ...] = tuple({"en": f"{en} of link {names[0]} against link {names[1]}",
-                       "zh": f"构件 {names[0]} 相对构件 {names[1]} 的{zh}"} for en, zh in _TURNING)  # fmt: skip
+        words = {"link": names[0], "other": names[1]}
+        texts = tuple(meaning(f"equations.relative {rate}", **words) for rate in _TURNING)
         both = (angle_readers(self.structure, body, self.drawn) for body in (driver.link, driver.from_link))
         return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), difference(*both))
 
@@ -156,12 +149,9 @@ class Bodies:
         """The angle from the guide's axis to the slide's line."""
         if slide.name not in self._lines:
             low = "" if self._oblique() == 1 else self.called(slide.guide)
-            what: dict[Lang, str] = {
-                "en": f"angle from the direction of link {self.called(slide.guide)} to its guide line",
-                "zh": f"构件 {self.called(slide.guide)} 的方向到其导路的夹角",
-            }
+            what = meaning("equations.guide line", link=self.called(slide.guide))
             if slide.guide == FRAME:
-                what = {"en": f"direction of the guide of {slide.point}", "zh": f"{slide.point} 点导路的方位角"}
+                what = meaning("equations.fixed guide", point=slide.point)
             self._lines[slide.name] = self._constant(cmath.phase(slide.line.direction), "γ", low, what)
         return self._lines[slide.name]
 
@@ -174,16 +164,13 @@ class Bodies:
         if (count := quarters(slide.tilt)) is not None or slide.block is None:
             return self.line(slide).turned(count or 0)
         names = self.called(slide.block), self.called(slide.guide)
-        what: dict[Lang, str] = {
-            "en": f"angle from the direction of link {names[1]} to that of link {names[0]}",
-            "zh": f"构件 {names[1]} 的方向到构件 {names[0]} 的方向的夹角",
-        }
+        what = meaning("equations.block line", guide=names[1], block=names[0])
         key = f"{slide.name} block"
         if key not in self._lines:
             self._lines[key] = self._constant(slide.turn, "δ", names[0], what)
         return self._lines[key]
 
-    def _constant(self, value: float, letter: str, low: str, what: dict[Lang, str]) -> Angle:
+    def _constant(self, value: float, letter: str, low: str, what: Meaning) -> Angle:
         if (count := quarters(value)) is not None:
             return Angle((), count)
         return Angle.of(self.ledger.constant(letter, low, what, "deg", math.remainder(value, math.tau)))
@@ -195,7 +182,7 @@ class Bodies:
             self.ledger.alias[self._theta(body, steady=False)] = angle
 
 
-_TURNING = (("direction", "方位角"), ("angular velocity", "角速度"), ("angular acceleration", "角加速度"))
+_TURNING = ("direction", "angular velocity", "angular acceleration")
 
 
 @dataclass(frozen=True)

@@ -12,12 +12,12 @@ from graphkin.equations.model import Model
 from graphkin.equations.polygons import way
 from graphkin.equations.readers import place
 from graphkin.equations.symbols import Symbol
-from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.planning.structure import Hinge, Joint, Sliding
 from graphkin.quantities import parts
 from graphkin.value import frozen
+from graphkin.words.catalogue import meaning
 
 __all__ = ["Chain", "asked_points", "chain", "vectors"]
 
@@ -77,12 +77,10 @@ def _arm(model: Model, body: str, start: str, end: str, low: str) -> Sum:
     if quarters(cmath.phase(arm)) is not None:
         return Sum.of(term for arrow in arrows.along(body, start, end) for term in arrow.sum.terms)
     theta = model.bodies.angles[body]
-    what: list[dict[Lang, str]] = [
-        {"en": f"part of {start}{end} along the direction of link {called}",
-         "zh": f"{start}{end} 沿构件 {called} 方向的分量"},
-        {"en": f"part of {start}{end} at +90° to link {called}",
-         "zh": f"{start}{end} 在构件 {called} 方向 +90° 上的分量"},
-    ]  # fmt: skip
+    what = (
+        meaning("equations.part along", ends=start + end, link=called),
+        meaning("equations.part across", ends=start + end, link=called),
+    )
     a = model.ledger.constant("a", low, what[0], "mm", arm.real)
     b = model.ledger.constant("b", low, what[1], "mm", arm.imag)
     return phasor(one(a), theta) + phasor(one(b), theta.turned(1))
@@ -96,11 +94,11 @@ def vectors(model: Model, of: Chain) -> tuple[Symbol, Symbol, Symbol]:
 
     readers: tuple[Reader, ...] = (position, lambda motion: motion.velocity[of.of], lambda m: m.acceleration[of.of])
     start = model.bodies.spot(of.start)
-    what: list[tuple[str, dict[Lang, str]]] = [
-        ("l", {"en": f"position of {of.of} from {start}", "zh": f"由 {start} 至 {of.of} 的位置矢量"}),
-        ("v", {"en": f"velocity of {of.of}", "zh": f"{of.of} 点的速度"}),
-        ("a", {"en": f"acceleration of {of.of}", "zh": f"{of.of} 点的加速度"}),
-    ]
+    what = (
+        ("l", meaning("equations.point position", start=start, point=of.of)),
+        ("v", meaning("equations.point velocity", point=of.of)),
+        ("a", meaning("equations.point acceleration", point=of.of)),
+    )
     units: tuple[Unit, ...] = ("mm", "m/s", "m/s^2")
     found = []
     for (letter, text), unit, read in zip(what, units, readers, strict=True):

@@ -92,8 +92,8 @@ def _solved(model: Model, page: Page, pretty: Pretty, task: Task, polygon: Polyg
     page.head("equations.position", 3)
     _closed(page, pretty, polygon)
     Solver(page, pretty, model.ledger, model.values, low).write(split)
-    for order, head in ((1, "velocity"), (2, "acceleration")):
-        page.head(f"equations.{head}", 3)
+    for order in (1, 2):
+        page.head("equations.velocity" if order == 1 else "equations.acceleration", 3)
         _derived(page, pretty, polygon, order)
         page.say("equations.rates")
         found = quotients(split, order)

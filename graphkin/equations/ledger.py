@@ -10,9 +10,9 @@ import numpy as np
 
 from graphkin.analytic import Motion
 from graphkin.equations.symbols import Angle, Kind, Symbol
-from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.value import frozen
+from graphkin.words.catalogue import Meaning
 
 __all__ = ["Entry", "Ledger", "Reader", "Unit", "settled", "values"]
 
@@ -26,7 +26,7 @@ Reader = Callable[[Motion], Value]
 class Entry:
     """A line of the legend: what a symbol is, the unit it is written in, and its value in SI at a motion."""
 
-    text: Mapping[Lang, str]
+    meaning: Meaning
     unit: Unit
     read: Reader
 
@@ -55,19 +55,19 @@ class Ledger:
     def _key(symbol: Symbol) -> tuple[str, str, int]:
         return symbol.letter + "." * symbol.dots, symbol.low, symbol.primes
 
-    def constant(self, letter: str, low: str, text: Mapping[Lang, str], unit: Unit, value: float) -> Symbol:
+    def constant(self, letter: str, low: str, meaning: Meaning, unit: Unit, value: float) -> Symbol:
         """A dimension, whatever the position [m, rad]."""
         symbol = self.fresh(letter, low)
-        self.entries[symbol] = Entry(text, unit, lambda motion: value)
+        self.entries[symbol] = Entry(meaning, unit, lambda motion: value)
         return symbol
 
     def variable(
-        self, symbol: Symbol, texts: tuple[Mapping[Lang, str], ...], units: tuple[Unit, Unit, Unit],
+        self, symbol: Symbol, meanings: tuple[Meaning, ...], units: tuple[Unit, Unit, Unit],
         readers: tuple[Reader, Reader, Reader],
     ) -> Symbol:  # fmt: skip
         """A symbol that moves, with its rates."""
-        for each, text, unit, read in zip(_family(symbol), texts, units, readers, strict=False):
-            self.entries[each] = Entry(text, unit, read)
+        for each, meaning, unit, read in zip(_family(symbol), meanings, units, readers, strict=False):
+            self.entries[each] = Entry(meaning, unit, read)
         return symbol
 
 

@@ -14,7 +14,7 @@ from graphkin.equations.model import Model
 from graphkin.equations.page import Page
 from graphkin.equations.pretty import ZERO, Pretty
 from graphkin.equations.symbols import Symbol
-from graphkin.errors import Lang
+from graphkin.words.catalogue import meaning
 
 __all__ = ["write_matrix"]
 
@@ -86,9 +86,8 @@ def _components(model: Model, symbol: Symbol, axis: str) -> tuple[Symbol, Symbol
     for name, turn in (("x", 1.0), ("y", -1j)):
         letter, low = (axis, f"{symbol.low}{name}") if axis else (name, symbol.low)
         made = model.ledger.fresh(letter, low + "'" * symbol.primes)
-        text: dict[Lang, str] = {"en": f"{entry.text['en']}, {name}", "zh": f"{entry.text['zh']}（{name} 分量）"}
-
-        model.ledger.entries[made] = Entry(text, entry.unit, _turned(entry.read, turn))
+        what = meaning("equations.component", of=entry.meaning, axis=name)
+        model.ledger.entries[made] = Entry(what, entry.unit, _turned(entry.read, turn))
         found.append(made)
     return found[0], found[1]
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import cmath
 from collections import deque
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from graphkin.equations.bodies import Bodies, quarters
@@ -16,11 +16,11 @@ from graphkin.equations.expressions import Sum, Term, one, phasor
 from graphkin.equations.ledger import Ledger
 from graphkin.equations.readers import slide_readers
 from graphkin.equations.symbols import Angle, Symbol
-from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Slide
 from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
 from graphkin.value import frozen
+from graphkin.words.catalogue import meaning
 
 __all__ = ["Arrow", "Arrows", "Polygon", "Site", "closed", "way"]
 
@@ -110,7 +110,7 @@ class Arrows:
             count = None if count is None else (count + 2) % 4
         called = self.bodies.called(body)
         ends = self.bodies.spot(start) + self.bodies.spot(end)
-        what: dict[Lang, str] = {"en": f"length {ends} of link {called}", "zh": f"构件 {called} 的长度 {ends}"}
+        what = meaning("equations.length", ends=ends, link=called)
         length = self.ledger.constant("l", called, what, "mm", abs(arm))
         angle = Angle((), count) if count is not None else self._offset(body, called, length, arm)
         return Arrow(length, self.bodies.angles[body] + angle, (start, body), (end, body))
@@ -118,11 +118,9 @@ class Arrows:
     def _offset(self, body: str, called: str, length: Symbol, arm: complex) -> Angle:
         low = called + "'" * length.primes
         if body == FRAME:
-            what: dict[Lang, str] = {"en": f"direction of the frame's {_written(length)}",
-                                     "zh": f"机架矢量 {_written(length)} 的方位角"}  # fmt: skip
+            what = meaning("equations.frame direction", vector=_written(length))
             return Angle.of(self.ledger.constant("θ", low, what, "deg", cmath.phase(arm)))
-        what = {"en": f"angle from the direction of link {called} to {_written(length)}",
-                "zh": f"构件 {called} 的方向到 {_written(length)} 的夹角"}  # fmt: skip
+        what = meaning("equations.offset", link=called, vector=_written(length))
         return Angle.of(self.ledger.constant("β", low, what, "deg", cmath.phase(arm)))
 
     def sliding(self, name: str) -> Arrow:
@@ -139,11 +137,8 @@ class Arrows:
             steady = driver is not None and self.structure.mechanism.drivers[driver].acceleration == 0
             symbol = self.ledger.fresh("s", self._low(slide), "displacement", steady)
             guide, point = self.bodies.called(slide.guide), slide.point
-            where = {"en": f"of {point} along the guide on link {guide}, from {self.bodies.spot(slide.line.origin)}",
-                     "zh": f"{point} 沿构件 {guide} 上导路、自 {self.bodies.spot(slide.line.origin)} 起的"}  # fmt: skip
-            texts: tuple[Mapping[Lang, str], ...] = tuple(
-                {"en": f"{en} {where['en']}", "zh": where["zh"] + zh} for en, zh in _SLIDING
-            )
+            words = {"point": point, "guide": guide, "start": self.bodies.spot(slide.line.origin)}
+            texts = tuple(meaning(f"equations.sliding {rate}", **words) for rate in _SLIDING)
             self.ledger.variable(symbol, texts, ("mm", "m/s", "m/s^2"), slide_readers(self.structure, slide))
             self.slides[name] = symbol
         return self.slides[name]
@@ -158,7 +153,7 @@ class Arrows:
         return self.bodies.called(slide.block)
 
 
-_SLIDING = (("displacement", "位移"), ("sliding velocity", "滑动速度"), ("sliding acceleration", "滑动加速度"))
+_SLIDING = ("displacement", "velocity", "acceleration")
 
 
 

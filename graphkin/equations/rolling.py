@@ -7,9 +7,9 @@ from graphkin.equations.expressions import Sum, Term, number, one
 from graphkin.equations.ledger import values
 from graphkin.equations.polygons import Arrows
 from graphkin.equations.symbols import Angle, Symbol
-from graphkin.errors import Lang
 from graphkin.planning.equivalent import Contact
 from graphkin.value import frozen
+from graphkin.words.catalogue import meaning
 
 __all__ = ["Rolling", "rolling"]
 
@@ -32,8 +32,7 @@ def rolling(arrows: Arrows, contact: Contact, drawn: Motion) -> Rolling:
     moving = _on_circles(arrows, contact) if contact.arm else _on_line(arrows, contact)
     value = float(moving.at(values(arrows.ledger, drawn)))
     names = [arrows.bodies.called(wheel) for wheel in contact.wheels]
-    what: dict[Lang, str] = {"en": f"constant of the rolling of {names[0]} and {names[1]}, from the drawn position",
-                             "zh": f"构件 {names[0]} 与 {names[1]} 滚动关系的常数，由给定位置确定"}  # fmt: skip
+    what = meaning("equations.rolling constant", first=names[0], second=names[1])
     constant = arrows.ledger.constant("c", "".join(names) if all(map(str.isdigit, names)) else names[1],
                                       what, "mm rad", value)  # fmt: skip
     return Rolling(contact, moving, constant)
@@ -41,12 +40,10 @@ def rolling(arrows: Arrows, contact: Contact, drawn: Motion) -> Rolling:
 
 def _radius(arrows: Arrows, wheel: str, radius: float) -> Symbol:
     """The radius of a wheel's circle, one letter for each size."""
-    known = {(e.text["zh"], s): s for s, e in arrows.ledger.entries.items() if s.letter == "r"}
     name = arrows.bodies.called(wheel)
-    what: dict[Lang, str] = {"en": f"radius {radius * 1000:.12g} mm of wheel {name}",
-                             "zh": f"轮 {name} 的半径 {radius * 1000:.12g} mm"}  # fmt: skip
-    for (text, _), symbol in known.items():
-        if text == what["zh"]:
+    what = meaning("equations.radius", radius=f"{radius * 1000:.12g}", wheel=name)
+    for symbol, entry in arrows.ledger.entries.items():
+        if symbol.letter == "r" and entry.meaning == what:
             return symbol
     return arrows.ledger.constant("r", name, what, "mm", radius)
 

@@ -26,6 +26,7 @@ from graphkin.equations.layout import (
 )  # fmt: skip
 from graphkin.equations.symbols import Symbol
 from graphkin.sheet import Sheet
+from graphkin.words.text_table import aligned, padded, width
 
 __all__ = ["inline", "symbol_text", "write_text"]
 
@@ -38,7 +39,7 @@ _PIECES = re.compile(r"[\u4e00-\u9fff][，。；：、）]*\s*|[^\s\u4e00-\u9fff
 
 def write_text(document: Document) -> str:
     """The whole document, ending in a newline; no line ends in blanks."""
-    lines = [document.title, "=" * _width(document.title)]
+    lines = [document.title, "=" * width(document.title)]
     for block in document.blocks:
         lines += ["", *written] if (written := _block(block)) else []
     return "\n".join(line.rstrip() for line in lines) + "\n"
@@ -47,7 +48,7 @@ def write_text(document: Document) -> str:
 def _block(block: Block) -> list[str]:
     match block:
         case Heading():
-            return [block.text, ("-" if block.level == 2 else "·") * _width(block.text)]
+            return [block.text, ("-" if block.level == 2 else "·") * width(block.text)]
         case Sentence():
             return _wrapped("".join(part if isinstance(part, str) else inline(part) for part in block.parts))
         case Display():
@@ -64,7 +65,7 @@ def _wrapped(text: str) -> list[str]:
     """Lines of a terminal's width, broken at blanks or between Chinese characters."""
     lines = [""]
     for word in _PIECES.findall(text):
-        if lines[-1] and _width(lines[-1] + word.rstrip()) > _NUMBERED_AT:
+        if lines[-1] and width(lines[-1] + word.rstrip()) > _NUMBERED_AT:
             lines.append("")
         lines[-1] += word
     return lines
@@ -73,7 +74,7 @@ def _wrapped(text: str) -> list[str]:
 def _display(block: Display) -> list[str]:
     lines = [line for row in block.rows for line in _beside([*_sides(row)])]
     number = f"({block.number})"
-    lines[-1] += " " * max(3, _NUMBERED_AT - 4 - _width(lines[-1])) + number
+    lines[-1] += " " * max(3, _NUMBERED_AT - 4 - width(lines[-1])) + number
     return ["    " + line for line in lines]
 
 
@@ -97,17 +98,15 @@ def _beside(nodes: Sequence[Node]) -> list[str]:
     lines = [""] * height
     for column in columns:
         top = (height - len(column)) // 2
-        wide = max(_width(text) for text in column)
+        wide = max(width(text) for text in column)
         for k in range(height):
             text = column[k - top] if top <= k < top + len(column) else ""
-            lines[k] += (" " if lines[k] else "") + text + " " * (wide - _width(text))
+            lines[k] += (" " if lines[k] else "") + padded(text, wide)
     return [line.rstrip() for line in lines] if height == 1 else lines
 
 
 def _matrix(grid: Grid) -> list[str]:
-    cells = [[inline(entry) for entry in row] for row in grid.rows]
-    wide = [max(_width(row[k]) for row in cells) for k in range(len(cells[0]))]
-    rows = ["   ".join(text + " " * (wide[k] - _width(text)) for k, text in enumerate(row)) for row in cells]
+    rows = aligned([[inline(entry) for entry in row] for row in grid.rows], "<", "   ")
     if len(rows) == 1:
         return [f"[ {rows[0]} ]"]
     ends = [("⎡", "⎤"), *[("⎢", "⎥")] * (len(rows) - 2), ("⎣", "⎦")]
@@ -116,17 +115,11 @@ def _matrix(grid: Grid) -> list[str]:
 
 def _table(block: Table) -> list[str]:
     cells = [list(block.heads), *([_cell(entry) for entry in row] for row in block.rows)]
-    wide = [max(_width(row[k]) for row in cells) for k in range(len(block.heads))]
-    return ["    " + "  ".join(text + " " * (wide[k] - _width(text)) for k, text in enumerate(row)) for row in cells]
+    return ["    " + line for line in aligned(cells, "<")]
 
 
 def _cell(entry: str | Node) -> str:
     return entry if isinstance(entry, str) else inline(entry)
-
-
-def _width(text: str) -> int:
-    """Columns of a terminal: wide characters take two, combining ones none."""
-    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
 
 
 def symbol_text(symbol: Symbol) -> str:

@@ -78,7 +78,7 @@ def _rates(name: Symbol, angle: Angle) -> list[tuple[Symbol, Sum]]:
 def _legend(model: Model, lang: Lang) -> list[tuple[str | Node, ...]]:
     """Every letter, what it is, and its value at the drawn position."""
     values = model.values
-    return [(Letter(symbol), entry.text[lang], _value(entry, values[symbol]))
+    return [(Letter(symbol), entry.meaning.spoken(lang), _value(entry, values[symbol]))
             for symbol, entry in model.ledger.entries.items()]  # fmt: skip
 
 

@@ -107,7 +107,7 @@ class Found:
     everywhere  whether the condition holds at every position (an extreme: the quantity never changes)
     zero        whether the quantity is zero throughout, but for rounding
     swing       greatest less least value, for `range` and `stroke`; None where it has none
-    notes       further remarks, as keys of `wording.NOTES`
+    notes       further remarks, as the catalogue has them: `finding.note ..`
     """
 
     condition: Condition

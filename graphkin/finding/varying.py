@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from graphkin import loading
-from graphkin.errors import BadRange, GraphkinError, Lang, NoDimension, NoSuchDriver
+from graphkin.errors import BadRange, GraphkinError, NoDimension, NoSuchDriver
 from graphkin.finding import conditions
 from graphkin.finding.data import as_json
 from graphkin.finding.dimensions import WHERE, Place, dimension, replaced, value_at
@@ -19,18 +19,15 @@ from graphkin.finding.find import find
 from graphkin.finding.found import Found
 from graphkin.finding.points import line_of
 from graphkin.finding.quantities import checked
-from graphkin.finding.summary import header, summary
 from graphkin.loading.units import read_quantity
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.planning import plan as planned
-from graphkin.quantities import EDGE
-from graphkin.reports import table
 from graphkin.running import replay_all
 from graphkin.sweeps import Road
 from graphkin.value import frozen
 
-__all__ = ["Row", "Table", "table_json", "table_lines", "vary"]
+__all__ = ["Row", "Table", "table_json", "vary"]
 
 MOST = 10_000
 """Values of a dimension, at most."""
@@ -182,28 +179,7 @@ def _positions(method: Method) -> dict[str, complex]:
     return {p: complex(plot.position[p]) for p in mechanism.points if p not in fixed and p in plot.position}
 
 
-# --- for people and programs ------------------------------------------------------------------
-
-
-def table_lines(found: Table, lang: Lang = "en") -> Iterator[str]:
-    """A row for each value."""
-    yield f"{found.condition}"
-    unit = {"length": "mm", "angle": "deg"}.get(found.place.kind)
-    shown = [entry.found for entry in found.rows if entry.found is not None]
-    heads = [f"{found.name} [{unit}]" if unit else found.name, *(header(shown[0], lang) if shown else [])]
-    rows = [heads]
-    for row in found.rows:
-        cells = summary(row.found) if row.found is not None else ["-"] * (len(heads) - 1)
-        rows.append([_shown(row.value, found.place), *cells])
-    lines = table(rows)
-    yield lines[0]
-    for row, line in zip(found.rows, lines[1:]):
-        yield line if row.error is None else f"{line}  {row.error.message(lang)}"
-
-
-def _shown(value: float, place: Place) -> str:
-    unit = {"length": "m", "angle": "rad"}.get(place.kind, "1")
-    return f"{value * EDGE[unit].factor:.6g}"
+# --- for programs -----------------------------------------------------------------------------
 
 
 def table_json(found: Table) -> dict[str, Any]:

@@ -19,7 +19,8 @@ from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
-from graphkin.words.linkages import amount, degrees, kind_name, titled
+from graphkin.words.linkages import amount, kind_name, titled
+from graphkin.words.numbers import angle as degrees
 
 _CAPTION = 22.0
 """Room for a caption of four lines under each figure [mm]."""

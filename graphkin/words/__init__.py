@@ -1,69 +1,46 @@
-"""A construction in words: the vector equations with their rows, how each is drawn, and what it gives.
+"""The one speaker: whatever graphkin says, but its errors, is said here, in either language.
 
-    derivation   steps -> entries (headings, sentences, calculations, vector equations): data for any output
-    explain      the same as lines of plain text
+    catalogue       phrases by name, `subject.key`; their texts in `phrases`, a file a subject, imported when needed
+    numbers, names  how figures, points, vectors and links are written; `text_table`: text in columns
+    explained       a method and its plot -> entries (headings, sentences, calculations, vector equations), data for
+                    any output; `layout` makes lines of them. `reading` is the mechanism's side, `plane` a polygon's;
+                    a reader each: `given`, `position`, `equivalents`, `sizes`, `equations`, `rotation`, `rolling`,
+                    `together`, `polygons`
+    structure, redundancy, results, checks, sweeps, finding, design, linkages, centre_*    a reader a subject
 
-Every figure is taken from the plot, that is from the drawing; nothing here solves anything.
+Every figure is taken from the data; nothing here solves anything. A new step kind fails the type check in each
+reader of steps until it has its words; a new size, in `sizes`; a new direction, in `plane`.
 
-Module order: `figures`, `names`, `phrases` (all sentences, both languages side by side), `entries`, `layout`,
-`reading` (the mechanism's side), `plane` (a polygon's side), then one reader a subject: `given`, `position`,
-`sizes`, `equations`, `rotation`, `polygons`. A new step kind fails the type check in each reader of steps
-until it has its words; a new size, in `sizes`; a new direction, in `plane`. `centre_explained` words the instant
-centres, from `centre_phrases`, `centre_steps` (how each is found), `centre_levers` (sums between them), `centre_uses`;
-`centre_about` a link about its pole, `centre_poles` the pole of two velocities. `linkages` words the linkages of four
-links, from `linkage_phrases`; `structure`, what a mechanism is made of, and `redundancy`, what repeats in it.
+How to add a phrase:
+1. `phrases/SUBJECT.py`: a key, the English and the Chinese text, with the same placeholders in both.
+2. Ask for it where the subject is read: `say("subject.key", lang, word=..)`; in a reading, `reading.say(..)`.
+3. A choice by data is a family, a word before what is open: `say(f"subject.kind {found.kind}", lang)`.
+4. Figures come from `numbers`, names from `names`, signs between from `common`; data carries `meaning(..)`.
+5. `pytest tests/test_catalogue.py`: a phrase that nobody asks for fails, as does one that is asked for and not there.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
-from graphkin.construction import Equation, Plane, Plot
-from graphkin.errors import Lang
-from graphkin.planning import Method
-from graphkin.words.entries import Arrow, Calculation, Entry, Heading, Sentence, VectorEquation
-from graphkin.words.equations import worded
-from graphkin.words.given import given
-from graphkin.words.layout import lines
-from graphkin.words.plane import Polygon
-from graphkin.words.polygons import polygon
-from graphkin.words.position import PositionReader
-from graphkin.words.reading import Reading
+_WHERE = dict.fromkeys(("Arrow", "Calculation", "Entry", "Heading", "Sentence", "VectorEquation"), "entries")
+_WHERE |= dict.fromkeys(("derivation", "explain", "vector_equations"), "explained")
+_WHERE |= {"say": "catalogue"}
 
 __all__ = [
-    "Arrow",
-    "Calculation",
-    "Entry",
-    "Heading",
-    "Sentence",
-    "VectorEquation",
-    "derivation",
-    "explain",
+    "Arrow", "Calculation", "Entry", "Heading", "Sentence", "VectorEquation", "derivation", "explain", "say",
     "vector_equations",
-]
+]  # fmt: skip
+
+if TYPE_CHECKING:
+    from graphkin.words.catalogue import say
+    from graphkin.words.entries import Arrow, Calculation, Entry, Heading, Sentence, VectorEquation
+    from graphkin.words.explained import derivation, explain, vector_equations
 
 
-def explain(method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang) -> list[str]:
-    """The whole solution as lines of plain text.
-
-    plot    one position of the method, all three planes replayed
-    scales  "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s²)/mm]
-    """
-    return list(lines(derivation(method, plot, scales, lang), lang))
-
-
-def derivation(method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang) -> Iterator[Entry]:
-    """The whole solution as data: what is given, then the three planes in the order of their constructions."""
-    reading = Reading(method, plot, scales, lang)
-    yield from given(reading)
-    yield from PositionReader(reading).entries()
-    yield from polygon(reading, "velocity")
-    yield from polygon(reading, "acceleration")
-
-
-def vector_equations(
-    method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang, plane: Plane
-) -> dict[Equation, VectorEquation]:
-    """The equations of one polygon as they are printed, by the equations of its construction."""
-    drawn = Polygon(Reading(method, plot, scales, lang), plane)
-    return {part: worded(drawn, part) for part in drawn.construction.equations}
+def __getattr__(name: str) -> Any:
+    """Public names are imported when first used: who speaks of one subject loads no other."""
+    if name not in _WHERE:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_WHERE[name]}"), name)

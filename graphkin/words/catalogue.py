@@ -13,6 +13,7 @@ from importlib import import_module
 from typing import get_args
 
 from graphkin.errors import Lang
+from graphkin.value import frozen
 
 Phrases = Mapping[str, tuple[str, str]]
 """By key: English, Chinese."""
@@ -36,6 +37,23 @@ def say(name: str, lang: Lang, /, **words: object) -> str:
 def in_both(name: str, /, **words: object) -> dict[Lang, str]:
     """The same in each language, for what bears its title in both."""
     return {lang: say(name, lang, **words) for lang in LANGUAGES}
+
+
+@frozen
+class Meaning:
+    """A phrase with its words, in no language yet; a word may be such a phrase itself."""
+
+    name: str
+    words: tuple[tuple[str, object], ...]
+
+    def spoken(self, lang: Lang) -> str:
+        words = {key: word.spoken(lang) if isinstance(word, Meaning) else word for key, word in self.words}
+        return say(self.name, lang, **words)
+
+
+def meaning(name: str, /, **words: object) -> Meaning:
+    """What data says of itself; whoever shows it speaks it."""
+    return Meaning(name, tuple(words.items()))
 
 
 def close(text: str) -> str:

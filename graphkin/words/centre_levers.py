@@ -14,7 +14,7 @@ from graphkin.words import names
 from graphkin.words.catalogue import say
 from graphkin.words.centre_steps import CentreReader
 from graphkin.words.entries import Calculation, Entry, Sentence
-from graphkin.words.figures import degrees, number
+from graphkin.words.numbers import degrees, number
 
 __all__ = ["LeverReader"]
 

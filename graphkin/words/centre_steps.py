@@ -31,13 +31,13 @@ from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.catalogue import say
 from graphkin.words.entries import Entry, Heading, Sentence
-from graphkin.words.figures import number
+from graphkin.words.numbers import number
 
 __all__ = ["CentreReader"]
 
 
-NORMALS: Mapping[type[Pair], str] = {Cam: "normal", Slide: "slot", CircularSlot: "circular slot"}
-"""What the common normal of a pair is called, of each kind that slips."""
+NORMALS: Mapping[type[Pair], str] = {Cam: "contact", Slide: "slot", CircularSlot: "circular slot"}
+"""What the common normal is the normal of, for each kind of pair that slips."""
 
 
 @frozen
@@ -143,7 +143,7 @@ class CentreReader:
 
     def _normal(self, step: Meet, normal: CommonNormal) -> str:
         pair = self.found.centring.links[step.name]
-        key = f"centres.{NORMALS[type(normal.pair)]}"
+        key = f"centres.normal of {NORMALS[type(normal.pair)]}"
         return self.say(key, point=names.point(normal.line.through), **self._links(pair))
 
     def _three(self, ends: Iterable[str]) -> str:

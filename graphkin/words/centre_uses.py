@@ -15,7 +15,7 @@ from graphkin.words.catalogue import say
 from graphkin.words.centre_levers import LeverReader
 from graphkin.words.centre_steps import CentreReader
 from graphkin.words.entries import Calculation, Entry, Heading, Sentence
-from graphkin.words.figures import number
+from graphkin.words.numbers import number
 
 __all__ = ["uses"]
 

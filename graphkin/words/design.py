@@ -14,42 +14,24 @@ from graphkin.linkages import filed
 from graphkin.mechanism import Mechanism
 from graphkin.words.catalogue import in_both, say
 from graphkin.words.linkages import kind_name
+from graphkin.words.numbers import Figure
 
 __all__ = ["as_toml", "error", "lines", "mechanism_of", "said", "sentences"]
-
-_DIGITS = 5
-
-
-class _Said(float):
-    """A number in a sentence: `mm` a length, `deg` an angle, `n` as it is; five figures."""
-
-    def __format__(self, spec: str) -> str:
-        if spec == "mm":
-            return f"{_figure(self * 1e3)} mm"
-        if spec == "deg":
-            return f"{_figure(math.degrees(self))}°"
-        return _figure(self) if spec == "n" else format(round(self) if spec == "d" else float(self), spec)
-
-
-def _figure(value: float) -> str:
-    size = abs(value)
-    text = f"{value:.{_DIGITS}g}" if size >= 1e-9 else "0"
-    return (f"{value:.0f}" if "e" in text and size >= 1 else text).replace("-", "−")
 
 
 def sentences(construction: Construction, board: Board, lang: Lang) -> list[str]:
     """One sentence a stage, with the numbers of the board."""
-    numbers: dict[str, Any] = {name: _Said(value) for name, value in board.numbers.items()}
+    numbers: dict[str, Any] = {name: Figure(value) for name, value in board.numbers.items()}
     for name, place in board.places.items():
-        numbers |= {f"{name}_x": _Said(place.real * 1e3), f"{name}_y": _Said(place.imag * 1e3)}
+        numbers |= {f"{name}_x": Figure(place.real * 1e3), f"{name}_y": Figure(place.imag * 1e3)}
     if "K" in board.numbers:
-        numbers |= {"less": _Said(board.numbers["K"] - 1), "more": _Said(board.numbers["K"] + 1)}
+        numbers |= {"less": Figure(board.numbers["K"] - 1), "more": Figure(board.numbers["K"] + 1)}
     return [say(f"design.stage {stage.say}", lang, **numbers) for stage in construction.stages]
 
 
 def said(reason: Reason, lang: Lang) -> str:
     """A reason as a sentence."""
-    data: dict[str, Any] = {k: v if isinstance(v, str) else _Said(v) for k, v in reason.data}
+    data: dict[str, Any] = {k: v if isinstance(v, str) else Figure(v) for k, v in reason.data}
     if "name" in data:
         data["name"] = say(f"design.name {data['name']}" if data["name"] else "design.name", lang)
     return say(f"design.reason {reason.key}", lang, **data)
@@ -97,7 +79,7 @@ def _lines(design: Design, lang: Lang) -> Iterator[str]:
 def _lengths(one: Solution) -> str:
     """a = 20.773 mm, b = .. of those it has."""
     sizes = {"a": one.a, "b": one.b, "c": one.c, "d": one.d, "e": one.e}
-    return ", ".join(f"{name} = {_Said(size):mm}" for name, size in sizes.items() if size is not None)
+    return ", ".join(f"{name} = {Figure(size):mm}" for name, size in sizes.items() if size is not None)
 
 
 def _judged(one: Solution, lang: Lang) -> Iterator[str]:
@@ -109,9 +91,9 @@ def _judged(one: Solution, lang: Lang) -> Iterator[str]:
         return
     values = {"ψ": found.swing, "θ": found.theta, "γmin": found.gamma_min}
     told = [kind_name(found, lang)]
-    told += [f"{name} = {_Said(value):deg}" for name, value in values.items() if value is not None]
-    told += [f"H = {_Said(found.stroke):mm}"] if found.stroke is not None else []
-    told += [f"K = {_Said(found.k):n}"] if found.k is not None else []
+    told += [f"{name} = {Figure(value):deg}" for name, value in values.items() if value is not None]
+    told += [f"H = {Figure(found.stroke):mm}"] if found.stroke is not None else []
+    told += [f"K = {Figure(found.k):n}"] if found.k is not None else []
     if one.pace is not None:
         told.append(say("design.slow ccw" if one.pace > 0 else "design.slow cw", lang))
     yield f"  {say('design.proof', lang)}{', '.join(told)}"
@@ -120,10 +102,10 @@ def _judged(one: Solution, lang: Lang) -> Iterator[str]:
 
 def _family(one: Family, lang: Lang) -> str:
     arcs = [
-        say("design.arcs", lang, start=_Said(arc.start % math.tau), end=_Said(arc.end % math.tau))
+        say("design.arcs", lang, start=Figure(arc.start % math.tau), end=Figure(arc.end % math.tau))
         for arc in one.arcs if arc.name == "admissible"
     ]  # fmt: skip
-    x, y, radius, best = map(_Said, (one.centre.real * 1e3, one.centre.imag * 1e3, one.radius, one.best[1]))
+    x, y, radius, best = map(Figure, (one.centre.real * 1e3, one.centre.imag * 1e3, one.radius, one.best[1]))
     return say("design.family", lang, arcs=", ".join(arcs), x=x, y=y, radius=radius, best=best)
 
 

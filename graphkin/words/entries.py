@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from graphkin.value import frozen
-from graphkin.words.figures import number
+from graphkin.words.numbers import number
 
 __all__ = ["Arrow", "Calculation", "Entry", "Heading", "Sentence", "VectorEquation"]
 

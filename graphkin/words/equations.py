@@ -34,7 +34,7 @@ from graphkin.construction import (
 )
 from graphkin.words import names
 from graphkin.words.entries import Arrow, Calculation, Entry, Sentence, VectorEquation
-from graphkin.words.figures import number
+from graphkin.words.numbers import number
 from graphkin.words.plane import Polygon
 from graphkin.words.sizes import known_size, size_row
 from graphkin.words.together import instant_centre, special_introduction

@@ -27,7 +27,7 @@ from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, Slot, rod_n
 from graphkin.pairs import Roll as RollingPair
 from graphkin.words import names
 from graphkin.words.entries import Entry, Sentence
-from graphkin.words.figures import degrees, number
+from graphkin.words.numbers import degrees, number
 from graphkin.words.reading import Reading
 
 __all__ = ["equivalents"]

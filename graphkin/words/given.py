@@ -8,7 +8,7 @@ from math import degrees
 from graphkin.mechanism import FRAME, Driver, Pose
 from graphkin.words import names
 from graphkin.words.entries import Entry, Heading, Sentence
-from graphkin.words.figures import number
+from graphkin.words.numbers import number
 from graphkin.words.reading import Reading
 from graphkin.words.redundancy import redundant_constraints
 

@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import unicodedata
 from collections.abc import Iterable, Iterator
 from typing import assert_never
 
 from graphkin.errors import Lang
 from graphkin.words.catalogue import close, say
-from graphkin.words.entries import Arrow, Calculation, Entry, Heading, Sentence, VectorEquation
+from graphkin.words.entries import Calculation, Entry, Heading, Sentence, VectorEquation
+from graphkin.words.text_table import aligned, padded, width
 
-__all__ = ["lines", "width"]
-
-
-def width(text: str) -> int:
-    """Columns that a text takes: two for a Chinese character, none for an accent."""
-    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
+__all__ = ["lines"]
 
 
 def lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
@@ -37,11 +32,12 @@ def lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
 
 
 def _equation(equation: VectorEquation, lang: Lang) -> Iterator[str]:
-    columns = list(_columns(equation))
-    rows = zip(*(_centred(column) for column in columns), strict=True)
-    labels = _padded(["", say("derivation.direction row", lang), say("derivation.size row", lang)])
+    """The terms, and their rows under them, each column centred."""
+    rows = aligned([*zip(*_columns(equation), strict=True)], "^", " ")
+    labels = ["", say("derivation.direction row", lang), say("derivation.size row", lang)]
+    room = max(map(width, labels))
     for label, row in zip(labels, rows, strict=True):
-        yield f"    {label}  {' '.join(row)}".rstrip()
+        yield f"    {padded(label, room)}  {row}".rstrip()
 
 
 def _columns(equation: VectorEquation) -> Iterator[tuple[str, str, str]]:
@@ -54,19 +50,4 @@ def _columns(equation: VectorEquation) -> Iterator[tuple[str, str, str]]:
         for n, arrow in enumerate(side):
             if n:
                 yield "+", "", ""
-            yield _column(arrow)
-
-
-def _column(arrow: Arrow) -> tuple[str, str, str]:
-    return arrow.name, arrow.direction, arrow.size
-
-
-def _centred(column: tuple[str, ...]) -> list[str]:
-    room = max(width(cell) for cell in column)
-    spare = [room - width(cell) for cell in column]
-    return [" " * (n // 2) + cell + " " * (n - n // 2) for cell, n in zip(column, spare, strict=True)]
-
-
-def _padded(labels: list[str]) -> list[str]:
-    room = max(width(label) for label in labels)
-    return [label + " " * (room - width(label)) for label in labels]
+            yield arrow.name, arrow.direction, arrow.size

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -12,20 +11,10 @@ from graphkin.linkages.equal import EVEN
 from graphkin.linkages.linkage import Position
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.words.catalogue import LANGUAGES, in_both, say
+from graphkin.words.numbers import angle, millimetres
 
 HELD_BLOCKS = ("oscillating guide bar", "rotating guide bar", "slider-crank", "rocker-slider")
 """Kinds that have a name of their own where the block is joined to the frame."""
-
-
-def degrees(angle: float, lang: Lang = "en") -> str:
-    """`32.984 deg`, `32.984°`."""
-    value = f"{math.degrees(angle):.3f}".rstrip("0").rstrip(".")
-    return f"{'0' if value == '-0' else value}{' deg' if lang == 'en' else '°'}"
-
-
-def _mm(length: float) -> str:
-    """`20 mm`; less than a millionth of one is none."""
-    return f"{length * 1e3:.6g} mm" if abs(length) > 1e-9 else "0 mm"
 
 
 def kind_name(report: Report, lang: Lang) -> str:
@@ -53,7 +42,7 @@ def found_lines(found: Found, report: Report, lang: Lang) -> Iterator[str]:
 
 def lines(report: Report, lang: Lang) -> Iterator[str]:
     """What a linkage is and does, one sentence a line."""
-    sizes = ", ".join(f"{name} = {_mm(value)}" for name, value in report.linkage.sizes.items())
+    sizes = ", ".join(f"{name} = {millimetres(value)}" for name, value in report.linkage.sizes.items())
     yield f"{kind_name(report, lang)}{say('common.colon', lang)}{sizes}"
     yield say("linkages.drives", lang, driver=report.driver, output=report.output)
     yield _sums(report, lang)
@@ -69,11 +58,11 @@ def lines(report: Report, lang: Lang) -> Iterator[str]:
 
 def amount(report: Report, value: float, lang: Lang) -> str:
     """A driver's value: an angle, or a slider's place."""
-    return _mm(value) if report.driver_slides else degrees(value, lang)
+    return millimetres(value) if report.driver_slides else angle(value, lang)
 
 
 def _place(report: Report, value: float, lang: Lang) -> str:
-    return _mm(value) if report.output_slides else degrees(value, lang)
+    return millimetres(value) if report.output_slides else angle(value, lang)
 
 
 def _parts(report: Report) -> dict[str, str]:
@@ -95,8 +84,8 @@ def _sums(report: Report, lang: Lang) -> str:
         return terms + " = " + " + ".join(f"{abs(sizes[name]) * 1e3:.6g}" for name in shown)
 
     key = "linkages.lengths" if report.slide else "linkages.grashof"
-    first = {"ends": added(report.ends), "first": _mm(report.sum_ends)}
-    return say(key, lang, **first, sign=sign, middle=added(report.middle), second=_mm(report.sum_middle))
+    first = {"ends": added(report.ends), "first": millimetres(report.sum_ends)}
+    return say(key, lang, **first, sign=sign, middle=added(report.middle), second=millimetres(report.sum_middle))
 
 
 def _equal(report: Report, lang: Lang) -> Iterator[str]:
@@ -143,11 +132,11 @@ def _limits(report: Report, lang: Lang) -> Iterator[str]:
             "linkages.limit", lang, number=number, how=_how(report, end, lang), driver=report.driver,
             value=amount(report, end.driver, lang), output=report.output, place=_place(report, end.output, lang),
         )  # fmt: skip
-        yield text + ("" if end.gamma is None else say("linkages.and gamma", lang, gamma=degrees(end.gamma, lang)))
+        yield text + ("" if end.gamma is None else say("linkages.and gamma", lang, gamma=angle(end.gamma, lang)))
     if report.swing is not None:
-        yield say("linkages.swing", lang, output=report.output, value=degrees(report.swing, lang))
+        yield say("linkages.swing", lang, output=report.output, value=angle(report.swing, lang))
     elif report.stroke is not None:
-        yield say("linkages.stroke", lang, output=report.output, value=_mm(report.stroke))
+        yield say("linkages.stroke", lang, output=report.output, value=millimetres(report.stroke))
 
 
 def _ratio(report: Report, lang: Lang) -> Iterator[str]:
@@ -157,7 +146,7 @@ def _ratio(report: Report, lang: Lang) -> Iterator[str]:
     elif report.slow is None:
         yield say("linkages.no quick return", lang)
     else:
-        yield say("linkages.theta", lang, theta=degrees(report.theta, lang), k=f"{report.k:.5g}")
+        yield say("linkages.theta", lang, theta=angle(report.theta, lang), k=f"{report.k:.5g}")
         one, other = (number + 1 for number in report.slow)
         yield say("linkages.slow", lang, one=one, other=other, driver=report.timed_by or report.driver)
 
@@ -170,17 +159,17 @@ def _gamma(report: Report, lang: Lang) -> Iterator[str]:
         yield say("linkages.level", lang)
     else:
         for end in report.critical:
-            words = {"gamma": degrees(end.gamma or 0.0, lang), "how": _how(report, end, lang)}
+            words = {"gamma": angle(end.gamma or 0.0, lang), "how": _how(report, end, lang)}
             yield say("linkages.gamma", lang, **words, driver=report.driver, value=amount(report, end.driver, lang))
         values = ", ".join(amount(report, end.driver, lang) for end in report.least)
-        words = {"gamma": degrees(least, lang), "alpha": degrees(alpha, lang)}
+        words = {"gamma": angle(least, lang), "alpha": angle(alpha, lang)}
         yield say("linkages.least", lang, **words, driver=report.driver, values=values)
 
 
 def _dead(report: Report, lang: Lang) -> Iterator[str]:
     for driver, values in report.dead.items():
         if values:
-            said = ", ".join(_mm(value) if driver == report.slide else degrees(value, lang) for value in values)
+            said = ", ".join(millimetres(value) if driver == report.slide else angle(value, lang) for value in values)
             yield say("linkages.dead", lang, driver=driver, values=said)
         else:
             yield say("linkages.no dead", lang, driver=driver)

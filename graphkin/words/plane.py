@@ -23,7 +23,7 @@ from graphkin.construction import (
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.entries import Calculation
-from graphkin.words.figures import degrees, number
+from graphkin.words.numbers import degrees, number
 from graphkin.words.reading import ROUNDING, Reading
 
 __all__ = ["Polygon"]

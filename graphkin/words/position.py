@@ -37,7 +37,7 @@ from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.entries import Calculation, Entry, Heading, Sentence
 from graphkin.words.equivalents import equivalents
-from graphkin.words.figures import degrees, number
+from graphkin.words.numbers import degrees, number
 from graphkin.words.reading import Reading
 from graphkin.words.rolling import rolled, touched
 from graphkin.words.together import fitted, special_point

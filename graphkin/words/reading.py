@@ -15,7 +15,7 @@ from graphkin.planning.labels import Labels
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.catalogue import close, say
-from graphkin.words.figures import number
+from graphkin.words.numbers import number
 
 __all__ = ["Reading"]
 
@@ -112,9 +112,10 @@ class Reading:
         on_it = self._points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
         if on_it is None and slide in self.contact_slides:
             rolling = pair.stands_for.rolling if pair.stands_for is not None else None
-            kind, link = ("track", rolling.wheels[1]) if rolling else ("face", pair.guide)
-            alone = len(self.contact_slides) == 1
-            return self.say(f"contacts.{kind}") if alone else self.say(f"contacts.{kind} of", link=self.link(link))
+            if len(self.contact_slides) == 1:
+                return self.say("contacts.track" if rolling else "contacts.face")
+            link = rolling.wheels[1] if rolling else pair.guide
+            return self.say("contacts.track of" if rolling else "contacts.face of", link=self.link(link))
         if on_it:
             return names.pair(*on_it)
         return self.say("derivation.guide of", name=slide if pair.named else pair.point)

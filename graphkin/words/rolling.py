@@ -12,7 +12,7 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import touching
 from graphkin.words import names
 from graphkin.words.entries import Calculation, Entry, Sentence
-from graphkin.words.figures import number
+from graphkin.words.numbers import number
 from graphkin.words.plane import Polygon
 from graphkin.words.reading import ROUNDING, Reading
 

@@ -9,7 +9,7 @@ from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.words import names
 from graphkin.words.entries import Calculation, Entry, Sentence
-from graphkin.words.figures import number
+from graphkin.words.numbers import number
 from graphkin.words.plane import Polygon
 from graphkin.words.reading import ROUNDING
 from graphkin.words.rolling import checked, contacted, same_velocity

@@ -8,7 +8,7 @@ from graphkin.construction import Coriolis, Drawn, Driven, Normal, Relative, Siz
 from graphkin.value import frozen
 from graphkin.words import names
 from graphkin.words.entries import Calculation
-from graphkin.words.figures import number
+from graphkin.words.numbers import number
 from graphkin.words.plane import Polygon
 
 __all__ = ["Sized", "known_size", "size_row"]

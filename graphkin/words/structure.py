@@ -37,9 +37,9 @@ KINDS: Mapping[type[Pair], Callable[[Any], tuple[str, str]]] = {
     Revolute: lambda hinge: ("multiple" if len(hinge.links) > 2 else "hinge", hinge.point),
     Slide: lambda slide: ("pin" if slide.block is None else "slide", slide.point),
     CircularSlot: lambda slot: ("circular slot", slot.point),
-    Gear: lambda gear: ("pair gear", ""),
-    Roll: lambda roll: ("pair roll", ""),
-    Cam: lambda cam: ("pair cam", ""),
+    Gear: lambda gear: ("gear", ""),
+    Roll: lambda roll: ("roll", ""),
+    Cam: lambda cam: ("cam", ""),
 }
 """The line of each kind, and the point it is about."""
 
@@ -52,7 +52,7 @@ def _pairs(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
         key, point = KINDS[type(pair)](pair)
         guide, *block = pair.joins
         names = {"links": called(pair.joins), "guide": called((guide,)), "block": called(tuple(block))}
-        yield say(f"structure.{key}", lang, point=point, **names)
+        yield say(f"structure.pair {key}", lang, point=point, **names)
 
 
 def _freedoms(method: Method, found: Structure, lang: Lang) -> Iterator[str]:

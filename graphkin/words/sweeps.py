@@ -1,25 +1,19 @@
-"""What is to be said of a sweep beside its numbers: how far the driver gets and why, change points, greatest values."""
+"""A sweep for people: its tables, how far the driver gets and why, change points, greatest values."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
 from graphkin.errors import Lang, listed
-from graphkin.quantities import EDGE, IN_GRAVITY
+from graphkin.quantities import EDGE, IN_GRAVITY, Centre, Quotient, Rotation
 from graphkin.running.path import Event
 from graphkin.sweeps import Course, Series, Sweep
 from graphkin.words.catalogue import say
-
-__all__ = ["extremes", "left_out", "named", "remarks", "shown", "told"]
-
-
-def shown(value: float, unit: str) -> str:
-    """A value at the edge: `41.2°`, `20 mm`, `0.36 m/s`."""
-    name = "°" if unit == "rad" else f" {EDGE[unit].name}".rstrip()
-    size = value * EDGE[unit].factor
-    return f"{size:.6g}{name}" if abs(size) > 1e-9 else f"0{name}"
+from graphkin.words.numbers import at_edge, exact
+from graphkin.words.text_table import table
 
 
 def at(course: Course, t: float) -> str:
@@ -29,7 +23,7 @@ def at(course: Course, t: float) -> str:
 
 def named(course: Course, value: float) -> str:
     """`AB = 41.2°`, by the driver's value."""
-    return f"{course.driver.name} = {shown(value, course.unit)}"
+    return f"{course.driver.name} = {at_edge(value, course.unit)}"
 
 
 def told(event: Event, lang: Lang) -> str:
@@ -41,7 +35,7 @@ def remarks(course: Course, lang: Lang) -> Iterator[str]:
     """How far the driver gets, and through what."""
     unit = course.unit
     if not course.full_turn:
-        low, high = (shown(value, unit) for value in course.reach)
+        low, high = (at_edge(value, unit) for value in course.reach)
         yield say("sweeps.range", lang, driver=course.driver.name, low=low, high=high)
         for stop in course.stops:
             why = told(stop, lang)
@@ -79,9 +73,77 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
             continue
         for key, k in (("greatest", int(np.nanargmax(values))), ("least", int(np.nanargmin(values)))):
             place = named(sweep.course, float(sweep.values[k]))
-            yield say(f"sweeps.{key}", lang, name=entry.name, value=_valued(entry, float(values[k])), at=place)
+            yield say(f"sweeps.extreme {key}", lang, name=entry.name, value=_valued(entry, float(values[k])), at=place)
 
 
 def _valued(entry: Series, value: float) -> str:
-    text = shown(value, entry.unit)
+    text = at_edge(value, entry.unit)
     return text + (f" ({value * IN_GRAVITY.factor:.4g} {IN_GRAVITY.name})" if entry.unit == "m/s^2" else "")
+
+
+# --- tables -------------------------------------------------------------------------------------
+
+
+def sweep_lines(sweep: Sweep) -> Iterator[str]:
+    """A row for each position, in mm and deg; of an instant centre x and y."""
+    first = EDGE[sweep.course.unit]
+    heads, values = [[sweep.course.driver.name, first.name]], [sweep.values * first.factor]
+    for entry in sweep.series:
+        unit = EDGE[entry.unit]
+        heads += [[f"{entry.name}{part}", unit.name or "1"] for part in ((" x", " y") if entry.is_place else ("",))]
+        at = entry.vectors if entry.is_place else None
+        values += [part * unit.factor for part in ((entry.signed,) if at is None else (at.real, at.imag))]
+    rows = [[exact(float(column[k])) for column in values] for k in range(sweep.t.size)]
+    yield from table([[head[0] for head in heads], [f"[{head[1]}]" for head in heads], *rows])
+
+
+UNITS = ("rad", "m", "rad/s", "m/s", "rad/s^2", "m/s^2", "1")
+
+
+def book_lines(sweep: Sweep) -> Iterator[str]:
+    """As Sun Huan's table 3-1: positions, velocities, accelerations; deg and m, five decimals."""
+    plain = [entry for entry in sweep.series if not entry.is_place]
+    entries = [entry for unit in UNITS for entry in plain if entry.unit == unit]
+    heads = [_driver_symbol(sweep), *(_symbol(entry) for entry in entries)]
+    units = [_book_unit(unit) for unit in (sweep.course.unit, *(entry.unit for entry in entries))]
+    values = [_book(entry.signed, entry.unit) for entry in entries]
+    first = _book(sweep.values, sweep.course.unit)
+    for entry in sweep.series:
+        if not entry.is_place or entry.vectors is None:
+            continue
+        heads += [f"{entry.name}_x", f"{entry.name}_y"]
+        units += [_book_unit("m")] * 2
+        values += [entry.vectors.real, entry.vectors.imag]
+    rows = [[exact(round(float(first[k]), 9)), *(_fixed(float(v[k])) for v in values)] for k in range(sweep.t.size)]
+    yield from table([heads, units, *rows])
+
+
+def _book(values: Any, unit: str) -> Any:
+    """Degrees, but metres."""
+    return values * EDGE[unit].factor if unit == "rad" else values
+
+
+def _book_unit(unit: str) -> str:
+    sign = unit if unit == "m" else EDGE[unit].sign
+    return f"/({sign})" if any(mark in sign for mark in "°/") else f"/{sign}" if sign else ""
+
+
+def _fixed(value: float) -> str:
+    return f"{value + 0.0:.5f}" if abs(value) >= 5e-6 else "0.00000"
+
+
+def _symbol(entry: Series) -> str:
+    quantity = entry.quantity
+    if isinstance(quantity, Centre | Quotient):
+        return entry.name
+    if isinstance(quantity, Rotation):
+        return f"{quantity.letter}{'' if quantity.of.isdigit() else '_'}{quantity.of}"
+    return f"{quantity.word}_{quantity.of}"
+
+
+def _driver_symbol(sweep: Sweep) -> str:
+    driver = sweep.course.driver
+    link = sweep.mechanism.called(driver.link)
+    if driver.kind == "slide":
+        return f"s_{driver.link}"
+    return f"θ{link}" if link.isdigit() else f"θ_{link}"

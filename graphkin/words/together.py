@@ -25,7 +25,7 @@ from graphkin.construction import (
 from graphkin.mechanism import FRAME
 from graphkin.words import names
 from graphkin.words.entries import Calculation, Entry, Sentence
-from graphkin.words.figures import degrees, number
+from graphkin.words.numbers import degrees, number
 from graphkin.words.plane import Polygon
 from graphkin.words.reading import Reading
 from graphkin.words.rolling import relation_of, turned

@@ -16,6 +16,7 @@ from graphkin.outputs.diagram.notes import Drawn, note_peaks
 from graphkin.outputs.diagram.panels import Axis, Panel, division, labels_of, limits, panels
 from graphkin.quantities import EDGE, IN_GRAVITY
 from graphkin.sheet.lettering import Label, width
+from graphkin.words.catalogue import say
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -220,7 +221,7 @@ def _thin_lines(first: Axes, found: Curves, panel: Panel) -> None:
 
 def _legend(first: Axes, panel: Panel, lang: Lang, lines: Sequence[Any], rows: int) -> None:
     """What is shown, and which line is which; above the panel, so that it never hides a curve."""
-    first.set_title(words.HEADINGS[panel.kind][lang], loc="left", fontsize=9, pad=4, y=1.0)
+    first.set_title(say(f"diagrams.panel {panel.kind}", lang), loc="left", fontsize=9, pad=4, y=1.0)
     first.legend(
         handles=lines, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=math.ceil(len(lines) / rows), frameon=False,
         borderaxespad=0.15, borderpad=0.1, handlelength=3.2, handletextpad=0.5, columnspacing=1.4, labelspacing=0.15,

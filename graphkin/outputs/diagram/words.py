@@ -12,27 +12,11 @@ from graphkin.quantities import EDGE, IN_GRAVITY, driven
 from graphkin.running.path import Event
 from graphkin.sheet.lettering import link_label, number
 from graphkin.sweeps import Course
+from graphkin.words.catalogue import say
 from graphkin.words.sweeps import told
 
-__all__ = ["HEADINGS", "about_drivers", "across", "event_line", "event_mark", "figure_of", "place_of", "upright_label"]
+__all__ = ["about_drivers", "across", "event_line", "event_mark", "figure_of", "place_of", "upright_label"]
 
-HEADINGS: dict[str, dict[Lang, str]] = {
-    "position": {"en": "Position", "zh": "位置线图"},
-    "velocity": {"en": "Velocity", "zh": "速度线图"},
-    "acceleration": {"en": "Acceleration", "zh": "加速度线图"},
-    "ratio": {"en": "Ratio", "zh": "比值"},
-}
-_EVENTS: dict[str, dict[Lang, str]] = {
-    "dead": {"en": "dead point", "zh": "死点"},
-    "limit": {"en": "limit", "zh": "极限位置"},
-    "change": {"en": "change point", "zh": "变点"},
-}
-_ACROSS: dict[str, dict[Lang, str]] = {
-    "angle": {"en": "direction of {name} [°]", "zh": "{name} 的方位角 /(°)"},
-    "between": {"en": "angle {name} [°]", "zh": "夹角 {name} /(°)"},
-    "spin": {"en": "rotation of {name} [°]", "zh": "{name} 的转角 /(°)"},
-    "slide": {"en": "displacement of {name} [mm]", "zh": "{name} 的位移 /mm"},
-}
 _RATES = {"slide": ("v", "m/s", "a", "m/s²")}
 
 
@@ -63,7 +47,7 @@ def across(course: Course, lang: Lang) -> str:
     """What the x axis shows."""
     driver = course.driver
     kind = "between" if driver.kind == "angle" and driver.from_vector is not None else driver.kind
-    return _ACROSS[kind][lang].format(name=writable(driver.name))
+    return say(f"diagrams.across {kind}", lang, name=writable(driver.name))
 
 
 def upright_label(unit: str, lang: Lang, power: int = 0) -> str:
@@ -82,7 +66,7 @@ def upright_label(unit: str, lang: Lang, power: int = 0) -> str:
 
 def about_drivers(course: Course, lang: Lang) -> str:
     """`driver AB: ω = 10 rad/s`, and where those stand that do not move."""
-    colon, comma, semicolon = (": ", ", ", "; ") if lang == "en" else ("：", "，", "；")
+    colon, comma = say("common.colon", lang), say("common.and", lang)
     told = []
     for k, driver in enumerate(course.method.drivers):
         speed, per_second, gain, per_square = _RATES.get(driver.kind, ("ω", "rad/s", "α", "rad/s²"))
@@ -93,21 +77,20 @@ def about_drivers(course: Course, lang: Lang) -> str:
         if still:
             parts.insert(0, _signed(EDGE[driven(driver.kind == "slide")].shown(float(course.path.start[k]))))
         told.append(f"{writable(driver.name)}{colon}{comma.join(parts)}")
-    word = {"en": "driver ", "zh": "原动件 "} if len(told) == 1 else {"en": "drivers ", "zh": "原动件 "}
-    return word[lang] + semicolon.join(told)
+    word = say("diagrams.driver" if len(told) == 1 else "diagrams.drivers", lang)
+    return word + say("common.semicolon", lang).join(told)
 
 
 def event_mark(event: Event, lang: Lang) -> str:
     """The word beside an upright line."""
     if event.choices or event.kind == "two ways":
-        return _EVENTS["change"][lang]
-    return _EVENTS["limit" if event.kind in ("tangent", "parallel") else "dead"][lang]
+        return say("diagrams.event change", lang)
+    return say("diagrams.event limit" if event.kind in ("tangent", "parallel") else "diagrams.event dead", lang)
 
 
 def event_line(found: Curves, event: Event, lang: Lang) -> str:
     """The line below the diagram: where, and which links."""
-    why, stop, colon = told(event, lang), "." if lang == "en" else "。", ": " if lang == "en" else "："
     mark = event_mark(event, lang)
-    mark = mark[0].upper() + mark[1:]
-    return f"{mark}{' at ' if lang == 'en' else ' '}{place_of(found, event.at)}{colon}{writable(why)}{stop}"
+    words = {"mark": mark[0].upper() + mark[1:], "place": place_of(found, event.at), "why": writable(told(event, lang))}
+    return say("diagrams.event", lang, **words)
 

@@ -14,7 +14,6 @@ PHRASES: Phrases = {
     "acceleration": ("Acceleration", "加速度分析"),
     "point": ("Point {name}", "{name} 点的运动"),
     "legend": ("Symbols", "符号说明"),
-    "results": ("Values at the drawn position", "给定位置的数值"),
     # tables
     "symbol": ("symbol", "符号"),
     "meaning": ("meaning", "含义"),
@@ -104,5 +103,49 @@ PHRASES: Phrases = {
         "There are more rows than unknowns: some constraints repeat others, and hold all the same.",
         "方程数多于未知量数：其中有重复约束，但彼此协调。",
     ),
-    "origin": ("the start O of its guide", "导路起点 O"),
+    # --- the legend
+    "length": ("length {ends} of link {link}", "构件 {link} 的长度 {ends}"),
+    "frame direction": ("direction of the frame's {vector}", "机架矢量 {vector} 的方位角"),
+    "offset": ("angle from the direction of link {link} to {vector}", "构件 {link} 的方向到 {vector} 的夹角"),
+    "turning direction": ("direction of link {link}", "构件 {link} 的方位角"),
+    "turning angular velocity": ("angular velocity of link {link}", "构件 {link} 的角速度"),
+    "turning angular acceleration": ("angular acceleration of link {link}", "构件 {link} 的角加速度"),
+    "relative direction": ("direction of link {link} against link {other}", "构件 {link} 相对构件 {other} 的方位角"),
+    "relative angular velocity": (
+        "angular velocity of link {link} against link {other}",
+        "构件 {link} 相对构件 {other} 的角速度",
+    ),
+    "relative angular acceleration": (
+        "angular acceleration of link {link} against link {other}",
+        "构件 {link} 相对构件 {other} 的角加速度",
+    ),
+    "sliding displacement": (
+        "displacement of {point} along the guide on link {guide}, from {start}",
+        "{point} 沿构件 {guide} 上导路、自 {start} 起的位移",
+    ),
+    "sliding velocity": (
+        "sliding velocity of {point} along the guide on link {guide}, from {start}",
+        "{point} 沿构件 {guide} 上导路、自 {start} 起的滑动速度",
+    ),
+    "sliding acceleration": (
+        "sliding acceleration of {point} along the guide on link {guide}, from {start}",
+        "{point} 沿构件 {guide} 上导路、自 {start} 起的滑动加速度",
+    ),
+    "guide line": ("angle from the direction of link {link} to its guide line", "构件 {link} 的方向到其导路的夹角"),
+    "fixed guide": ("direction of the guide of {point}", "{point} 点导路的方位角"),
+    "block line": (
+        "angle from the direction of link {guide} to that of link {block}",
+        "构件 {guide} 的方向到构件 {block} 的方向的夹角",
+    ),
+    "part along": ("part of {ends} along the direction of link {link}", "{ends} 沿构件 {link} 方向的分量"),
+    "part across": ("part of {ends} at +90° to link {link}", "{ends} 在构件 {link} 方向 +90° 上的分量"),
+    "point position": ("position of {point} from {start}", "由 {start} 至 {point} 的位置矢量"),
+    "point velocity": ("velocity of {point}", "{point} 点的速度"),
+    "point acceleration": ("acceleration of {point}", "{point} 点的加速度"),
+    "component": ("{of}, {axis}", "{of}（{axis} 分量）"),
+    "rolling constant": (
+        "constant of the rolling of {first} and {second}, from the drawn position",
+        "构件 {first} 与 {second} 滚动关系的常数，由给定位置确定",
+    ),
+    "radius": ("radius {radius} mm of wheel {wheel}", "轮 {wheel} 的半径 {radius} mm"),
 }

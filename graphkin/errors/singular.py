@@ -1,16 +1,14 @@
-"""What can go wrong on the analytic road, as data."""
+"""Errors of the analytic road."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
-from graphkin.errors import GraphkinError, Lang, Where
+from graphkin.errors.base import GraphkinError, Lang, Where
 
 __all__ = ["NoAssembly", "NotJoined", "SingularPosition"]
 
 
-@dataclass(eq=False)
 class SingularPosition(GraphkinError):
     """The drivers do not move the mechanism in one definite way here: a dead point or a change point.
 
@@ -27,7 +25,6 @@ class SingularPosition(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class NoAssembly(GraphkinError):
     """No position meets all lengths, angles and driver values at once.
 
@@ -43,7 +40,6 @@ class NoAssembly(GraphkinError):
     }
 
 
-@dataclass(eq=False)
 class NotJoined(GraphkinError):
     """No chain of pairs joins this link to the frame."""
 

@@ -1,45 +1,58 @@
-"""What was found in one row of a table: how many columns it takes depends on the condition alone."""
+"""What was found, in a table: a row for each value; how many columns depends on the condition alone."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from graphkin.errors import Lang
 from graphkin.finding.conditions import Comparison, Extreme, Scaling, Slowest
+from graphkin.finding.dimensions import Place
 from graphkin.finding.found import Found
-from graphkin.finding.wording import quantity
+from graphkin.finding.varying import Table
+from graphkin.quantities import EDGE
+from graphkin.words.catalogue import say
+from graphkin.words.numbers import quantity
+from graphkin.words.text_table import table
 
-__all__ = ["header", "summary"]
 
-HEADS: dict[str, dict[Lang, str]] = {
-    "at": {"en": "at {driver}", "zh": "{driver} 的位置"},
-    "min": {"en": "least", "zh": "最小"},
-    "max": {"en": "greatest", "zh": "最大"},
-    "swing": {"en": "difference", "zh": "差"},
-    "stroke": {"en": "stroke", "zh": "行程"},
-    "along": {"en": "from {first}", "zh": "距 {first}"},
-    "speed": {"en": "speed", "zh": "速度"},
-}
+def table_lines(found: Table, lang: Lang = "en") -> Iterator[str]:
+    """A row for each value."""
+    yield f"{found.condition}"
+    unit = {"length": "mm", "angle": "deg"}.get(found.place.kind)
+    shown = [entry.found for entry in found.rows if entry.found is not None]
+    heads = [f"{found.name} [{unit}]" if unit else found.name, *(header(shown[0], lang) if shown else [])]
+    rows = [heads]
+    for row in found.rows:
+        cells = summary(row.found) if row.found is not None else ["-"] * (len(heads) - 1)
+        rows.append([_shown(row.value, found.place), *cells])
+    lines = table(rows)
+    yield lines[0]
+    for row, line in zip(found.rows, lines[1:]):
+        yield line if row.error is None else f"{line}  {row.error.message(lang)}"
+
+
+def _shown(value: float, place: Place) -> str:
+    unit = {"length": "m", "angle": "rad"}.get(place.kind, "1")
+    return f"{value * EDGE[unit].factor:.6g}"
 
 
 def header(found: Found, lang: Lang) -> list[str]:
     """Names of the columns."""
-
-    def say(key: str, **data: str) -> str:
-        return HEADS[key][lang].format(**data)
-
-    at = say("at", driver=found.drivers[found.swept].name)
+    at = say("finding.column at", lang, driver=found.drivers[found.swept].name)
     match found.condition:
         case Extreme(which="stroke"):
-            return [say("min"), say("max"), say("stroke"), "K"]
+            return [*(say(f"finding.column {key}", lang) for key in ("min", "max", "stroke")), "K"]
         case Extreme(which="range"):
-            return [say("min"), say("max"), say("swing")]
+            return [say(f"finding.column {key}", lang) for key in ("min", "max", "swing")]
         case Extreme(which=which):
-            return [say(which), at]
+            return [say(f"finding.column {which}", lang), at]
         case Comparison():
             return [at]
         case Scaling():
             return [driver.name for driver in found.drivers]
         case Slowest():
-            return [say("along", first=found.slow[0].points[0] if found.slow else ""), say("speed")]
+            first = found.slow[0].points[0] if found.slow else ""
+            return [say("finding.column along", lang, first=first), say("finding.column speed", lang)]
 
 
 def summary(found: Found) -> list[str]:

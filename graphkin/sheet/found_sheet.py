@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from graphkin.errors import Lang
-from graphkin.finding.found import Found
-from graphkin.finding.wording import caption
+from graphkin.finding import Found
 from graphkin.planning import Method
 from graphkin.running.reaching import moved_to
-
-if TYPE_CHECKING:
-    from graphkin.sheet import Sheet
-
-__all__ = ["drawn"]
+from graphkin.sheet import Sheet
+from graphkin.sheet.gallery_sheet import MOST, side_by_side
+from graphkin.words.finding import caption
 
 
 def drawn(method: Method, found: Found, lang: Lang = "en", *, paper: str | None = None) -> tuple[Sheet, int] | None:
@@ -21,8 +16,6 @@ def drawn(method: Method, found: Found, lang: Lang = "en", *, paper: str | None 
 
     Raises UnknownPaper; DeadPoint or NotReached for a position that can be told but not drawn.
     """
-    from graphkin.sheet.gallery_sheet import MOST, side_by_side
-
     positions = found.shown or ((found.nearest,) if found.nearest is not None else ())
     if not positions:
         return None

@@ -1,0 +1,97 @@
+"""How a figure is written: four significant digits where it is read off paper, six where it is computed.
+
+    number, degrees             in a construction and about instant centres
+    exact, quantity, at_edge    in tables and answers, in the units of the edge
+    millimetres, angle          of a linkage
+    Figure                      in a sentence that says itself how its figures are written: `{theta:deg}`, `{a:mm}`
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from decimal import Decimal
+
+from graphkin.errors import Lang
+from graphkin.quantities import EDGE, IN_GRAVITY
+
+_PLAIN = range(-6, 9)
+"""Powers of ten that are still written out."""
+
+
+def number(value: float, zero: float = 0.0) -> str:
+    """`27.12`, `69.2`, `−3.919`, `0`; `1.2e−12` only where nobody would count the zeros.
+
+    zero  sizes up to this are rounding noise, and 0
+    """
+    if abs(value) <= zero or value == 0:
+        return "0"
+    text = f"{value:.4g}"
+    mantissa, _, exponent = text.partition("e")
+    if exponent:
+        written_out = int(exponent) in _PLAIN
+        text = format(Decimal(text), "f") if written_out else f"{mantissa}e{int(exponent)}"
+    return text.replace("-", "−")
+
+
+def degrees(vector: complex) -> str:
+    """Direction of a vector, counter-clockwise from +x, from 0 to 360: `153.4°`."""
+    angle = round(cmath.phase(vector) * 180 / cmath.pi, 6) % 360
+    return f"{number(angle if float(f'{angle:.4g}') < 360 else 0.0)}°"
+
+
+# --- computed -----------------------------------------------------------------------------------
+
+
+def exact(value: float | None) -> str:
+    """Six significant digits, zero without a sign; `-` where there is none."""
+    if value is None:
+        return "-"
+    return f"{value:.6g}" if abs(value) > 1e-12 else "0"
+
+
+def quantity(value: float, unit: str, *, gravity: bool = False) -> str:
+    """`26.38 deg`, `188.8 mm`, `0.4 m/s`; accelerations in g, too, where `gravity`."""
+    if math.isinf(value):
+        return "∞" if value > 0 else "-∞"
+    shown = EDGE[unit]
+    text = f"{exact(value * shown.factor)} {shown.name}".rstrip()
+    return f"{text} ({exact(value * IN_GRAVITY.factor)} {IN_GRAVITY.name})" if gravity and unit == "m/s^2" else text
+
+
+def at_edge(value: float, unit: str) -> str:
+    """`41.2°`, `20 mm`, `0.36 m/s`."""
+    name = "°" if unit == "rad" else f" {EDGE[unit].name}".rstrip()
+    size = value * EDGE[unit].factor
+    return f"{size:.6g}{name}" if abs(size) > 1e-9 else f"0{name}"
+
+
+# --- linkages -----------------------------------------------------------------------------------
+
+
+def millimetres(length: float) -> str:
+    """`20 mm`; less than a millionth of one is none."""
+    return f"{length * 1e3:.6g} mm" if abs(length) > 1e-9 else "0 mm"
+
+
+def angle(value: float, lang: Lang = "en") -> str:
+    """`32.984 deg`, `32.984°`."""
+    text = f"{math.degrees(value):.3f}".rstrip("0").rstrip(".")
+    return f"{'0' if text == '-0' else text}{' deg' if lang == 'en' else '°'}"
+
+
+class Figure(float):
+    """A number in a sentence: `mm` a length, `deg` an angle, `n` as it is; five figures."""
+
+    def __format__(self, spec: str) -> str:
+        if spec == "mm":
+            return f"{_five(self * 1e3)} mm"
+        if spec == "deg":
+            return f"{_five(math.degrees(self))}°"
+        return _five(self) if spec == "n" else format(round(self) if spec == "d" else float(self), spec)
+
+
+def _five(value: float) -> str:
+    size = abs(value)
+    text = f"{value:.5g}" if size >= 1e-9 else "0"
+    return (f"{value:.0f}" if "e" in text and size >= 1 else text).replace("-", "−")

@@ -1,0 +1,30 @@
+"""Text in columns, as a terminal shows it."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Sequence
+
+
+def width(text: str) -> int:
+    """Columns that a text takes: two for a Chinese character, none for an accent."""
+    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
+
+
+def padded(text: str, room: int, side: str = "<") -> str:
+    """A text with blanks after it (`<`), before it (`>`), or on both sides (`^`)."""
+    spare = room - width(text)
+    before = {"<": 0, "^": spare // 2, ">": spare}[side]
+    return " " * before + text + " " * (spare - before)
+
+
+def aligned(rows: Sequence[Sequence[str]], sides: str = "<>", gap: str = "  ") -> list[str]:
+    """Rows with their columns aligned. sides: of the first column, the second, ..; the last one holds on."""
+    rooms = [max(width(row[k]) for row in rows) for k in range(len(rows[0]))]
+    to = [sides[min(k, len(sides) - 1)] for k in range(len(rooms))]
+    return [gap.join(map(padded, row, rooms, to)) for row in rows]
+
+
+def table(rows: Sequence[Sequence[str]]) -> list[str]:
+    """The first column to the left, the others to the right."""
+    return [line.rstrip() for line in aligned(rows)]
