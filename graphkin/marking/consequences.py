@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -81,7 +82,15 @@ def rewrites(
 ) -> tuple[Rewrite, ...]:
     """Every mistake that can be made in a construction, once for each place and form."""
     scene = Scene(method, plot, tuple(quantities), scales or {})
-    return tuple(found for one in MISTAKES.values() for found in one.find(scene))
+    return tuple(_numbered(found for one in MISTAKES.values() for found in one.find(scene)))
+
+
+def _numbered(found: Iterator[Rewrite]) -> Iterator[Rewrite]:
+    """Rewrites of arrows of one name told apart: two slides may be looked at in one coincident point."""
+    names: dict[tuple[str, ...], int] = {}
+    for rewrite in found:
+        nth = names[rewrite.name] = names.get(rewrite.name, 0) + 1
+        yield rewrite if nth == 1 else replace(rewrite, of=f"{rewrite.of} ({nth})")
 
 
 def consequences(

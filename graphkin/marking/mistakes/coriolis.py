@@ -20,7 +20,8 @@ RULE = "3-2.1 (3-4)"
 def terms(scene: Scene) -> Iterator[tuple[Coriolis, str]]:
     """Each Coriolis term with its name."""
     for size, name in scene.sized("acceleration", Coriolis).items():
-        yield size, name or f"a^k {scene.method.mechanism.called(size.link)}"
+        nodes = scene.method.velocity.nodes
+        yield size, name or f"a^k_{nodes[size.head].of}{nodes[size.tail].of}"
 
 
 def slip(plot: Redrawing, size: Coriolis) -> Value:
