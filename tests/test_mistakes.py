@@ -275,7 +275,7 @@ def test_other_right_ways():
 
 
 def test_other_coincident_points_are_planned():
-    method, (omega, alpha) = prepared("ex3-1", "omega 3", "alpha 3")
+    method, (alpha,) = prepared("ex3-1", "alpha 3")
     others = list(other_methods(method))
     assert [other.velocity.equations[0].of for other in others] == ["D2", "C2"]
     for other in others:
@@ -298,7 +298,7 @@ class Trembling(Hand):
 
 def test_a_hand_that_errs():
     """Both lines turned alike turn the triangle on its known side."""
-    method, (omega, slip) = prepared("ex3-1", "omega 3", "v B3B2")
+    method, (omega,) = prepared("ex3-1", "omega 3")
     off = np.array([-0.5, 0.0, 0.5])
     drawn = redraw(method, replay_all(method), Trembling(off), off.shape)
     found = asked(method, drawn, omega, arrows_of(method)).value

@@ -15,10 +15,13 @@ from graphkin.marking.redrawing import Redrawing
 from graphkin.planning import Method
 from graphkin.value import frozen
 
-__all__ = ["Change", "Edit", "Mistaken", "Rewrite", "Spot", "Written", "times"]
+__all__ = ["Change", "Edit", "Mistaken", "Rewrite", "Spot", "Written", "in_sense_of", "times"]
 
 PARALLEL = np.sin(np.radians(0.5))
 """Sine of the angle under which lines are not taken to cross."""
+
+NOTHING = 1e-9
+"""What a right value counts as nothing beside, as part of a wrong one."""
 
 Spot = tuple[Hashable, ...]
 """What a hand is asked: ("arrow", plane, size), ("laid", plane, tip), ("line", plane, step number, ray),
@@ -78,6 +81,12 @@ class Rewrite:
 def times(factor: complex) -> Change:
     """So many times what is right; 1j turns it by 90 degrees counter-clockwise."""
     return lambda plot, right: factor * right
+
+
+def in_sense_of(size: Value, right: Value) -> Value:
+    """A size with the sense of what is right; nan where that is nothing beside it, for then there is no sense."""
+    sense = np.where(np.abs(right) > NOTHING * np.abs(size), np.sign(right), np.where(np.abs(size) > 0, np.nan, 1.0))
+    return sense * np.abs(size)
 
 
 class Mistaken(Hand):

@@ -9,7 +9,7 @@ import numpy as np
 from graphkin.construction import Across, AlongGuide, Equation, Measure, Meet, Normal, Plane, Ray, Tangential
 from graphkin.geometry import Value, cross, dot
 from graphkin.marking.redrawing import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
 __all__: list[str] = []
@@ -90,7 +90,8 @@ def with_its_sense(step: Measure, length: float | None = None) -> Change:
 
     def change(plot: Redrawing, right: Value) -> Value:
         arrow, arm = plot.velocity[step.head] - plot.velocity[step.tail], plot.arm(*step.lever)
-        return np.copysign(np.abs(arrow) / (np.abs(arm) if length is None else length), cross(arm, arrow))
+        size = np.abs(arrow) / (np.abs(arm) if length is None else length)
+        return in_sense_of(size, cross(arm, arrow) / np.abs(arm) ** 2)
 
     return change
 

@@ -10,7 +10,7 @@ from graphkin.construction import AlongGuide, Image, Measure, Plane, Roll, Simul
 from graphkin.geometry import Value
 from graphkin.marking.mistakes.directions import guide_lengths
 from graphkin.marking.redrawing import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
 __all__: list[str] = []
@@ -31,7 +31,7 @@ def over(plane: Plane, tail: str, head: str, length: float) -> Change:
 
     def change(plot: Redrawing, right: Value) -> Value:
         points = plot.points(plane)
-        return np.copysign(np.abs(points[head] - points[tail]) / length, right)
+        return in_sense_of(np.abs(points[head] - points[tail]) / length, right)
 
     return change
 
