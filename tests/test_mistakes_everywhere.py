@@ -136,25 +136,8 @@ def size_of_all(plot: Plot) -> float:
     return float(max(1.0, *(abs(a) for a in plot.acceleration.values()), *(abs(a) for a in plot.alpha.values())))
 
 
-# --- beyond the polygons of pins and slides -------------------------------------------------------
-
-
-def columns(name: str, id: str, *texts: str) -> list[tuple[str, str, str, list[float], list[float]]]:
-    """Way, arrow and form of each rewrite of a mistake that moves what is asked, with what it gives and what is right."""
-    mechanism = library.load(name)
-    method = plan(mechanism)
-    quantities = [quantity for text in texts if (quantity := read(mechanism, text)) is not None]
-    found = consequences(method, replay_all(method), quantities)
-    right = [float(answer.value) for answer in found.right]
-    return [
-        (rewrite.way, rewrite.of, rewrite.form, list(found.values[row]), right)
-        for row, (rewrite,) in enumerate(found.columns)
-        if rewrite.id == id and found.moves[row]
-    ]
-
-
 def test_every_mistake_is_made_somewhere_in_the_library():
-    found = set[str]()
+    found: set[str] = set()
     for name in library.names():
         mechanism = library.load(name)
         method = plan(mechanism)
