@@ -78,9 +78,19 @@ class Rewrite:
         return self.id, self.way, self.of, self.form
 
 
+@frozen
+class Times:
+    """So many times what is right, whatever else is drawn."""
+
+    factor: complex
+
+    def __call__(self, plot: Any, right: Value) -> Value:
+        return self.factor * right
+
+
 def times(factor: complex) -> Change:
     """So many times what is right; 1j turns it by 90 degrees counter-clockwise."""
-    return lambda plot, right: factor * right
+    return Times(factor)
 
 
 def in_sense_of(size: Value, right: Value) -> Value:
@@ -106,9 +116,12 @@ class Mistaken(Hand):
         """What is right, but otherwise in the columns that have a mistake there."""
         if spot not in self.changes:
             return right
-        value = np.array(np.broadcast_to(right, self.shape))
+        value = np.broadcast_to(right, self.shape).astype(complex if np.iscomplexobj(right) else float)
         for change, which in self.changes[spot]:
-            value[which] = np.broadcast_to(change(plot, value), self.shape)[which]
+            if isinstance(change, Times):
+                value[which] *= change.factor
+            else:
+                value[which] = np.broadcast_to(change(plot, value), self.shape)[which]
         return value
 
     @property
