@@ -214,7 +214,8 @@ def test_a_pair_of_mistakes_is_made_together():
 # --- carried on ---------------------------------------------------------------------------------
 
 CARRIED = [
-    ("ex3-1", {"omega 3": -5.65}, {"omega 3": "-3.919", "omega 2": "-5.65", "v B3B2": "0.3208", "a_k B3B2": "3.625", "alpha 3": "68.7"}),
+    ("ex3-1", {"omega 3": -5.65}, {"omega 3": "-3.919", "omega 2": "-5.65", "v B3B2": "0.3208", "a_k B3B2": "3.625",
+                                  "alpha 3": "68.7"}),
     ("ex3-1", {"omega 2": -5.65}, {"omega 3": "-5.65", "omega 2": "-3.919", "a_k B3B2": "3.625", "alpha 3": "68.7"}),
     ("ex3-1", {"v B3": 0.2}, {"v B3": "0.2712", "omega 3": "-2.890"}),
     ("ex3-1", {"v B3B2": 0.1604}, {"v B3B2": "0.3208", "a_k B3B2": "1.257", "alpha 3": "37.3"}),
@@ -259,6 +260,15 @@ def test_a_drawn_vector_moves_its_point():
     assert half.value(v_c).vector == pytest.approx(0.5 * right.value(v_c).vector)
     assert half.value(omega).value == pytest.approx(0.5 * right.value(omega).value)
     assert right.least_sine == pytest.approx(min(s for (plane, _), s in right.plot.sines.items() if plane != "position"))
+
+
+def test_both_components_are_a_vector():
+    method, (v_x, v_y, v_c, omega) = prepared("ex3-1", "v_x B3", "v_y B3", "v B3", "omega 3")
+    plot = replay_all(method)
+    vector = 0.1 + 0.3j
+    whole, parts = ({v_c: vector}, {v_x: vector.real, v_y: vector.imag})
+    assert replay_with(method, plot, whole).value(omega) == replay_with(method, plot, parts).value(omega)
+    assert replay_with(method, plot, {v_x: 0.1}).value(omega).value == pytest.approx(-3.9193, abs=1e-4)
 
 
 # --- other right ways ---------------------------------------------------------------------------
