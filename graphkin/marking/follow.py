@@ -46,7 +46,8 @@ def replay_with(method: Method, right: Plot, own: Mapping[Quantity, Value], arro
     """Draw the polygons on from a student's own values, at the positions of the right plot.
 
     own  by quantity, SI: omega and alpha with their sense; of a vector the complex vector where it was drawn (or both
-         its components), or its size. Scalars, or arrays over students with NaN where one has no value. Other quantities have no effect.
+         its components), or its size. Scalars, or arrays over students with NaN where one has no value. Other
+         quantities have no effect.
 
     A vector's size alone is taken as read off or laid off in the direction it has: what is calculated from it follows,
     and what is drawn from a known arrow's end; a drawn vector moves its point.
