@@ -27,6 +27,7 @@ from graphkin.marking import (
     redraw,
     replay_with,
     rewrites,
+    rewritten,
 )
 from graphkin.marking.phrases import key
 from graphkin.planning import Method, plan
@@ -200,6 +201,28 @@ def test_a_velocity_image_alone_leaves_accelerations():
     hold_printed(value("ex3-5", row, "a E"), "3.542")
 
 
+def test_a_guide_through_its_pivot_may_be_split():
+    """There the parts along and across the guide are the velocities sought: no mistake."""
+    assert not [rewrite for (rewrite,) in led_to("ex3-7").columns if rewrite.id == "orthogonal-split"]
+
+
+def test_what_a_ruler_reads_is_the_whole_arrow():
+    """Not its part across BD, which would give 9.0 and -2.09 rad/s."""
+    rows = [row_of("ex3-1", "wrong-radius", "", "v_B3", form) for form in ("⊥CD", "⊥BC")]
+    for row, part in zip(rows, (9.0, 2.09), strict=True):
+        assert abs(value("ex3-1", row, "omega 3")) > part + 0.5
+
+
+@pytest.mark.parametrize("words", [("coriolis-half",), ("other-assembly", "", "3"), ("wrong-tail", "", "a^k_B3B2")])
+def test_a_rewritten_drawing_of_its_own(words: tuple[str, ...]):
+    """Scalars, as the column of all at once has them."""
+    method, _ = prepared("ex3-1")
+    row = row_of("ex3-1", *words)
+    drawn = rewritten(method, replay_all(method), led_to("ex3-1").columns[row])
+    assert all(np.ndim(place) == 0 for place in (*drawn.acceleration.values(), *drawn.position.values()))
+    assert drawn.alpha["3"] == pytest.approx(value("ex3-1", row, "alpha 3"))
+
+
 def test_a_pair_of_mistakes_is_made_together():
     """Half the Coriolis term, and that the other way: -1/2 of it."""
     half, turned = (led_to("ex3-1").columns[row_of("ex3-1", word)][0] for word in ("coriolis-half", "coriolis-reversed"))
@@ -209,6 +232,14 @@ def test_a_pair_of_mistakes_is_made_together():
     assert both.vectors[0, 0] == both.vectors[1, 0] == -both.vectors[2, 0]
     assert both.values[0, 1] - omitted == pytest.approx(omitted - both.values[2, 1])
     assert both.columns[0] == (half, turned)
+
+
+def test_all_normal_terms_left_out_are_every_one_left_out():
+    one, other, every = (led_to("ex3-5").columns[row_of("ex3-5", "normal-omitted", "", name)]
+                         for name in ("a^n_CD", "a^n_CB", "a^n_CD, a^n_CB"))  # fmt: skip
+    method, quantities = prepared("ex3-5")
+    found = combined(method, replay_all(method), quantities, [(*one, *other), every])
+    assert found.alike() == [[0, 1]]
 
 
 # --- carried on ---------------------------------------------------------------------------------
