@@ -37,7 +37,7 @@ __version__ = "0.1.0"
 ORDER = (
     "value", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
-    "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "results", "words", "sheet",
+    "agreement", "centres", "linkages", "design", "sweeps", "finding", "marking", "check", "results", "words", "sheet",
     "outputs", "equations", "api", "batches", "cli",
 )  # fmt: skip
 
