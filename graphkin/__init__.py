@@ -10,7 +10,7 @@ velocity and its acceleration polygon step by step, and proves them right agains
     Mechanism -- analytic --> Motion            the other road; it never reads a construction
     check: Plot, or a drawing file, beside Motion
 
-    subjects (centres, design): Construction -- drafting.replay --> Board of points, lines, circles, numbers
+    subjects (centres, design): Drafting -- drafting.replay --> Board of points, lines, circles, numbers
 
 A module imports only from those before it in `ORDER`. A construction is data: a reader of its steps (replay,
 words, sheet, check) handles every kind of step, and the type checker sees to that. The steps of `construction` draw a

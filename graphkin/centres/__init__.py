@@ -1,6 +1,6 @@
 """Instant centres: where they are, how they are found, what they tell.
 
-    Plot -- beneath --> Board over the mechanism          its points, guides, common normals
+    Plot -- underlay -> Board over the mechanism          its points, guides, common normals
     Board -- search --> Centring (a drafting stage each)  by definition, on two lines, from velocities
     Centring over a way -- centrode_places.over --> Centres at many positions -> centrodes
     Centres -- levers --> Levers (a drafting stage each)  velocities, by printed figures or exactly; advantages
@@ -11,7 +11,7 @@ Words are in `words.centre_*`, sheets in `sheet.centre_*` and `sheet.about_*`: t
 
 from graphkin.centres.advantages import advantages
 from graphkin.centres.centrode_places import over
-from graphkin.centres.found import Centres, centres
+from graphkin.centres.instant_centres import Centres, centres
 from graphkin.centres.telling import advantage_lines, as_json, place, rows, told
 
 __all__ = [

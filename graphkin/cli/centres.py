@@ -192,7 +192,7 @@ def _point(found: Centres, name: str) -> str:
 
 
 def _of_two_velocities(asked: _Asked) -> None:
-    from graphkin.centres.ways import from_text
+    from graphkin.centres.two_velocities import from_text
     from graphkin.words.centre_poles import pole_words
 
     click.echo("\n".join(pole_words(from_text(asked.velocities), asked.lang)))

@@ -9,7 +9,7 @@ from typing import Any
 from graphkin.design.model import Design, Family, Reason, Solution
 from graphkin.design.proof import proof
 from graphkin.design.sentences import HEADINGS, NAMES, REASONS, SENTENCES, WORDS
-from graphkin.drafting import Board, Construction
+from graphkin.drafting import Board, Drafting
 from graphkin.errors import GraphkinError, Lang, NoDesign
 from graphkin.words.linkages import kind_name
 
@@ -35,7 +35,7 @@ def _figure(value: float) -> str:
     return (f"{value:.0f}" if "e" in text and size >= 1 else text).replace("-", "−")
 
 
-def sentences(construction: Construction, board: Board, lang: Lang) -> list[str]:
+def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
     """One sentence a stage, with the numbers of the board."""
     numbers: dict[str, Any] = {name: _Said(value) for name, value in board.numbers.items()}
     for name, place in board.places.items():

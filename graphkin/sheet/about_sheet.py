@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from graphkin.centres.about import About, Circle, Line
+from graphkin.centres.about import About, Circle, InflectionLine
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
@@ -117,7 +117,7 @@ class _Drawing:
     def circles(self) -> Iterator[Entry]:
         """Inflection and return circle; the inflection pole W."""
         seen, window, room = self.seen, self.on.window, self.on.room
-        if isinstance(seen.inflection, Line):
+        if isinstance(seen.inflection, InflectionLine):
             foot, along = window(seen.inflection.through), window.turned(seen.inflection.direction)
             reach = abs(complex(room.right - room.left, room.bottom - room.top)) + abs(foot - _middle(room))
             yield from self._named([foot - reach * along, foot + reach * along], "thin", INFLECTION_LINE)

@@ -6,7 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from graphkin.centres.about import About, Carried, Circle
+from graphkin.centres.about import About, CarriedPoint, Circle
 from graphkin.centres.about_bobillier import Bobillier, Guided
 from graphkin.drafting import Stage
 from graphkin.errors import Lang
@@ -117,7 +117,7 @@ def _circles(seen: About, lang: Lang) -> Iterator[str]:
     yield WORDS["return"][lang].format(place=_place(returning.centre))
 
 
-def _point(name: str, carried: Carried, lang: Lang) -> str:
+def _point(name: str, carried: CarriedPoint, lang: Lang) -> str:
     known = {"name": name, "v": abs(carried.velocity), "a": abs(carried.acceleration)}
     if cmath.isnan(carried.centre):
         return WORDS["still"][lang].format(**known)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 
-from graphkin.centres.ways import TwoVelocities
+from graphkin.centres.two_velocities import TwoVelocities
 from graphkin.errors import Lang
 
 __all__ = ["pole_words"]

@@ -12,12 +12,12 @@ import numpy as np
 from graphkin.centres import Centres
 from graphkin.construction import Ray
 from graphkin.drafting import (
+    ChosenPoint,
     Far,
     LayOff,
     LineStep,
     MarkOn,
     Meet,
-    Place,
     PointStep,
     Pricked,
     Stage,
@@ -109,7 +109,7 @@ class CentreReader:
             case Meet():
                 first, second = (self._line(step, line) for line in stage.lines)
                 return {"first": first, "second": second, "met": self._met(stage)}
-            case Far() | Place() | LayOff() | MarkOn() | Turned():
+            case Far() | ChosenPoint() | LayOff() | MarkOn() | Turned():
                 return self._links(self.found.centring.links[step.name])
             case _:
                 assert_never(step)
