@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from graphkin.errors import Lang
-from graphkin.finding.found import Found
+from graphkin.finding.answers import Found
 from graphkin.finding.wording import caption
 from graphkin.planning import Method
 from graphkin.running.reaching import moved_to

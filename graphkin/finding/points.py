@@ -9,8 +9,8 @@ import numpy as np
 
 from graphkin import agreement
 from graphkin.errors import CannotScale, GivenTwice, NegativeSize, NoLineOf, NoSuchDriver, NotScaled, Where
+from graphkin.finding.answers import Position, SlowPoint, Speeds
 from graphkin.finding.conditions import WHERE, Scaling, Slowest, value
-from graphkin.finding.found import Position, SlowPoint, Speeds
 from graphkin.finding.quantities import looked_for
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions

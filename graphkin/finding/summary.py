@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from graphkin.errors import Lang
+from graphkin.finding.answers import Found
 from graphkin.finding.conditions import Comparison, Extreme, Scaling, Slowest
-from graphkin.finding.found import Found
 from graphkin.finding.wording import quantity
 
 __all__ = ["header", "summary"]

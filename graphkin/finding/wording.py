@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator
 
 from graphkin.errors import Lang
+from graphkin.finding.answers import Found, Interval, Phase, Position, SlowPoint, Speeds
 from graphkin.finding.conditions import Comparison, Scaling, Slowest
-from graphkin.finding.found import Found, Interval, Phase, Position, SlowPoint, Speeds
 from graphkin.mechanism import Driver
 from graphkin.quantities import EDGE, IN_GRAVITY, driven
 from graphkin.reports import number
