@@ -13,17 +13,17 @@
 from graphkin.linkages.chain import reported
 from graphkin.linkages.data import as_json
 from graphkin.linkages.family import FAMILY
-from graphkin.linkages.finding import Found, found_in, some_found_in
 from graphkin.linkages.four import FourBar
 from graphkin.linkages.guide import GuideBar
 from graphkin.linkages.inversion import inverted
 from graphkin.linkages.kinds import KINDS, from_lengths
 from graphkin.linkages.linkage import Linkage, Scale
+from graphkin.linkages.recognised import FoundLinkage, found_in, some_found_in
 from graphkin.linkages.report import Advantage, Report, advantage, report
 from graphkin.linkages.slider import SliderCrank
 from graphkin.linkages.writing import filed
 
 __all__ = [
-    "FAMILY", "KINDS", "Advantage", "Found", "FourBar", "GuideBar", "Linkage", "Report", "Scale", "SliderCrank",
+    "FAMILY", "KINDS", "Advantage", "FoundLinkage", "FourBar", "GuideBar", "Linkage", "Report", "Scale", "SliderCrank",
     "advantage", "as_json", "filed", "found_in", "from_lengths", "inverted", "report", "reported", "some_found_in",
 ]  # fmt: skip

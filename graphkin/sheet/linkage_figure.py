@@ -9,8 +9,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from graphkin.linkages import Linkage
-from graphkin.linkages.linkage import Position
-from graphkin.linkages.posed import posed
+from graphkin.linkages.linkage import LinkagePosition
+from graphkin.linkages.placement import posed
 from graphkin.mechanism import FRAME
 from graphkin.sheet import symbols
 from graphkin.sheet.grounds import grounds
@@ -21,7 +21,7 @@ from graphkin.sheet.mechanism_figure import moving_links
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure, Window
 
-Row = Sequence[Position]
+Row = Sequence[LinkagePosition]
 """Positions drawn over each other."""
 
 
@@ -30,7 +30,7 @@ def values(positions: Row) -> list[complex]:
     return [place for position in positions for place in position.places]
 
 
-def on_paper(position: Position, window: Window) -> list[Place]:
+def on_paper(position: LinkagePosition, window: Window) -> list[Place]:
     return [window(place) for place in position.places]
 
 

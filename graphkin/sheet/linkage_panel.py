@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from functools import cached_property
 
-from graphkin.linkages.linkage import Position
+from graphkin.linkages.linkage import LinkagePosition
 from graphkin.sheet.labels import Room, settle
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.linkage_figure import values
@@ -32,7 +32,7 @@ class Panel:
     caption     what stands under it, broken into lines; foot: the room for it [mm]
     """
 
-    positions: tuple[Position, ...]
+    positions: tuple[LinkagePosition, ...]
     draw: Callable[[Window], Figure]
     caption: tuple[str, ...]
     foot: float

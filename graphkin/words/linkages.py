@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from graphkin.errors import Lang
-from graphkin.linkages import FAMILY, Found, Linkage, Report, filed, inverted, report
+from graphkin.linkages import FAMILY, FoundLinkage, Linkage, Report, filed, inverted, report
 from graphkin.linkages.equal import EVEN
-from graphkin.linkages.linkage import Position
+from graphkin.linkages.linkage import LinkagePosition
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.words.linkage_phrases import BLOCKS, DRIVEN, FAMILIES, FIXED, HOW, KINDS, TEXT, TITLES, WHY
 
@@ -40,7 +40,7 @@ def kind_name(report: Report, lang: Lang) -> str:
     return f"{kind}: {family}" if lang == "en" else f"{kind}：{family}"
 
 
-def found_lines(found: Found, report: Report, lang: Lang) -> Iterator[str]:
+def found_lines(found: FoundLinkage, report: Report, lang: Lang) -> Iterator[str]:
     """Lines of a linkage found in a mechanism: which links it is made of first."""
     links = ", ".join(found.links)
     yield TEXT["links"][lang].format(links=links)
@@ -125,7 +125,7 @@ def _turns(report: Report, lang: Lang) -> Iterator[str]:
         yield _say(key, lang, pairs=", ".join(pairs) or TEXT["nothing"][lang])
 
 
-def _how(report: Report, end: Position, lang: Lang) -> str:
+def _how(report: Report, end: LinkagePosition, lang: Lang) -> str:
     """What is in line, or at right angles, in words."""
     called = report.linkage.called
     driver = called["crank"] if report.slide else report.driver
