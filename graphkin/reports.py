@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from graphkin.centres import told
-from graphkin.check import Measured, Report
+from graphkin.check import Measured, RulerReport
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
 from graphkin.quantities import EDGE, Centre, Quotient, Rotation, Unit, driven
@@ -230,7 +230,7 @@ def _driver_symbol(sweep: Sweep) -> str:
 # --- check ------------------------------------------------------------------------------------
 
 
-def check_lines(report: Report, tolerance_mm: float, lang: Lang) -> Iterator[str]:
+def check_lines(report: RulerReport, tolerance_mm: float, lang: Lang) -> Iterator[str]:
     """Each vector and point as drawn, as it should be, and the difference on paper and in its unit."""
     yield report.file
     heads = ("name", "drawn", "exact", "off", "value", "unit")
