@@ -64,7 +64,9 @@ def ways_to_move(mechanism: Mechanism, solved: Motion) -> list[Motion]:
     return found
 
 
-def seen_centres(centres: DrawingFile, mechanism: Mechanism, exact: Sequence[Motion], scale: float) -> Iterator[SeenCentre]:
+def seen_centres(
+    centres: DrawingFile, mechanism: Mechanism, exact: Sequence[Motion], scale: float
+) -> Iterator[SeenCentre]:
     """Every mark of a centre: its place on the paper, and where it should be from the mechanism's origin.
 
     Links that never move against each other and are not joined have all points in common: there is nothing to measure.
