@@ -123,7 +123,7 @@ class _Asked:
         from graphkin.centres.centrodes import centrodes, path, whole
 
         course = sweeps.course(found.method, self.ranges)
-        sweeps.held(course)
+        sweeps.prove(course)
         span = None if self.ranges else whole(course)
         if self.centre:
             try:

@@ -19,7 +19,7 @@ from graphkin.finding.quantities import checked
 from graphkin.finding.stretch import Stretch, stretch
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
-from graphkin.sweeps import Course, Road, Series, course, held
+from graphkin.sweeps import Course, Road, Series, course, prove
 
 __all__ = ["check_limit", "find", "limit"]
 
@@ -63,7 +63,7 @@ def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = 
 def _over(method: Method, ranges: Sequence[str], names: tuple[str, ...], by: Road) -> Stretch:
     """Where it is looked: only where the two roads agree."""
     moved = course(method, ranges)
-    held(moved)
+    prove(moved)
     return stretch(moved, tuple(ranges), names, by)
 
 
