@@ -44,7 +44,8 @@ EVERY = Stage("every kind", (
     CircleThrough("round", ("A", "B", "D"), "O"), CircleAbout("about", "B", "r"), CircleAbout("again", "A", through="G"),
     Meet("I", "about", "round", near="D"), Meet("J", "AB", "about", far="A"), MarkOn("K", "round", 0.7),
     Turned("L", "G", "O", "turn"), Measure("GL", "G", "L"), MeasureAngle("LOG", "O", "G", "L"),
-    Reckon("twice", "double", ("GL",)),
+    Reckon("twice", "double", ("GL",)), MeasureAngle("GBF", "B", "G", "F"), Reckon("kept", "sense", ("r", "GBF")),
+    Reckon("side", "sines", ("r", "GBF", "LOG")), Reckon("kept by two", "sense of sines", ("r", "GBF", "LOG")),
 ))  # fmt: skip
 
 
@@ -76,6 +77,9 @@ def test_what_the_steps_say_holds():
     assert abs(at["J"] - at["A"]) == pytest.approx(2 * board.numbers["r"])
     assert board.numbers["LOG"] == pytest.approx(0.9)
     assert np.isinf(at["F"])
+    ray = (at["G"] - at["B"]) * np.exp(1j * board.numbers["GBF"])
+    assert (ray / board.line("BF")[1]).imag == pytest.approx(0, abs=1e-12)
+    assert board.numbers["kept"] == pytest.approx(np.sign(np.cos(board.numbers["GBF"])) * board.numbers["r"])
     assert 0 < board.lean["H"] <= 1
 
 

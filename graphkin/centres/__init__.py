@@ -2,7 +2,7 @@
 
     Plot -- underlay -> Board over the mechanism          its points, guides, common normals
     Board -- search --> Centring (a drafting stage each)  by definition, on two lines, from velocities
-    Centring over a way -- centrode_places.over --> Centres at many positions -> centrodes
+    Centring over a path - centrode_places.over --> Centres at many positions -> centrodes
     Centres -- levers --> Levers (a drafting stage each)  velocities, by printed figures or exactly; advantages
     Centres -- about --> About: pole, circles, curvature; about_bobillier: the same by construction
 

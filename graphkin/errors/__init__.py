@@ -3,10 +3,10 @@
 Every error says three things: where (file, line, key), what is wrong, what to do. Code raises
 the data; only the edge (the command line, a notebook) asks for the words.
 
-`base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys and values, `shapes`
-about a link's measures, `pairs` about sliding pairs, gears, rolling and cams, `drivers` about drivers and poses, `motion`
-about assembly and movement, `asking` about what is asked for, `finding` about conditions. A new error is a class in one
-of them, and a name in its `__all__`: this module passes on all that those hold.
+`base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys and values,
+`shapes` about a link's measures, `pairs` about sliding pairs, gears, rolling and cams, `drivers` about drivers and poses,
+`motion` about assembly and movement, `asking` about what is asked for, `finding` about conditions. A new error is a
+class in one of them, and a name in its `__all__`: this module passes on all that those hold.
 """
 
 from graphkin.errors import (

@@ -5,7 +5,7 @@
     linkage               the contract of a kind, `Linkage`, and the values it answers with
     four, slider, guide   a kind each, on `triangles`, `lengths`, `first_position`; `assembled` makes mechanisms of them
     kinds, family         all of them; every one that has a name of its own
-    report                everything there is to say of one; `loops`, `finding`, `chain`: of those in a mechanism
+    report                everything there is to say of one; `loops`, `recognised`, `chain`: of those in a mechanism
     inversion             another link as frame
     writing, data         a mechanism as a file, a report for programs
 """
