@@ -8,7 +8,7 @@ from itertools import chain
 
 import numpy as np
 
-from graphkin.centres.about import About, Circle, Line
+from graphkin.centres.about import About, Circle, InflectionLine
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
@@ -96,7 +96,7 @@ class _Drawing:
     def circles(self) -> Iterator[Entry]:
         """Inflection and return circle; the inflection pole W."""
         seen, window, room = self.seen, self.on.window, self.on.room
-        if isinstance(seen.inflection, Line):
+        if isinstance(seen.inflection, InflectionLine):
             foot, along = window(seen.inflection.through), window.turned(seen.inflection.direction)
             reach = abs(room.size) + abs(foot - room.middle)
             yield from self._named([foot - reach * along, foot + reach * along], "thin", INFLECTION_LINE)

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from graphkin import planning
-from graphkin.agreement import held
+from graphkin.agreement import proved
 from graphkin.construction import Plot
 from graphkin.design import Design, Solution
 from graphkin.errors import Lang
@@ -47,7 +47,7 @@ class _Drawn:
     @classmethod
     def of(cls, design: Design, solution: Solution) -> _Drawn:
         method = planning.plan(mechanism_of(solution, design.kind))
-        return cls(solution, method, held(method).plot)
+        return cls(solution, method, proved(method).plot)
 
 
 def design_sheet(

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from graphkin.errors import Lang
 from graphkin.linkages import Report
-from graphkin.linkages.linkage import Position
+from graphkin.linkages.linkage import LinkagePosition
 from graphkin.mechanism import Mechanism
 from graphkin.sheet.layout import divided, papers_for
 from graphkin.sheet.linkage_angles import dimensioned_limits, dimensioned_transmission
@@ -91,7 +91,7 @@ def _over(linkage: Figure, angles: Figure) -> Figure:
     return Figure(angles.marks + linkage.marks, linkage.wanted + angles.wanted)
 
 
-def _shown(report: Report) -> tuple[Position, ...]:
+def _shown(report: Report) -> tuple[LinkagePosition, ...]:
     """The position of the least transmission angle first, and one to compare it with."""
     least = report.least[0]
     others = [end for end in report.critical if end is not least]

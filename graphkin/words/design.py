@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from graphkin.design import Design, Family, Reason, Solution, linkage_of, proof
-from graphkin.drafting import Board, Construction
+from graphkin.drafting import Board, Drafting
 from graphkin.errors import GraphkinError, Lang, NoDesign
 from graphkin.linkages import filed
 from graphkin.mechanism import Mechanism
@@ -19,7 +19,7 @@ from graphkin.words.numbers import Figure
 __all__ = ["as_toml", "error", "lines", "mechanism_of", "said", "sentences"]
 
 
-def sentences(construction: Construction, board: Board, lang: Lang) -> list[str]:
+def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
     """One sentence a stage, with the numbers of the board."""
     numbers: dict[str, Any] = {name: Figure(value) for name, value in board.numbers.items()}
     for name, place in board.places.items():
