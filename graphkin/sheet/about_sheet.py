@@ -26,8 +26,6 @@ from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
 
-__all__ = ["about_sheet"]
-
 _POLE, _MOST = 2.6, 1.5
 """So many times larger the figure may become for the pole; and then for circles and centres of curvature."""
 _LONGEST = 28.0

@@ -42,8 +42,6 @@ from graphkin.sheet.paper import PenName
 from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
 
-__all__ = ["DesignFigure"]
-
 _BEYOND = 5.0
 """How far a construction line goes on past its points [mm]."""
 _NEAR = 0.25

@@ -27,8 +27,6 @@ from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.value import frozen
 from graphkin.words.design import error, mechanism_of
 
-__all__ = ["design_sheet", "design_step_sheets"]
-
 _COLUMN, _LINE = 42.0, 6.2
 """Between sizes in the strip [mm]."""
 _MOST = 3.0
