@@ -24,7 +24,7 @@ How to add a subject:
 2. `words/phrases/SUBJECT.py`, and a reader `words/SUBJECT.py`: its data and a language -> lines.
 3. `sheet/SUBJECT_sheet.py` where there is something to draw: its data -> Sheet.
 4. A command in `cli`: parse, call one function, print.
-5. Its command lines, in both languages, in tests/golden.py; the laws of tests/test_order.py and test_catalogue.py hold it.
+5. Its command lines, in both languages, in tests/golden.py. test_order and test_catalogue hold it to the house's laws.
 """
 
 from __future__ import annotations

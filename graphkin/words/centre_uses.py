@@ -7,6 +7,7 @@ from math import hypot
 
 from graphkin.centres.levers import Levers, printed
 from graphkin.centres.uses import driven_point
+from graphkin.errors import listed
 from graphkin.mechanism import FRAME, Driver
 from graphkin.naming import Seen, common_link
 from graphkin.quantities import Moving, Quantity, Rotation, parts
@@ -71,7 +72,7 @@ def _answers(levers: LeverReader, driver: Driver) -> Iterator[Entry]:
                 yield entry
     rates = [text for text, halves in wanted.items() if halves and halves[0].word in _RATES]
     if rates:
-        yield Sentence(reader.say("centres.no accelerations", names=names.listed(rates, reader.lang)))
+        yield Sentence(reader.say("centres.no accelerations", names=listed(rates, reader.lang)))
 
 
 def _answer(levers: LeverReader, *wanted: Quantity) -> Iterator[Entry]:

@@ -3,15 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 
 from graphkin.construction import Plane
-from graphkin.errors import Lang
-
-__all__ = [
-    "LETTER", "RATE", "SCALE", "SLIDING", "UNIT", "arrow", "listed", "of_link", "of_slide", "pair", "point",
-    "relative", "stretch", "vector",
-]  # fmt: skip
 
 LETTER: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
 SCALE: dict[Plane, str] = {"position": "μ_l", "velocity": "μ_v", "acceleration": "μ_a"}
@@ -96,11 +89,3 @@ def relative(symbol: str, link: str, seen_from: str) -> str:
 
 def of_slide(symbol: str, slide: str) -> str:
     return f"{symbol}_{slide}"
-
-
-def listed(names: Iterable[str], lang: Lang) -> str:
-    """`B, C and D`; `B、C、D`."""
-    parts = list(names)
-    if lang == "zh" or len(parts) < 2:
-        return "、".join(parts)
-    return ", ".join(parts[:-1]) + " and " + parts[-1]

@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import combinations
 
 from graphkin.construction import Plot
-from graphkin.errors import Lang
+from graphkin.errors import Lang, listed
 from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning import Method
@@ -40,7 +40,7 @@ class Reading:
         return close(text) if self.lang == "zh" else text
 
     def listed(self, parts: list[str]) -> str:
-        return names.listed(parts, self.lang)
+        return listed(parts, self.lang)
 
     @property
     def mechanism(self) -> Mechanism:
