@@ -15,6 +15,7 @@ from graphkin.construction import Plot
 from graphkin.design import Design, Solution
 from graphkin.errors import Lang
 from graphkin.planning import Method
+from graphkin.say.design import error, mechanism_of
 from graphkin.sheet import Sheet
 from graphkin.sheet.about_page import Page, drawn_values, enlarged, finished, mechanism_on, page
 from graphkin.sheet.design_figure import DesignFigure
@@ -23,7 +24,6 @@ from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_la
 from graphkin.sheet.marks import Text
 from graphkin.sheet.paper import LABEL
 from graphkin.value import frozen
-from graphkin.words.design import error, mechanism_of
 
 __all__ = ["design_sheet", "design_step_sheets"]
 

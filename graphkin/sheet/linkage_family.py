@@ -8,6 +8,7 @@ from dataclasses import replace
 from graphkin.errors import Lang
 from graphkin.linkages import FAMILY, report
 from graphkin.linkages.family import Member
+from graphkin.say.linkages import kind_name, titled
 from graphkin.sheet import Sheet
 from graphkin.sheet.labels import Room
 from graphkin.sheet.layout import papers_for
@@ -16,7 +17,6 @@ from graphkin.sheet.linkage_figure import drawn_over
 from graphkin.sheet.linkage_panel import Panel
 from graphkin.sheet.marks import Mark, Stroke, Text
 from graphkin.sheet.paper import TITLE, Paper
-from graphkin.words.linkages import kind_name, titled
 
 _COLUMNS = 4
 _HEAD, _FOOT = 10.0, 13.0

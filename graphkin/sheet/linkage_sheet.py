@@ -12,6 +12,8 @@ from graphkin.errors import Lang
 from graphkin.linkages import Report
 from graphkin.linkages.linkage import Position
 from graphkin.mechanism import Mechanism
+from graphkin.say.linkages import amount, kind_name, titled
+from graphkin.say.numbers import angle as degrees
 from graphkin.sheet import Sheet
 from graphkin.sheet.labels import Room
 from graphkin.sheet.layout import papers_for
@@ -21,8 +23,6 @@ from graphkin.sheet.linkage_panel import Panel
 from graphkin.sheet.paper import Paper
 from graphkin.sheet.titleblock import strip, strip_heights
 from graphkin.sheet.window import Figure, Window
-from graphkin.words.linkages import amount, kind_name, titled
-from graphkin.words.numbers import angle as degrees
 
 _CAPTION = 22.0
 """Room for a caption of four lines under each figure [mm]."""
