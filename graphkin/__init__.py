@@ -23,7 +23,7 @@ How to add a subject:
    numbers. Its errors in a file of `errors`.
 2. `say/phrases/SUBJECT.py`, and a reader `say/SUBJECT.py`: its data and a language -> lines.
 3. `sheet/SUBJECT_sheet.py` where there is something to draw: its data -> Sheet.
-4. A command in `cli`: parse, call one function, print.
+4. A command in `cli`, its line in `COMMANDS` there: parse, call one function, print.
 5. Its command lines, in both languages, in tests/golden.py. test_order and test_catalogue hold it to the house's laws.
 """
 

@@ -13,7 +13,6 @@ from graphkin.drafting import Stage
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
 
-__all__ = ["about_words", "bobillier_words", "pole_words"]
 
 def about_words(seen: About, lang: Lang) -> list[str]:
     """What is known of the link at this instant, a sentence each."""

@@ -14,8 +14,6 @@ from graphkin.say.centre_uses import uses
 from graphkin.say.entries import Entry, Heading
 from graphkin.say.layout import lines
 
-__all__ = ["advantage_lines", "centre_entries", "explain_centres", "place", "rows"]
-
 Json = Mapping[str, Any]
 
 

@@ -15,8 +15,6 @@ from graphkin.say.entries import Calculation, Entry, Sentence
 from graphkin.say.numbers import degrees, number
 from graphkin.value import frozen
 
-__all__ = ["LeverReader"]
-
 FORMS: Mapping[str, tuple[str, str]] = {
     "same": ("{}", ""),
     "lever": ("{} {} / {}", "{} × {} / {}"),

@@ -32,8 +32,6 @@ from graphkin.say.entries import Entry, Heading, Sentence
 from graphkin.say.numbers import number
 from graphkin.value import frozen
 
-__all__ = ["CentreReader"]
-
 
 @frozen
 class CentreReader:

@@ -18,8 +18,6 @@ from graphkin.say.centre_steps import CentreReader
 from graphkin.say.entries import Calculation, Entry, Heading, Sentence
 from graphkin.say.numbers import number
 
-__all__ = ["uses"]
-
 _RATES = ("alpha", "a", "a_n", "a_t", "a_k", "a_r")
 
 

@@ -16,8 +16,6 @@ from graphkin.say.catalogue import in_both, say
 from graphkin.say.linkages import kind_name
 from graphkin.say.numbers import Figure
 
-__all__ = ["as_toml", "error", "lines", "mechanism_of", "said", "sentences"]
-
 
 def sentences(construction: Construction, board: Board, lang: Lang) -> list[str]:
     """One sentence a stage, with the numbers of the board."""

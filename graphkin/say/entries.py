@@ -5,8 +5,6 @@ from __future__ import annotations
 from graphkin.say.numbers import number
 from graphkin.value import frozen
 
-__all__ = ["Arrow", "Calculation", "Entry", "Heading", "Sentence", "VectorEquation"]
-
 
 @frozen
 class Heading:

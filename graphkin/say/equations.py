@@ -39,8 +39,6 @@ from graphkin.say.plane import Polygon
 from graphkin.say.sizes import known_size, size_row
 from graphkin.say.together import instant_centre, special_introduction
 
-__all__ = ["equation", "known_arrow", "worded"]
-
 
 def equation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
     """Everything about one vector equation, in the order of a textbook."""

@@ -30,8 +30,6 @@ from graphkin.say.entries import Entry, Sentence
 from graphkin.say.numbers import degrees, number
 from graphkin.say.reading import Reading
 
-__all__ = ["equivalents"]
-
 
 def equivalents(reading: Reading) -> Iterator[Entry]:
     """Each cam by its lower pairs, each rolling wheel by what its centre does."""

@@ -12,8 +12,6 @@ from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
 from graphkin.say.redundancy import redundant_constraints
 
-__all__ = ["given"]
-
 
 def given(reading: Reading) -> Iterator[Entry]:
     """Title, what is given, and the paper's scales."""

@@ -10,8 +10,6 @@ from graphkin.say.catalogue import close, say
 from graphkin.say.entries import Calculation, Entry, Heading, Sentence, VectorEquation
 from graphkin.say.text_table import aligned, padded, width
 
-__all__ = ["lines"]
-
 
 def lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
     """One line an entry; three a vector equation."""

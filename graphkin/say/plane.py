@@ -26,8 +26,6 @@ from graphkin.say.numbers import degrees, number
 from graphkin.say.reading import ROUNDING, Reading
 from graphkin.value import frozen
 
-__all__ = ["Polygon"]
-
 
 @frozen
 class Polygon:

@@ -31,8 +31,6 @@ from graphkin.say.rolling import rolling
 from graphkin.say.rotation import image, rotation, sliding, ties
 from graphkin.say.together import solved_together
 
-__all__ = ["polygon"]
-
 
 def polygon(reading: Reading, plane: Plane) -> Iterator[Entry]:
     """Pole, known motions, equations, and what is read off each, in the order of the construction."""

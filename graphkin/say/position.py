@@ -42,8 +42,6 @@ from graphkin.say.rolling import rolled, touched
 from graphkin.say.together import fitted, special_point
 from graphkin.value import frozen
 
-__all__ = ["PositionReader"]
-
 
 @frozen
 class PositionReader:

@@ -17,8 +17,6 @@ from graphkin.say.catalogue import close, say
 from graphkin.say.numbers import number
 from graphkin.value import frozen
 
-__all__ = ["Reading"]
-
 ROUNDING = 1e-9
 """Sizes below this part of the largest of their kind are rounding noise."""
 

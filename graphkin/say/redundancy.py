@@ -11,7 +11,6 @@ from graphkin.planning.repeated import SetAside
 from graphkin.planning.stages import Bridge
 from graphkin.say.catalogue import say
 
-__all__ = ["redundant_constraints"]
 
 def redundant_constraints(method: Method, lang: Lang) -> Iterator[str]:
     """One line each: `guide high (guide low holds the same already)`."""

@@ -16,20 +16,6 @@ from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import ROUNDING, Reading
 
-__all__ = [
-    "Contacted",
-    "Relation",
-    "checked",
-    "contacted",
-    "relation_of",
-    "rolled",
-    "rolling",
-    "same_velocity",
-    "touched",
-    "turned",
-]
-
-
 # --- the relation itself ------------------------------------------------------------------------
 
 

@@ -14,9 +14,6 @@ from graphkin.say.plane import Polygon
 from graphkin.say.reading import ROUNDING
 from graphkin.say.rolling import checked, contacted, same_velocity
 
-__all__ = ["image", "rotation", "sliding", "ties"]
-
-
 # --- rotations ----------------------------------------------------------------------------------
 
 

@@ -11,8 +11,6 @@ from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
 from graphkin.value import frozen
 
-__all__ = ["Sized", "known_size", "size_row"]
-
 
 @frozen
 class Sized:

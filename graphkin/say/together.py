@@ -30,9 +30,6 @@ from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
 from graphkin.say.rolling import relation_of, turned
 
-__all__ = ["fitted", "instant_centre", "solved_together", "special_introduction", "special_point"]
-
-
 # --- position -----------------------------------------------------------------------------------
 
 
