@@ -156,7 +156,6 @@ class Arrows:
 _SLIDING = ("displacement", "velocity", "acceleration")
 
 
-
 def _written(symbol: Symbol) -> str:
     return symbol.letter + ("" if symbol.low.isdigit() else "_") + symbol.low + "'" * symbol.primes
 
