@@ -11,20 +11,20 @@ velocity and its acceleration polygon step by step, and proves them right agains
 
     subjects: centres, linkages, design, sweeps, finding    data; what of it is drawn, by drafting.replay on a Board
     check: Plot, or a drawing file, beside Motion           results: all of it as plain data
-    any of these -- words --> lines in either language      -- sheet, outputs, equations --> files
+    any of these -- say --> lines in either language        -- sheet, outputs, equations --> files
 
 A module imports only from those before it in `ORDER`. A construction is data: a reader of its steps (replay,
-words, sheet, check) handles every kind of step, and the type checker sees to that. The steps of `construction` draw a
+say, sheet, check) handles every kind of step, and the type checker sees to that. The steps of `construction` draw a
 mechanism and its polygons, on complex numbers; `drafting` is beside them, for what is no polygon. A subject makes data
-and knows no language; words, sheets and files read any subject's data.
+and knows no language; say, sheet and outputs read any subject's data.
 
 How to add a subject:
-1. A package with a public face of one page, its line in `ORDER` before `words`: data made of a mechanism, a method or
+1. A package with a public face of one page, its line in `ORDER` before `say`: data made of a mechanism, a method or
    numbers. Its errors in a file of `errors`.
-2. `words/phrases/SUBJECT.py`, and a reader `words/SUBJECT.py`: its data and a language -> lines.
+2. `say/phrases/SUBJECT.py`, and a reader `say/SUBJECT.py`: its data and a language -> lines.
 3. `sheet/SUBJECT_sheet.py` where there is something to draw: its data -> Sheet.
-4. A command in `cli`: parse, call one function, print.
-5. Its command lines, in both languages, in tests/golden.py; tests/test_order.py and test_catalogue.py hold its laws.
+4. A command in `cli`, its line in `COMMANDS` there: parse, call one function, print.
+5. Its command lines, in both languages, in tests/golden.py. test_order and test_catalogue hold it to the house's laws.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ __version__ = "0.1.0"
 ORDER = (
     "value", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
-    "agreement", "centres", "linkages", "design", "sweeps", "finding", "marking", "check", "results", "words", "sheet",
+    "agreement", "centres", "linkages", "design", "sweeps", "finding", "marking", "check", "results", "say", "sheet",
     "outputs", "equations", "api", "batches", "cli",
 )  # fmt: skip
 
@@ -47,7 +47,7 @@ _WHERE = {
     "replay": "api",
     "motion": "analytic",
     "Drawing": "api",
-    "explain": "words",
+    "explain": "say",
     "measure": "check",
     "sweep": "api",
     "sweep_many": "batches",
@@ -62,7 +62,7 @@ if TYPE_CHECKING:
     from graphkin.batches import sweep_many
     from graphkin.check import measure
     from graphkin.errors import GraphkinError
-    from graphkin.words import explain
+    from graphkin.say import explain
 
 
 def __getattr__(name: str) -> Any:

@@ -144,8 +144,8 @@ class Drawing:
 
     def explain(self, lang: Lang = "en") -> list[str]:
         """The vector equations and what is measured, line by line, at the scales of the sheet."""
+        from graphkin.say import explain
         from graphkin.sheet import scales_of
-        from graphkin.words import explain
 
         scales = scales_of(self.method, self.plot, lang)
         keys: dict[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}

@@ -24,7 +24,7 @@ from graphkin.loading import loads
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning import plan
 from graphkin.running import replay_all
-from graphkin.words.centre_about import about_words, bobillier_words
+from graphkin.say.centre_about import about_words, bobillier_words
 
 MAKERS: dict[str, Callable[[int], Mechanism]] = {
     **{kind: lambda seed, kind=kind: dyad(kind, seed) for kind in DYADS},

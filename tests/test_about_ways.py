@@ -11,7 +11,7 @@ import pytest
 from graphkin.centres.two_velocities import from_text, pole_of
 from graphkin.errors import UnknownUnit
 from graphkin.errors.centring import BadVelocities, NotOneBody, OnePlace
-from graphkin.words.centre_about import pole_words
+from graphkin.say.centre_about import pole_words
 
 CASES = [  # text, case, pole [mm], omega
     ("A 0,0 1,0.5; B 100,0 1,-0.2", "meet", 500 / 7 - 1000j / 7, -7),

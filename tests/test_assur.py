@@ -6,7 +6,7 @@ import pytest
 
 from graphkin import api, library
 from graphkin.loading import loads
-from graphkin.words.structure import structure_lines
+from graphkin.say.structure import structure_lines
 
 THREE_CRANKS = """
 [frame]

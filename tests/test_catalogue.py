@@ -14,7 +14,7 @@ from pathlib import Path
 import graphkin
 
 PACKAGE = Path(graphkin.__file__).parent
-SPEAKER = PACKAGE / "words"
+SPEAKER = PACKAGE / "say"
 SPEAKING = {"say", "phrase", "in_both", "head", "meaning"}
 """Functions and methods whose first argument is the name of a phrase."""
 
@@ -168,7 +168,7 @@ def test_only_the_catalogue_reads_phrases():
 
 # --- languages ----------------------------------------------------------------------------------
 
-SPOKEN = {"errors", "words", "sheet", "outputs", "handouts", "page", "cli"}
+SPOKEN = {"errors", "say", "sheet", "outputs", "handouts", "page", "cli"}
 """What speaks: errors bring their words, the others are media."""
 TITLED = {"mechanism", "loading", "library"}
 """A mechanism bears its title in each language."""

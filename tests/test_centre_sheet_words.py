@@ -16,9 +16,9 @@ from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.quantities import named
 from graphkin.running import replay_all
-from graphkin.words import names
-from graphkin.words.centre_explained import centre_entries, explain_centres
-from graphkin.words.entries import Calculation, Sentence
+from graphkin.say import names
+from graphkin.say.centre_explained import centre_entries, explain_centres
+from graphkin.say.entries import Calculation, Sentence
 
 GEARED_MOTOR = """
 [frame]

@@ -31,8 +31,8 @@ from graphkin.errors import DeadPoint, RoadsDiffer
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
+from graphkin.say.sweeps import left_out
 from graphkin.sweeps import course, in_parts, prove, sweep
-from graphkin.words.sweeps import left_out
 
 COUNT = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
 """Mechanisms of each kind; 0: one of some kinds."""

@@ -20,7 +20,7 @@ from graphkin.errors import (
 )
 from graphkin.linkages import FourBar, SliderCrank, report
 from graphkin.outputs.designs import as_json
-from graphkin.words import design as words
+from graphkin.say import design as words
 
 RANDOM = np.random.default_rng(23)
 rad = math.radians

@@ -12,11 +12,11 @@ from graphkin import loading
 from graphkin.design import rocker
 from graphkin.errors import NoDesign
 from graphkin.outputs.svg import svg
+from graphkin.say.design import as_toml
 from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Stroke, Text
 from graphkin.sheet.obstacles import tree
-from graphkin.words.design import as_toml
 
 
 def words(mark):

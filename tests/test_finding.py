@@ -11,7 +11,7 @@ import pytest
 from graphkin import api, finding, loading, sweeps
 from graphkin.errors import GraphkinError
 from graphkin.finding.search import Curve, crossings, differences, followed, tops, touches, vanishing
-from graphkin.words.finding import lines
+from graphkin.say.finding import lines
 
 PLAIN = """
 [frame]

@@ -14,11 +14,11 @@ from graphkin import api, finding, library, loading
 from graphkin.errors import GraphkinError
 from graphkin.finding.dimensions import dimension, replaced
 from graphkin.outputs import svg
+from graphkin.say.finding_table import table_lines
 from graphkin.sheet.found_sheet import drawn as drawn_positions
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Text
 from graphkin.sheet.obstacles import bounds
-from graphkin.words.finding_table import table_lines
 
 
 def test_strokes_over_the_screw_of_the_engine() -> None:

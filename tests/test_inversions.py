@@ -11,7 +11,7 @@ from graphkin.api import plan
 from graphkin.errors import DeadPoint, NoFixing
 from graphkin.loading import loads
 from graphkin.running import replay_all
-from graphkin.words import linkages as words
+from graphkin.say import linkages as words
 
 
 @pytest.mark.parametrize("name", library.names())

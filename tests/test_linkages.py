@@ -33,12 +33,12 @@ from graphkin.linkages.placement import posed
 from graphkin.linkages.triangles import whole
 from graphkin.loading import loads
 from graphkin.outputs.svg import svg
+from graphkin.say.catalogue import phrase
+from graphkin.say.linkages import family_lines, found_lines, held, kind_name, lines, titled
 from graphkin.sheet.lettering import box
 from graphkin.sheet.linkage_family import family_sheet
 from graphkin.sheet.linkage_sheet import limit_sheet
 from graphkin.sheet.marks import PointMark, Stroke, Text
-from graphkin.words.catalogue import phrase
-from graphkin.words.linkages import family_lines, found_lines, held, kind_name, lines, titled
 
 deg = math.degrees
 

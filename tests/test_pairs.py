@@ -21,13 +21,13 @@ from graphkin.mechanism import Mechanism
 from graphkin.naming import named
 from graphkin.pairs import PAIRS, Pair, Revolute
 from graphkin.planning import plan
+from graphkin.say.centre_steps import NORMALS
+from graphkin.say.equivalents import EQUIVALENTS
+from graphkin.say.structure import KINDS, structure_lines
+from graphkin.say.sweeps import remarks
 from graphkin.sheet.mechanism_figure import BEFORE_LINKS, OVER_LINKS
 from graphkin.sheet.wheels import UNDER_LINKS
 from graphkin.sweeps import course
-from graphkin.words.centre_steps import NORMALS
-from graphkin.words.equivalents import EQUIVALENTS
-from graphkin.words.structure import KINDS, structure_lines
-from graphkin.words.sweeps import remarks
 
 EVERY = set(PAIRS)
 REPLACED = {kind for kind in PAIRS if kind.equivalent is not Pair.equivalent}

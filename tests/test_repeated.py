@@ -22,7 +22,7 @@ from graphkin.planning.repeated import repeated
 from graphkin.planning.structure import Structure
 from graphkin.results import results
 from graphkin.running import replay_all
-from graphkin.words.structure import structure_lines
+from graphkin.say.structure import structure_lines
 
 COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 200)
 """Random mechanisms of each kind; more of them with GRAPHKIN_RANDOM=20000 in the environment."""

@@ -20,7 +20,7 @@ from graphkin.errors import GearsApart, GraphkinError, Lang, NotPlaced, OffTrack
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
-from graphkin.words import explain
+from graphkin.say import explain
 
 COUNT = int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40
 """Random files of each family; more of them with GRAPHKIN_RANDOM=8000 in the environment."""

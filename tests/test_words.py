@@ -16,7 +16,7 @@ from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
-from graphkin.words import (
+from graphkin.say import (
     Calculation,
     Entry,
     Heading,
@@ -25,9 +25,9 @@ from graphkin.words import (
     explain,
     vector_equations,
 )
-from graphkin.words.catalogue import phrase
-from graphkin.words.numbers import degrees, number
-from graphkin.words.text_table import width
+from graphkin.say.catalogue import phrase
+from graphkin.say.numbers import degrees, number
+from graphkin.say.text_table import width
 
 SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
 LANGS: tuple[Lang, Lang] = ("en", "zh")

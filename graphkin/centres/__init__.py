@@ -6,7 +6,7 @@
     Centres -- levers --> Levers (a drafting stage each)  velocities, by printed figures or exactly; advantages
     Centres -- about --> About: pole, circles, curvature; about_bobillier: the same by construction
 
-Words are in `words.centre_*`, sheets in `sheet.centre_*` and `sheet.about_*`: they read the same stages.
+Words are in `say.centre_*`, sheets in `sheet.centre_*` and `sheet.about_*`: they read the same stages.
 """
 
 from graphkin.centres.advantages import advantages

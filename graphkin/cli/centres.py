@@ -156,8 +156,8 @@ def _told(asked: _Asked, source: str) -> Iterator[str]:
 
 
 def _listed(asked: _Asked, found: Centres) -> Iterator[str]:
-    from graphkin.words.centre_explained import advantage_lines, explain_centres, rows
-    from graphkin.words.text_table import table
+    from graphkin.say.centre_explained import advantage_lines, explain_centres, rows
+    from graphkin.say.text_table import table
 
     mechanism = found.method.mechanism
     yield f"{mechanism.name}  {mechanism.headline(asked.lang)}"
@@ -171,7 +171,7 @@ def _about(asked: _Asked, found: Centres) -> Iterator[str]:
     from graphkin.centres.about import about
     from graphkin.centres.about_bobillier import bobillier
     from graphkin.centres.about_data import about_json
-    from graphkin.words.centre_about import about_words, bobillier_words
+    from graphkin.say.centre_about import about_words, bobillier_words
 
     seen = about(found, asked.link)
     if asked.as_json:
@@ -192,7 +192,7 @@ def _point(found: Centres, name: str) -> str:
 
 def _of_two_velocities(asked: _Asked) -> None:
     from graphkin.centres.two_velocities import from_text
-    from graphkin.words.centre_about import pole_words
+    from graphkin.say.centre_about import pole_words
 
     click.echo("\n".join(pole_words(from_text(asked.velocities), asked.lang)))
 

@@ -87,7 +87,7 @@ def _tell(found: Design, as_json: bool, lang: Lang) -> None:
 
         click.echo(json_line(data(found)))
         return
-    from graphkin.words.design import error, lines
+    from graphkin.say.design import error, lines
 
     click.echo("\n".join(lines(found, lang)))
     if (missing := error(found)) is not None:
@@ -99,8 +99,8 @@ def _write(
     lang: Lang,
 ) -> None:  # fmt: skip
     from graphkin.outputs import files, svg
+    from graphkin.say.design import as_toml, error
     from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
-    from graphkin.words.design import as_toml, error
 
     if not (output or steps or toml):
         return

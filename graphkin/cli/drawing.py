@@ -123,7 +123,7 @@ def solve(mechanisms: tuple[str, ...], as_json: bool, lang: Lang) -> None:
 
 def _solved(source: str, as_json: bool, lang: Lang) -> Iterator[str]:
     from graphkin import api, results
-    from graphkin.words.results import solve_lines
+    from graphkin.say.results import solve_lines
 
     machine = read(source)
     found = results.results(machine, api.plan(machine), lang)
@@ -147,7 +147,7 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
       graphkin check ex3-1.svg
     """
     from graphkin.check import measure
-    from graphkin.words.checks import check_lines
+    from graphkin.say.checks import check_lines
 
     if not math.isfinite(tolerance):
         raise click.UsageError("--tolerance takes a finite number")

@@ -38,7 +38,7 @@ def list_(kinds: bool, output: Path | None, force: bool, lang: Lang) -> None:
 
 
 def _kinds(output: Path | None, force: bool, lang: Lang) -> None:
-    from graphkin.words.linkages import family_lines
+    from graphkin.say.linkages import family_lines
 
     click.echo("\n".join(family_lines(lang)))
     if output is not None:
@@ -77,7 +77,7 @@ def structure(mechanism: str, lang: Lang) -> None:
       graphkin structure p3-15
     """
     from graphkin import api
-    from graphkin.words.structure import structure_lines
+    from graphkin.say.structure import structure_lines
 
     for line in structure_lines(api.plan(read(mechanism)), lang):
         click.echo(line)

@@ -67,7 +67,7 @@ def linkage(
 
 def _of_lengths(given: dict[str, tuple[str, ...]], by: str, lang: Lang) -> Iterator[tuple[Report, list[str]]]:
     from graphkin import linkages
-    from graphkin.words.linkages import lines
+    from graphkin.say.linkages import lines
 
     ((kind, sizes),) = given.items()
     report = linkages.report(linkages.from_lengths(kind, *_metres(kind, sizes), driver=by))
@@ -90,7 +90,7 @@ def _metres(kind: str, sizes: tuple[str, ...]) -> list[float]:
 
 def _of_mechanism(source: str, lang: Lang) -> Iterator[tuple[Report, list[str]]]:
     from graphkin import linkages
-    from graphkin.words.linkages import found_lines
+    from graphkin.say.linkages import found_lines
 
     machine = read(source)
     for found in linkages.some_found_in(machine):
@@ -101,7 +101,7 @@ def _of_mechanism(source: str, lang: Lang) -> Iterator[tuple[Report, list[str]]]
 def _held(mechanism: str | None, given: dict[str, tuple[str, ...]], by: str, link: str) -> str:
     """Another link as frame, as TOML."""
     from graphkin.linkages import from_lengths
-    from graphkin.words.linkages import held, titled
+    from graphkin.say.linkages import held, titled
 
     if mechanism is not None:
         return held(read(mechanism), link).text

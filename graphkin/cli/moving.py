@@ -64,8 +64,8 @@ def sweep(
       graphkin sweep ex3-7 --of "theta 3, omega 3, alpha 3, s ram, v E, a E" -o diagram.svg
     """
     from graphkin import api, finding, sweeps
-    from graphkin.words.finding import lines
-    from graphkin.words.sweeps import book_lines, extremes, left_out, remarks, sweep_lines
+    from graphkin.say.finding import lines
+    from graphkin.say.sweeps import book_lines, extremes, left_out, remarks, sweep_lines
 
     if output is not None and output.suffix.lower() not in WRITTEN and str(output) != "-":
         raise click.UsageError(f"{output}: the file to write must end in {', '.join(WRITTEN)}")
@@ -160,8 +160,8 @@ def find(
       graphkin find p3-21 "stroke s piston" --vary DH=55:125:5
     """
     from graphkin import api, finding
-    from graphkin.words.finding import lines
-    from graphkin.words.finding_table import table_lines
+    from graphkin.say.finding import lines
+    from graphkin.say.finding_table import table_lines
 
     machine = read(mechanism)
     if dimension:

@@ -20,7 +20,7 @@ from graphkin.equations.symbols import NO_ANGLE, Angle, Symbol
 from graphkin.mechanism import FRAME, Driver
 from graphkin.pairs import Slide
 from graphkin.planning.structure import Structure
-from graphkin.words.catalogue import Meaning, meaning
+from graphkin.say.catalogue import Meaning, meaning
 
 __all__ = ["Bodies", "quarters"]
 

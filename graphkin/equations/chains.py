@@ -16,8 +16,8 @@ from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.planning.structure import Hinge, Joint, Sliding
 from graphkin.quantities import parts
+from graphkin.say.catalogue import meaning
 from graphkin.value import frozen
-from graphkin.words.catalogue import meaning
 
 __all__ = ["Chain", "asked_points", "chain", "vectors"]
 

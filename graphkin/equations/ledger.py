@@ -11,8 +11,8 @@ import numpy as np
 from graphkin.analytic import Motion
 from graphkin.equations.symbols import Angle, Kind, Symbol
 from graphkin.geometry import Value
+from graphkin.say.catalogue import Meaning
 from graphkin.value import frozen
-from graphkin.words.catalogue import Meaning
 
 __all__ = ["Entry", "Ledger", "Reader", "Unit", "settled", "values"]
 

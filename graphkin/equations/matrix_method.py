@@ -14,7 +14,7 @@ from graphkin.equations.model import Model
 from graphkin.equations.page import Page
 from graphkin.equations.pretty import ZERO, Pretty
 from graphkin.equations.symbols import Symbol
-from graphkin.words.catalogue import meaning
+from graphkin.say.catalogue import meaning
 
 __all__ = ["write_matrix"]
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from graphkin.equations.document import Block, Display, Heading, Sentence, Table
 from graphkin.equations.layout import Node
 from graphkin.errors import Lang
-from graphkin.words.catalogue import phrase, say
+from graphkin.say.catalogue import phrase, say
 
 __all__ = ["Page"]
 

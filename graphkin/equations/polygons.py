@@ -19,8 +19,8 @@ from graphkin.equations.symbols import Angle, Symbol
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Slide
 from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
+from graphkin.say.catalogue import meaning
 from graphkin.value import frozen
-from graphkin.words.catalogue import meaning
 
 __all__ = ["Arrow", "Arrows", "Polygon", "Site", "closed", "way"]
 
@@ -154,7 +154,6 @@ class Arrows:
 
 
 _SLIDING = ("displacement", "velocity", "acceleration")
-
 
 
 def _written(symbol: Symbol) -> str:

@@ -8,8 +8,8 @@ from graphkin.equations.ledger import values
 from graphkin.equations.polygons import Arrows
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.planning.equivalent import Contact
+from graphkin.say.catalogue import meaning
 from graphkin.value import frozen
-from graphkin.words.catalogue import meaning
 
 __all__ = ["Rolling", "rolling"]
 

@@ -25,8 +25,8 @@ from graphkin.equations.layout import (
     Word,
 )  # fmt: skip
 from graphkin.equations.symbols import Symbol
+from graphkin.say.text_table import aligned, padded, width
 from graphkin.sheet import Sheet
-from graphkin.words.text_table import aligned, padded, width
 
 __all__ = ["inline", "symbol_text", "write_text"]
 

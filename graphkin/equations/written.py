@@ -19,7 +19,7 @@ from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.planning import Method
 from graphkin.quantities import EDGE, Unit
-from graphkin.words.catalogue import say
+from graphkin.say.catalogue import say
 
 __all__ = ["document"]
 

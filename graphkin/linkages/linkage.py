@@ -4,7 +4,7 @@ A kind is one class in one file (`four`, `slider`, `guide`) that fulfils `Linkag
 has a linkage asks it; nobody asks which kind it is. Lengths [m], angles [rad], places complex [m].
 
 How to add a kind: a file with its class, its entry in `kinds.KINDS`, its loop in `finding`, its words in
-`graphkin.words.linkages`; the type checker holds the class to the contract.
+`graphkin.say.linkages`; the type checker holds the class to the contract.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from graphkin.design import Design, Family, Solution
-from graphkin.words.design import said
+from graphkin.say.design import said
 
 __all__ = ["as_json"]
 

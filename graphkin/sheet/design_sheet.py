@@ -15,6 +15,7 @@ from graphkin.construction import Plot
 from graphkin.design import Design, Solution
 from graphkin.errors import Lang
 from graphkin.planning import Method
+from graphkin.say.design import error, mechanism_of
 from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.design_figure import DesignFigure
 from graphkin.sheet.fit import enlarged
@@ -25,7 +26,6 @@ from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import LABEL
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.value import frozen
-from graphkin.words.design import error, mechanism_of
 
 _COLUMN, _LINE = 42.0, 6.2
 """Between sizes in the strip [mm]."""

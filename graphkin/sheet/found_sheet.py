@@ -6,9 +6,9 @@ from graphkin.errors import Lang
 from graphkin.finding import Found
 from graphkin.planning import Method
 from graphkin.running.reaching import moved_to
+from graphkin.say.finding import caption
 from graphkin.sheet import Sheet
 from graphkin.sheet.gallery_sheet import MOST, side_by_side
-from graphkin.words.finding import caption
 
 
 def drawn(method: Method, found: Found, lang: Lang = "en", *, paper: str | None = None) -> tuple[Sheet, int] | None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from graphkin.errors import Lang
 from graphkin.linkages import FAMILY, report
 from graphkin.linkages.family import Member
+from graphkin.say.linkages import kind_name, titled
 from graphkin.sheet.layout import papers_for
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.linkage_figure import drawn_over, pictured
@@ -15,7 +16,6 @@ from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.paper import TITLE, Paper
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.titleblock import frame
-from graphkin.words.linkages import kind_name, titled
 
 _COLUMNS = 4
 _HEAD, _FOOT = 10.0, 13.0

@@ -12,6 +12,8 @@ from graphkin.errors import Lang
 from graphkin.linkages import Report
 from graphkin.linkages.linkage import LinkagePosition
 from graphkin.mechanism import Mechanism
+from graphkin.say.linkages import amount, kind_name, titled
+from graphkin.say.numbers import angle as degrees
 from graphkin.sheet.layout import divided, papers_for
 from graphkin.sheet.linkage_angles import dimensioned_limits, dimensioned_transmission
 from graphkin.sheet.linkage_figure import drawn_over, pictured
@@ -19,8 +21,6 @@ from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
-from graphkin.words.linkages import amount, kind_name, titled
-from graphkin.words.numbers import angle as degrees
 
 _CAPTION = 22.0
 """Room for a caption of four lines under each figure [mm]."""

@@ -15,8 +15,8 @@ from graphkin.outputs.diagram.fonts import has_chinese, typeset, writable
 from graphkin.outputs.diagram.notes import Drawn, note_peaks
 from graphkin.outputs.diagram.panels import Axis, Panel, division, labels_of, limits, panels
 from graphkin.quantities import EDGE, IN_GRAVITY
+from graphkin.say.catalogue import say
 from graphkin.sheet.lettering import Label, width
-from graphkin.words.catalogue import say
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

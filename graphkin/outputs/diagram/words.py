@@ -10,10 +10,10 @@ from graphkin.outputs.diagram.fonts import typeset, writable
 from graphkin.outputs.diagram.panels import LETTERS
 from graphkin.quantities import EDGE, IN_GRAVITY, driven
 from graphkin.running.path import Event
+from graphkin.say.catalogue import say
+from graphkin.say.sweeps import told
 from graphkin.sheet.lettering import link_label, number
 from graphkin.sweeps import Course
-from graphkin.words.catalogue import say
-from graphkin.words.sweeps import told
 
 __all__ = ["about_drivers", "across", "event_line", "event_mark", "figure_of", "place_of", "upright_label"]
 

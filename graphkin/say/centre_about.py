@@ -1,0 +1,124 @@
+"""A link about its pole in words, Bobillier's construction, and the pole of two velocities."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+
+from graphkin.centres.about import About, CarriedPoint, Circle
+from graphkin.centres.about_bobillier import Bobillier, Guided
+from graphkin.centres.two_velocities import TwoVelocities
+from graphkin.drafting import Stage
+from graphkin.errors import Lang
+from graphkin.say.catalogue import say
+
+
+def about_words(seen: About, lang: Lang) -> list[str]:
+    """What is known of the link at this instant, a sentence each."""
+    return [*_about(seen, lang)]
+
+
+def _about(seen: About, lang: Lang) -> Iterator[str]:
+    known = {"link": seen.called, "omega": seen.omega, "alpha": seen.alpha}
+    if seen.assumed:
+        yield say("about.assumed", lang)
+    if not seen.moves:
+        yield say("about.rest", lang, **known)
+    elif seen.diameter is None:
+        yield say("about.translation", lang, **known, at=_degrees(seen.towards))
+    else:
+        yield say("about.pole", lang, **known, place=_place(seen.pole))
+    if seen.acceleration_pole is not None:
+        yield say("about.acceleration", lang, place=_place(seen.acceleration_pole))
+    elif seen.moves:
+        yield say("about.no acceleration", lang)
+    yield from _circles(seen, lang)
+    for name, carried in seen.points.items():
+        yield _point(name, carried, lang)
+
+
+def _circles(seen: About, lang: Lang) -> Iterator[str]:
+    inflection, returning = seen.inflection, seen.returning
+    if inflection is None:
+        return
+    if not isinstance(inflection, Circle):
+        place, at = _place(inflection.through), _degrees(inflection.direction)
+        yield say("about.inflection line", lang, place=place, at=at)
+        return
+    if seen.tangent is None or returning is None or seen.pole_velocity is None:
+        yield say("about.pivot", lang)
+        return
+    yield say("about.moving pole", lang, u=abs(seen.pole_velocity), tangent=_degrees(seen.tangent))
+    yield say("about.inflection", lang, diameter=2e3 * inflection.radius, place=_place(inflection.centre))
+    yield say("about.return", lang, place=_place(returning.centre))
+
+
+def _point(name: str, carried: CarriedPoint, lang: Lang) -> str:
+    known = {"name": name, "v": abs(carried.velocity), "a": abs(carried.acceleration)}
+    if cmath.isnan(carried.centre):
+        return say("about.still", lang, **known)
+    if cmath.isinf(carried.centre):
+        return say("about.straight", lang, **known)
+    if carried.radius == 0:
+        return say("about.cusp", lang, **known)
+    return say("about.curved", lang, **known, radius=1e3 * carried.radius, place=_place(carried.centre))
+
+
+def _place(place: complex) -> str:
+    """`(66.4, 182.4) mm`; what is nothing but rounding as 0."""
+    x, y = (0.0 if abs(value) < 1e-9 else 1e3 * value for value in (place.real, place.imag))
+    return f"({x:.4g}, {y:.4g}) mm"
+
+
+def _degrees(direction: complex) -> float:
+    """A line's direction, in (-90, 90] deg."""
+    angle = math.degrees(cmath.phase(direction))
+    return angle - 180 if angle > 90 else angle + 180 if angle <= -90 else angle
+
+
+# --- Bobillier's construction -----------------------------------------------------------------
+
+
+def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
+    """What the two points are known from, and one sentence each stage."""
+    first, second = drawn.guides
+    known = {"a": first.point, "b": second.point, "a0": first.written, "b0": second.written, "c": drawn.point}
+    q, qc = drawn.crossings
+    known |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer}
+    drawing = (_stage(drawn, stage, lang, known) for stage in drawn.construction.stages)
+    return [*(_known(entry, lang) for entry in drawn.guides), *drawing]
+
+
+def _stage(drawn: Bobillier, stage: Stage, lang: Lang, known: dict[str, str]) -> str:
+    """A stage; its lines may be parallel."""
+    if stage.say == "Q" and not any(entry.centre[2] for entry in drawn.guides):
+        return say("about.bobillier Q line", lang, **known)
+    far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
+    return say(f"about.bobillier {stage.say} far" if far else f"about.bobillier {stage.say}", lang, **known)
+
+
+def _known(entry: Guided, lang: Lang) -> str:
+    kind = "measured" if entry.measured else "pivoted" if entry.pivoted else "guided"
+    return say(f"about.bobillier {kind}", lang, point=entry.point, centre=entry.written)
+
+
+# --- two velocities ---------------------------------------------------------------------------
+
+
+def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
+    """What is drawn, and what is found, a sentence each."""
+    first, second = found.names
+    still, other = (first, second) if abs(found.velocities[0]) < abs(found.velocities[1]) else (second, first)
+    known = {
+        "a": first, "b": second, "still": still, "other": other, "x": 1e3 * found.place.real,
+        "y": 1e3 * found.place.imag, "omega": abs(found.omega), "at": math.degrees(found.direction or 0.0),
+        "sense": say("common.ccw" if found.omega > 0 else "common.cw", lang),
+    }  # fmt: skip
+    along = cmath.phase(found.points[1] - found.points[0])
+    component = (found.velocities[0] * cmath.rect(1, -along)).real
+    component = component if abs(component) > 1e-12 * abs(found.fastest[1]) else 0.0
+    told = [say("about.two rigid", lang, **known, component=component), say(f"about.two {found.case}", lang, **known)]
+    if found.case in ("meet", "similar", "point"):
+        told.append(say("about.two omega", lang, **known, v=abs(found.fastest[1]), arm=1e3 * abs(found.arm)))
+    return told

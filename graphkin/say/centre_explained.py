@@ -1,0 +1,69 @@
+"""The instant centres in words: how each is found, what they give, and all of them in a table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from math import degrees
+from typing import Any
+
+from graphkin.centres import Centres, advantages, as_json
+from graphkin.errors import Lang
+from graphkin.say.catalogue import say
+from graphkin.say.centre_steps import CentreReader
+from graphkin.say.centre_uses import uses
+from graphkin.say.entries import Entry, Heading
+from graphkin.say.layout import lines
+
+Json = Mapping[str, Any]
+
+
+def explain_centres(found: Centres, lang: Lang, scale: float | None = None) -> list[str]:
+    """All centres with the lines that give them, and the velocities asked for with their figures, line by line.
+
+    found  at one position
+    scale  of the drawing from which lengths are taken [m/mm]; the file's own, or 0.001, where left out
+    """
+    return list(lines(centre_entries(found, lang, scale), lang))
+
+
+def centre_entries(found: Centres, lang: Lang, scale: float | None = None) -> Iterator[Entry]:
+    """The same as data."""
+    reader = CentreReader(found, lang)
+    yield Heading(found.method.mechanism.headline(lang))
+    yield from reader.entries()
+    yield from uses(reader, scale or found.method.mechanism.scales.get("length", 0.001))
+
+
+# --- a table ----------------------------------------------------------------------------------
+
+
+def rows(found: Centres, lang: Lang) -> Iterator[list[str]]:
+    """The table's rows, the heading first."""
+    yield [say(f"centres.column {key}", lang) for key in ("centre", "links", "place", "by")]
+    for name, entry in as_json(found)["centres"].items():
+        yield [name, ", ".join(entry["links"]), place(entry, lang), _way(entry["by"], lang)]
+
+
+def place(entry: Json, lang: Lang) -> str:
+    """`(66.404, 182.442)` in mm, or `at infinity, 90°`."""
+    if "at" in entry:
+        x, y = (f"{value * 1000:.6g}" if abs(value) > 1e-12 else "0" for value in entry["at"])
+        return f"({x}, {y})"
+    if "direction" in entry:
+        return say("centres.place at infinity", lang, angle=f"{degrees(entry['direction']):.6g}")
+    return "-"
+
+
+def _way(by: str | list[list[str]], lang: Lang) -> str:
+    if isinstance(by, str):
+        return say(f"centres.by {by}", lang)
+    return " × ".join(say("centres.by normal", lang) if line == ["normal"] else "".join(line) for line in by)
+
+
+def advantage_lines(found: Centres, lang: Lang) -> Iterator[str]:
+    """How many times the driver's torque a link gives, by the ratios of the centres' distances."""
+    mechanism = found.method.mechanism
+    driver = next((d for d in mechanism.drivers if d.rate), mechanism.drivers[0])
+    for link, value in advantages(found).items():
+        names = {"out": mechanism.called(link), "driver": mechanism.called(driver.link)}
+        yield "  " + say("centres.advantage", lang, value=f"{value:.4g}", **names)

@@ -1,0 +1,40 @@
+"""A drawing file measured, for people: what is off, what is at fault, what was not judged."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphkin.check import Measured, RulerReport
+from graphkin.errors import Lang
+from graphkin.say.catalogue import say
+from graphkin.say.text_table import table
+
+
+def check_lines(report: RulerReport, tolerance_mm: float, lang: Lang) -> Iterator[str]:
+    """Each vector and point as drawn, as it should be, and the difference on paper and in its unit."""
+    yield report.file
+    heads = ("name", "drawn", "exact", "off", "value", "unit")
+    rows = [[say(f"checks.{head}", lang) for head in heads]]
+    for entry in report.measured:
+        mark = "" if entry.off_mm <= tolerance_mm else "  <--"
+        rows.append([*_measured(entry), entry.unit + mark])
+    yield from table(rows)
+    for fault in report.faults:
+        yield f"{say('checks.fault', lang)}: {say(f'checks.fault {fault.kind}', lang, what=fault.what)}"
+    for note in report.notes:
+        yield f"{say('checks.note', lang)}: {say(f'checks.note {note.kind}', lang, what=note.what)}"
+    wrong = report.wrong(tolerance_mm)
+    yield say("checks.bad" if wrong else "checks.good", lang, count=wrong, tolerance=tolerance_mm)
+
+
+def _measured(entry: Measured) -> list[str]:
+    name = entry.name if entry.kind == "vector" else f"{entry.name} ({entry.plane})"
+    if entry.kind == "vector":
+        drawn, exact = f"{abs(entry.drawn):.4f}", f"{abs(entry.exact):.4f}"
+    else:
+        drawn, exact = _place(entry.drawn), _place(entry.exact)
+    return [name, drawn, exact, f"{entry.off_mm:.4f}", f"{entry.off_mm * entry.unit_per_mm:.2e}"]
+
+
+def _place(place: complex) -> str:
+    return f"({place.real + 0.0:.3f}, {place.imag + 0.0:.3f})"

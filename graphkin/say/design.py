@@ -1,0 +1,121 @@
+"""A design in words: numbered sentences with their numbers, what was found, its linkage as a file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+from graphkin.design import Design, Family, Reason, Solution, linkage_of, proof
+from graphkin.drafting import Board, Drafting
+from graphkin.errors import GraphkinError, Lang, NoDesign
+from graphkin.linkages import filed
+from graphkin.mechanism import Mechanism
+from graphkin.say.catalogue import in_both, say
+from graphkin.say.linkages import kind_name
+from graphkin.say.numbers import Figure
+
+
+def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
+    """One sentence a stage, with the numbers of the board."""
+    numbers: dict[str, Any] = {name: Figure(value) for name, value in board.numbers.items()}
+    for name, place in board.places.items():
+        numbers |= {f"{name}_x": Figure(place.real * 1e3), f"{name}_y": Figure(place.imag * 1e3)}
+    if "K" in board.numbers:
+        numbers |= {"less": Figure(board.numbers["K"] - 1), "more": Figure(board.numbers["K"] + 1)}
+    return [say(f"design.stage {stage.say}", lang, **numbers) for stage in construction.stages]
+
+
+def said(reason: Reason, lang: Lang) -> str:
+    """A reason as a sentence."""
+    data: dict[str, Any] = {k: v if isinstance(v, str) else Figure(v) for k, v in reason.data}
+    if "name" in data:
+        data["name"] = say(f"design.name {data['name']}" if data["name"] else "design.name", lang)
+    return say(f"design.reason {reason.key}", lang, **data)
+
+
+def error(design: Design) -> NoDesign | None:
+    """The error to raise where nothing was found; None where something was."""
+    if design.solutions:
+        return None
+    return NoDesign(" ".join(_no_solution(design, "en")), " ".join(_no_solution(design, "zh")))
+
+
+def _no_solution(design: Design, lang: Lang) -> Iterator[str]:
+    for one in design.rejected:
+        yield from (said(reason, lang) for reason in one.why)
+    yield from (said(reason, lang) for reason in design.why)
+
+
+# --- lines -------------------------------------------------------------------------------------------
+
+
+def lines(design: Design, lang: Lang = "en") -> list[str]:
+    """The solution as a book writes it, then all solutions, what is none, and the family."""
+    return list(_lines(design, lang))
+
+
+def _lines(design: Design, lang: Lang) -> Iterator[str]:
+    yield say(f"design.heading {design.kind}", lang)
+    best = design.best
+    if best is not None:
+        numbered = enumerate(sentences(best.construction, best.board(), lang), start=1)
+        yield from (f"({number}) {text}" for number, text in numbered)
+    for number, one in enumerate(design.solutions, start=1):
+        yield say("design.solution" if one.valid else "design.useless", lang, number=number) + _lengths(one)
+        yield from _judged(one, lang)
+    for one in design.rejected:
+        yield say("design.refused", lang) + _lengths(one)
+        yield from (f"  {said(reason, lang)}" for reason in one.why)
+    if not design.solutions:
+        yield say("design.none", lang)
+    yield from (said(reason, lang) for reason in design.why)
+    yield from (_family(one, lang) for one in design.families if len(one.angle))
+
+
+def _lengths(one: Solution) -> str:
+    """a = 20.773 mm, b = .. of those it has."""
+    sizes = {"a": one.a, "b": one.b, "c": one.c, "d": one.d, "e": one.e}
+    return ", ".join(f"{name} = {Figure(size):mm}" for name, size in sizes.items() if size is not None)
+
+
+def _judged(one: Solution, lang: Lang) -> Iterator[str]:
+    yield from (f"  {say('design.invalid', lang)}{said(reason, lang)}" for reason in one.why)
+    try:
+        found = proof(one)
+    except GraphkinError as wrong:
+        yield f"  {wrong.message(lang)}"
+        return
+    values = {"ψ": found.swing, "θ": found.theta, "γmin": found.gamma_min}
+    told = [kind_name(found, lang)]
+    told += [f"{name} = {Figure(value):deg}" for name, value in values.items() if value is not None]
+    told += [f"H = {Figure(found.stroke):mm}"] if found.stroke is not None else []
+    told += [f"K = {Figure(found.k):n}"] if found.k is not None else []
+    if one.pace is not None:
+        told.append(say("design.slow ccw" if one.pace > 0 else "design.slow cw", lang))
+    yield f"  {say('design.proof', lang)}{', '.join(told)}"
+    yield from (f"  {said(reason, lang)}" for reason in one.notes if reason.key != "kind")
+
+
+def _family(one: Family, lang: Lang) -> str:
+    arcs = [
+        say("design.arcs", lang, start=Figure(arc.start % math.tau), end=Figure(arc.end % math.tau))
+        for arc in one.arcs if arc.name == "admissible"
+    ]  # fmt: skip
+    x, y, radius, best = map(Figure, (one.centre.real * 1e3, one.centre.imag * 1e3, one.radius, one.best[1]))
+    return say("design.family", lang, arcs=", ".join(arcs), x=x, y=y, radius=radius, best=best)
+
+
+# --- its linkage as a file --------------------------------------------------------------------
+
+
+def mechanism_of(solution: Solution, kind: str) -> Mechanism:
+    """The linkage driven at AB with 1 rad/s. kind: of the design (`Design.kind`)."""
+    machine = linkage_of(solution).mechanism(omega=1.0)
+    return filed(replace(machine, name="design", file="design.toml", title=in_both(f"design.title {kind}")))
+
+
+def as_toml(solution: Solution, kind: str) -> str:
+    """The same as a mechanism file."""
+    return mechanism_of(solution, kind).text

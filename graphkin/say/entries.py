@@ -1,0 +1,83 @@
+"""What a derivation is made of. Every entry is data, so that a page or a handout can set it in its own way."""
+
+from __future__ import annotations
+
+from graphkin.say.numbers import number
+from graphkin.value import frozen
+
+
+@frozen
+class Heading:
+    """The title, or the name of one of the three parts."""
+
+    text: str
+
+
+@frozen
+class Sentence:
+    """What the pencil does, or why."""
+
+    text: str
+
+
+@frozen
+class Calculation:
+    """`name = formula = .. = numbers = value unit (note)`.
+
+    numbers  the last formula with its figures put in; "" where that would say nothing new
+    value    in `unit`, without a sign where `note` tells the sense
+    """
+
+    name: str
+    formulas: tuple[str, ...]
+    numbers: str
+    value: float
+    unit: str
+    note: str = ""
+
+    @property
+    def text(self) -> str:
+        """The whole chain without its note; nothing is 0 of a unit."""
+        result = f"{number(self.value)} {self.unit}".rstrip() if self.value else "0"
+        figures = [self.numbers] if self.numbers and self.value else []
+        return " = ".join([self.name, *self.formulas, *figures, result])
+
+
+@frozen
+class Arrow:
+    """One term of a vector equation with its two rows.
+
+    direction, size   as the rows print them: `⊥BD`, `B→A`, `√`, `?`; `ω1 l_AB`, `√`, `?`, `0`
+    value, length_mm  its size in SI units, and on paper
+    ends              the points of the polygon between which it lies
+    """
+
+    name: str
+    direction: str
+    size: str
+    value: float
+    length_mm: float
+    ends: tuple[str, str]
+
+    @property
+    def size_known(self) -> bool:
+        return self.size != "?"
+
+    @property
+    def direction_known(self) -> bool:
+        return self.direction != "?"
+
+
+@frozen
+class VectorEquation:
+    """`front = side = side`; `front` is "" where the first side is the motion sought itself."""
+
+    front: str
+    sides: tuple[tuple[Arrow, ...], ...]
+
+    @property
+    def arrows(self) -> tuple[Arrow, ...]:
+        return tuple(arrow for side in self.sides for arrow in side)
+
+
+Entry = Heading | Sentence | Calculation | VectorEquation

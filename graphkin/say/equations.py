@@ -1,0 +1,257 @@
+"""A vector equation in words: why it holds, its rows, its known sizes, how it is drawn, and what it gives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import assert_never
+
+from graphkin.construction import (
+    AcrossGuide,
+    Along,
+    AlongGuide,
+    Arc,
+    Drawn,
+    Driven,
+    Equation,
+    Fit,
+    Given,
+    Image,
+    LayOff,
+    Measure,
+    Meet,
+    Normal,
+    Ray,
+    Relative,
+    Roll,
+    Simultaneous,
+    Step,
+    Swing,
+    Tangential,
+    Term,
+    Touch,
+    Turning,
+)
+from graphkin.say import names
+from graphkin.say.entries import Arrow, Calculation, Entry, Sentence, VectorEquation
+from graphkin.say.numbers import number
+from graphkin.say.plane import Polygon
+from graphkin.say.sizes import known_size, size_row
+from graphkin.say.together import instant_centre, special_introduction
+
+
+def equation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
+    """Everything about one vector equation, in the order of a textbook."""
+    if sentence := _translation(polygon, part):
+        yield Sentence(sentence)
+        return
+    yield Sentence(_introduction(polygon, part))
+    yield worded(polygon, part)
+    terms = part.left + part.right
+    known = dict.fromkeys(step.term for step in part.steps if isinstance(step, LayOff))
+    for term in known:
+        yield known_size(polygon, term, terms)
+    yield from _drawing(polygon, part.steps, terms)
+    if centre := instant_centre(polygon, part):
+        yield Sentence(centre)
+    else:
+        yield from _measured(polygon, part)
+
+
+def known_arrow(polygon: Polygon, step: LayOff) -> Iterator[Entry]:
+    """A motion that is known without an equation: that of a driven point."""
+    size = step.term.size
+    if isinstance(size, Normal) and not step.term.part:
+        alpha, point = polygon.reading.rate("α", size.link), names.point(size.head)
+        tail = names.point(size.tail)
+        yield Sentence(polygon.reading.say("derivation.only normal", alpha=alpha, of=point, seen_from=tail))
+    yield known_size(polygon, step.term, (step.term,))
+    yield Sentence(_lay_off(polygon, step))
+
+
+# --- the equation itself ------------------------------------------------------------------------
+
+
+def worded(polygon: Polygon, part: Equation) -> VectorEquation:
+    """The equation as it is printed: a side that is the motion sought itself stands first."""
+    sides = (part.left, part.right)
+    if not _alone(part, part.left) and _alone(part, part.right):
+        sides = (part.right, part.left)
+    front = "" if _alone(part, sides[0]) else polygon.seen(part.of, "")
+    terms = part.left + part.right
+    left, right = (tuple(_arrow(polygon, term, terms) for term in side) for side in sides)
+    return VectorEquation(front, (left, right))
+
+
+def _alone(part: Equation, side: tuple[Term, ...]) -> bool:
+    """Whether a side is nothing but the motion sought."""
+    return len(side) == 1 and side[0].of == part.of and not side[0].seen_from
+
+
+def _arrow(polygon: Polygon, term: Term, equation: tuple[Term, ...]) -> Arrow:
+    ends = (term.tail, term.head)
+    size = size_row(polygon, term)
+    resting = size == "0" and isinstance(term.size, Drawn)
+    direction = "—" if resting else polygon.direction_row(term, equation)
+    name = names.vector(term.name(polygon.plane))
+    return Arrow(name, direction, size, polygon.size(*ends), polygon.length_mm(*ends), ends)
+
+
+def _introduction(polygon: Polygon, part: Equation) -> str:
+    """Which points of which link, or which coincident points, the equation is about."""
+    say = polygon.reading.say
+    if special := special_introduction(polygon, part):
+        return special
+    found = dict.fromkeys(_relation(polygon, term) for term in part.left + part.right if term.seen_from)
+    relations = [relation for relation in found if relation]
+    if relations:
+        first = say("derivation.between relations").join(relations[:-1])
+        joined = say("derivation.last relation").join([first, relations[-1]] if first else relations)
+        return say(f"derivation.from relations, {polygon.plane}", relations=joined)
+    motion = say(f"derivation.motion {polygon.plane}")
+    return say("derivation.plain equation", of=names.point(part.of), motion=motion)
+
+
+def _relation(polygon: Polygon, term: Term) -> str:
+    of, seen_from = names.point(term.of), names.point(term.seen_from)
+    if not term.part and isinstance(term.direction, Along | AcrossGuide):
+        return polygon.reading.say("contacts.contact points", of=of, seen_from=seen_from)
+    if _coincident(term):
+        return polygon.reading.say("derivation.coincident", of=of, seen_from=seen_from)
+    link = _link(polygon, term)
+    return polygon.reading.say("derivation.points of link", of=of, seen_from=seen_from, link=link) if link else ""
+
+
+def _coincident(term: Term) -> bool:
+    """Whether a relative motion is that of two links past each other."""
+    return term.part[:1] in ("k", "r") or (
+        not term.part and (isinstance(term.direction, AlongGuide) or isinstance(term.size, Relative | Driven))
+    )
+
+
+def _link(polygon: Polygon, term: Term) -> str:
+    """The link on which both points of a relative motion lie."""
+    if isinstance(term.size, Turning | Normal | Tangential):
+        return polygon.reading.link(term.size.link)
+    step = polygon.levers.get((term.tail, term.head))
+    return polygon.reading.link(step.of) if step else ""
+
+
+def _translation(polygon: Polygon, part: Equation) -> str:
+    """A link that cannot turn: all its points move alike, and there is nothing to draw."""
+    last = part.right[-1]
+    if len(part.right) != 2 or not isinstance(last.size, Turning | Normal):
+        return ""
+    if not isinstance(part.right[0].size, Drawn) or not polygon.reading.translates(last.size.link):
+        return ""
+    return polygon.reading.say(
+        "derivation.translates",
+        link=polygon.reading.link(last.size.link),
+        of=polygon.seen(part.of, ""),
+        seen_from=names.vector(part.right[0].name(polygon.plane)),
+        node=names.point(last.head),
+        base=names.point(last.tail),
+    )
+
+
+# --- the pencil ---------------------------------------------------------------------------------
+
+
+def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...]) -> Iterator[Entry]:
+    met = told = False
+    for step in steps:
+        match step:
+            case LayOff():
+                yield Sentence(_lay_off(polygon, step, carried=met, told=told))
+                aside = not polygon.construction.nodes[step.tip].of
+                told = told or (aside and polygon.size(step.term.tail, step.term.head) > 0)
+            case Meet():
+                met = True
+                yield Sentence(_meet(polygon, step, terms))
+            case Ray():
+                pass  # told where it crosses another
+            case Given(point):
+                yield Sentence(polygon.reading.say("derivation.from anywhere", point=names.point(point)))
+            case Image() | Measure() | Arc() | Swing() | Roll() | Fit() | Touch() | Simultaneous():
+                raise AssertionError("an equation of a polygon is drawn with arrows and lines")
+            case _:
+                assert_never(step)
+
+
+def _lay_off(polygon: Polygon, step: LayOff, carried: bool = False, told: bool = False) -> str:
+    say, term = polygon.reading.say, step.term
+    start, tip = names.point(step.start), names.point(step.tip)
+    name = names.vector(term.name(polygon.plane))
+    if not polygon.size(term.tail, term.head):
+        return say("derivation.lay off nothing", name=name, tip=tip, start=start)
+    ends = (step.tip, step.start) if step.backwards else (step.start, step.tip)
+    length = polygon.laid(name, term.tail, term.head, ends)
+    if not polygon.construction.nodes[step.tip].of:
+        way = say("derivation.aside backward" if step.backwards else "derivation.aside forward", start=start)
+        return say(
+            "derivation.aside more" if told else "derivation.aside",
+            name=name,
+            way=way,
+            length=length,
+            tip=tip,
+        )
+    if carried:
+        key = "derivation.carry back reversed" if step.backwards else "derivation.carry back"
+        return say(key, name=name, start=start, length=length, tip=tip)
+    key = "derivation.lay off backwards" if step.backwards else "derivation.lay off"
+    return say(key, name=name, start=start, length=length)
+
+
+def _meet(polygon: Polygon, step: Meet, terms: tuple[Term, ...]) -> str:
+    rays = [locus for locus in (step.first, step.second) if isinstance(locus, Ray)]
+    directions = [polygon.line_direction(ray.direction, terms) for ray in rays]
+    return polygon.reading.say(
+        "derivation.meet rays one point" if rays[0].through == rays[1].through else "derivation.meet rays",
+        first=names.point(rays[0].through),
+        second=names.point(rays[1].through),
+        first_direction=directions[0],
+        second_direction=directions[1],
+        point=names.point(step.point),
+    )
+
+
+# --- what it gives ------------------------------------------------------------------------------
+
+
+def _measured(polygon: Polygon, part: Equation) -> Iterator[Entry]:
+    """The unknown arrows, then the motion sought where it is none of them; first in mm, then in SI units."""
+    pole, node = polygon.construction.pole, part.left[-1].head
+    unknown = [term for term in part.left + part.right if term.unknowns]
+    ends = [(term.tail, term.head) for term in unknown]
+    sought = not any(_alone(part, side) for side in (part.left, part.right))
+    lengths = dict.fromkeys([*ends, (pole, node)] if sought and node != pole else ends)
+    listed = [f"{names.stretch(*pair)} = {_millimetres(polygon, pair)}" for pair in lengths]
+    joined = polygon.reading.say("common.and").join(listed)
+    yield Sentence(polygon.reading.say("derivation.measured", lengths=joined))
+    for term in unknown:
+        yield _result(polygon, term)
+    if sought and node != pole:
+        yield _sought(polygon, node)
+
+
+def _sought(polygon: Polygon, node: str) -> Calculation:
+    """The motion sought; where it starts from a point at rest, a relative motion is all there is of it."""
+    pole, absolute = polygon.construction.pole, polygon.measured_absolute(node)
+    name = polygon.name(pole, node)
+    return absolute if name == absolute.name else replace(absolute, formulas=(name,), numbers="")
+
+
+def _millimetres(polygon: Polygon, ends: tuple[str, str]) -> str:
+    length = polygon.length_mm(*ends)
+    return f"{number(length)} mm" if length else "0"
+
+
+def _result(polygon: Polygon, term: Term) -> Calculation:
+    if term.over:
+        return polygon.measured(term.tail, term.head, names.vector(term.name(polygon.plane)))
+    tail, head = term.tail, term.head
+    if tail == polygon.construction.pole and polygon.of(head):
+        named = polygon.name(tail, head)
+        if named == polygon.seen(polygon.of(head), ""):
+            return polygon.measured_absolute(head)
+    return polygon.measured(tail, head)

@@ -1,0 +1,180 @@
+"""Higher pairs before anything is drawn: what replaces them (高副低代), and where their lines run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, assert_never
+
+import numpy as np
+
+from graphkin.construction import (
+    Arc,
+    Fit,
+    Given,
+    Image,
+    LayOff,
+    Measure,
+    Meet,
+    Ray,
+    Roll,
+    Simultaneous,
+    Step,
+    Swing,
+    Touch,
+)
+from graphkin.mechanism import FRAME
+from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, Slot, rod_name
+from graphkin.pairs import Roll as RollingPair
+from graphkin.say import names
+from graphkin.say.entries import Entry, Sentence
+from graphkin.say.numbers import degrees, number
+from graphkin.say.reading import Reading
+
+
+def equivalents(reading: Reading) -> Iterator[Entry]:
+    """Each cam by its lower pairs, each rolling wheel by what its centre does."""
+    for kind, tell in EQUIVALENTS.items():
+        for pair in reading.mechanism.of(kind):
+            yield from tell(reading, pair)
+
+
+def _cam(reading: Reading, cam: Cam) -> Iterator[Entry]:
+    match cam.equivalent:
+        case Rod() as rod:
+            yield Sentence(_circles_touch(reading, cam, rod))
+        case Slot() as slot:
+            yield Sentence(_flat_touches(reading, slot))
+            if cam.name in reading.contact_slides:
+                yield from _path(reading, cam.name)
+
+
+def _circles_touch(reading: Reading, cam: Cam, rod: Rod) -> str:
+    one, other = (names.point(centre) for centre in rod.points)
+    (_, _, radius), (_, _, more) = cam.circles
+    link = names.point(rod_name(cam))
+    if radius and more:
+        length = _distance(rod.points, (radius, more), cam.internal)
+        return reading.say("contacts.circles touch", first=one, second=other, length=length, link=link)
+    if not radius:
+        one, other = other, one
+    length = f"{names.pair(*rod.points)} = {number(1000 * rod.length)} mm"
+    return reading.say("contacts.edge on circle", first=one, second=other, length=length, link=link)
+
+
+def _flat_touches(reading: Reading, slot: Slot) -> str:
+    words = {
+        "centre": names.point(slot.point),
+        "face": _face(reading, slot.line),
+        "link": reading.link(slot.line.link),
+    }
+    if not slot.offset:
+        return reading.say("contacts.edge touches", **words)
+    return reading.say("contacts.flat touches", length=_radius(abs(slot.offset)), **words)
+
+
+def _circular_slot(reading: Reading, slot: CircularSlot) -> Iterator[Entry]:
+    centre, pin = names.point(slot.centre), names.point(slot.point)
+    length = f"{names.pair(slot.centre, slot.point)} = {number(1000 * slot.radius)} mm"
+    words = {"guide": reading.link(slot.guide), "link": names.point(rod_name(slot)), "length": length}
+    yield Sentence(reading.say("contacts.pin in arc", centre=centre, pin=pin, **words))
+
+
+def _rolling(reading: Reading, roll: RollingPair) -> Iterator[Entry]:
+    if roll.line is not None:
+        yield Sentence(_on_line(reading, roll, roll.line))
+        if roll.name in reading.contact_slides:
+            yield from _path(reading, roll.name)
+    elif rod_name(roll) in reading.method.structure.bodies:
+        yield Sentence(_on_circle(reading, roll))
+
+
+def _on_line(reading: Reading, roll: RollingPair, line: Line) -> str:
+    held = roll.name not in reading.contact_slides  # by a sliding pair
+    return reading.say(
+        "contacts.wheel held at line" if held else "contacts.wheel on line",
+        wheel=reading.link(roll.wheel),
+        face=_face(reading, line),
+        link=reading.link(line.link),
+        centre=names.point(roll.centre),
+        length=_radius(roll.radius),
+    )
+
+
+def _on_circle(reading: Reading, roll: RollingPair) -> str:
+    assert roll.track_centre is not None
+    centres = (roll.track_centre, roll.centre)
+    return reading.say(
+        "contacts.wheel on circle",
+        wheel=reading.link(roll.wheel),
+        first=names.point(roll.track_centre),
+        second=names.point(roll.centre),
+        length=_distance(centres, (roll.track_radius, roll.radius), roll.internal),
+        link=names.point(rod_name(roll)),
+    )
+
+
+def _line_of_centres(reading: Reading, gear: Gear) -> Iterator[Entry]:
+    if rod_name(gear) in reading.method.structure.bodies:
+        words = {"wheels": reading.listed([reading.link(wheel) for wheel in gear.links]),
+                 "length": _distance(gear.centres, gear.radii, gear.internal)}  # fmt: skip
+        yield Sentence(reading.say("contacts.line of centres", **words, link=names.point(rod_name(gear))))
+
+
+EQUIVALENTS: Mapping[type[Pair], Callable[[Reading, Any], Iterator[Entry]]] = {
+    Cam: _cam,
+    CircularSlot: _circular_slot,
+    RollingPair: _rolling,
+    Gear: _line_of_centres,
+}
+"""What is said of each kind that has a lower-pair equivalent, in this order."""
+
+
+def _distance(centres: tuple[str, str], radii: tuple[float, float], internal: bool) -> str:
+    """`O1O2 = 35 + 18 = 53 mm`; of circles that touch inside, the difference of the radii."""
+    greater, less = sorted((1000 * radius for radius in radii), reverse=True) if internal else [1000 * r for r in radii]
+    sign, length = ("−", greater - less) if internal else ("+", greater + less)
+    return f"{names.pair(*centres)} = {number(greater)} {sign} {number(less)} = {number(length)} mm"
+
+
+def _radius(radius: float) -> str:
+    return f"r = {number(radius * 1000)} mm"
+
+
+def _face(reading: Reading, line: Line) -> str:
+    """Two points of a moving line where such are named."""
+    along = line.direction * np.exp(1j * reading.plot.theta[line.link])
+    on_it = reading.points_parallel(line.link, along) if line.link != FRAME else None
+    return f" {names.pair(*on_it)}" if on_it else ""
+
+
+def _path(reading: Reading, name: str) -> Iterator[Entry]:
+    """Where the path of a centre lies, if it stands still; else where it starts, if that is needed."""
+    slide = reading.method.structure.slides[name]
+    origin, path = slide.line.origin, reading.path(name)
+    if slide.guide == FRAME:
+        place = reading.plot.facts.shapes[FRAME][origin]
+        x, y = (reading.on_paper(value) for value in (place.real, place.imag))
+        start, angle = path[0].upper() + path[1:], degrees(slide.line.direction)
+        yield Sentence(reading.say("contacts.fixed path", path=start, place=f"({x}, {y})", angle=angle))
+    elif any(_uses(step, origin) for step in reading.method.position.steps):
+        (beside,), mark = reading.mechanism.pair(name).lines, names.point(origin)
+        if beside.named:
+            yield Sentence(reading.say("contacts.abreast", path=path, mark=mark, origin=names.point(beside.origin)))
+        else:
+            yield Sentence(reading.say("contacts.marked start", path=path, mark=mark))
+
+
+def _uses(step: Step, origin: str) -> bool:
+    """Whether a step starts from a point or draws it, other than as a mere further point of its link."""
+    match step:
+        case LayOff():
+            return origin in (step.start, step.tip)
+        case Meet(first, second, point):
+            through = [locus.through for locus in (first, second) if isinstance(locus, Ray)]
+            return origin in (point, *through)
+        case Image():
+            return origin in step.base
+        case Measure() | Given() | Ray() | Arc() | Swing() | Roll() | Fit() | Touch() | Simultaneous():
+            return False
+        case _:
+            assert_never(step)

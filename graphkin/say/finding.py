@@ -1,0 +1,187 @@
+"""What was found, for people: lines for the terminal, captions for the sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphkin.errors import Lang
+from graphkin.finding.answers import Found, Interval, Phase, Position, SlowPoint, Speeds
+from graphkin.finding.conditions import Comparison, Scaling, Slowest
+from graphkin.mechanism import Driver
+from graphkin.quantities import driven
+from graphkin.say.catalogue import say
+from graphkin.say.numbers import exact, quantity
+
+# --- values -----------------------------------------------------------------------------------
+
+
+def _driven(driver: Driver, value: float) -> str:
+    return quantity(value, driven(driver.kind == "slide"))
+
+
+def _rate(driver: Driver, value: float) -> str:
+    return quantity(value, "m/s" if driver.kind == "slide" else "rad/s")
+
+
+def _at(found: Found, position: Position) -> str:
+    """`AB = 26.38 deg, ram = 90 mm`: the driver by which positions are named first."""
+    order = sorted(range(len(found.drivers)), key=lambda k: k != found.swept)
+    return ", ".join(f"{found.drivers[k].name} = {_driven(found.drivers[k], position.drivers[k])}" for k in order)
+
+
+def _gravity(found: Found) -> bool:
+    """Whether the condition itself speaks of g."""
+    wanted = found.condition
+    return isinstance(wanted, Comparison) and (wanted.size or wanted.other.rstrip().endswith("g"))
+
+
+def _values(found: Found, position: Position) -> str:
+    size = isinstance(found.condition, Comparison) and found.condition.size
+    values = map(abs, position.values) if size else position.values
+    entries = zip(found.quantities, found.units, values)
+    return ", ".join(f"{name} = {quantity(value, unit, gravity=_gravity(found))}" for name, unit, value in entries)
+
+
+# --- lines ------------------------------------------------------------------------------------
+
+
+def lines(found: Found, lang: Lang = "en") -> Iterator[str]:
+    """Everything found, for the terminal; nothing twice."""
+    for line in dict.fromkeys(_lines(found, lang)):
+        yield line.replace(" deg", "°") if lang == "zh" else line
+
+
+def _lines(found: Found, lang: Lang) -> Iterator[str]:
+    wanted = found.condition
+    yield f"{wanted.text}" + (f"  ({_looked(found, lang)})" if found.looked else "")
+    if isinstance(wanted, Slowest):
+        yield from (f"  {_slow(found, entry, lang)}" for entry in found.slow)
+    elif isinstance(wanted, Scaling):
+        yield from (f"  {line}" for line in _scaling(found, wanted, lang))
+    else:
+        yield from (f"  {line}" for line in _results(found, lang))
+
+
+def _looked(found: Found, lang: Lang) -> str:
+    assert found.looked is not None
+    driver = found.drivers[found.swept]
+    low, high = (_driven(driver, end) for end in found.looked)
+    text = say("finding.looked", lang, driver=driver.name, low=low, high=high)
+    ends = [say("finding.low end", lang, value=end) for end, stop in zip((low, high), found.stopped) if stop]
+    if ends:
+        return text + say("finding.stopped", lang, ends=say("common.list", lang).join(ends))
+    return text + (say("finding.turn", lang) if found.turn else "")
+
+
+def _results(found: Found, lang: Lang) -> Iterator[str]:
+    if found.everywhere:
+        yield _level(found, lang)
+        return
+    for position in found.positions:
+        yield _line(found, position, lang)
+    for interval in found.intervals:
+        yield _interval(found, interval, lang)
+    if found.nearest is not None:
+        at, values = _at(found, found.nearest), _values(found, found.nearest)
+        limit = isinstance(found.condition, Comparison) and found.condition.size
+        missed = say("finding.not passed" if limit else "finding.none", lang) + say("common.semicolon", lang)
+        yield missed + say("finding.nearest", lang, at=at, values=values)
+    elif not found.positions and not found.intervals:
+        yield say("finding.none", lang)
+    yield from _swing(found, lang)
+    yield from (say(f"finding.note {note}", lang) for note in found.notes)
+
+
+def _level(found: Found, lang: Lang) -> str:
+    """A condition met everywhere, or a quantity that never changes."""
+    if found.zero:
+        return say("finding.nothing", lang)
+    if isinstance(found.condition, Comparison):
+        return say("finding.everywhere", lang)
+    return say("finding.level", lang, values=_values(found, found.positions[0]))
+
+
+def _line(found: Found, position: Position, lang: Lang) -> str:
+    said = say(f"finding.kind {position.kind}", lang)
+    line = f"{_at(found, position)}{say('common.colon', lang)}{_values(found, position)}"
+    return line + (f"  ({said})" if said else "")
+
+
+def _interval(found: Found, part: Interval, lang: Lang) -> str:
+    driver = found.drivers[found.swept]
+    ends = []
+    for position in (part.begin, part.end):
+        said = say("finding.kind end", lang) if position.kind == "end" else ""
+        ends.append(_driven(driver, position.drivers[found.swept]) + (f" ({said})" if said else ""))
+    span = f"{driver.name} " + say("finding.interval", lang, begin=ends[0], end=ends[1])
+    at = f"{driver.name} = {_driven(driver, part.peak.drivers[found.swept])}"
+    peak = {"what": say(f"finding.kind {part.peak.kind}", lang), "values": _values(found, part.peak), "at": at}
+    return f"{span}{say('common.colon', lang)}" + say("finding.peak", lang, **peak)
+
+
+def _swing(found: Found, lang: Lang) -> Iterator[str]:
+    if found.swing is None or "goes round" in found.notes:
+        return
+    key = "finding.stroke" if found.condition.text.startswith("stroke") else "finding.swing"
+    yield say(key, lang, value=quantity(found.swing, found.units[0]))
+    if found.stroke is not None:
+        yield _phase(found, "advance", found.stroke.advance, lang)
+        yield _phase(found, "retreat", found.stroke.retreat, lang)
+        yield say("finding.ratio", lang, value=exact(found.stroke.ratio))
+
+
+def _phase(found: Found, name: str, phase: Phase, lang: Lang) -> str:
+    called = say(f"finding.phase {name}", lang, way=say("finding.up" if phase.up else "finding.down", lang))
+    driver, angle = found.drivers[found.swept].name, quantity(phase.angle, "rad")
+    text = say("finding.phase", lang, name=called, driver=driver, angle=angle)
+    if phase.time is None or phase.mean is None:
+        return text
+    return text + say("finding.time", lang, time=exact(phase.time), mean=quantity(phase.mean, f"{found.units[0]}/s"))
+
+
+def _slow(found: Found, entry: SlowPoint, lang: Lang) -> str:
+    first, second = entry.points
+    data = {"at": _at(found, entry.position), "line": first + second, "speed": quantity(entry.speed, "m/s")}
+    if entry.along is None:
+        return say("finding.alike", lang, **data)
+    key = "behind" if entry.along < 0 else "beyond" if entry.along > entry.length else "between"
+    along = quantity(abs(entry.along), "m")
+    return say(f"finding.slow {key}", lang, first=first, second=second, along=along, **data)
+
+
+def _scaling(found: Found, wanted: Scaling, lang: Lang) -> Iterator[str]:
+    order = sorted(range(len(found.drivers)), key=lambda k: k != wanted.driver)
+    for entry in found.speeds:
+        yield _speeds(found, entry, order, lang)
+    if sum(bool(driver.rate) for driver in found.drivers) > 1:
+        yield say("finding.together", lang)
+    if any(driver.acceleration for driver in found.drivers):
+        for entry in found.speeds:
+            yield say("finding.square", lang, accelerations=_accelerations(found, entry))
+
+
+def _speeds(found: Found, entry: Speeds, order: list[int], lang: Lang) -> str:
+    names = [f"{_letter(found.drivers[k])} = {_rate(found.drivers[k], entry.rates[k])}" for k in order]
+    name, unit = found.quantities[0], found.units[0]
+    value, now = quantity(entry.position.values[0], unit), quantity(entry.value, unit)
+    at, rates = _at(found, entry.position), ", ".join(names)
+    text = say("finding.speeds", lang, at=at, quantity=name, value=value, rates=rates)
+    return text + say("finding.factor", lang, factor=exact(entry.factor), quantity=name, now=now)
+
+
+def _letter(driver: Driver) -> str:
+    """What a driver's speed is called: `omega AB`, `v ram`."""
+    return f"{'v' if driver.kind == 'slide' else 'omega'} {driver.name}"
+
+
+def _accelerations(found: Found, entry: Speeds) -> str:
+    pairs = [(driver, driver.acceleration * entry.factor**2) for driver in found.drivers if driver.acceleration]
+    units = {"slide": "m/s^2"}
+    return ", ".join(f"{driver.name}: {quantity(a, units.get(driver.kind, 'rad/s^2'))}" for driver, a in pairs)
+
+
+def caption(found: Found, position: Position) -> str:
+    """What stands under a position on the sheet: `AB = 26.38 deg: v C = 0 m/s`."""
+    at = f"{found.drivers[found.swept].name} = {_driven(found.drivers[found.swept], position.drivers[found.swept])}"
+    values = _values(found, position)
+    return (f"{at}: {values}" if values else at).replace(" deg", "°").replace("^2", "²")

@@ -1,0 +1,110 @@
+"""The head of a derivation: title, drivers, scales."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees
+
+from graphkin.mechanism import FRAME, Driver, Pose
+from graphkin.say import names
+from graphkin.say.entries import Entry, Heading, Sentence
+from graphkin.say.numbers import number
+from graphkin.say.reading import Reading
+from graphkin.say.redundancy import redundant_constraints
+
+
+def given(reading: Reading) -> Iterator[Entry]:
+    """Title, what is given, and the paper's scales."""
+    drivers = [_driver(reading, k, driver) for k, driver in enumerate(reading.mechanism.drivers)]
+    yield Heading(reading.mechanism.headline(reading.lang))
+    between = reading.say("common.semicolon")
+    frame = reading.mechanism.called(FRAME)
+    yield Sentence(reading.say("derivation.given", drivers=between.join(drivers), frame=names.point(frame)))
+    if reading.mechanism.poses:
+        poses = [_pose(reading, pose) for pose in reading.mechanism.poses]
+        yield Sentence(reading.say("derivation.posed", poses=between.join(poses)))
+    if idle := reading.method.structure.idle:
+        yield Sentence(reading.say("derivation.idle", links=reading.listed([reading.link(link) for link in idle])))
+    for line in redundant_constraints(reading.method, reading.lang):
+        yield Sentence(reading.say("derivation.redundant", line=line))
+    yield Sentence(reading.say("derivation.scales", scales=reading.say("common.and").join(_scales(reading))))
+
+
+def _scales(reading: Reading) -> Iterator[str]:
+    yield f"{names.SCALE['position']} = {number(reading.scales['length'])} m/mm"
+    yield f"{names.SCALE['velocity']} = {number(reading.scales['velocity'])} (m/s)/mm"
+    yield f"{names.SCALE['acceleration']} = {number(reading.scales['acceleration'])} (m/s²)/mm"
+
+
+def _pose(reading: Reading, pose: Pose) -> str:
+    """What held when the mechanism was drawn."""
+    if pose.vector is None:
+        place = f"{names.of_slide('s', pose.link)} = {number(pose.value * 1000)} mm"
+        return reading.say(f"derivation.driven {_kind(reading, pose.link)}", slide=pose.link, place=place)
+    angle, line = f"{number(degrees(pose.value))}°", "".join(names.point(p) for p in pose.vector)
+    link = reading.link(pose.link)
+    if pose.from_vector is None:
+        return reading.say("derivation.pose line", line=line, link=link, angle=angle)
+    other, seen_from = "".join(names.point(p) for p in pose.from_vector), reading.link(pose.from_link)
+    return reading.say("derivation.pose joint", line=line, link=link, angle=angle, other=other, seen_from=seen_from)
+
+
+def _driver(reading: Reading, k: int, driver: Driver) -> str:
+    facts = reading.plot.facts
+    value, rate, more = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
+    posed = driver.value is None and abs(value - float(reading.method.facts().values[k])) < 1e-12
+    if driver.kind == "slide":
+        return _slide(reading, driver, None if posed else value, rate, more)
+    return reading.say("common.and").join(
+        [
+            _angle(reading, driver, None if posed else value),
+            sensed(reading, reading.against(driver, "ω"), rate, "rad/s"),
+            sensed(reading, reading.against(driver, "α"), more, "rad/s²"),
+        ]
+    )
+
+
+def _kind(reading: Reading, slide: str) -> str:
+    """A sliding pair or a rolling contact."""
+    return "roll" if slide in reading.contact_slides else "slide"
+
+
+def _slide(reading: Reading, driver: Driver, value: float | None, rate: float, more: float) -> str:
+    position, speed, change = (names.of_slide(symbol, driver.link) for symbol in ("s", "ṡ", "s̈"))
+    kind = _kind(reading, driver.link)
+    if value is None:
+        start = reading.say(f"derivation.driven {kind} free", slide=driver.link)
+    else:
+        place = f"{position} = {number(value * 1000)} mm"
+        start = reading.say(f"derivation.driven {kind}", slide=driver.link, place=place)
+    return reading.say("common.and").join(
+        [
+            start,
+            f"{speed} = {number(rate)} m/s" if rate else f"{speed} = 0",
+            f"{change} = {number(more)} m/s²" if more else f"{change} = 0",
+        ]
+    )
+
+
+def _angle(reading: Reading, driver: Driver, value: float | None) -> str:
+    """Where the driven line stands; nothing of a wheel, or of one that a pose has fixed."""
+    link = reading.link(driver.link)
+    if driver.vector is None:
+        return reading.say("derivation.driven wheel", link=link)
+    line = "".join(names.point(p) for p in driver.vector)
+    if value is None:
+        return reading.say("derivation.driven line free", line=line, link=link)
+    angle = f"{reading.against(driver, 'φ')} = {number(degrees(value))}°"
+    if driver.from_vector is None:
+        return reading.say("derivation.driven link", line=line, link=link, angle=angle)
+    other = "".join(names.point(p) for p in driver.from_vector)
+    seen_from = reading.link(driver.from_link)
+    return reading.say("derivation.driven joint", line=line, link=link, angle=angle, other=other, seen_from=seen_from)
+
+
+def sensed(reading: Reading, name: str, value: float, unit: str) -> str:
+    """`ω1 = 10 rad/s (counter-clockwise)`; nothing has no sense."""
+    if value == 0:
+        return f"{name} = 0"
+    note = reading.say("common.note", note=reading.say("common.ccw" if value > 0 else "common.cw"))
+    return f"{name} = {number(abs(value))} {unit}{note}"

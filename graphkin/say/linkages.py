@@ -1,0 +1,214 @@
+"""A linkage in words: its report in sentences, the names of the kinds, the titles and notes of files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from graphkin.errors import Lang
+from graphkin.linkages import FAMILY, FoundLinkage, Linkage, Report, filed, inverted, report
+from graphkin.linkages.equal import EVEN
+from graphkin.linkages.linkage import LinkagePosition
+from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.say.catalogue import LANGUAGES, in_both, say
+from graphkin.say.numbers import angle, millimetres
+
+HELD_BLOCKS = ("oscillating guide bar", "rotating guide bar", "slider-crank", "rocker-slider")
+"""Kinds that have a name of their own where the block is joined to the frame."""
+
+
+def kind_name(report: Report, lang: Lang) -> str:
+    """`crank-rocker`, `offset slider-crank`, `change-point linkage: parallelogram`."""
+    if report.linkage.block and report.kind in HELD_BLOCKS:
+        return say(f"linkages.block {report.kind}", lang)
+    kind = say(f"linkages.kind {report.kind}", lang)
+    if report.family in ("", "bar"):
+        return kind
+    family = say(f"linkages.kind {report.family}", lang)
+    if report.family in ("in-line", "offset"):
+        return f"{family} {kind}" if lang == "en" else f"{family}{kind}"
+    return f"{kind}{say('common.colon', lang)}{family}"
+
+
+def found_lines(found: FoundLinkage, report: Report, lang: Lang) -> Iterator[str]:
+    """Lines of a linkage found in a mechanism: which links it is made of first."""
+    links = ", ".join(found.links)
+    yield say("linkages.links", lang, links=links)
+    yield from lines(report, lang)
+    if found.driven != "driver":
+        key = "behind" if found.before is not None else found.driven
+        yield say(f"linkages.found {key}", lang, driver=report.driver)
+
+
+def lines(report: Report, lang: Lang) -> Iterator[str]:
+    """What a linkage is and does, one sentence a line."""
+    sizes = ", ".join(f"{name} = {millimetres(value)}" for name, value in report.linkage.sizes.items())
+    yield f"{kind_name(report, lang)}{say('common.colon', lang)}{sizes}"
+    yield say("linkages.drives", lang, driver=report.driver, output=report.output)
+    yield _sums(report, lang)
+    yield say(f"linkages.why {report.kind}", lang, **_parts(report))
+    yield from _equal(report, lang)
+    yield from _turns(report, lang)
+    yield from _limits(report, lang)
+    yield from _ratio(report, lang)
+    yield from _gamma(report, lang)
+    yield from _dead(report, lang)
+    yield from _advantage(report, lang)
+
+
+def amount(report: Report, value: float, lang: Lang) -> str:
+    """A driver's value: an angle, or a slider's place."""
+    return millimetres(value) if report.driver_slides else angle(value, lang)
+
+
+def _place(report: Report, value: float, lang: Lang) -> str:
+    return millimetres(value) if report.output_slides else angle(value, lang)
+
+
+def _parts(report: Report) -> dict[str, str]:
+    """What the links are called."""
+    return {"driver": report.driver, "output": report.output, **report.linkage.called}
+
+
+def _sums(report: Report, lang: Lang) -> str:
+    """`AB + CD = 15 + 55 = 70 mm < BC + AD = 48 + 45 = 93 mm`."""
+    sizes = report.linkage.sizes
+    gap = report.sum_ends - report.sum_middle
+    sign = "=" if abs(gap) <= EVEN * (report.sum_ends + report.sum_middle) else "<" if gap < 0 else ">"
+
+    def added(names: tuple[str, str]) -> str:
+        shown = [name for name in names if name]
+        terms = " + ".join("|e|" if name == "e" else name for name in shown)
+        if len(shown) == 1:
+            return terms
+        return terms + " = " + " + ".join(f"{abs(sizes[name]) * 1e3:.6g}" for name in shown)
+
+    key = "linkages.lengths" if report.slide else "linkages.grashof"
+    first = {"ends": added(report.ends), "first": millimetres(report.sum_ends)}
+    return say(key, lang, **first, sign=sign, middle=added(report.middle), second=millimetres(report.sum_middle))
+
+
+def _equal(report: Report, lang: Lang) -> Iterator[str]:
+    """Links of one length each, where that is so."""
+    sizes = [(name, value) for name, value in report.linkage.sizes.items() if name != "e"]
+    total = sum(value for _, value in sizes)
+    pairs = [
+        f"{one} = {other}" for k, (one, a) in enumerate(sizes) for other, b in sizes[:k] if abs(a - b) <= EVEN * total
+    ]
+    if pairs:
+        yield say("linkages.equal", lang, pairs=", ".join(pairs))
+
+
+def _turns(report: Report, lang: Lang) -> Iterator[str]:
+    frame = say("linkages.frame", lang)
+    for full in (True, False):
+        pairs = [
+            f"{turn.first}–{frame if turn.second == FRAME else turn.second}"
+            for turn in report.turns if turn.full == full
+        ]  # fmt: skip
+        joined = ", ".join(pairs) or say("linkages.nothing", lang)
+        yield say("linkages.full" if full else "linkages.rocks", lang, pairs=joined)
+
+
+def _how(report: Report, end: LinkagePosition, lang: Lang) -> str:
+    """What is in line, or at right angles, in words."""
+    called = report.linkage.called
+    driver = called["crank"] if report.slide else report.driver
+    return say(f"linkages.how {end.how}", lang, driver=driver, middle=called.get("coupler", ""))
+
+
+def _limits(report: Report, lang: Lang) -> Iterator[str]:
+    span = report.driver_span
+    if span.full:
+        yield say("linkages.turns", lang, driver=report.driver)
+    else:
+        low, high = (amount(report, value, lang) for value in (span.low, span.high))
+        yield say("linkages.range", lang, driver=report.driver, low=low, high=high)
+    if not report.limits:
+        yield say("linkages.no limits", lang, output=report.output)
+        return
+    for number, end in enumerate(report.limits, start=1):
+        text = say(
+            "linkages.limit", lang, number=number, how=_how(report, end, lang), driver=report.driver,
+            value=amount(report, end.driver, lang), output=report.output, place=_place(report, end.output, lang),
+        )  # fmt: skip
+        yield text + ("" if end.gamma is None else say("linkages.and gamma", lang, gamma=angle(end.gamma, lang)))
+    if report.swing is not None:
+        yield say("linkages.swing", lang, output=report.output, value=angle(report.swing, lang))
+    elif report.stroke is not None:
+        yield say("linkages.stroke", lang, output=report.output, value=millimetres(report.stroke))
+
+
+def _ratio(report: Report, lang: Lang) -> Iterator[str]:
+    if report.k is None or report.theta is None:
+        if report.limits:
+            yield say("linkages.undetermined" if report.kind == "change-point" else "linkages.no ratio", lang)
+    elif report.slow is None:
+        yield say("linkages.no quick return", lang)
+    else:
+        yield say("linkages.theta", lang, theta=angle(report.theta, lang), k=f"{report.k:.5g}")
+        one, other = (number + 1 for number in report.slow)
+        yield say("linkages.slow", lang, one=one, other=other, driver=report.timed_by or report.driver)
+
+
+def _gamma(report: Report, lang: Lang) -> Iterator[str]:
+    least, alpha = report.gamma_min, report.alpha_max
+    if least is None or alpha is None:
+        yield say("linkages.no gamma", lang)
+    elif report.level:
+        yield say("linkages.level", lang)
+    else:
+        for end in report.critical:
+            words = {"gamma": angle(end.gamma or 0.0, lang), "how": _how(report, end, lang)}
+            yield say("linkages.gamma", lang, **words, driver=report.driver, value=amount(report, end.driver, lang))
+        values = ", ".join(amount(report, end.driver, lang) for end in report.least)
+        words = {"gamma": angle(least, lang), "alpha": angle(alpha, lang)}
+        yield say("linkages.least", lang, **words, driver=report.driver, values=values)
+
+
+def _dead(report: Report, lang: Lang) -> Iterator[str]:
+    for driver, values in report.dead.items():
+        if values:
+            said = ", ".join(millimetres(value) if driver == report.slide else angle(value, lang) for value in values)
+            yield say("linkages.dead", lang, driver=driver, values=said)
+        else:
+            yield say("linkages.no dead", lang, driver=driver)
+
+
+def _advantage(report: Report, lang: Lang) -> Iterator[str]:
+    found = report.advantage
+    if found is None:
+        return
+    unit = " N/(N m)" if report.output_slides else ""
+    endless = say("linkages.endless", lang) if found.endless else ""
+    value, at = f"{found.least:.4g}{unit}", amount(report, found.at, lang)
+    yield say("linkages.advantage", lang, value=value, driver=report.driver, at=at, endless=endless)
+
+
+# --- kinds and files -----------------------------------------------------------------------------
+
+
+def family_lines(lang: Lang) -> Iterator[str]:
+    """One line a kind: its name, and where the library has it."""
+    for member in FAMILY:
+        name = kind_name(report(member.linkage), lang)
+        yield name + (say("common.colon", lang) + ", ".join(member.library) if member.library else "")
+
+
+def titled(linkage: Linkage) -> Mechanism:
+    """The linkage as a mechanism with its title and its file."""
+    return filed(replace(linkage.mechanism(), title=in_both(f"linkages.title {linkage.word}")))
+
+
+def held(mechanism: Mechanism, link: str) -> Mechanism:
+    """The mechanism with another link (as people call it) held fast, with its title and its file. Raises NoFixing."""
+    title = {lang: say("linkages.fixed", lang, title=mechanism.headline(lang), link=link) for lang in LANGUAGES}
+    notes = [_note(mechanism, driver, link) for driver in mechanism.drivers]
+    return filed(replace(inverted(mechanism, link), title=title), notes)
+
+
+def _note(mechanism: Mechanism, driver: Driver, fixed: str) -> str:
+    """What becomes of a driver, in both languages."""
+    key = "slide" if driver.kind == "slide" else "frame" if fixed in (driver.link, driver.from_link) else "moving"
+    one, two = mechanism.called(driver.link), mechanism.called(driver.from_link)
+    return " ".join(in_both(f"linkages.driven {key}", one=one, two=two).values())

@@ -1,0 +1,82 @@
+"""How points, vectors, links and quantities are written in plain text: `b3′`, `aᵏ_B3B2`, `ω3`, `l_BD`."""
+
+from __future__ import annotations
+
+import re
+
+from graphkin.construction import Plane
+from graphkin.naming import spelled
+
+LETTER: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
+SCALE: dict[Plane, str] = {"position": "μ_l", "velocity": "μ_v", "acceleration": "μ_a"}
+UNIT: dict[Plane, str] = {"position": "m", "velocity": "m/s", "acceleration": "m/s²"}
+RATE: dict[Plane, str] = {"position": "θ", "velocity": "ω", "acceleration": "α"}
+SLIDING: dict[Plane, str] = {"position": "s", "velocity": "ṡ", "acceleration": "s̈"}
+
+_RAISED = {"n": "ⁿ", "t": "ᵗ", "k": "ᵏ", "r": "ʳ"}
+
+
+def point(name: str) -> str:
+    """A point of the mechanism or of a polygon, or a link; auxiliary points (`*1`) are numbered ①, ②, ..
+
+    The links of lower-pair equivalents are called e, e2, ..; those that hold a rolling wheel after its contact. The
+    line on which a contact moves starts at ⓒ or ⓡ.
+    """
+    if name.startswith("*"):
+        count = int(name[1:])
+        return chr(0x2460 + count - 1) if count <= 20 else f"({count})"
+    name = _ORIGIN.sub(_origin, name)
+    return spelled(name).replace("'", "′")
+
+
+_ORIGIN = re.compile(r"(?:([cr])(\d+)|\w+) origin")
+
+
+def _origin(found: re.Match[str]) -> str:
+    """The start of a line that a contact moves on: ⓒ of a cam's slot, ⓡ of a wheel's path."""
+    kind, number = found.groups()
+    mark = "ⓒ" if kind == "c" else "ⓡ"
+    return mark + (str(int(number) + 1) if number and int(number) else "")
+
+
+def stretch(tail: str, head: str) -> str:
+    """The line between two points: `pb3`, `n3′b3′`; longer names stand apart."""
+    between = " " if "@" in tail + head or len(point(tail) + point(head)) > 8 else ""
+    return point(tail) + between + point(head)
+
+
+def arrow(tail: str, head: str) -> str:
+    return f"{point(tail)}→{point(head)}"
+
+
+def pair(first: str, second: str) -> str:
+    """Two points of the mechanism in the order a textbook writes them: AB, BD, CD; OA, O1B."""
+    return "".join(point(name) for name in sorted((first, second), key=_place_in_line))
+
+
+def _place_in_line(name: str) -> tuple[bool, str]:
+    return not name.startswith("O"), name
+
+
+def vector(name: str) -> str:
+    """`a^k_B3B2` as `aᵏ_B3B2`; two on one line as `(v_DG + v_S4D)`."""
+    if "+" in name:
+        return "(" + " + ".join(vector(half) for half in name.split("+")) + ")"
+    letter, part, low = re.fullmatch(r"(\w)(?:\^(\w+))?_(.+)", name).groups()  # type: ignore[union-attr]
+    return letter + "".join(_RAISED[c] for c in part or "") + "_" + point(low)
+
+
+def of_link(symbol: str, link: str) -> str:
+    """`ω3`; `ω_guide` for a link called by a word."""
+    return symbol + ("" if link[0].isdigit() else "_") + point(link)
+
+
+def relative(symbol: str, link: str, seen_from: str) -> str:
+    """`ω21`; `ω_arm,base` for links called by words."""
+    if len(link) == len(seen_from) == 1 and (link + seen_from).isdigit():
+        return symbol + link + seen_from
+    return f"{symbol}_{point(link)},{point(seen_from)}"
+
+
+def of_slide(symbol: str, slide: str) -> str:
+    return f"{symbol}_{slide}"

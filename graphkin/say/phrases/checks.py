@@ -1,0 +1,67 @@
+"""A drawing measured: its table, its faults, and what was not judged."""
+
+from graphkin.say.catalogue import Phrases
+
+PHRASES: Phrases = {
+    "drawn": ("drawn [mm]", "图上 [mm]"),
+    "exact": ("exact [mm]", "精确 [mm]"),
+    "off": ("off [mm]", "差 [mm]"),
+    "value": ("off, in unit", "差（实际单位）"),
+    "name": ("name", "名称"),
+    "good": (
+        "good: every vector and point within {tolerance:g} mm",
+        "合格：全部矢量和点的误差不超过 {tolerance:g} mm",
+    ),
+    "bad": (
+        "NOT GOOD: {count} wrong (tolerance {tolerance:g} mm)",
+        "不合格：{count} 处有误（允许误差 {tolerance:g} mm）",
+    ),
+    "fault": ("fault", "缺陷"),
+    "note": ("not judged", "未判断"),
+    "unit": ("unit", "单位"),
+    # --- faults
+    "fault changed": (
+        "the mechanism, the drivers or the scales in the file were changed after drawing",
+        "图中的机构、原动件或比例尺数据在作图后被改动",
+    ),
+    "fault scale": ("the printed scale {what} is not the one drawn with", "图上标注的比例尺 {what} 与作图所用的不符"),
+    "fault missing": ("{what} is missing", "缺少 {what}"),
+    "fault unscaled": ("the scale {what} is not printed", "图上没有标注比例尺 {what}"),
+    "fault title": (
+        "the printed title is not that of the mechanism in the file: {what}",
+        "图上的标题不是文件中机构的标题：{what}",
+    ),
+    "fault letters": (
+        "these letters were changed, hidden or taken away: {what}",
+        "图上的文字被改动、遮盖或删去：{what}",
+    ),
+    "fault head": (
+        "the arrow head of {what} is missing, turned or at the wrong end",
+        "{what} 的箭头缺失、方向不对或画在另一端",
+    ),
+    "fault arrow": (
+        "an arrow at {what} mm bears no name, so it cannot be measured",
+        "{what} mm 处的箭头没有名称，无法测量",
+    ),
+    "fault hidden": ("{what} cannot be seen", "{what} 看不见"),
+    "fault covered": ("something is drawn over {what}", "{what} 被别的图形盖住"),
+    "fault name": ("the point {what} is not called as what it shows", "点 {what} 的名称与其所指不符"),
+    "fault loose": ("the end of {what} has no point", "{what} 的端点不存在"),
+    "fault end": ("a vector does not end at its point: {what}", "矢量端点与点不重合：{what}"),
+    # --- not judged
+    "note signs": (
+        "{what} lines and signs that show no length, and where letters stand",
+        "{what} 个不表示长度的线条和符号，以及文字的位置",
+    ),
+    "note other": (
+        "lines and signs added or taken away: there were {what}",
+        "增添或删去的线条和符号：原有 {what} 个",
+    ),
+    "note words": ("{what} texts that graphkin did not write", "{what} 处不是 graphkin 写的文字"),
+    "note blank": (
+        'what viewers make of the size "{what}", with a blank in it',
+        "看图程序如何理解带空格的尺寸“{what}”",
+    ),
+    "note nothing": ("anything: there is no point to measure from yet", "整张图：还没有可供测量的点"),
+    "note unknown": ("the point {what}, which graphkin does not know", "点 {what}：不是 graphkin 所知的点"),
+}

@@ -1,0 +1,13 @@
+"""What every subject says: signs between, senses."""
+
+from graphkin.say.catalogue import Phrases
+
+PHRASES: Phrases = {
+    "note": (" ({note})", "（{note}）"),
+    "and": (", ", "，"),
+    "list": (", ", "、"),
+    "semicolon": ("; ", "；"),
+    "colon": (": ", "："),
+    "ccw": ("counter-clockwise", "逆时针"),
+    "cw": ("clockwise", "顺时针"),
+}

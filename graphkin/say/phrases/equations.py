@@ -1,0 +1,151 @@
+"""Between the equations, and in their legend."""
+
+from graphkin.say.catalogue import Phrases
+
+PHRASES: Phrases = {
+    # headings
+    "method complex": ("Method of complex vectors", "复数矢量法"),
+    "method matrix": ("Matrix method", "矩阵法"),
+    "polygon": ("Vector polygon {number}: {names}", "矢量多边形 {number}：{names}"),
+    "rolling": ("Rolling of {names}", "{names} 的滚动"),
+    "group": ("Group of links {names}", "构件组 {names}"),
+    "position": ("Position", "位置分析"),
+    "velocity": ("Velocity", "速度分析"),
+    "acceleration": ("Acceleration", "加速度分析"),
+    "point": ("Point {name}", "{name} 点的运动"),
+    "legend": ("Symbols", "符号说明"),
+    # tables
+    "symbol": ("symbol", "符号"),
+    "meaning": ("meaning", "含义"),
+    "value": ("value", "数值"),
+    # figure
+    "figure": ("The mechanism with its link vectors", "机构的杆矢量图"),
+    # polygons
+    "every vector": (
+        "Every link is a vector with a length l and a direction θ, counted counter-clockwise from the x axis; a displacement s is the length of a vector that changes. i is the imaginary unit; {euler}.",
+        "将各构件表示为杆矢量，其长度为 l，方位角为 θ，由 x 轴起逆时针方向计量为正；滑块位移 s 为长度变化的矢量。i 为虚数单位，{euler}。",
+    ),
+    "drivers": ("Given: the drivers {drivers}.", "已知：原动件的运动 {drivers}。"),
+    "driver": ("Given: the driver {drivers}.", "已知：原动件的运动 {drivers}。"),
+    "no loop": (
+        "Every link follows from the drivers directly; there is no polygon to close.",
+        "各构件的位置均可由原动件直接求得，无需封闭矢量多边形。",
+    ),
+    "fixed angles": ("Links that keep their angle to one another:", "方位角关系固定的构件："),
+    "same rates": ("so they turn together:", "故其角速度、角加速度分别相等："),
+    "unknown": ("Unknown: {unknowns}.", "未知量：{unknowns}。"),
+    "closure": ("The vectors of the polygon close:", "封闭矢量方程写成复数矢量形式："),
+    "parts": ("Real and imaginary parts, by Euler's formula:", "应用欧拉公式将实部和虚部分离，得"),
+    "derived": ("Derived by time:", "对时间求导，可得"),
+    "derived again": ("Derived by time once more:", "再对时间求导，可得"),
+    # positions
+    "eliminate angle": (
+        "To eliminate {other}, its vectors are left alone on one side, both sides are squared and added. This gives an equation for {angle}:",
+        "将含 {other} 的项单独留在等式一端，两端平方后相加，消去 {other}，得关于 {angle} 的方程",
+    ),
+    "eliminate slide": (
+        "Projected across the direction of {other}, which eliminates {other}:",
+        "向垂直于 {other} 的方向投影，消去 {other}，得",
+    ),
+    "with": ("with", "式中"),
+    "solved": ("Its solution is", "解之可得"),
+    "sign": (
+        "Of the two solutions, the drawn assembly takes ± = {sign}, and keeps it as long as no dead point is passed.",
+        "两个解对应机构的两种装配形式：给定的装配形式取 ± = {sign}，在不越过死点时保持不变。",
+    ),
+    "direction of": (
+        "{angle} is then the direction of the remaining vector; atan2(y, x) is the angle of the vector (x, y):",
+        "于是 {angle} 为其余矢量之和的方位角（atan2(y, x) 为矢量 (x, y) 的方位角）：",
+    ),
+    "along": ("Projected along the direction of {slide}:", "向 {slide} 的方向投影，得"),
+    "square": (
+        "The length of the side that changes, from squares of both sides, which eliminates {angle}:",
+        "两端取模的平方，消去 {angle}，得",
+    ),
+    "each across": (
+        "Projected across each of the two guides, which eliminates the other displacement:",
+        "分别向垂直于两导路的方向投影，可得",
+    ),
+    "newton": (
+        "These {count} equations hold {count} unknowns that no pair of them separates: there is no closed form that ruler and compass could draw. They are solved by Newton's method from a nearby position; velocities and accelerations follow from linear equations, below in matrices.",
+        "上列 {count} 个方程含 {count} 个未知量，不能逐对分离求解，无简单的封闭解，须用牛顿迭代法由邻近位置求出；速度和加速度由线性方程组求得，以矩阵形式列于下。",
+    ),
+    # rates
+    "rates": (
+        "Multiplied by the direction that eliminates the other unknown, each is found:",
+        "用消去另一未知量的单位矢量点积，可求得",
+    ),
+    "rolling relation": (
+        "Rolling without slip, seen from the arm, ties the angles; the constant is that of the drawn position:",
+        "由无滑动滚动条件（相对于系杆）得转角关系，常数由给定位置确定：",
+    ),
+    "hence": ("Hence", "故"),
+    # points
+    "point from": ("The vector from {start} to {name} runs over the links:", "由 {start} 至 {name} 的位置矢量为"),
+    # matrix
+    "all unknowns": (
+        "All polygons together, terms with unknowns on the left:",
+        "将各封闭矢量方程在两坐标轴上投影，方程左边仅含未知量项：",
+    ),
+    "as matrices": ("As a matrix equation:", "写成矩阵形式："),
+    "matrix A": ("The matrix of the followers' position parameters:", "机构从动件的位置参数矩阵为"),
+    "matrix B": ("The column of the driver's position parameters:", "机构原动件的位置参数列阵为"),
+    "matrix B many": (
+        "The matrix of the drivers' position parameters, one column a driver:",
+        "机构原动件的位置参数矩阵（每一原动件对应一列）为",
+    ),
+    "columns": ("The columns of the followers' velocities and accelerations:", "从动件的速度列阵与加速度列阵为"),
+    "driver columns": ("The drivers' velocities and accelerations:", "原动件的速度列阵与加速度列阵为"),
+    "derivatives": ("Their derivatives by time:", "对时间的导数为"),
+    "numbers": ("With the values of the drawn position (m, rad, s):", "代入给定位置的数值（单位 m、rad、s）："),
+    "solution": ("Solved:", "解得"),
+    "more rows": (
+        "There are more rows than unknowns: some constraints repeat others, and hold all the same.",
+        "方程数多于未知量数：其中有重复约束，但彼此协调。",
+    ),
+    # --- the legend
+    "length": ("length {ends} of link {link}", "构件 {link} 的长度 {ends}"),
+    "frame direction": ("direction of the frame's {vector}", "机架矢量 {vector} 的方位角"),
+    "offset": ("angle from the direction of link {link} to {vector}", "构件 {link} 的方向到 {vector} 的夹角"),
+    "turning direction": ("direction of link {link}", "构件 {link} 的方位角"),
+    "turning angular velocity": ("angular velocity of link {link}", "构件 {link} 的角速度"),
+    "turning angular acceleration": ("angular acceleration of link {link}", "构件 {link} 的角加速度"),
+    "relative direction": ("direction of link {link} against link {other}", "构件 {link} 相对构件 {other} 的方位角"),
+    "relative angular velocity": (
+        "angular velocity of link {link} against link {other}",
+        "构件 {link} 相对构件 {other} 的角速度",
+    ),
+    "relative angular acceleration": (
+        "angular acceleration of link {link} against link {other}",
+        "构件 {link} 相对构件 {other} 的角加速度",
+    ),
+    "sliding displacement": (
+        "displacement of {point} along the guide on link {guide}, from {start}",
+        "{point} 沿构件 {guide} 上导路、自 {start} 起的位移",
+    ),
+    "sliding velocity": (
+        "sliding velocity of {point} along the guide on link {guide}, from {start}",
+        "{point} 沿构件 {guide} 上导路、自 {start} 起的滑动速度",
+    ),
+    "sliding acceleration": (
+        "sliding acceleration of {point} along the guide on link {guide}, from {start}",
+        "{point} 沿构件 {guide} 上导路、自 {start} 起的滑动加速度",
+    ),
+    "guide line": ("angle from the direction of link {link} to its guide line", "构件 {link} 的方向到其导路的夹角"),
+    "fixed guide": ("direction of the guide of {point}", "{point} 点导路的方位角"),
+    "block line": (
+        "angle from the direction of link {guide} to that of link {block}",
+        "构件 {guide} 的方向到构件 {block} 的方向的夹角",
+    ),
+    "part along": ("part of {ends} along the direction of link {link}", "{ends} 沿构件 {link} 方向的分量"),
+    "part across": ("part of {ends} at +90° to link {link}", "{ends} 在构件 {link} 方向 +90° 上的分量"),
+    "point position": ("position of {point} from {start}", "由 {start} 至 {point} 的位置矢量"),
+    "point velocity": ("velocity of {point}", "{point} 点的速度"),
+    "point acceleration": ("acceleration of {point}", "{point} 点的加速度"),
+    "component": ("{of}, {axis}", "{of}（{axis} 分量）"),
+    "rolling constant": (
+        "constant of the rolling of {first} and {second}, from the drawn position",
+        "构件 {first} 与 {second} 滚动关系的常数，由给定位置确定",
+    ),
+    "radius": ("radius {radius} mm of wheel {wheel}", "轮 {wheel} 的半径 {radius} mm"),
+}

@@ -1,0 +1,62 @@
+"""What a mechanism is made of, and what repeats in it."""
+
+from graphkin.say.catalogue import Phrases
+
+PHRASES: Phrases = {
+    "links": ("Links", "构件"),
+    "frame": ("{name} (frame)", "{name}（机架）"),
+    "pairs": ("Pairs", "运动副"),
+    "pair hinge": ("hinge {point}: links {links}", "转动副 {point}：构件 {links}"),
+    "pair multiple": ("multiple hinge {point}: links {links}", "复合铰链 {point}：构件 {links}"),
+    "pair slide": ("sliding pair: {block} on {guide}", "移动副：构件 {block} 与 {guide}"),
+    "pair pin": ("pin {point} in a slot of {guide}", "销 {point} 在构件 {guide} 的滑槽中（高副）"),
+    "pair circular slot": ("pin {point} in a circular slot of {guide}", "销 {point} 在构件 {guide} 的圆弧槽中（高副）"),
+    "pair gear": ("gear pair: {links}", "齿轮副：{links}"),
+    "pair roll": ("rolling without slip: {links}", "纯滚动副：{links}"),
+    "pair cam": ("cam pair: {links}", "凸轮副：{links}"),
+    "formula": (
+        "Degrees of freedom by the formula: F = 3 × {n} − 2 × {low} − {high} = {f}",
+        "自由度公式：F = 3n − 2p_l − p_h = 3 × {n} − 2 × {low} − {high} = {f}",
+    ),
+    "rank": ("Degrees of freedom by rank: {f}", "由方程的秩得自由度：{f}"),
+    "idle": ("idle freedom (turning of): {links}", "局部自由度：构件 {links} 的转动"),
+    "redundant": ("redundant constraints: {count}", "虚约束：{count} 个"),
+    "repeats": ("repeats a constraint: {what}", "虚约束：{what}"),
+    "drivers": ("Drivers", "原动件"),
+    "groups": ("Groups, in the order they are solved", "杆组（按求解顺序）"),
+    "group dyad": ("Class II, {kind}: links {links}", "Ⅱ级组 {kind}：构件 {links}"),
+    "group triad": (
+        "Class III: links {links}; special point {point} on link {link}",
+        "Ⅲ级组：构件 {links}；特殊点 {point} 取在构件 {link} 上",
+    ),
+    "group higher": ("Class {cls}: links {links}; solved simultaneously", "{cls}级组：构件 {links}；联立求解"),
+    "group train": ("gear train: {links}", "轮系：构件 {links}"),
+    "group wheel": ("rolling contact: {links}", "纯滚动：构件 {links}"),
+    "none": ("none", "无"),
+    "class": ("Mechanism of Class {cls}", "机构级别：{cls}级机构"),
+    "methods": ("Methods it needs", "所需方法"),
+    "method two points": ("two points of one link", "同一构件两点法"),
+    "method coincident": ("coincident points, with Coriolis", "重合点法（含科氏加速度）"),
+    "method special": ("special point of the ternary link", "特殊点法"),
+    "method together": ("simultaneous solution", "联立求解"),
+    "method rolling": ("rolling contact", "纯滚动接触点法"),
+    "method lower": ("lower-pair equivalent", "高副低代"),
+    # classes of groups
+    "class 1": ("I", "Ⅰ"),
+    "class 2": ("II", "Ⅱ"),
+    "class 3": ("III", "Ⅲ"),
+    "class 4": ("IV", "Ⅳ"),
+    "class 5": ("V", "Ⅴ"),
+    # --- redundant constraints
+    "part whole": ("{pair}", "{pair}"),
+    "part link": ("{pair}", "{pair}"),
+    "part line": ("the distance from the track in {pair}", "{pair} 中轮心到轨道的距离"),
+    "part angle": ("the angle kept by {pair}", "{pair} 所保持的角度"),
+    "part slip": ("no slip in {pair}", "{pair} 的无滑动条件"),
+    "held": ("{what} ({held} hold the same already)", "{what}（其约束已由 {held} 给出）"),
+    "held by one": ("{what} ({held} holds the same already)", "{what}（其约束已由 {held} 给出）"),
+    "distance": (
+        "{what} (the points it joins keep their distance without it)",
+        "{what}（它所连接的两点间的距离本来就保持不变）",
+    ),
+}

@@ -1,0 +1,187 @@
+"""One polygon as its readers see it: arrows measured with the ruler, and what they are called."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import assert_never
+
+from graphkin.construction import (
+    Across,
+    AcrossGuide,
+    Along,
+    AlongGuide,
+    Construction,
+    Direction,
+    Drawn,
+    LayOff,
+    Measure,
+    Plane,
+    Quarter,
+    Term,
+)
+from graphkin.say import names
+from graphkin.say.entries import Calculation
+from graphkin.say.numbers import degrees, number
+from graphkin.say.reading import ROUNDING, Reading
+from graphkin.value import frozen
+
+
+@frozen
+class Polygon:
+    """The velocity or the acceleration polygon of a reading."""
+
+    reading: Reading
+    plane: Plane
+
+    @property
+    def construction(self) -> Construction:
+        method = self.reading.method
+        return method.velocity if self.plane == "velocity" else method.acceleration
+
+    @property
+    def scale(self) -> float:
+        """What one millimetre stands for."""
+        return self.reading.scales[self.plane]
+
+    # --- the ruler ------------------------------------------------------------------------------
+
+    @cached_property
+    def noise(self) -> float:
+        """Arrows up to this are none [SI]."""
+        return ROUNDING * max(float(abs(value)) for value in self.reading.plot.points(self.plane).values())
+
+    def arrow(self, tail: str, head: str) -> complex:
+        """An arrow of the finished polygon [SI]; exactly 0 where it is but rounding noise."""
+        points = self.reading.plot.points(self.plane)
+        arrow = complex(points[head] - points[tail])
+        return arrow if abs(arrow) > self.noise else 0j
+
+    def size(self, tail: str, head: str) -> float:
+        return abs(self.arrow(tail, head))
+
+    def length_mm(self, tail: str, head: str) -> float:
+        return self.size(tail, head) / self.scale
+
+    def angle(self, tail: str, head: str) -> str:
+        return degrees(self.arrow(tail, head))
+
+    # --- names ----------------------------------------------------------------------------------
+
+    @cached_property
+    def _names(self) -> dict[tuple[str, str], str]:
+        """The arrows of the equations by their ends."""
+        return {(term.tail, term.head): term.name(self.plane) for term in self._terms()}
+
+    def _terms(self) -> Iterator[Term]:
+        for part in self.construction.parts:
+            if isinstance(part, LayOff):
+                yield part.term
+        for equation in self.construction.equations:
+            yield from equation.left + equation.right
+
+    def written(self, tail: str, head: str) -> bool:
+        """Whether an equation, or a known arrow, has these ends."""
+        return (tail, head) in self._names
+
+    def name(self, tail: str, head: str) -> str:
+        """`v_CB` of the arrow from b to c, as the equations call it or would."""
+        if (tail, head) in self._names:
+            return names.vector(self._names[tail, head])
+        return self.seen(self.of(head), "" if tail == self.construction.pole else self.of(tail))
+
+    def of(self, node: str) -> str:
+        """The site of a polygon's point: `B3` of b3."""
+        return self.construction.nodes[node].of
+
+    def seen(self, of: str, seen_from: str, part: str = "") -> str:
+        """`aᵏ_B3B2` from its parts."""
+        return names.vector(Term(of, seen_from, part, None, None, "", "").name(self.plane))
+
+    def rate(self, link: str) -> str:
+        """`ω3` in the velocity plane, `α3` in the acceleration plane."""
+        return self.reading.rate(names.RATE[self.plane], link)
+
+    @property
+    def rate_unit(self) -> str:
+        return "rad/s" if self.plane == "velocity" else "rad/s²"
+
+    # --- rows -----------------------------------------------------------------------------------
+
+    @cached_property
+    def laid_off(self) -> dict[str, Term]:
+        """Known absolute motions that are laid off by themselves, by the point at their tip."""
+        parts = self.construction.parts
+        return {part.tip: part.term for part in parts if isinstance(part, LayOff)}
+
+    @cached_property
+    def levers(self) -> dict[tuple[str, str], Measure]:
+        """The measurement of a rotation that each arrow gives."""
+        steps = self.construction.steps
+        return {(s.tail, s.head): s for s in steps if isinstance(s, Measure) and s.lever[0]}
+
+    def direction(self, direction: Direction, among: tuple[Term, ...] = ()) -> str:
+        """`⊥BD`, `∥BC`, `B→A`; a Coriolis term stands across its relative motion, one of the terms `among`."""
+        match direction:
+            case Along(tail, head):
+                return names.arrow(tail, head)
+            case Across(tail, head):
+                return "⊥" + names.pair(tail, head)
+            case AlongGuide(slide):
+                return "∥" + self.reading.line(slide)
+            case AcrossGuide(slide):
+                return "⊥" + self.reading.line(slide)
+            case Quarter():
+                return self._across_relative(direction, among)
+            case _:
+                assert_never(direction)
+
+    def line_direction(self, direction: Direction, among: tuple[Term, ...] = ()) -> str:
+        """The same of an arrow that may point either way."""
+        if isinstance(direction, Along):
+            return "∥" + names.pair(direction.tail, direction.head)
+        return self.direction(direction, among)
+
+    def _across_relative(self, quarter: Quarter, among: tuple[Term, ...]) -> str:
+        """Across the line of the slide; for a driven rotation along its lever."""
+        for term in among:
+            if term.part == "r" and isinstance(term.direction, AlongGuide):
+                return "⊥" + self.reading.line(term.direction.slide)
+            if term.part == "rt" and isinstance(term.direction, Across):
+                return "∥" + names.pair(term.direction.tail, term.direction.head)
+        velocity = Polygon(self.reading, "velocity")
+        return "⊥" + velocity.name(quarter.tail, quarter.head)
+
+    def direction_row(self, term: Term, equation: tuple[Term, ...]) -> str:
+        """What the row of directions says of a term."""
+        if isinstance(term.size, Drawn):
+            known = self.laid_off.get(term.head)
+            return self.direction(known.direction) if known and known.direction else "√"
+        if term.direction is None:
+            return "?"
+        relatives = tuple(t for t in equation if (t.of, t.seen_from) == (term.of, term.seen_from))
+        if term.size is None:
+            return self.line_direction(term.direction, relatives)
+        return self.direction(term.direction, relatives)
+
+    # --- measured -------------------------------------------------------------------------------
+
+    def measured(self, tail: str, head: str, name: str = "", note: str = "") -> Calculation:
+        """`v_B3 = μ_v·pb3 = 0.01 × 27.12 = 0.2712 m/s`."""
+        ends, mu = names.stretch(tail, head), names.SCALE[self.plane]
+        numbers = f"{number(self.scale)} × {number(self.length_mm(tail, head))}"
+        unit, size = names.UNIT[self.plane], self.size(tail, head)
+        return Calculation(name or self.name(tail, head), (f"{mu}·{ends}",), numbers, size, unit, note if size else "")
+
+    def laid(self, name: str, tail: str, head: str, ends: tuple[str, str] | None = None) -> str:
+        """`pb2 = v_B2/μ_v = 0.24/0.01 = 24 mm`; `ends`: drawn elsewhere than where it belongs."""
+        size, mu = self.size(tail, head), names.SCALE[self.plane]
+        numbers = f"{number(size)}/{number(self.scale)}"
+        written = names.stretch(*(ends or (tail, head)))
+        return Calculation(written, (f"{name}/{mu}",), numbers, size / self.scale, "mm").text
+
+    def measured_absolute(self, node: str) -> Calculation:
+        """The motion of a point, with its direction to +x."""
+        pole = self.construction.pole
+        note = self.reading.say("derivation.at direction", angle=self.angle(pole, node))
+        return self.measured(pole, node, self.seen(self.of(node), ""), note)

@@ -1,0 +1,81 @@
+"""The velocity and the acceleration polygon in words, one plane at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import assert_never
+
+from graphkin.construction import (
+    Arc,
+    Equation,
+    Fit,
+    Given,
+    Image,
+    LayOff,
+    Measure,
+    Meet,
+    Plane,
+    Ray,
+    Roll,
+    Simultaneous,
+    Step,
+    Swing,
+    Touch,
+)
+from graphkin.say import names
+from graphkin.say.entries import Entry, Heading, Sentence
+from graphkin.say.equations import equation, known_arrow
+from graphkin.say.plane import Polygon
+from graphkin.say.reading import Reading
+from graphkin.say.rolling import rolling
+from graphkin.say.rotation import image, rotation, sliding, ties
+from graphkin.say.together import solved_together
+
+
+def polygon(reading: Reading, plane: Plane) -> Iterator[Entry]:
+    """Pole, known motions, equations, and what is read off each, in the order of the construction."""
+    drawn = Polygon(reading, plane)
+    yield Heading(reading.say(f"derivation.plane {plane}"))
+    for part in drawn.construction.parts:
+        if isinstance(part, Equation):
+            yield from equation(drawn, part)
+        else:
+            yield from _step(drawn, part)
+
+
+def _step(drawn: Polygon, step: Step) -> Iterator[Entry]:
+    match step:
+        case Given():
+            yield Sentence(_pole(drawn, step))
+            yield from ties(drawn)
+        case LayOff():
+            yield from known_arrow(drawn, step)
+        case Image():
+            yield from image(drawn, step)
+        case Measure("omega" | "alpha"):
+            yield from rotation(drawn, step)
+        case Measure():
+            yield from sliding(drawn, step)
+        case Roll():
+            yield from rolling(drawn, step)
+        case Simultaneous():
+            yield from solved_together(drawn, step)
+        case Fit() | Touch():
+            raise AssertionError("the mechanism itself is drawn before")
+        case Ray() | Arc() | Meet() | Swing():
+            raise AssertionError("lines cross inside an equation")
+        case _:
+            assert_never(step)
+
+
+def _pole(drawn: Polygon, step: Given) -> str:
+    reading, pole = drawn.reading, names.point(step.point)
+    first = next(iter(drawn.construction.equations), None)
+    if first is not None and any(isinstance(other, Given) for other in first.steps):
+        return reading.say("derivation.pole last", pole=pole)
+    if not step.also:
+        return reading.say("derivation.pole", pole=pole)
+    nodes = reading.listed([names.point(node) for node in step.also])
+    points = reading.listed([names.point(drawn.of(node)) for node in step.also])
+    key = "derivation.pole fixed" if len(step.also) == 1 else "derivation.pole fixed, several"
+    return reading.say(key, pole=pole, points=points, nodes=nodes)

@@ -1,0 +1,176 @@
+"""What reads a construction: the method, its plot and its scales, with the names of all they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from itertools import combinations
+
+from graphkin.construction import Plot
+from graphkin.errors import Lang, listed
+from graphkin.geometry import Value, cross, dot
+from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.planning import Method
+from graphkin.planning.labels import Labels
+from graphkin.say import names
+from graphkin.say.catalogue import close, say
+from graphkin.say.numbers import number
+from graphkin.value import frozen
+
+ROUNDING = 1e-9
+"""Sizes below this part of the largest of their kind are rounding noise."""
+
+
+@frozen
+class Reading:
+    """A method and the plot of one position of it, about to be worded in one language.
+
+    scales  "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s²)/mm]
+    """
+
+    method: Method
+    plot: Plot
+    scales: Mapping[str, float]
+    lang: Lang
+
+    def say(self, key: str, /, **words: object) -> str:
+        text = say(key, self.lang, **words)
+        return close(text) if self.lang == "zh" else text
+
+    def listed(self, parts: list[str]) -> str:
+        return listed(parts, self.lang)
+
+    @property
+    def mechanism(self) -> Mechanism:
+        return self.method.mechanism
+
+    # --- links --------------------------------------------------------------------------------
+
+    def body(self, link: str) -> str:
+        """The link that turns as this body does: a pin turns with its slot."""
+        structure = self.method.structure
+        if not structure.is_pin(link):
+            return link
+        return structure.pins[link].guide
+
+    def link(self, link: str) -> str:
+        """What people call a link."""
+        return names.point(self.mechanism.called(self.body(link)))
+
+    def rate(self, symbol: str, link: str) -> str:
+        """`ω3` of a link, from the symbol and the link."""
+        return names.of_link(symbol, self.mechanism.called(self.body(link)))
+
+    def group(self, link: str) -> list[str]:
+        """The other links that hold their angles to this one; the frame and pins are none."""
+        turns, links = self.plot.facts.turns, self.mechanism.moving
+        base = turns[link].base
+        return [other for other in links if turns[other].base == base and other != self.body(link)]
+
+    def translates(self, link: str) -> bool:
+        """Whether a link cannot turn at all."""
+        turn = self.plot.facts.turns[link]
+        return turn.base == FRAME and not turn.drivers
+
+    def against(self, driver: Driver, symbol: str) -> str:
+        """The driven rotation: `ω1`, or `ω21` of a motor on a moving link."""
+        called = self.mechanism.called
+        if driver.from_link == FRAME:
+            return names.of_link(symbol, called(driver.link))
+        return names.relative(symbol, called(driver.link), called(driver.from_link))
+
+    def numbered(self, point: str, link: str) -> str:
+        """The point of a link as written where several links have one there: `B3`."""
+        return Labels(self.method.structure, {}).numbered(point, self.body(link))
+
+    # --- lengths of the mechanism --------------------------------------------------------------
+
+    @cached_property
+    def noise(self) -> float:
+        """Lengths up to this are none [m]."""
+        places = list(self.plot.position.values())
+        return ROUNDING * max(float(abs(place - places[0])) for place in places)
+
+    def distance(self, first: str, second: str) -> float:
+        """Between two points of the mechanism [m]."""
+        length = float(abs(self.plot.arm(first, second)))
+        return length if length > self.noise else 0.0
+
+    def on_paper(self, length: float) -> str:
+        """A length of the mechanism in mm on paper, as a figure."""
+        return number(length / self.scales["length"], self.noise / self.scales["length"])
+
+    # --- slides ---------------------------------------------------------------------------------
+
+    def line(self, slide: str) -> str:
+        """The line of a slide: two points on it (`BC`), or `guide ram`."""
+        pair = self.method.structure.slides[slide]
+        if pair.named and pair.guide == FRAME and slide not in self.contact_slides:
+            return self.say("derivation.guide of", name=slide)
+        on_it = self._points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
+        if on_it is None and slide in self.contact_slides:
+            rolling = pair.stands_for.rolling if pair.stands_for is not None else None
+            if len(self.contact_slides) == 1:
+                return self.say("contacts.track" if rolling else "contacts.face")
+            link = rolling.wheels[1] if rolling else pair.guide
+            return self.say("contacts.track of" if rolling else "contacts.face of", link=self.link(link))
+        if on_it:
+            return names.pair(*on_it)
+        return self.say("derivation.guide of", name=slide if pair.named else pair.point)
+
+    @cached_property
+    def contact_slides(self) -> frozenset[str]:
+        """Slides that stand for a cam's slot or for the path of a rolling wheel's centre."""
+        slides = self.method.structure.slides
+        return frozenset(name for name, slide in slides.items() if slide.stands_for is not None)
+
+    def path(self, slide: str) -> str:
+        """What the line of a slide is called in the drawing."""
+        pair = self.method.structure.slides[slide]
+        if slide in self.contact_slides:
+            return self.say("contacts.path of", name=names.point(pair.point))
+        return self.say("derivation.guide of", name=slide if pair.named else names.point(pair.point))
+
+    def points_along(self, slide: str) -> tuple[str, str] | None:
+        """Two points of the guide whose line is parallel to the slide's."""
+        return self.points_parallel(self.method.structure.slides[slide].guide, self.plot.guide_direction(slide))
+
+    def points_parallel(self, link: str, along: Value) -> tuple[str, str] | None:
+        """Two points of a link whose line is parallel to a direction."""
+        points = self.method.structure.named(link)
+        for first, second in combinations(points, 2):
+            arm = self.plot.arm(first, second)
+            if abs(cross(along, arm)) <= self.noise < abs(arm):
+                return first, second
+        return None
+
+    def _points_on(self, slide: str) -> tuple[str, str] | None:
+        """Two points that lie apart on the line, of those that the guide or the pair itself names."""
+        pair, along = self.method.structure.slides[slide], self.plot.guide_direction(slide)
+        named = dict.fromkeys((pair.line.origin, pair.point, *self.method.structure.bodies[pair.guide]))
+        on_it = [
+            point
+            for point in named
+            if self.named(point) and abs(cross(along, self.plot.arm(pair.point, point))) <= self.noise
+        ]
+        for first in on_it:
+            for second in on_it:
+                if abs(dot(along, self.plot.arm(first, second))) > self.noise:
+                    return first, second
+        return None
+
+    def place(self, point: str) -> str:
+        """A point of the drawing; the start of a line that has no name of its own is told by its guide."""
+        if self.named(point):
+            return names.point(point)
+        slides = self.method.structure.slides
+        slide = next(s for s in slides.values() if s.line.origin == point)
+        if slide.name in self.contact_slides:
+            if slide.guide != FRAME:
+                return names.point(point)
+            return self.say("contacts.path start", path=self.path(slide.name))
+        return self.say("derivation.origin of", name=slide.name if slide.named else slide.point)
+
+    def named(self, point: str) -> bool:
+        """Whether a point has a letter: it is not merely where a line begins."""
+        return point not in self.mechanism.unnamed

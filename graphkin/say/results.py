@@ -1,0 +1,82 @@
+"""What `solve` found, for people: drawn beside analysed, and what was asked."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from graphkin.errors import Lang
+from graphkin.mechanism import Mechanism
+from graphkin.quantities import EDGE, Unit, driven
+from graphkin.say.catalogue import say
+from graphkin.say.centre_explained import place
+from graphkin.say.numbers import exact
+from graphkin.say.text_table import table
+
+Json = Mapping[str, Any]
+
+
+def given_values(mechanism: Mechanism, values: Sequence[float]) -> str:
+    """`AB = 60 deg, ram = 90 mm`."""
+    shown = []
+    for driver, value in zip(mechanism.drivers, values, strict=True):
+        unit = EDGE[driven(driver.kind == "slide")]
+        shown.append(f"{driver.name} = {exact(value * unit.factor)} {unit.name}")
+    return ", ".join(shown)
+
+
+def solve_lines(mechanism: Mechanism, found: Json, lang: Lang) -> Iterator[str]:
+    """Everything `results` found, for people."""
+    yield f"{found['name']}  {found['title']}"
+    for position in found["positions"]:
+        yield ""
+        yield f"{say('results.position', lang)}: {given_values(mechanism, position['drivers'])}"
+        heads = ("quantity", "graphical", "analytic", "difference", "unit")
+        rows = [[say(f"results.{head}", lang) for head in heads], *_rows(position)]
+        yield from table(rows)
+        yield from _answers(position["ask"], lang)
+        yield f"{say('results.worst', lang)}: {position['worst']:.1e}"
+
+
+def _rows(position: Json) -> Iterator[list[str]]:
+    exact = position["analytic"]
+    for link, motion in position["links"].items():
+        theta, right = math.degrees(motion["theta"]), math.degrees(exact["links"][link]["theta"])
+        turned = (theta - right + 180) % 360 - 180
+        yield _row(f"theta {link}", theta, right, EDGE["rad"], turned)
+        for key, unit in (("omega", "rad/s"), ("alpha", "rad/s^2")):
+            yield _row(f"{key} {link}", motion[key], exact["links"][link][key], EDGE[unit])
+    for point, motion in position["points"].items():
+        for key, unit in (("v", "m/s"), ("a", "m/s^2")):
+            arrow, other = complex(*motion[key]), complex(*exact["points"][point][key])
+            yield _row(f"{key} {point}", abs(arrow), abs(other), EDGE[unit], abs(arrow - other))
+    for slide, motion in position["slides"].items():
+        for key, shown in (("s", EDGE["m"]), ("v", EDGE["m/s"]), ("a", EDGE["m/s^2"])):
+            yield _row(f"{key} {slide}", motion[key] * shown.factor, exact["slides"][slide][key] * shown.factor, shown)
+
+
+def _row(name: str, drawn: float, right: float, unit: Unit, off: float | None = None) -> list[str]:
+    off = drawn - right if off is None else off
+    return [name, exact(drawn), exact(right), f"{off:.1e}", unit.name]
+
+
+def _answers(asked: Json, lang: Lang) -> Iterator[str]:
+    if asked:
+        yield f"{say('results.asked', lang)}:"
+    for question, entry in asked.items():
+        if "at" in entry or "direction" in entry:
+            yield f"  {question} = {place(entry, lang)}" + (" mm" if "at" in entry else "")
+            continue
+        if entry["value"] is None:
+            yield f"  {question}: {say('results.not answered', lang)}"
+            continue
+        unit = EDGE[entry["unit"]]
+        yield f"  {question} = {exact(entry['value'] * unit.factor)} {unit.name}".rstrip() + _components(entry)
+
+
+def _components(entry: Json) -> str:
+    if "vector" not in entry:
+        return ""
+    x, y = entry["vector"]
+    return f"  ({exact(x)}, {exact(y)})"

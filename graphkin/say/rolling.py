@@ -1,0 +1,291 @@
+"""Pure rolling in words: how far wheels have turned, where they touch, and what the contact gives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from math import degrees
+
+from graphkin.construction import InStep, Measure, Roll, Touch, slide_key
+from graphkin.mechanism import FRAME
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.position import touching
+from graphkin.say import names
+from graphkin.say.entries import Calculation, Entry, Sentence
+from graphkin.say.numbers import number
+from graphkin.say.plane import Polygon
+from graphkin.say.reading import ROUNDING, Reading
+
+# --- the relation itself ------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Relation:
+    """`r1(ω1 − ω4) + r2(ω2 − ω4) = 0` of two wheels; `r3(ω3 − ω7) + ṡ_C = 0` of one on a line.
+
+    symbol  how the turning of a link is written; value: its size; slid, slid_value: the same of the wheel's path
+    radian  the figure by which turnings are multiplied that are not given in radians
+    """
+
+    reading: Reading
+    contact: Contact
+    symbol: Callable[[str], str]
+    value: Callable[[str], float]
+    slid: str
+    slid_value: float
+    radian: str = ""
+
+    @property
+    def text(self) -> str:
+        if self.contact.slide:
+            (one, other), second = self.contact.wheels, self.radius(1)
+            way = "+" if self.contact.on_slide > 0 else "−"
+            track = "" if one == FRAME else f" − {self.symbol(one)}"
+            turning = f"({self.symbol(other)}{track})" if track else f" {self.symbol(other)}"
+            return f"{second}{turning} {way} {self.slid} = 0"
+        halves = [self._half(k, False) for k in self._order]
+        still = [link for link in self.contact.wheels if link == FRAME != self.contact.arm]
+        noted = "".join(f" ({self.symbol(link)} = 0)" for link in still)
+        return f"{halves[0]} {self._sign} {halves[1]} = 0{noted}"
+
+    @property
+    def figures(self) -> str:
+        """The two sides of a pair of wheels in figures, which cancel."""
+        halves = [self._half(k, True) for k in self._order]
+        return f"{halves[0]} {self._sign} {halves[1]}"
+
+    @property
+    def _order(self) -> tuple[int, int]:
+        """The wheel whose radius counts positive first."""
+        return (0, 1) if self.contact.radii[0] > 0 else (1, 0)
+
+    @property
+    def _sign(self) -> str:
+        return "+" if self.contact.radii[0] * self.contact.radii[1] > 0 else "−"
+
+    def _half(self, k: int, figures: bool) -> str:
+        """`r1(ω1 − ω4)`, `r1 ω1` about fixed centres; or `0.03 × (10 − 2)`."""
+        radius, written = self.radius(k), self.symbol
+        if figures:
+            radius, written = f"{number(abs(self.contact.radii[k]))} × ", self._figure
+        turn, arm = written(self.contact.wheels[k]), self.contact.arm
+        if arm == FRAME:
+            return f"{radius}{_bracketed(turn)}" if figures else f"{radius} {turn}"
+        return f"{radius}({turn} − {_bracketed(written(arm))})"
+
+    def radius(self, k: int) -> str:
+        """`r2`, and `r2′` for the second gear of a compound one."""
+        link, size = self.contact.wheels[k], abs(self.contact.radii[k])
+        sizes: dict[float, None] = {}
+        for contact in self.reading.method.structure.contacts:
+            pairs = zip(contact.wheels, contact.radii, strict=True)
+            sizes |= {round(abs(radius), 12): None for wheel, radius in pairs if wheel == link and radius}
+        primes = "′" * list(sizes).index(round(size, 12)) if size else ""
+        return names.of_link("r", self.reading.mechanism.called(link)) + primes
+
+    def solved(self, unknown: str, value: float, unit: str, note: str) -> Calculation:
+        """The turning of `unknown` from that of the others, with its figures."""
+        formula, figures = self._solution(unknown)
+        formulas = (formula,) if formula else ()
+        return Calculation(self.symbol(unknown), formulas, figures, value, unit, note)
+
+    def _solution(self, unknown: str) -> tuple[str, str]:
+        """`ω4 − r1(ω1 − ω4)/r2`, and the same in figures; nothing where more than one turning is unknown."""
+        contact = self.contact
+        if unknown not in contact.wheels:
+            return "", ""
+        k = contact.wheels.index(unknown)
+        other = contact.wheels[1 - k]
+        if contact.slide:
+            return self._along(other) if k else ("", "")
+        sign = "−" if self._sign == "+" else "+"
+        radii = [number(abs(contact.radii[n])) for n in (1 - k, k)]
+        arm = contact.arm
+        if arm == FRAME:
+            start = "−" if sign == "−" else ""
+            formula = f"{start}{self.radius(1 - k)} {self.symbol(other)}/{self.radius(k)}"
+            return formula, f"{start}{radii[0]} × {_bracketed(self._figure(other))}/{radii[1]}"
+        turning = f"{self.radius(1 - k)}({self.symbol(other)} − {self.symbol(arm)})"
+        formula = f"{self.symbol(arm)} {sign} {turning}/{self.radius(k)}"
+        inner = f"({self._figure(other)} − {_bracketed(self._figure(arm))})"
+        return formula, f"{self._figure(arm)} {sign} {radii[0]} × {inner}/{radii[1]}"
+
+    def _along(self, track: str) -> tuple[str, str]:
+        """`ω1 − ṡ_C/r3`, `ṡ_C/r3` of a wheel on a line."""
+        sign = "−" if self.contact.on_slide > 0 else "+"
+        start = figures = "−" if sign == "−" else ""
+        if track != FRAME:
+            start, figures = f"{self.symbol(track)} {sign} ", f"{self._figure(track)} {sign} "
+        times = f"{self.radian} × " if self.radian else ""
+        moved = _bracketed(number(self.slid_value, self.reading.noise))
+        radius = number(abs(self.contact.radii[1]))
+        return f"{start}{self.slid}/{self.radius(1)}", f"{figures}{times}{moved}/{radius}"
+
+    def _figure(self, link: str) -> str:
+        return number(self.value(link), 1e-12)
+
+
+def _bracketed(figure: str) -> str:
+    return f"({figure})" if figure.startswith("−") else figure
+
+
+def relation_of(polygon: Polygon, contact: InStep) -> Relation:
+    """The relation between angular velocities, or accelerations."""
+    reading, plot = polygon.reading, polygon.reading.plot
+    first = polygon.plane == "velocity"
+    table, slid = (plot.omega, plot.s_rate) if first else (plot.alpha, plot.s_acceleration)
+    noise = ROUNDING * max(float(abs(rate)) for rate in table.values())
+
+    def value(link: str) -> float:
+        return float(table[link]) if abs(table[link]) > noise else 0.0
+
+    symbol = names.SLIDING[polygon.plane]
+    return Relation(
+        reading, _contact(reading, contact.name), polygon.rate, value,
+        _slid(reading, symbol, contact), float(slid[contact.slide]) if contact.slide else 0.0,
+    )  # fmt: skip
+
+
+def _slid(reading: Reading, symbol: str, contact: InStep) -> str:
+    """`ṡ_ram`, or `ṡ_C` where only the centre has a name; `(ṡ_C − ṡ_ram)` where it is made up of others."""
+    if not contact.slide:
+        return ""
+    if not contact.way:
+        return _moved(reading, symbol, contact.slide)
+    (first, share), *more = sorted(contact.way, key=lambda part: part[1] < 0)
+    text = ("" if share > 0 else "−") + _moved(reading, symbol, first)
+    text += "".join(f" {'+' if share > 0 else '−'} {_moved(reading, symbol, slide)}" for slide, share in more)
+    return f"({text})" if more or text.startswith("−") else text
+
+
+def _moved(reading: Reading, symbol: str, slide: str) -> str:
+    pair = reading.method.structure.slides[slide]
+    return names.of_slide(symbol, pair.name if pair.named else names.point(pair.point))
+
+
+def _contact(reading: Reading, name: str) -> Contact:
+    return next(contact for contact in reading.method.structure.contacts if contact.name == name)
+
+
+# --- position -----------------------------------------------------------------------------------
+
+
+def turned(reading: Reading, contact: InStep) -> Relation:
+    """The relation between the turns since the drawn position, in degrees."""
+    plot, found = reading.plot, _contact(reading, contact.name)
+    drawn = plot.facts.drawn
+
+    def value(link: str) -> float:
+        return degrees(float(plot.theta[link]) - drawn.get(link, 0.0))
+
+    moved = float(plot.s[found.slide]) - drawn[slide_key(found.slide)] if found.slide else 0.0
+    slid = _slid(reading, "Δs", contact)
+    return Relation(reading, found, lambda link: reading.rate("Δθ", link), value, slid, moved, "57.3")
+
+
+def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:
+    """How far a wheel has turned since the drawn position."""
+    relation = turned(reading, step.contact)
+    contact, moved = relation.contact, relation.slid_value
+    wheels = reading.listed([reading.link(link) for link in contact.wheels])
+    if max(abs(relation.value(link)) for link, _ in contact.angles) < 1e-6 and abs(moved) <= reading.noise:
+        yield Sentence(reading.say("contacts.rolled nothing", wheels=wheels))
+        return
+    yield Sentence(reading.say("contacts.rolled", wheels=wheels, relation=relation.text))
+    link = _unknown(reading, step)
+    if not link:
+        way = float(reading.plot.s[step.slide]) - reading.plot.facts.drawn[slide_key(step.slide)]
+        yield Calculation(_moved(reading, "Δs", step.slide), (), "", way * 1000, "mm")
+        return
+    name, value = reading.rate("Δθ", link), relation.value(link)
+    yield Sentence(reading.say("contacts.turned by", link=reading.link(link), name=name))
+    if contact.slide:
+        yield Calculation(relation.slid, (), "", moved * 1000, "mm")
+    yield relation.solved(link, value, "°", reading.say("derivation.tied"))
+
+
+def _unknown(reading: Reading, step: Roll) -> str:
+    """The wheel whose turning a contact gives; "" for a displacement."""
+    turns = reading.plot.facts.turns
+    members = [link for link, _ in step.contact.angles if step.angle and turns[link].base == step.angle]
+    return members[0] if members else ""
+
+
+def touched(reading: Reading, step: Touch) -> str:
+    """Where two wheels, or a wheel and its track, touch."""
+    contact = next(c for letter, c in touching(reading.method.structure) if letter == step.point)
+    first, second = (reading.link(link) for link in contact.wheels)
+    reach = reading.distance(step.centre, step.point)
+    length = f"{names.pair(step.centre, step.point)} = {reading.on_paper(reach)} mm"
+    words = {"point": step.point, "centre": names.point(step.centre), "length": length}
+    if contact.slide:
+        return reading.say("contacts.touch line", first=second, second=first, **words)
+    line = names.pair(*contact.centres)
+    return reading.say("contacts.touch wheels", first=first, second=second, line=line, **words)
+
+
+# --- polygons -----------------------------------------------------------------------------------
+
+
+def rolling(polygon: Polygon, step: Roll) -> Iterator[Entry]:
+    """The last unknown of a contact from the relation of its wheels."""
+    reading = polygon.reading
+    relation = relation_of(polygon, step.contact)
+    wheels = reading.listed([reading.link(link) for link in relation.contact.wheels])
+    yield Sentence(reading.say("contacts.rolling relation", wheels=wheels, relation=relation.text))
+    link = _unknown(reading, step)
+    if link:
+        yield relation.solved(link, relation.value(link), polygon.rate_unit, reading.say("derivation.tied"))
+    else:
+        slide, table = names.SLIDING[polygon.plane], polygon.reading.plot
+        value = float((table.s_rate if polygon.plane == "velocity" else table.s_acceleration)[step.slide])
+        yield Calculation(_moved(reading, slide, step.slide), (), "", value, names.UNIT[polygon.plane])
+
+
+def checked(polygon: Polygon, contact: Contact) -> str:
+    """The rolling relation of two wheels with the figures found; "" of a wheel on a line, where it says nothing new."""
+    if contact.slide:
+        return ""
+    relation = relation_of(polygon, InStep(contact.name, contact.angles))
+    return polygon.reading.say("contacts.check relation", relation=relation.text, figures=relation.figures)
+
+
+@dataclass(frozen=True)
+class Contacted:
+    """A wheel whose rotation is measured between points of which one is, or both are, contacts.
+
+    name   what the arrow between them is called
+    """
+
+    name: str
+    contacts: tuple[tuple[str, Contact, str], ...]
+    """Each with its letter and the polygon's point there."""
+
+
+def contacted(polygon: Polygon, step: Measure) -> Contacted | None:
+    """The contacts at which the rotation of a wheel is measured in the velocity polygon."""
+    if polygon.plane != "velocity":
+        return None
+    reading = polygon.reading
+    letters = dict(touching(reading.method.structure))
+    nodes = zip(step.lever, (step.tail, step.head), strict=True)
+    found = tuple((p, letters[p], node) for p, node in nodes if p in letters and step.of in letters[p].wheels)
+    if not found:
+        return None
+    (tail, from_node), (head, _) = zip(step.lever, (step.tail, step.head), strict=True)
+    of = reading.numbered(head, step.of)
+    if tail in letters:
+        seen_from = reading.numbered(tail, step.of)
+    else:
+        seen_from = "" if from_node == polygon.construction.pole else polygon.of(from_node)
+    return Contacted(polygon.seen(of, seen_from), found)
+
+
+def same_velocity(polygon: Polygon, wheel: str, letter: str, contact: Contact, node: str) -> str:
+    """Pure rolling: the two points at a contact move alike."""
+    reading = polygon.reading
+    other = next(link for link in contact.wheels if link != wheel)
+    of, same = (polygon.seen(reading.numbered(letter, link), "") for link in (wheel, other))
+    key = "contacts.no velocity" if other == FRAME else "contacts.same velocity"
+    words = {"first": reading.link(wheel), "second": reading.link(other), "point": letter}
+    return reading.say(key, of=of, other=same, node=names.point(node), **words)

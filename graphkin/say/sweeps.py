@@ -1,0 +1,149 @@
+"""A sweep for people: its tables, how far the driver gets and why, change points, greatest values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from graphkin.errors import Lang, listed
+from graphkin.quantities import EDGE, IN_GRAVITY, Centre, Quotient, Rotation
+from graphkin.running.path import Event
+from graphkin.say.catalogue import say
+from graphkin.say.numbers import at_edge, exact
+from graphkin.say.text_table import table
+from graphkin.sweeps import Course, Series, Sweep
+
+
+def at(course: Course, t: float) -> str:
+    """`AB = 41.2°`, by where on the path."""
+    return named(course, float(course.value(t)))
+
+
+def named(course: Course, value: float) -> str:
+    """`AB = 41.2°`, by the driver's value."""
+    return f"{course.driver.name} = {at_edge(value, course.unit)}"
+
+
+def told(event: Event, lang: Lang) -> str:
+    """Why a path stops, or what happens at a change point."""
+    return say(f"sweeps.event {event.kind}", lang, links=listed(event.links, lang))
+
+
+def remarks(course: Course, lang: Lang) -> Iterator[str]:
+    """How far the driver gets, and through what."""
+    unit = course.unit
+    if not course.full_turn:
+        low, high = (at_edge(value, unit) for value in course.reach)
+        yield say("sweeps.range", lang, driver=course.driver.name, low=low, high=high)
+        for stop in course.stops:
+            why = told(stop, lang)
+            if stop.kind not in ("tangent", "parallel"):
+                why = say("sweeps.dead", lang, why=why)
+            yield say("sweeps.stop", lang, at=at(course, stop.at), why=why)
+        yield from _open_ends(course, lang)
+    for change in course.changes:
+        yield say("sweeps.change", lang, at=at(course, change.at), why=told(change, lang))
+    if course.dropped.size:
+        yield say("sweeps.dropped", lang, count=course.dropped.size)
+    if sum(map(bool, course.path.pace)) > 1:
+        yield say("sweeps.together", lang)
+
+
+def left_out(course: Course, undefined: np.ndarray, lang: Lang) -> Iterator[str]:
+    """That positions were left out, by the driver's values there."""
+    if undefined.size:
+        yield say("sweeps.undefined", lang, count=undefined.size, at=named(course, float(undefined[0])))
+
+
+def _open_ends(course: Course, lang: Lang) -> Iterator[str]:
+    """Ends of the path at which nothing stops it but that no one looked farther."""
+    stops = [stop.at for stop in course.path.stops]
+    for end, side in ((course.path.low, -1), (course.path.high, 1)):
+        if not any(stop * side > 0 for stop in stops):
+            yield say("sweeps.open", lang, at=at(course, end))
+
+
+def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
+    """The greatest and the least value of each quantity among the positions of a sweep; accelerations in g, too."""
+    for entry in sweep.series:
+        values = entry.signed
+        if entry.is_place or not np.isfinite(values).any():
+            continue
+        for key, k in (("greatest", int(np.nanargmax(values))), ("least", int(np.nanargmin(values)))):
+            place = named(sweep.course, float(sweep.values[k]))
+            yield say(f"sweeps.extreme {key}", lang, name=entry.name, value=_valued(entry, float(values[k])), at=place)
+
+
+def _valued(entry: Series, value: float) -> str:
+    text = at_edge(value, entry.unit)
+    return text + (f" ({value * IN_GRAVITY.factor:.4g} {IN_GRAVITY.name})" if entry.unit == "m/s^2" else "")
+
+
+# --- tables -------------------------------------------------------------------------------------
+
+
+def sweep_lines(sweep: Sweep) -> Iterator[str]:
+    """A row for each position, in mm and deg; of an instant centre x and y."""
+    first = EDGE[sweep.course.unit]
+    heads, values = [[sweep.course.driver.name, first.name]], [sweep.values * first.factor]
+    for entry in sweep.series:
+        unit = EDGE[entry.unit]
+        heads += [[f"{entry.name}{part}", unit.name or "1"] for part in ((" x", " y") if entry.is_place else ("",))]
+        at = entry.vectors if entry.is_place else None
+        values += [part * unit.factor for part in ((entry.signed,) if at is None else (at.real, at.imag))]
+    rows = [[exact(float(column[k])) for column in values] for k in range(sweep.t.size)]
+    yield from table([[head[0] for head in heads], [f"[{head[1]}]" for head in heads], *rows])
+
+
+UNITS = ("rad", "m", "rad/s", "m/s", "rad/s^2", "m/s^2", "1")
+
+
+def book_lines(sweep: Sweep) -> Iterator[str]:
+    """As Sun Huan's table 3-1: positions, velocities, accelerations; deg and m, five decimals."""
+    plain = [entry for entry in sweep.series if not entry.is_place]
+    entries = [entry for unit in UNITS for entry in plain if entry.unit == unit]
+    heads = [_driver_symbol(sweep), *(_symbol(entry) for entry in entries)]
+    units = [_book_unit(unit) for unit in (sweep.course.unit, *(entry.unit for entry in entries))]
+    values = [_book(entry.signed, entry.unit) for entry in entries]
+    first = _book(sweep.values, sweep.course.unit)
+    for entry in sweep.series:
+        if not entry.is_place or entry.vectors is None:
+            continue
+        heads += [f"{entry.name}_x", f"{entry.name}_y"]
+        units += [_book_unit("m")] * 2
+        values += [entry.vectors.real, entry.vectors.imag]
+    rows = [[exact(round(float(first[k]), 9)), *(_fixed(float(v[k])) for v in values)] for k in range(sweep.t.size)]
+    yield from table([heads, units, *rows])
+
+
+def _book(values: Any, unit: str) -> Any:
+    """Degrees, but metres."""
+    return values * EDGE[unit].factor if unit == "rad" else values
+
+
+def _book_unit(unit: str) -> str:
+    sign = unit if unit == "m" else EDGE[unit].sign
+    return f"/({sign})" if any(mark in sign for mark in "°/") else f"/{sign}" if sign else ""
+
+
+def _fixed(value: float) -> str:
+    return f"{value + 0.0:.5f}" if abs(value) >= 5e-6 else "0.00000"
+
+
+def _symbol(entry: Series) -> str:
+    quantity = entry.quantity
+    if isinstance(quantity, Centre | Quotient):
+        return entry.name
+    if isinstance(quantity, Rotation):
+        return f"{quantity.letter}{'' if quantity.of.isdigit() else '_'}{quantity.of}"
+    return f"{quantity.word}_{quantity.of}"
+
+
+def _driver_symbol(sweep: Sweep) -> str:
+    driver = sweep.course.driver
+    link = sweep.mechanism.called(driver.link)
+    if driver.kind == "slide":
+        return f"s_{driver.link}"
+    return f"θ{link}" if link.isdigit() else f"θ_{link}"

@@ -1,0 +1,225 @@
+"""Groups that no order of ruler and compass reaches: fitted positions, rates solved together, special points."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import assert_never
+
+from graphkin.construction import (
+    Across,
+    AcrossGuide,
+    Along,
+    AlongGuide,
+    Arm,
+    Chain,
+    Direction,
+    Equation,
+    Fit,
+    Meet,
+    Quarter,
+    Ray,
+    Simultaneous,
+    Term,
+)
+from graphkin.mechanism import FRAME
+from graphkin.say import names
+from graphkin.say.entries import Calculation, Entry, Sentence
+from graphkin.say.numbers import degrees, number
+from graphkin.say.plane import Polygon
+from graphkin.say.reading import Reading
+from graphkin.say.rolling import relation_of, turned
+
+# --- position -----------------------------------------------------------------------------------
+
+
+def fitted(reading: Reading, step: Fit) -> Iterator[Entry]:
+    """A group's position by trial (样板法), or a train's by its relations; then what it comes to."""
+    members = list(dict.fromkeys(link for base in step.angles for link in _members(reading, base)))
+    links = reading.listed([reading.link(link) for link in members])
+    relations = reading.listed([turned(reading, contact).text for contact in step.contacts])
+    if step.closures:
+        lengths = reading.listed(_arms(reading, step))
+        words = {"links": links, "template": reading.link(_template(reading, step)), "lengths": lengths}
+        key = "contacts.fit geared" if step.contacts else "contacts.fit"
+        yield Sentence(reading.say(key, relations=relations, **words))
+    else:
+        yield Sentence(reading.say("contacts.fit train", links=links, relations=relations))
+    found = [_angle(reading, link) for link in members]
+    found += [_slide(reading, slide) for slide in step.slides]
+    values = reading.say("common.and").join(value for value in found if value)
+    yield Sentence(reading.say("contacts.fitted", values=values))
+
+
+def _members(reading: Reading, base: str) -> list[str]:
+    """The links that turn with a base link, itself first."""
+    return list(dict.fromkeys([reading.body(base), *reading.group(base)]))
+
+
+def _template(reading: Reading, step: Fit) -> str:
+    """The link that most of the group's joints hold."""
+    ends: dict[str, set[str]] = {}
+    for closure in step.closures:
+        for part in closure.parts:
+            if isinstance(part, Arm):
+                ends.setdefault(part.link, set()).update((part.tail, part.head))
+            else:
+                pair = reading.method.structure.slides[part.slide]
+                ends.setdefault(pair.guide, set()).add(part.slide)
+                ends.setdefault(reading.method.structure.block(pair), set()).add(part.slide)
+    joints = Counter({reading.body(link): len(held) for link, held in ends.items() if link != FRAME})
+    return joints.most_common(1)[0][0]
+
+
+def _arms(reading: Reading, step: Fit) -> list[str]:
+    """The other links' lengths, and the lines on which sliding points must lie."""
+    found: dict[str, None] = {}
+    template = _template(reading, step)
+    for closure in step.closures:
+        for part in closure.parts:
+            if isinstance(part, Arm) and part.link != template:
+                pair = names.pair(part.tail, part.head)
+                found[f"{pair} = {reading.on_paper(reading.distance(part.tail, part.head))} mm"] = None
+            elif not isinstance(part, Arm):
+                slide = reading.method.structure.slides[part.slide]
+                if reading.method.structure.slides_driven.get(part.slide) is not None:
+                    symbol = names.of_slide("s", part.slide)
+                    length = abs(float(reading.plot.s[part.slide]))
+                    found[f"{symbol} = {reading.on_paper(length)} mm"] = None
+                else:
+                    along = reading.points_along(part.slide) if slide.guide != FRAME else None
+                    guide = names.pair(*along) if along else reading.path(part.slide)
+                    found[reading.say("contacts.lies on", point=names.point(slide.point), guide=guide)] = None
+    return list(found)
+
+
+def _angle(reading: Reading, link: str) -> str:
+    points = reading.method.structure.named(link)
+    if len(points) < 2:
+        return ""
+    angle = degrees(reading.plot.arm(points[0], points[1]))
+    arrow = names.arrow(points[0], points[1])
+    return reading.say("derivation.angle of", name=reading.rate("θ", link), angle=angle, arrow=arrow)
+
+
+def _slide(reading: Reading, slide: str) -> str:
+    pair = reading.method.structure.slides[slide]
+    value = number(float(reading.plot.s[slide]) * 1000, reading.noise * 1000)
+    if pair.named:
+        return f"{names.of_slide('s', slide)} = {value} mm"
+    if pair.line.named:
+        ends = names.pair(pair.line.origin, pair.point)
+        return f"l_{ends} = {number(reading.distance(pair.line.origin, pair.point) * 1000)} mm"
+    return ""
+
+
+def special_point(reading: Reading, step: Meet) -> str:
+    """Where the lines of two legs meet."""
+    site = reading.method.position.nodes[step.point].site
+    assert site is not None
+    lines = [_line(reading, locus) for locus in (step.first, step.second) if isinstance(locus, Ray)]
+    words = {"first": lines[0], "second": lines[1], "point": step.point}
+    return reading.say("contacts.special point", link=reading.link(site.link), **words)
+
+
+def _line(reading: Reading, ray: Ray) -> str:
+    match ray.direction:
+        case Along(tail, head):
+            return reading.say("contacts.leg line", line=names.pair(tail, head))
+        case AcrossGuide(slide):
+            return reading.say("contacts.leg normal", through=names.point(ray.through), guide=reading.path(slide))
+        case Across() | AlongGuide() | Quarter():
+            raise AssertionError("a leg's line runs along a bar or across a guide")
+        case _:
+            assert_never(ray.direction)
+
+
+# --- polygons: special points -------------------------------------------------------------------
+
+
+def special_introduction(polygon: Polygon, part: Equation) -> str:
+    """What an equation of two legs is about; "" for any other."""
+    legs = [term for term in part.left + part.right if term.over]
+    node = polygon.construction.nodes[part.left[-1].head]
+    if not legs or node.site is None:
+        return ""
+    first, second = (_leg(polygon, term) for term in legs)
+    link = polygon.reading.link(node.site.link)
+    return polygon.reading.say("contacts.special", of=names.point(part.of), link=link, first=first, second=second)
+
+
+def _leg(polygon: Polygon, term: Term) -> str:
+    direction: Direction | None = term.direction
+    match direction:
+        case Across(tail, head) | Along(tail, head):
+            return names.pair(tail, head)
+        case AlongGuide(slide) | AcrossGuide(slide):
+            return polygon.reading.path(slide)
+        case Quarter() | None:
+            raise AssertionError("a leg has one unknown direction line")
+        case _:
+            assert_never(direction)
+
+
+def instant_centre(polygon: Polygon, part: Equation) -> str:
+    """Both legs on the fixed link: nothing to measure; "" otherwise."""
+    legs = [term for term in part.left + part.right if term.over]
+    head = part.left[-1].head
+    node, pole = polygon.construction.nodes[head], polygon.construction.pole
+    if polygon.plane != "velocity" or len(legs) != 2 or node.site is None or len(part.left + part.right) != 2:
+        return ""
+    if any(term.tail != pole for term in legs):
+        return ""
+    return polygon.reading.say(
+        "contacts.instant centre",
+        point=names.point(node.site.point),
+        link=polygon.reading.link(node.site.link),
+        name=polygon.seen(part.of, ""),
+    )
+
+
+# --- polygons: together -------------------------------------------------------------------------
+
+
+def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
+    """Which equations, which unknowns, and what they come to."""
+    reading, plot = polygon.reading, polygon.reading.plot
+    members = [link for base in step.angles for link in _members(reading, base)]
+    slides = [_symbol(polygon, slide) for slide in step.slides]
+    unknowns = reading.listed([*(polygon.rate(link) for link in members), *slides])
+    said = []
+    if step.chains:
+        loops = reading.listed([_loop(polygon, chain) for chain in step.chains])
+        said.append(reading.say("contacts.the loop" if len(step.chains) == 1 else "contacts.the loops", loops=loops))
+    if step.contacts:
+        relations = reading.listed([relation_of(polygon, contact).text for contact in step.contacts])
+        said.append(reading.say("contacts.the relations", relations=relations))
+    equations = reading.say("contacts.and both").join(said)
+    equations = equations[0].upper() + equations[1:]
+    yield Sentence(reading.say("contacts.together", unknowns=unknowns, equations=equations))
+    table = plot.omega if polygon.plane == "velocity" else plot.alpha
+    noise = 1e-9 * max(float(abs(rate)) for rate in table.values())
+    for link in dict.fromkeys(members):
+        value = float(table[link]) if abs(table[link]) > noise else 0.0
+        note = reading.say("common.ccw" if value > 0 else "common.cw") if value else ""
+        yield Calculation(polygon.rate(link), (), "", abs(value), polygon.rate_unit, note)
+    rates = plot.s_rate if polygon.plane == "velocity" else plot.s_acceleration
+    for slide, symbol in zip(step.slides, slides, strict=True):
+        yield Calculation(symbol, (), "", float(rates[slide]), names.UNIT[polygon.plane])
+
+
+def _symbol(polygon: Polygon, slide: str) -> str:
+    pair = polygon.reading.method.structure.slides[slide]
+    name = pair.name if pair.named else names.point(pair.point)
+    return names.of_slide(names.SLIDING[polygon.plane], name)
+
+
+def _loop(polygon: Polygon, chain: Chain) -> str:
+    """`ABCD`: the joints that a chain of arrows passes."""
+    reading = polygon.reading
+    slides = reading.method.structure.slides
+    points: dict[str, None] = {}
+    for unknown in chain.unknown:
+        ends = (slides[unknown.slide].point,) if unknown.slide else (unknown.tail, unknown.head)
+        points |= dict.fromkeys(names.point(point) for point in ends if reading.named(point))
+    return "–".join(points)
