@@ -159,9 +159,9 @@ PARSED = re.compile(r"""\[0\]\.is(upper|lower)\(|(startswith|removeprefix|endswi
 
 
 def test_no_name_is_taken_apart() -> None:
-    """What a name stands for is a field: of a `Link`, a `Line`, a `Slide` of an equivalent, a `Node`; `words.names` alone
+    """What a name stands for is a field: of a `Link`, a `Line`, a `Slide` of an equivalent, a `Node`; `say.names` alone
     spells names as people read them.
     """
-    files = (path for path in Path(graphkin.__file__).parent.rglob("*.py") if path.parts[-2:] != ("words", "names.py"))
+    files = (path for path in Path(graphkin.__file__).parent.rglob("*.py") if path.parts[-2:] != ("say", "names.py"))
     lines = ((path.name, line) for path in files for line in path.read_text("utf-8").splitlines())
     assert [(name, line.strip()) for name, line in lines if PARSED.search(line)] == []
