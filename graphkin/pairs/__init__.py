@@ -12,7 +12,7 @@ How to add a pair kind; `tests/test_pairs.py` names the table in which it is sti
               or, where it shares a table of the file, in that table's reader; what may be wrong, in `errors.pairs`
     analytic  its rule in `rules.RULES`; `replaced` where its lower-pair equivalent is all there is to it
     planning  nothing, where it has a lower-pair equivalent or rolls as wheels do: those are data
-    words     its line in `structure.KINDS`; its sentence in `equivalents.EQUIVALENTS`, where it has an equivalent; its
+    say       its line in `structure.KINDS`; its sentence in `equivalents.EQUIVALENTS`, where it has an equivalent; its
               normal in `centre_steps.NORMALS`, where its links slide on each other; the phrases of all these in
               `phrases`; its name in messages in `errors.motion.PAIRS`
     sheet     its sign in `mechanism_figure.BEFORE_LINKS` or `OVER_LINKS`, or its wheels in `wheels.UNDER_LINKS`; a new
