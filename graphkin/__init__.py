@@ -35,9 +35,9 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "value", "errors", "geometry", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
+    "value", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
-    "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "results", "say", "sheet",
+    "agreement", "centres", "linkages", "design", "sweeps", "finding", "marking", "check", "results", "say", "sheet",
     "outputs", "equations", "api", "batches", "cli",
 )  # fmt: skip
 

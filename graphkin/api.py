@@ -26,8 +26,8 @@ from graphkin.planning import Method
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
+    from graphkin.outputs.notebook import Shown
     from graphkin.quantities import Answer
-    from graphkin.sheet import Sheet
     from graphkin.sweeps import Road, Sweep
 
 __all__ = ["Drawing", "load", "plan", "replay", "sweep"]
@@ -126,19 +126,21 @@ class Drawing:
 
         return cls(method.mechanism, method, held(method, values).plot)
 
-    def sheet(self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None) -> Sheet:
+    def sheet(self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None) -> Shown:
         """The sheet: mechanism and polygons to scale, in millimetres on paper."""
+        from graphkin.outputs.notebook import shown
         from graphkin.sheet import sheet
 
-        return sheet(self.method, self.plot, paper=paper, lang=lang, only=only)
+        return shown(sheet(self.method, self.plot, paper=paper, lang=lang, only=only))
 
     def step_sheets(
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None
-    ) -> Iterator[Sheet]:
+    ) -> Iterator[Shown]:
         """One sheet a step of the construction, the newest marks emphasised."""
+        from graphkin.outputs.notebook import shown
         from graphkin.sheet import step_sheets
 
-        return step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only)
+        return map(shown, step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only))
 
     def explain(self, lang: Lang = "en") -> list[str]:
         """The vector equations and what is measured, line by line, at the scales of the sheet."""
@@ -162,4 +164,6 @@ class Drawing:
         }
 
     def _repr_svg_(self) -> str:
-        return self.sheet()._repr_svg_()
+        from graphkin.outputs.svg import svg
+
+        return svg(self.sheet())

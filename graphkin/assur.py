@@ -66,9 +66,8 @@ class Structure:
 def structure(method: Method) -> Structure:
     """A pin in a slot, a cam pair and a gear pair take one freedom, rolling contact two."""
     mechanism = method.mechanism
-    low = sum(len(hinge.links) - 1 for hinge in mechanism.hinges)
-    low += sum(slide.block is not None for slide in mechanism.slides) + len(mechanism.rolls)
-    high = sum(slide.block is None for slide in mechanism.slides) + len(mechanism.gears) + len(mechanism.cams)
+    low = sum(len(hinge.links) - 1 for hinge in mechanism.hinges) + sum(pair.lower for pair in mechanism.pairs)
+    high = sum(not pair.lower for pair in mechanism.pairs)
     return Structure(
         len(mechanism.moving), low, high, mobility(mechanism),
         tuple(_groups(method)), tuple(_methods(method)),
@@ -123,7 +122,7 @@ def _methods(method: Method) -> Iterator[str]:
     groups = [stage for stage in method.stages if isinstance(stage, Group)]
     if any(stage not in method.ternaries for stage in groups):
         yield "together"
-    if method.mechanism.gears or method.mechanism.rolls:
+    if any(pair.rolling is not None for pair in method.mechanism.pairs):
         yield "rolling"
-    if method.mechanism.cams:
+    if any(pair.equivalent is not None and pair.rolling is None for pair in method.mechanism.pairs):
         yield "lower"

@@ -11,9 +11,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import field
 from functools import cached_property
+from typing import TypeVar
 
 from graphkin.errors import Lang, Where
-from graphkin.pairs import Cam, Gear, Revolute, Roll, Slide
+from graphkin.pairs import Pair, Revolute, Slide, Slot, start_name
 from graphkin.value import frozen
 
 __all__ = ["FRAME", "Driver", "Link", "Mechanism", "Pose"]
@@ -21,13 +22,19 @@ __all__ = ["FRAME", "Driver", "Link", "Mechanism", "Pose"]
 FRAME = "frame"
 """The fixed link's own name in every mapping by link; `Mechanism.frame` is what people call it."""
 
+_Kind = TypeVar("_Kind", bound=Pair)
+
 
 @frozen
 class Link:
-    """A rigid body: where its points are in its own axes [m]."""
+    """A rigid body: where its points are in its own axes [m].
+
+    stands_for  the pair that it replaces, in a lower-pair equivalent
+    """
 
     name: str
     points: Mapping[str, complex]
+    stands_for: Pair | None = None
 
     def arm(self, tail: str, head: str) -> complex:
         """The vector tail -> head in the link's axes [m]."""
@@ -81,7 +88,9 @@ class Mechanism:
     """A planar mechanism.
 
     links     by name; `FRAME` comes first, then as in the file
+    pairs     those of the file's tables, kind by kind as in `PAIRS`; hinges are shared points and stand in `hinges`
     sketch    roughly where moving points are [m]
+    replaced  the pairs of the file for which others stand, in a lower-pair equivalent
     scales    given paper scales: "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s^2)/mm]
     text      the file, to be put into drawings and shown; `lines` gives the line of each of its keys
     """
@@ -89,10 +98,7 @@ class Mechanism:
     name: str
     frame: str
     links: Mapping[str, Link]
-    slides: tuple[Slide, ...] = ()
-    gears: tuple[Gear, ...] = ()
-    rolls: tuple[Roll, ...] = ()
-    cams: tuple[Cam, ...] = ()
+    pairs: tuple[Pair, ...] = ()
     drivers: tuple[Driver, ...] = ()
     poses: tuple[Pose, ...] = ()
     sketch: Mapping[str, complex] = field(default_factory=dict)
@@ -103,6 +109,7 @@ class Mechanism:
     text: str = ""
     file: str = ""
     lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict)
+    replaced: tuple[Pair, ...] = ()
 
     @cached_property
     def owners(self) -> dict[str, tuple[str, ...]]:
@@ -114,13 +121,33 @@ class Mechanism:
         return owners
 
     @cached_property
+    def unnamed(self) -> frozenset[str]:
+        """The points that nobody named: where lines of the frame begin that are given by coordinates, or slots that
+        stand for a contact."""
+        pairs = (*self.pairs, *self.replaced)
+        starts = {start_name(pair) for pair in pairs if isinstance(pair.equivalent, Slot)}
+        return frozenset(line.origin for pair in pairs for line in pair.lines if not line.named) | starts
+
+    @cached_property
     def points(self) -> tuple[str, ...]:
         """The points people named, fixed ones first."""
-        return tuple(point for point in self.owners if point[0].isupper())
+        return tuple(point for point in self.owners if point not in self.unnamed)
+
+    def named(self, link: str) -> tuple[str, ...]:
+        """The points of a link that people named."""
+        return tuple(point for point in self.links[link].points if point not in self.unnamed)
 
     @cached_property
     def hinges(self) -> tuple[Revolute, ...]:
         return tuple(Revolute(point, links) for point, links in self.owners.items() if len(links) > 1)
+
+    @cached_property
+    def slides(self) -> tuple[Slide, ...]:
+        return self.of(Slide)
+
+    def of(self, kind: type[_Kind]) -> tuple[_Kind, ...]:
+        """The pairs of one kind."""
+        return tuple(pair for pair in self.pairs if isinstance(pair, kind))
 
     @cached_property
     def moving(self) -> tuple[str, ...]:
@@ -135,8 +162,12 @@ class Mechanism:
         """The title in this language, else in the other, else the name."""
         return self.title.get(lang) or next(iter(self.title.values()), self.name)
 
-    def slide(self, name: str) -> Slide:
-        return next(slide for slide in self.slides if slide.name == name)
+    def pair(self, name: str) -> Pair:
+        return next(pair for pair in self.pairs if pair.name == name)
+
+    def path(self, pair: Pair) -> tuple[str, int]:
+        """Where a pair stands in the file: its table, and its number there."""
+        return pair.table, [other.name for other in self.pairs if other.table == pair.table].index(pair.name)
 
     def where(self, *path: str | int) -> Where:
         """The place of a key in the file, or of the nearest key above it that the file has."""

@@ -10,10 +10,9 @@ import re
 from collections.abc import Collection
 
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Cam, Gear, Roll
 from graphkin.value import frozen
 
-__all__ = ["PairName", "Seen", "common_link", "driver_number", "named", "pair", "seen"]
+__all__ = ["PairName", "Seen", "common_link", "driver_number", "named", "pair", "seen", "spelled"]
 
 PairName = tuple[str, int | str]
 """A pair by its table in the file and its number there; a hinge by its point, a link by its name."""
@@ -95,13 +94,26 @@ def named(mechanism: Mechanism, pair: PairName) -> tuple[str, str]:
     table, k = pair
     if isinstance(k, str):
         return table, k
-    if table == "slide":
-        slide = mechanism.slides[k]
-        return ("slide", slide.name) if slide.named else ("guide", slide.point)
-    if table == "roll" and mechanism.rolls[k].named:
-        return table, mechanism.rolls[k].name
-    pairs: dict[str, tuple[Gear, ...] | tuple[Roll, ...] | tuple[Cam, ...]]
-    pairs = {"gear": mechanism.gears, "roll": mechanism.rolls, "cam": mechanism.cams}
-    names = ["–".join(mechanism.called(link) for link in each.joins) for each in pairs[table]]
+    of_table = [each for each in mechanism.pairs if each.table == table]
+    if of_table[k].given:
+        return table, of_table[k].given
+    if (known := of_table[k].known_by) is not None:
+        return known
+    names = ["–".join(mechanism.called(link) for link in each.joins) for each in of_table]
     nth = names[: k + 1].count(names[k])
     return table, names[k] if names.count(names[k]) == 1 else f"{names[k]} ({nth})"
+
+
+_ROD = re.compile(r"(?<![A-Za-z])([nkrt]?)e (?:c(\d+)|(\w+))")
+
+
+def spelled(name: str) -> str:
+    """A name with the links of an equivalent as people read them: e, e2, ..; those that hold a wheel e_r0, .."""
+    return _ROD.sub(_rod, name)
+
+
+def _rod(found: re.Match[str]) -> str:
+    letter, number, roll = found.groups()
+    if number is None:
+        return f"{letter}e_{roll}"
+    return f"{letter}e" + (str(int(number) + 1) if int(number) else "")

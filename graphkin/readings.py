@@ -19,7 +19,7 @@ def readings(method: Method, plot: Plot) -> Motions:
     """Motions read off a finished drawing. Sliding pairs and rolling wheels of the file, without the slots that stand
     for cams; angles between 0 and a full turn."""
     mechanism = method.mechanism
-    slides = {pair.name for pair in mechanism.slides} | {roll.name for roll in mechanism.rolls}
+    slides = {pair.name for pair in mechanism.pairs if pair.path is not None}
     links, nodes = set(mechanism.moving), _nodes(method)
     theta = Lazy((link for link in plot.theta if link in links), lambda link: np.mod(plot.theta[link], 2 * np.pi))
     return Motions(

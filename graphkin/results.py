@@ -72,7 +72,7 @@ def _motions(mechanism: Mechanism, motions: Motions) -> Json:
                 "v": _number(motions.s_rate[name]),
                 "a": _number(motions.s_acceleration[name]),
             }
-            for name in [slide.name for slide in mechanism.slides] + [roll.name for roll in mechanism.rolls]
+            for name in [pair.name for pair in mechanism.pairs if pair.path is not None]
             if name in motions.s_acceleration
         },
     }

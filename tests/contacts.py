@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.analytic import Motion
-from graphkin.pairs import Line
+from graphkin.pairs import Cam, CircularSlot, Gear, Line, Roll
 
 Array = np.ndarray
 Circle = tuple[str, str, float]
@@ -20,10 +20,10 @@ def touching(found: Motion) -> Iterator[tuple[Array, Array]]:
     That is all of the relative velocity where there is no slip, its part along the normal for a cam.
     """
     m = found.mechanism
-    for gear in m.gears:
+    for gear in m.of(Gear):
         one, other = zip(gear.links, gear.centres, gear.radii, strict=True)
         yield circles(found, one, other, gear.internal)[::2]
-    for roll in m.rolls:
+    for roll in m.of(Roll):
         wheel = (roll.wheel, roll.centre, roll.radius)
         if roll.line is None:
             track = (roll.track, roll.track_centre, roll.track_radius)
@@ -31,7 +31,11 @@ def touching(found: Motion) -> Iterator[tuple[Array, Array]]:
         else:
             gap, _, relative = beside(found, roll.line, roll.left, wheel)
             yield gap, relative
-    for cam in m.cams:
+    for slot in m.of(CircularSlot):
+        arm = found.position[slot.point] - found.position[slot.centre]
+        cut = found.velocity[slot.centre] + 1j * found.omega[slot.guide] * arm
+        yield abs(arm) - slot.radius, ((found.velocity[slot.point] - cut) / arm).real * slot.radius
+    for cam in m.of(Cam):
         (first, second), (one, other) = cam.links, cam.profiles
         if one.line is not None:
             gap, normal, relative = beside(found, one.line, one.left, (second, other.centre, other.radius))

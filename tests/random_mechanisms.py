@@ -13,7 +13,7 @@ import random
 from dataclasses import dataclass, field, replace
 
 from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
-from graphkin.pairs import Cam, Gear, Line, Profile, Roll, Slide
+from graphkin.pairs import Cam, CircularSlot, Gear, Line, Profile, Roll, Slide
 
 DYADS = ("RRR", "RRP", "PRR", "RPR", "PRP", "RPP", "PPR")
 
@@ -71,7 +71,7 @@ class Build:
         sketch = {p: z for body in self.bodies.values() if body.name != FRAME for p, z in body.points.items()}
         drivers = tuple(self.driver_of(driver) for driver in self.drivers)
         order = {FRAME: links.pop(FRAME), **dict(sorted(links.items()))}
-        return Mechanism(name=name, frame="0", links=order, slides=slides, drivers=drivers, sketch=sketch)
+        return Mechanism(name=name, frame="0", links=order, pairs=slides, drivers=drivers, sketch=sketch)
 
     def slide_of(self, name: str, guide: str, origin: str, line: complex, block: str, point: str) -> Slide:
         own = self.bodies[guide].axis
@@ -260,7 +260,7 @@ def geared_five_bar(seed: int) -> Mechanism:
     carrier = FRAME if kind == "cranks" else "1"
     gear = _gear(rng, links, (pivots[0], pivots[1]), abs(machine.links[carrier].arm(*pivots)))
     posed = "4" if driven == "1" else "1"
-    return replace(machine, gears=(gear,), poses=(_pose(machine, build, posed),))
+    return replace(machine, pairs=(gear,), poses=(_pose(machine, build, posed),))
 
 
 def _shared(machine: Mechanism, first: str, second: str) -> str:
@@ -271,11 +271,11 @@ def _shared(machine: Mechanism, first: str, second: str) -> str:
 def _gear(rng: random.Random, links: tuple[str, str], centres: tuple[str, str], distance: float) -> Gear:
     if rng.random() < 0.5:
         share = rng.uniform(0.2, 0.8)
-        return Gear(links, centres, (distance * share, distance * (1 - share)), False)
+        return Gear("g0", links, centres, (distance * share, distance * (1 - share)), False)
     ratio = rng.uniform(1.5, 3)
     small = distance / (ratio - 1)
     radii = (small * ratio, small) if rng.random() < 0.5 else (small, small * ratio)
-    return Gear(links, centres, radii, True)
+    return Gear("g0", links, centres, radii, True)
 
 
 def _pose(machine: Mechanism, build: Build, link: str) -> Pose:
@@ -304,11 +304,11 @@ def epicyclic(seed: int) -> Mechanism:
     build.drivers.append(Driver("angle", driven, rate=rng.uniform(-9, 9), acceleration=rng.uniform(-9, 9)))
     machine = build.finish(f"epicyclic-{seed}")
     gears = (
-        Gear(("1", "2"), (centre, planet), (sun, small), False),
-        Gear(("2", FRAME), (planet, centre), (small, ring), True),
+        Gear("g0", ("1", "2"), (centre, planet), (sun, small), False),
+        Gear("g1", ("2", FRAME), (planet, centre), (small, ring), True),
     )
     poses = tuple(_pose(machine, build, link) for link in ("1", "2", "4") if link != driven)
-    return replace(machine, gears=gears, poses=poses)
+    return replace(machine, pairs=gears, poses=poses)
 
 
 def rolling(seed: int) -> Mechanism:
@@ -329,7 +329,7 @@ def rolling(seed: int) -> Mechanism:
     build.body(track).points[hub] = spot + away * (rim - radius if internal else rim + radius)
     machine = build.finish(f"rolling-{seed}")
     roll = Roll("r0", False, "2", centre, radius, track, None, True, hub, rim, internal)
-    return replace(machine, rolls=(roll,), poses=(_pose(machine, build, "2"),))
+    return replace(machine, pairs=(*machine.pairs, roll), poses=(_pose(machine, build, "2"),))
 
 
 def _on_a_line(
@@ -341,8 +341,8 @@ def _on_a_line(
     first = next(iter(body.points.values())) if track != FRAME else 0j
     points = {**machine.links[track].points, origin: (foot - first) / body.axis}
     links = {**machine.links, track: Link(track, points)}
-    roll = Roll("r0", False, "2", centre, radius, track, Line(track, origin, line / body.axis), left, None, 0.0, False)
-    return replace(machine, links=links, rolls=(roll,), poses=(_pose(machine, build, "2"),))
+    roll = Roll("r0", False, "2", centre, radius, track, Line(track, origin, line / body.axis, False), left, None, 0.0, False)
+    return replace(machine, links=links, pairs=(*machine.pairs, roll), poses=(_pose(machine, build, "2"),))
 
 
 def cam(seed: int) -> Mechanism:
@@ -360,9 +360,56 @@ def cam(seed: int) -> Mechanism:
         build.body("2").points[mate] = spot + away * length
         machine = build.finish(f"cam-{seed}")
         profiles = (Profile(disc, radius, None, True), Profile(mate, other, None, True))
-        return replace(machine, cams=(Cam(("1", "2"), profiles, internal),))
+        return replace(machine, pairs=(*machine.pairs, Cam("c0", ("1", "2"), profiles, internal)))
     left, line, origin = rng.random() < 0.5, build.direction(), build.letter()
     build.body("2").points[origin] = spot - 1j * line * (radius if left else -radius) - 0.02 * line
     machine = build.finish(f"cam-{seed}")
     face = Profile(None, 0.0, Line("2", origin, line / build.bodies["2"].axis), left)
-    return replace(machine, cams=(Cam(("1", "2"), (Profile(disc, radius, None, True), face), False),))
+    return replace(machine, pairs=(*machine.pairs, Cam("c0", ("1", "2"), (Profile(disc, radius, None, True), face), False)))
+
+
+def circular_slot(seed: int) -> Mechanism:
+    """Pins in circular slots: of a follower, of a link on a coupler, one leg of a ternary link, or all three.
+
+    Crank, frame, follower or coupler has the slot, and another the pin; followers turn or slide.
+    """
+    build = _begun(seed, "circular")
+    rng = build.rng
+    kind = rng.choice(("follower", "on a coupler", "leg", "three slots"))
+    grounds = [FRAME, "1", rng.choice((FRAME, "1"))]
+    rng.shuffle(grounds)
+    if kind == "follower":
+        other, ground = rng.choice(((FRAME, "1"), ("1", FRAME)))
+        (build.hinge if rng.random() < 0.6 else build.slide)(other, "2")
+        slots = [(ground, "2")]
+    elif kind == "on a coupler":
+        build.hinge("1", "2")
+        build.hinge("2", "3")
+        (build.hinge if rng.random() < 0.7 else build.slide)("3", FRAME)
+        (build.hinge if rng.random() < 0.6 else build.slide)(rng.choice((FRAME, "1")), "4")
+        slots = [("2", "4")]
+    elif kind == "leg":
+        for leg, ground in zip(("3", "4"), grounds):
+            build.hinge(ground, leg)
+            build.hinge(leg, "2")
+        slots = [(grounds[2], "2")]
+    else:
+        slots = [(ground, "2") for ground in grounds]
+    return _with_slots(build, f"circular-{seed}", slots)
+
+
+def _with_slots(build: Build, name: str, slots: list[tuple[str, str]]) -> Mechanism:
+    """A pin of one link of each two in a circular slot of the other."""
+    ends = []
+    for two in slots:
+        guide, link = build.rng.sample(two, 2)
+        centre, pin = build.letter(), build.letter()
+        build.body(guide).points[centre] = build.place()
+        build.body(link).points[pin] = build.place()
+        ends.append((guide, centre, link, pin))
+    machine = build.finish(name)
+    return replace(machine, pairs=(*machine.pairs, *(
+        CircularSlot(
+            f"c{k}", guide, centre, abs(build.bodies[guide].points[centre] - build.bodies[link].points[pin]), link, pin
+        ) for k, (guide, centre, link, pin) in enumerate(ends)
+    )))  # fmt: skip

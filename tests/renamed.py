@@ -6,7 +6,7 @@ import random
 from dataclasses import replace
 
 from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
-from graphkin.pairs import Line, Profile
+from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Profile, Roll, Slide
 
 WORDS = ("crank", "coupler", "rocker", "guide", "ram", "连杆", "arm_2", "b3", "x'", "slider", "disc", "s0", "r0", "kite")
 
@@ -31,6 +31,21 @@ def called(mechanism: Mechanism, names: dict[str, str], frame: str) -> Mechanism
     def profile(old: Profile) -> Profile:
         return replace(old, line=line(old.line))
 
+    def paired(old: Pair) -> Pair:
+        match old:
+            case Slide():
+                return replace(old, line=line(old.line), block=old.block and names[old.block])
+            case Roll():
+                return replace(old, wheel=names[old.wheel], track=names[old.track], line=line(old.line))
+            case CircularSlot():
+                return replace(old, guide=names[old.guide], link=names[old.link])
+            case Gear():
+                return replace(old, links=tuple(names[link] for link in old.links))
+            case Cam():
+                links = tuple(names[link] for link in old.links)
+                return replace(old, links=links, profiles=tuple(map(profile, old.profiles)))
+        raise AssertionError(f"no names for {old}")
+
     def turned(old: Driver | Pose) -> Driver | Pose:
         link = old.link if old.kind == "slide" else names.get(old.link, old.link)
         return replace(old, link=link, from_link=names[old.from_link])
@@ -39,13 +54,7 @@ def called(mechanism: Mechanism, names: dict[str, str], frame: str) -> Mechanism
         mechanism,
         frame=frame,
         links={names[name]: Link(names[name], link.points) for name, link in mechanism.links.items()},
-        slides=tuple(replace(s, line=line(s.line), block=s.block and names[s.block]) for s in mechanism.slides),
-        gears=tuple(replace(gear, links=tuple(names[link] for link in gear.links)) for gear in mechanism.gears),
-        rolls=tuple(replace(r, wheel=names[r.wheel], track=names[r.track], line=line(r.line)) for r in mechanism.rolls),
-        cams=tuple(
-            replace(cam, links=tuple(names[link] for link in cam.links), profiles=tuple(map(profile, cam.profiles)))
-            for cam in mechanism.cams
-        ),
+        pairs=tuple(map(paired, mechanism.pairs)),
         drivers=tuple(map(turned, mechanism.drivers)),
         poses=tuple(map(turned, mechanism.poses)),
     )

@@ -26,7 +26,7 @@ def build(links: dict[str, dict[str, complex]], sketch: dict[str, complex], *res
         name="test",
         frame="0",
         links=made,
-        slides=tuple(x for x in rest if isinstance(x, Slide)),
+        pairs=tuple(x for x in rest if isinstance(x, Slide)),
         drivers=tuple(x for x in rest if isinstance(x, Driver)),
         poses=tuple(x for x in rest if isinstance(x, Pose)),
         sketch={point: z / 1e3 for point, z in sketch.items()},

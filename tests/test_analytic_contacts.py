@@ -13,6 +13,7 @@ from contacts import touching
 from graphkin.analytic import NoAssembly, mobility, motion
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
+from graphkin.pairs import Roll
 
 CRANK = """
 [frame]
@@ -387,7 +388,7 @@ def at_speed(mechanism: Mechanism, seconds: float) -> Mechanism:
 @each_file
 def test_results_have_the_names_of_the_file(name: str) -> None:
     mechanism, found = made(name), motion(made(name))
-    rolls = {roll.name for roll in mechanism.rolls if roll.line is not None}
+    rolls = {roll.name for roll in mechanism.of(Roll) if roll.line is not None}
     assert set(found.omega) == set(mechanism.links)
     assert set(found.s) == {slide.name for slide in mechanism.slides} | rolls
     for link in mechanism.links:

@@ -62,6 +62,8 @@ TABLE = [
     ("s4-ex5", "alpha 2", "5.84567", "theoretical mechanics, example 5"),
     ("s4-ex6", "v C", "0.55509", "theoretical mechanics, example 6"),
     ("s4-ex6", "a C", "1.27995", "theoretical mechanics, example 6"),
+    ("scotch-yoke", "vx B", "-0.3464102", "v = -r omega sin(theta) = -0.04 x 10 x sin 60 deg"),
+    ("scotch-yoke", "ax B", "-2.0000000", "a = -r omega^2 cos(theta) = -0.04 x 100 x cos 60 deg"),
 ]
 
 
@@ -78,6 +80,7 @@ READERS: dict[str, Callable[[Motion, str], float]] = {
     "vx": lambda found, point: float(found.velocity[point].real),
     "vy": lambda found, point: float(found.velocity[point].imag),
     "a": lambda found, point: abs(found.acceleration[point]),
+    "ax": lambda found, point: float(found.acceleration[point].real),
     "px": lambda found, link: centre(found, link).real,
     "py": lambda found, link: centre(found, link).imag,
 }
@@ -93,6 +96,15 @@ def test_exact_value(name: str, quantity: str, exact: str, source: str) -> None:
     """To the last digit printed."""
     digit = 10.0 ** -len(exact.partition(".")[2])
     assert read(motion(library.load(name)), quantity) == pytest.approx(float(exact), abs=0.501 * digit), source
+
+
+def test_the_scotch_yoke_swings_harmonically() -> None:
+    """s = r cos(theta), v = -r omega sin(theta), a = -r omega^2 cos(theta) over the whole turn."""
+    theta = np.linspace(0, 2 * np.pi, 73)
+    found, r, omega = motion(library.load("scotch-yoke"), [theta]), 0.04, 10.0
+    wanted = r * np.cos(theta), -r * omega * np.sin(theta), -r * omega**2 * np.cos(theta)
+    for seen, exact in zip((found.s["ram"], found.s_rate["ram"], found.s_acceleration["ram"]), wanted, strict=True):
+        assert seen == pytest.approx(exact, abs=1e-12)
 
 
 def test_swing_of_the_windscreen_wiper() -> None:

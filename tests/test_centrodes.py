@@ -26,16 +26,18 @@ from graphkin import library, sweep
 from graphkin.analytic import motion
 from graphkin.centres import Centres, centres
 from graphkin.centres.centrode_places import carried_to, over
-from graphkin.centres.centrodes import Centrodes, arc_length, centrodes, path, whole
+from graphkin.centres.centrode_sampling import arc_length
+from graphkin.centres.centrodes import Centrodes, centrodes, path, whole
 from graphkin.drafting import INFINITE
 from graphkin.errors import GraphkinError, UnknownLink
 from graphkin.errors.centring import NoCentrode, UnknownCentre
 from graphkin.loading import loads
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.outputs.animation import animation
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
-from graphkin.sheet.centrode_frames import centrode_animation, centrode_frames
+from graphkin.sheet.centrode_frames import centrode_frames
 from graphkin.sheet.centrode_sheet import centrode_sheet
 from graphkin.sheet.marks import Stroke
 from graphkin.sweeps import Course, course
@@ -305,7 +307,7 @@ def _distance(place: complex, places: tuple[complex, ...]) -> float:
 
 def test_animation_shows_one_frame_at_a_time():
     frames = list(centrode_frames(rolled("fig3-6", "3", "1"), 12))
-    text = centrode_animation(frames, 6)
+    text = animation(frames, 6)
     root = ET.fromstring(text)
     groups = [child for child in root if child.tag.endswith("}g")]
     assert len(groups) == len(frames)

@@ -15,6 +15,7 @@ from random_mechanisms import (
     DYADS,
     cam,
     chain,
+    circular_slot,
     coupler_angle,
     cylinder,
     dyad,
@@ -52,7 +53,7 @@ MAKERS: dict[str, Callable[[int], Mechanism]] = {
     **{kind: partial(dyad, kind) for kind in DYADS},
     "cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain, "cam": cam, "six": six_bar,
 }  # fmt: skip
-MOVING_ON = {"triad": triad, "geared": geared_five_bar, "epicyclic": epicyclic, "rolling": rolling}
+MOVING_ON = {"triad": triad, "geared": geared_five_bar, "epicyclic": epicyclic, "rolling": rolling, "circular": circular_slot}
 
 
 def records(method: Method) -> Program:

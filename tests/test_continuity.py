@@ -15,6 +15,7 @@ from random_mechanisms import (
     DYADS,
     cam,
     chain,
+    circular_slot,
     coupler_angle,
     cylinder,
     dyad,
@@ -35,7 +36,8 @@ from graphkin.sweeps import course, held, parts, sweep
 
 COUNT = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
 """Mechanisms of each kind; 0: one of some kinds."""
-FAMILIES = {f.__name__: f for f in (cylinder, relative_angle, coupler_angle, chain, triad, six_bar, geared_five_bar, epicyclic, rolling, cam)}
+FAMILIES = {f.__name__: f for f in (cylinder, relative_angle, coupler_angle, chain, triad, six_bar, geared_five_bar, epicyclic, rolling, cam,
+                                       circular_slot)}  # fmt: skip
 SOME = KINDS if COUNT else KINDS[1::3]
 
 

@@ -16,6 +16,7 @@ from random_mechanisms import (
     DYADS,
     cam,
     chain,
+    circular_slot,
     coupler_angle,
     cylinder,
     dyad,
@@ -127,7 +128,7 @@ def test_printed_formulas_hold(name: str, by, lang):
 
 
 KINDS = {make.__name__: make for make in (cylinder, relative_angle, coupler_angle, chain, triad, six_bar,
-                                          geared_five_bar, epicyclic, rolling, cam)}  # fmt: skip
+                                          geared_five_bar, epicyclic, rolling, cam, circular_slot)}  # fmt: skip
 
 
 @pytest.mark.parametrize("by", ["complex", "matrix"])

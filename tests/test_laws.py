@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Iterator
 from functools import partial
+from pathlib import Path
 
 import pytest
 import random_mechanisms
 
-from graphkin import library
+from graphkin import library, tolerances
 from graphkin.construction import (
     Across,
     Along,
@@ -33,6 +35,7 @@ MAKERS = {kind: partial(random_mechanisms.dyad, kind) for kind in random_mechani
     name: getattr(random_mechanisms, name)
     for name in (
         "cylinder", "relative_angle", "coupler_angle", "chain", "triad", "six_bar", "geared_five_bar", "epicyclic", "rolling", "cam",
+        "circular_slot",
     )
 }  # fmt: skip
 
@@ -76,3 +79,12 @@ def test_direction_is_that_of_the_size_in_random_mechanisms(kind: str):
         tried += 1
         assert all(way_of(term.size) == term.direction for term in terms)
     assert tried > 3
+
+
+def test_tolerances_that_rooms_share_stand_once():
+    """A name of `tolerances` is given a value nowhere else."""
+    shared, owner = set(tolerances.__all__), Path(tolerances.__file__)
+    for path in owner.parent.rglob("*.py"):
+        body = ast.parse(path.read_text("utf-8")).body
+        names = {getattr(name, "id", "") for node in body if isinstance(node, ast.Assign) for name in node.targets}
+        assert path == owner or not shared & names, path

@@ -494,7 +494,7 @@ def test_every_link_of_the_library_can_be_held():
     """The files load, and the analysis puts them together as they were drawn."""
     for name in library.names():
         machine = library.load(name)
-        if machine.gears or machine.rolls or machine.cams:
+        if len(machine.slides) < len(machine.pairs):
             continue
         before = motion(machine)
         for link in machine.moving:

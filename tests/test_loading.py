@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import cmath
 import math
 import re
@@ -18,6 +19,7 @@ from graphkin.loading import json_schema_text, load, loads
 from graphkin.loading.positions import positions
 from graphkin.loading.source import LARGEST_FILE
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.pairs import Cam, CircularSlot
 
 FOURBAR = """\
 [frame]
@@ -254,6 +256,23 @@ def test_a_pin_in_a_slot() -> None:
     assert (slide.block, slide.point, slide.joins) == (None, "B", ("3",))
 
 
+def test_a_pin_in_a_circular_slot() -> None:
+    (slot,) = loads(IN_ARC).pairs
+    assert slot == CircularSlot("c0", "3", "C", 0.07, "1", "B")
+
+
+@pytest.mark.parametrize(("centre", "point", "others"), [
+    ("[20, -30]", "O", ""), ("[80, 0]", "D", ""), ("[20, -30]", "O'", "O = [1, 1]"),
+])  # fmt: skip
+def test_a_circular_slot_of_the_frame_has_a_point_at_its_centre(centre: str, point: str, others: str) -> None:
+    text = edit(FOURBAR, "[links.3]", f'[[slide]]\npin = "C"\nguide = "frame"\ncentre = {centre}\nradius = 60\n[links.3]')
+    mechanism = loads(edit(text, "DC = 60", 'points = ["C"]').replace("D = [80, 0]", f"D = [80, 0]\n{others}"))
+    (slot,) = mechanism.of(CircularSlot)
+    assert slot.centre == point
+    assert mechanism.links[FRAME].points[point] * 1000 == pytest.approx(complex(*ast.literal_eval(centre)))
+    assert point in mechanism.points
+
+
 def test_a_block_of_one_point_in_two_slides_has_a_tilt_in_the_second() -> None:
     text = edit(YOKE, "tilt = 90", 'tilt = 90\n[[slide]]\nblock = "2"\npoint = "B"\nguide = "frame"\nthrough = "A"')
     tilted = edit(text, 'through = "A"', 'through = "A"\ntilt = -20')
@@ -263,14 +282,14 @@ def test_a_block_of_one_point_in_two_slides_has_a_tilt_in_the_second() -> None:
 
 
 def test_gears_with_the_frame_by_its_name() -> None:
-    sun, ring = loads(GEARS).gears
+    sun, ring = loads(GEARS).pairs
     assert (sun.links, sun.centres, sun.radii, sun.internal) == (("1", "2"), ("O", "P"), (0.03, 0.02), False)
     assert (ring.links, ring.internal) == (("2", FRAME), True)
 
 
 def test_rolling_on_a_line() -> None:
     mechanism = loads(ROLL)
-    (roll,) = mechanism.rolls
+    (roll,) = mechanism.pairs
     assert (roll.name, roll.named, roll.wheel, roll.centre, roll.radius) == ("along", True, "2", "C", 0.05)
     assert (roll.track, roll.left, roll.track_centre) == ("1", True, None)
     assert roll.line is not None
@@ -282,20 +301,20 @@ def test_rolling_on_a_circle() -> None:
     text = edit(
         ROLL, 'name = "along"\nthrough = "O"\ntoward = "E"', 'on_centre = "O"\non_radius = 300\ninternal = true'
     )
-    (roll,) = loads(text.split("[[driver]]\nslide")[0]).rolls
+    (roll,) = loads(text.split("[[driver]]\nslide")[0]).pairs
     assert (roll.name, roll.named, roll.line) == ("r0", False, None)
     assert (roll.track_centre, roll.track_radius, roll.internal) == ("O", 0.3, True)
 
 
 def test_a_cam_of_a_circle_and_a_line() -> None:
-    (cam,) = loads(CAM).cams
+    (cam,) = loads(CAM).of(Cam)
     disc, face = cam.profiles
     assert (disc.centre, disc.radius, disc.line) == ("B", 0.025, None)
     assert (face.centre, face.left) == (None, False)
     assert face.line is not None
     assert (face.line.link, face.line.origin) == ("2", "D")
     edge = loads(edit(CAM, '{ through = "D", toward = "H", side = "right" }', '{ centre = "H", radius = 0 }'))
-    assert edge.cams[0].profiles[1].radius == 0
+    assert edge.of(Cam)[0].profiles[1].radius == 0
 
 
 def test_a_flat_cam_fixed_to_the_frame() -> None:
@@ -531,6 +550,25 @@ PAIRS = [
         "profiles", "cam.0.profiles", "two knife edges", "两个尖点"),
 ]  # fmt: skip
 
+IN_ARC = edit(FOURBAR, "[links.2]\nBC = 70", '[[slide]]\npin = "B"\nguide = "3"\ncentre = "C"\nradius = 70')
+
+ARCS = [
+    bad("TooSmall", edit(IN_ARC, "radius = 70", "radius = 0"), "radius", "slide.0.radius", "greater than 0", "大于 0"),
+    bad("TooSmall", edit(IN_ARC, "radius = 70", "radius = -3"), "radius", "slide.0.radius", "greater than 0", "大于 0"),
+    bad("OutOfRange", edit(IN_ARC, "radius = 70", "radius = nan"), "radius", "slide.0.radius", "not a finite number", "有限数"),
+    bad("OtherDimension", edit(IN_ARC, "radius = 70", 'radius = "7 deg"'), "radius", "slide.0.radius", "a length is wanted", "应为长度"),
+    bad("MissingKey", edit(IN_ARC, "\nradius = 70", ""), "[[slide]]", "slide.0", "radius is missing", "缺少 radius"),
+    bad("MissingKey", edit(IN_ARC, '\ncentre = "C"', ""), "[[slide]]", "slide.0", "centre is missing", "缺少 centre"),
+    bad("UnknownPoint", edit(IN_ARC, 'centre = "C"', 'centre = "A"'), "centre", "slide.0.centre", "Possible: D, C", "D, C"),
+    bad("UnknownPoint", edit(IN_ARC, 'centre = "C"', "centre = [1, 2]"), "centre", "slide.0.centre", "no point [x, y] here", "没有点 [x, y]"),
+    bad("SlidesOnItself", edit(IN_ARC, 'guide = "3"\ncentre = "C"', 'guide = "1"\ncentre = "A"'), "pin", "slide.0.pin", "slide on itself", "自身上滑动"),
+    bad("CircleOrLine", edit(IN_ARC, "radius = 70", 'radius = 70\nthrough = "D"'), "[[slide]]", "slide.0", "either a circle (centre, radius)", "之一"),
+    bad("PinInCircle", edit(IN_ARC, 'pin = "B"', 'block = "1"\npoint = "B"'), "block", "slide.0.block", "let the block's link have the centre", "铰接于圆心"),
+    bad("PinInCircle", edit(IN_ARC, 'pin = "B"', 'pin = "B"\nblock = "1"'), "block", "slide.0.block", "give pin and guide", "请写 pin 和 guide"),
+    bad("NoMeaning", edit(IN_ARC, "radius = 70", "radius = 70\ntilt = 3"), "tilt", "slide.0.tilt", "a pin in a slot may turn", "可以转动"),
+    bad("NoMeaning", edit(IN_ARC, "radius = 70", 'radius = 70\nname = "arc"'), 'name = "arc"', "slide.0.name", "this is a circle", "此处是圆"),
+]  # fmt: skip
+
 DRIVERS = [
     bad("NoDriver", FOURBAR.split("[[driver]]")[0], "", "", "nothing is driven", "没有原动件"),
     bad("WhatIsDriven", edit(FOURBAR, 'vector = "AB"\n', ""), "[[driver]]", "driver.0", "vector, link, slide", "vector, link, slide"),
@@ -566,7 +604,7 @@ TEXTS = [
     bad("FileTooLarge", "#" * (LARGEST_FILE + 1), "", "", "larger than 1 MB", "超过 1 MB"),
 ]
 
-CASES = [*KEYS, *NAMES, *SHAPES, *PAIRS, *DRIVERS, *TEXTS]
+CASES = [*KEYS, *NAMES, *SHAPES, *PAIRS, *ARCS, *DRIVERS, *TEXTS]
 
 
 @pytest.mark.parametrize(

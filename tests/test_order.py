@@ -6,6 +6,7 @@ import ast
 import importlib
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -51,6 +52,58 @@ def reached(start: str) -> set[str]:
         found.add(name)
         waiting |= {m for path in FILES if part(path) == name for m in imported(path)} - found
     return found
+
+
+# --- circles ----------------------------------------------------------------------------------
+
+CIRCLES: set[frozenset[str]] = set()
+"""Modules that still import each other around; what is broken up is taken out here."""
+
+
+def dotted(path: Path) -> str:
+    """A file as it is imported."""
+    return ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts).removesuffix(".__init__")
+
+
+MODULES = {dotted(path): path for path in FILES}
+
+
+def nodes(tree: ast.AST) -> Iterator[ast.AST]:
+    """Everything in a file but what only the type checker reads."""
+    for child in ast.iter_child_nodes(tree):
+        if isinstance(child, ast.If) and ast.unparse(child.test).endswith("TYPE_CHECKING"):
+            continue
+        yield child
+        yield from nodes(child)
+
+
+def needed(path: Path) -> set[str]:
+    """The modules that a file imports anywhere, in functions and by a written name too; a package is its `__init__`."""
+    found = set()
+    for node in nodes(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            found |= {f"{node.module}.{alias.name}" for alias in node.names if f"{node.module}.{alias.name}" in MODULES}
+            if any(f"{node.module}.{alias.name}" not in MODULES for alias in node.names):
+                found.add(node.module)
+        elif isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.Call) and ast.unparse(node.func).endswith("import_module"):
+            found |= {word.value for word in node.args if isinstance(word, ast.Constant)}
+    return found & MODULES.keys() - {dotted(path)}
+
+
+def circles(needs: dict[str, set[str]]) -> set[frozenset[str]]:
+    """Sets of modules each of which is reached from every other."""
+    reach = {name: set(others) for name, others in needs.items()}
+    for middle in needs:
+        for name in needs:
+            if middle in reach[name]:
+                reach[name] |= reach[middle]
+    return {frozenset(o for o in reach[name] if name in reach[o]) for name in needs if name in reach[name]}
+
+
+def test_no_circle_of_imports():
+    assert circles({name: needed(path) for name, path in MODULES.items()}) == CIRCLES
 
 
 def test_analysis_never_reads_a_construction():

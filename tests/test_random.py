@@ -98,4 +98,4 @@ def turned_by(mechanism: Mechanism, turn: complex) -> Mechanism:
         for d in mechanism.drivers
     )
     sketch = {p: z * turn for p, z in mechanism.sketch.items()}
-    return replace(mechanism, links=links, slides=slides, drivers=drivers, sketch=sketch)
+    return replace(mechanism, links=links, pairs=slides, drivers=drivers, sketch=sketch)

@@ -20,6 +20,7 @@ from random_mechanisms import (
     DYADS,
     cam,
     chain,
+    circular_slot,
     coupler_angle,
     cylinder,
     dyad,
@@ -45,6 +46,7 @@ FAMILIES: dict[str, Callable[[int], Mechanism]] = {
     **{kind: lambda seed, kind=kind: dyad(kind, seed) for kind in DYADS},
     "cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain, "triad": triad,
     "six": six_bar, "geared": geared_five_bar, "epicyclic": epicyclic, "rolling": rolling, "cam": cam,
+    "circular": circular_slot,
     "line": lambda seed: loads(rolling_machines.rolling_line(10 + seed)),
 }  # fmt: skip
 if "GRAPHKIN_RANDOM" in os.environ:

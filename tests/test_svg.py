@@ -10,7 +10,7 @@ from xml.etree.ElementTree import Element
 import pytest
 from defusedxml.ElementTree import fromstring
 
-from graphkin import library
+from graphkin import Drawing, library
 from graphkin.outputs.files import FileInTheWay
 from graphkin.outputs.svg import Unwritable, mm, svg, write
 from graphkin.planning import plan
@@ -139,4 +139,5 @@ def test_own_files_are_replaced_and_others_kept(tmp_path: Path, text: str) -> No
 
 
 def test_a_notebook_shows_the_sheet(text: str) -> None:
-    assert page()._repr_svg_() == text
+    drawing = Drawing.of(library.load("ex3-1"))
+    assert drawing._repr_svg_() == drawing.sheet()._repr_svg_() == text

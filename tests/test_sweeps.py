@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner, Result
-from random_mechanisms import DYADS, chain, coupler_angle, cylinder, dyad, triad
+from random_mechanisms import DYADS, chain, circular_slot, coupler_angle, cylinder, dyad, triad
 
 from graphkin import library
 from graphkin.agreement import apart
@@ -46,9 +46,10 @@ def test_both_roads_sweep_alike(name: str):
     assert both(library.load(name)) < 1e-9
 
 
-@pytest.mark.parametrize("kind", [*DYADS, "cylinder", "coupler", "chain", "triad"])
+@pytest.mark.parametrize("kind", [*DYADS, "cylinder", "coupler", "chain", "triad", "circular"])
 def test_both_roads_sweep_random_mechanisms_alike(kind: str):
-    make = {"cylinder": cylinder, "coupler": coupler_angle, "chain": chain, "triad": triad}.get(kind)
+    make = {"cylinder": cylinder, "coupler": coupler_angle, "chain": chain, "triad": triad,
+            "circular": circular_slot}.get(kind)
     tried = 0
     for seed in range(3 if kind == "triad" else 8):
         mechanism = make(seed) if make else dyad(kind, seed)

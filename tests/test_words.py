@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import cache
 
 import pytest
-from random_mechanisms import cam, epicyclic, geared_five_bar, rolling, triad
+from random_mechanisms import cam, circular_slot, epicyclic, geared_five_bar, rolling, triad
 
 from graphkin import library
 from graphkin.construction import Plot
@@ -293,7 +293,7 @@ def test_turned_since_the_drawn_position(name: str, turned: str) -> None:
             assert evaluated(figures) == pytest.approx(evaluated(result), rel=4e-3, abs=3e-3 * largest), figures
 
 
-@pytest.mark.parametrize("kind", [triad, geared_five_bar, epicyclic, rolling, cam])
+@pytest.mark.parametrize("kind", [triad, geared_five_bar, epicyclic, rolling, cam, circular_slot])
 @pytest.mark.parametrize("seed", range(12))
 def test_any_contact_and_group_is_worded(kind: Callable[[int], Mechanism], seed: int) -> None:
     try:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from graphkin.analytic.branching import Judge, branched
+from graphkin.analytic.branching import SAME, Judge, branched
 from graphkin.analytic.loops import Loops, loops_of
 from graphkin.analytic.newton import Closure, close, search
 from graphkin.analytic.rules import Relation, driven, placing
@@ -20,16 +20,13 @@ from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Complex, Real
 from graphkin.errors import NoAssembly
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.tolerances import ROUNDED
 
 __all__ = ["Assembled", "Drawn", "assemble", "drawn", "held", "idle"]
 
 _STARTS = 128
 _MANY = 32
 """Unknowns with which fewer starts are tried, all loops at once; an assembly is rarely found so, only the gap."""
-_MET = 1e-6
-"""A loop open by less than this (in units of size) is closed, once Newton has settled: lengths in files are rounded."""
-_SAME = 1e-4
-"""Positions of all unknowns nearer than this are one assembly [rad, size]."""
 _EXACT = 1e-6
 """An assembly this near its sketch has none nearer [size]."""
 
@@ -111,7 +108,7 @@ def _closed(closure: Closure, starts: Real, c: Real) -> tuple[Real, Real]:
     """The assemblies found from starts (b, n), one for each that led to one; and where the search ended (b, n)."""
     ends = search(closure, starts, c)
     closed = close(closure, ends, c, steps=40)
-    met = (closed.gap < _MET) & (closed.step < _MET) & (closure.known.mismatch(c) < _MET)
+    met = (closed.gap < ROUNDED) & (closed.step < ROUNDED) & (closure.known.mismatch(c) < ROUNDED)
     return closed.q[met], ends
 
 
@@ -160,7 +157,7 @@ def _distinct(found: Real) -> Real:
     kept: list[Real] = []
     while len(found):
         kept.append(found[0])
-        found = found[np.max(np.abs(np.exp(1j * (found - found[0])) - 1), axis=1, initial=0.0) >= _SAME]
+        found = found[np.max(np.abs(np.exp(1j * (found - found[0])) - 1), axis=1, initial=0.0) >= SAME]
     return np.array(kept)
 
 
@@ -172,7 +169,7 @@ def choose(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
     backwards = _negative(loops, found, _lengths(mechanism, loops))
     found = found[backwards == backwards.min()]
     distance = _from_sketch(mechanism, loops, found)
-    found = found[distance <= distance.min() + _SAME * loops.size]
+    found = found[distance <= distance.min() + SAME * loops.size]
     return np.asarray(found[int(np.argmin(_negative(loops, found, _forwards(mechanism))))])
 
 

@@ -15,8 +15,9 @@ import numpy as np
 from graphkin.analytic.blocks import Block, Flags, Indices, blocks_of, moved_by
 from graphkin.analytic.newton import Closure, close, inverse, search
 from graphkin.analytic.vectors import Complex, Real
+from graphkin.tolerances import ROUNDED
 
-__all__ = ["Judge", "branched"]
+__all__ = ["SAME", "Judge", "branched"]
 
 _WIDTHS = (1, 8, 64)
 """Branches kept."""
@@ -24,9 +25,8 @@ _STARTS = 24
 """Starts for each unknown of a block, as far as there are as many."""
 _NEAR = 0.05
 """A block this near to the sketch, as part of its condition, has no other assembly as near."""
-_MET = 1e-6
-_SAME = 1e-4
-"""As in `assembly`: when loops are closed, and when two positions are one."""
+SAME = 1e-4
+"""Positions of all unknowns nearer than this are one assembly [rad, size]."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ def branched(closure: Closure, judge: Judge, seen: Real, starts: Real, c: Real) 
     if not len(found) or walk.sure:
         return found
     nearest = float(np.sqrt(walk.away(found, np.ones(len(closure.known.free), dtype=bool)).min()))
-    again = _Walk(closure, judge, seen, starts, c, _WIDTHS[-1], (nearest + _SAME) ** 2)
+    again = _Walk(closure, judge, seen, starts, c, _WIDTHS[-1], (nearest + SAME) ** 2)
     more = again.through(blocks)
     return np.vstack([found, more])
 
@@ -120,7 +120,7 @@ class _Walk:
         """Where the search from y (b, k) ends, and whether the block is closed there."""
         ends = search(block.part, block.at(y, given), given)
         closed = close(block.part, ends, given, steps=40)
-        return closed.q[:, : y.shape[1]], (closed.gap < _MET) & (closed.step < _MET)
+        return closed.q[:, : y.shape[1]], (closed.gap < ROUNDED) & (closed.step < ROUNDED)
 
     def _only(self, block: Block, y: Real, given: Real, told: Real) -> Flags:
         """Whether the sketch shows all of a block, so near that no other way to close it is as near: (b,)."""
@@ -140,7 +140,7 @@ class _Walk:
         q, away = q[away <= self.limit], away[away <= self.limit]
         if len(q) <= self.width:
             return q
-        steps = np.round(np.sqrt(away) / _SAME)
+        steps = np.round(np.sqrt(away) / SAME)
         ranks = self._negative(q, self.judge.forwards, solved), steps, self._negative(q, self.judge.backwards, solved)
         return q[np.sort(np.lexsort(ranks)[: self.width])]
 
@@ -166,5 +166,5 @@ def _different(parent: Indices, y: Real) -> Indices:
         kept += heads.tolist()
         head = heads[np.searchsorted(branch, parent[left])]
         apart = np.max(np.abs(np.exp(1j * (y[left] - y[head])) - 1), axis=1, initial=0.0)
-        left = left[apart >= _SAME]
+        left = left[apart >= SAME]
     return np.array(sorted(kept), dtype=np.intp)

@@ -16,11 +16,10 @@ from graphkin.analytic.newton import Closure, close
 from graphkin.analytic.rules import driven, placing
 from graphkin.analytic.vectors import Real
 from graphkin.mechanism import Mechanism
+from graphkin.tolerances import RANK
 
 __all__ = ["Mobility", "mobility"]
 
-_RANK = 1e-6
-"""Singular values below this (equations in units of size) count as zero."""
 _NUDGES = 6
 _NUDGE = 0.05
 """How far the mechanism is moved to see its general rank [rad, size]."""
@@ -86,7 +85,7 @@ def mobility(mechanism: Mechanism) -> Mobility:
 
 def rank(matrix: Real) -> int:
     """Rank of a matrix that may be empty."""
-    return 0 if matrix.size == 0 else int(np.linalg.matrix_rank(matrix, tol=_RANK))
+    return 0 if matrix.size == 0 else int(np.linalg.matrix_rank(matrix, tol=RANK))
 
 
 def null_space(matrix: Real) -> Real:
@@ -145,7 +144,7 @@ def _nearby(loops: Loops, q: Real) -> list[Real]:
     length = np.max(np.abs(moves), axis=1, initial=0.0, keepdims=True)
     shifted = closure.move(q, _NUDGE * moves / np.where(length > 0, length, 1.0))
     closed = close(closure, shifted, closure.weights @ q, steps=30)
-    return [q, *(each for each, gap in zip(closed.q, closed.gap, strict=True) if gap < _RANK)]
+    return [q, *(each for each, gap in zip(closed.q, closed.gap, strict=True) if gap < RANK)]
 
 
 def _moving(mechanism: Mechanism, loops: Loops, q: Real, equations: Real) -> tuple[str, ...]:
@@ -158,7 +157,7 @@ def _moving(mechanism: Mechanism, loops: Loops, q: Real, equations: Real) -> tup
         links[link] = np.max(np.abs(directions[:, turn]), initial=0.0) + np.max(
             np.abs(directions @ origin), initial=0.0
         )
-    return tuple(link for link, moves in links.items() if moves > _RANK)
+    return tuple(link for link, moves in links.items() if moves > RANK)
 
 
 def _unplaced(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[str, ...]:

@@ -18,6 +18,7 @@ from graphkin.analytic.rules import Joint, Relation, Unknown, shares, theta
 from graphkin.analytic.vectors import Complex, Real, Vectors
 from graphkin.errors import NotJoined
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.pairs import Rod
 
 __all__ = ["Loops", "loops_of"]
 
@@ -107,9 +108,8 @@ def parts(values: Complex, axis: int) -> Real:
 
 def _size(mechanism: Mechanism) -> float:
     """The longest distance between two points of one link, or radius [m]; without any, the largest displacement."""
-    circles = [*(radius for gear in mechanism.gears for radius in gear.radii),
-               *(radius for roll in mechanism.rolls for radius in (roll.radius, roll.track_radius)),
-               *(profile.radius for cam in mechanism.cams for profile in cam.profiles)]  # fmt: skip
+    circles = [radius for pair in mechanism.pairs for _, _, radius in pair.circles]
+    circles += [rod.length for pair in mechanism.pairs if isinstance(rod := pair.equivalent, Rod)]
     arms = [abs(a - b) for link in mechanism.links.values() for a in link.points.values()
             for b in link.points.values()]  # fmt: skip
     values = [abs(driver.value) for driver in mechanism.drivers if driver.kind == "slide" and driver.value]

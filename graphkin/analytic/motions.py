@@ -130,7 +130,7 @@ def _motion(mechanism: Mechanism, closure: Closure, values: tuple[Real, ...], q:
     loops, vectors = closure.loops, closure.loops.vectors
     three = q, found.first, found.second
     still = np.zeros(q.shape[:-1])[()]
-    along = [*(slide.name for slide in mechanism.slides), *(roll.name for roll in mechanism.rolls)]
+    along = [pair.name for pair in mechanism.pairs if pair.path is not None]
     theta, omega, alpha = ({FRAME: still, **_named(loops, part, "theta", mechanism.moving)} for part in three)
     s, s_rate, s_acceleration = (_named(loops, part, "s", along) for part in three)
     arrows = vectors.at(q), vectors.rate(*three[:2]), vectors.acceleration(*three)

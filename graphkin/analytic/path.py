@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from graphkin.analytic.newton import Closure, close
 from graphkin.analytic.rates import tangent
 from graphkin.analytic.vectors import Real
+from graphkin.tolerances import TOUCH
 
 __all__ = ["Line", "Node", "Path", "path_along"]
 
@@ -34,8 +35,6 @@ AWAY, SWERVE = 1e-3, 3e-3
 """How far a position, and what it turns over a step, may be from what was foretold [rad, size]."""
 CLOSED, SETTLED = 1e-9, 1e-8
 """The gap [size] and the last step of Newton's method [rad, size] at a node."""
-TOUCHES = 1e-11
-"""Loops that stay open by less at a singular place close there [size]."""
 FLAT = 1e-4
 """Singular values below this part of the largest belong to a change point."""
 
@@ -241,7 +240,7 @@ class _Walk:
             left_vectors, sizes, right_vectors = np.linalg.svd(closure.matrix(q), full_matrices=False)
             clear = sizes > FLAT * sizes[0]
             q = closure.move(q, -((left_vectors[:, clear].T @ gap) / sizes[clear]) @ right_vectors[clear])
-        return not clear.all() and float(closure.loops.open_by(q)) < TOUCHES
+        return not clear.all() and float(closure.loops.open_by(q)) < TOUCH
 
 
 def _between(left: Node, right: Node, at: Real) -> tuple[Real, Real]:

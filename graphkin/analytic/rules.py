@@ -4,23 +4,22 @@ A kind contributes joints (a place where two links meet; joints make the vector 
 (equations linear in angles and displacements). How to add a kind: one function here, and a line in `RULES`.
 A joint may name links of its own making (the line of centres of a wheel on a circle): their angles
 become unknowns like any other. Such names, and those of a cam's displacement along its line, have a
-space in them (`cam 0`), so no name of a file can clash.
+space in them (`cam c0`), so no name of a file can clash.
 """
 
 from __future__ import annotations
 
 import cmath
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
-from graphkin.pairs import Cam, Gear, Line, Revolute, Roll, Slide
+from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
+from graphkin.tolerances import ROUNDED
 
 __all__ = ["RULES", "Joint", "Relation", "Share", "Unknown", "driven", "placing", "shares", "theta"]
 
-_ROUNDED = 1e-6
-"""A link carries two centres at their distance if it does to this, relatively: lengths in files are rounded."""
 
 
 class Unknown(NamedTuple):
@@ -69,8 +68,7 @@ class Share(NamedTuple):
 
 def shares(mechanism: Mechanism) -> Iterable[Share]:
     """What the pairs of a mechanism bring, pair by pair."""
-    m = mechanism
-    for pair in (*m.hinges, *m.slides, *m.gears, *m.rolls, *m.cams):
+    for pair in (*mechanism.hinges, *mechanism.pairs):
         yield RULES[type(pair)](mechanism, pair)
 
 
@@ -97,116 +95,86 @@ def slide(mechanism: Mechanism, pair: Slide) -> Share:
 
 def gear(mechanism: Mechanism, pair: Gear) -> Share:
     """No slip at the pitch point. Nothing here keeps the centre distance: other links do."""
-    ends = _ends(mechanism, pair.links, pair.centres)
-    line, joints = _line_of_centres(mechanism, pair.centres, ends, f"gear {_number(mechanism.gears, pair)}")
-    return Share(joints, (_no_slip(pair.links, pair.radii, line, pair.internal),))
+    line, joints = _line_of_centres(mechanism, pair, pair.equivalent, None)
+    return Share(joints, (_no_slip(pair.rolling, line),))
 
 
 def roll(mechanism: Mechanism, pair: Roll) -> Share:
     """On a line: the centre at distance r from it, s and the angle tied by s + r (theta_wheel - theta_track) = const
-    where the centre lies left of the line, s - r (..) = const where right. On a circle: as gears, in contact.
+    where the centre lies left of the line, s - r (..) where right. On a circle: as gears, in contact.
     """
-    if pair.line is None:
-        return _roll_on_circle(mechanism, pair)
-    lever = pair.radius if pair.left else -pair.radius
-    joint = _beside(mechanism, pair.line, lever, pair.wheel, pair.centre, pair.name)
-    turned = {unknown: lever * weight for unknown, weight in _turned(pair.wheel, pair.track).items()}
-    return Share((joint,), (Relation({Unknown("s", pair.name): 1.0, **turned}, None),))
+    if (path := pair.path) is not None:
+        turned = {unknown: path.offset * weight for unknown, weight in _turned(pair.wheel, pair.track).items()}
+        relation = Relation({Unknown("s", pair.name): 1.0, **turned}, None)
+        return Share((_beside(mechanism, path, pair.wheel, pair.name),), (relation,))
+    assert isinstance(pair.equivalent, Rod)
+    line, joints = _line_of_centres(mechanism, pair, pair.equivalent, pair.equivalent.length)
+    return Share(joints, (_no_slip(pair.rolling, line),))
 
 
-def _roll_on_circle(mechanism: Mechanism, pair: Roll) -> Share:
-    assert pair.track_centre is not None
-    links, centres, radii = (pair.track, pair.wheel), (pair.track_centre, pair.centre), (pair.track_radius, pair.radius)
-    ends, name = _ends(mechanism, links, centres), f"roll {_number(mechanism.rolls, pair)}"
-    line, joints = _line_of_centres(mechanism, centres, ends, name, _apart(radii, pair.internal))
-    return Share(joints, (_no_slip(links, radii, line, pair.internal),))
-
-
-def cam(mechanism: Mechanism, pair: Cam) -> Share:
-    """The lower-pair equivalent: two circles keep the distance of their centres, a circle's centre that from a line.
+def replaced(mechanism: Mechanism, pair: Cam | CircularSlot) -> Share:
+    """A higher pair by its lower-pair equivalent alone: two points at a distance, or a point beside a line.
 
     Source: Sun Huan, Theory of Machines, section 2-6 (replacement of higher pairs).
     """
-    name = f"cam {_number(mechanism.cams, pair)}"
-    for line, circle, link in zip(pair.profiles, pair.profiles[::-1], pair.links[::-1], strict=True):
-        if line.line is not None:
-            assert circle.centre is not None
-            distance = circle.radius if line.left else -circle.radius
-            return Share((_beside(mechanism, line.line, distance, link, circle.centre, name),))
-    one, other = pair.profiles
-    assert one.centre is not None
-    assert other.centre is not None
-    centres, radii = (one.centre, other.centre), (one.radius, other.radius)
-    ends = _ends(mechanism, pair.links, centres)
-    return Share(_line_of_centres(mechanism, centres, ends, name, _apart(radii, pair.internal))[1])
+    same = pair.equivalent
+    if isinstance(same, Rod):
+        return Share(_line_of_centres(mechanism, pair, same, same.length)[1])
+    link = next(link for link in pair.joins if link != same.line.link)
+    return Share((_beside(mechanism, same, link, _own(pair)),))
 
 
 RULES: dict[type[Any], Callable[[Mechanism, Any], Share]] = {
     Revolute: hinge,
     Slide: slide,
+    CircularSlot: replaced,
     Gear: gear,
     Roll: roll,
-    Cam: cam,
+    Cam: replaced,
 }
 
 
-class _End(NamedTuple):
-    """A centre on its link, in the link's axes [m]."""
-
-    link: str
-    arm: complex
-
-
-def _ends(mechanism: Mechanism, links: tuple[str, str], centres: tuple[str, str]) -> tuple[_End, _End]:
-    arms = (mechanism.links[link].points[centre] for link, centre in zip(links, centres, strict=True))
-    first, second = (_End(link, arm) for link, arm in zip(links, arms, strict=True))
-    return first, second
-
-
-def _number(pairs: Sequence[object], pair: object) -> int:
-    """The place of a pair among those of its kind."""
-    return next(number for number, other in enumerate(pairs) if other is pair)
-
-
-def _apart(radii: tuple[float, float], internal: bool) -> float:
-    """Distance of the centres of two circles that touch [m]."""
-    return abs(radii[0] - radii[1]) if internal else radii[0] + radii[1]
+def _own(pair: Pair) -> str:
+    """What a link, or a displacement, of a pair's own making is called."""
+    return f"{pair.table} {pair.name}"
 
 
 def _line_of_centres(
-    mechanism: Mechanism, centres: tuple[str, str], ends: tuple[_End, _End], name: str, length: float | None = None
+    mechanism: Mechanism, pair: Pair, rod: Rod, length: float | None
 ) -> tuple[str, tuple[Joint, ...]]:
     """The link that carries both centres (at this `length` [m], if one is given), or a new one and its joints.
 
     A new link of open length is a rod from the first centre that slides through the second.
     """
-    for link in mechanism.links.values():
-        if link.points.keys() >= set(centres):
-            carried = abs(link.arm(*centres))
-            if length is None or abs(carried - length) <= _ROUNDED * length:
+    for link in mechanism.links.values() if rod.carried else ():
+        if link.points.keys() >= set(rod.points):
+            carried = abs(link.arm(*rod.points))
+            if length is None or abs(carried - length) <= ROUNDED * length:
                 return link.name, ()
-    first, second = ends
-    start = Joint(first.link, first.arm, name, 0)
+    name, (first, second) = _own(pair), rod.links
+    arm, far = (mechanism.links[link].points[point] for link, point in zip(rod.links, rod.points, strict=True))
+    start = Joint(first, arm, name, 0)
     if length is None:
-        return name, (start, Joint(name, 0, second.link, second.arm, name))
-    return name, (start, Joint(name, length, second.link, second.arm))
+        return name, (start, Joint(name, 0, second, far, name))
+    return name, (start, Joint(name, length, second, far))
 
 
-def _no_slip(links: tuple[str, str], radii: tuple[float, float], line: str, internal: bool) -> Relation:
+def _no_slip(rolling: Rolling, line: str) -> Relation:
     """r1 (theta1 - phi) + r2 (theta2 - phi) = const with phi the angle of the line of centres; a ring counts -r."""
-    most, weights = max(radii), dict.fromkeys((*links, line), 0.0)
-    for link, radius in zip(links, radii, strict=True):
-        share = (-1 if internal and radius == most else 1) * radius / most
+    most, weights = max(rolling.radii), dict.fromkeys((*rolling.wheels, line), 0.0)
+    for link, radius in zip(rolling.wheels, rolling.radii, strict=True):
+        share = (-1 if rolling.internal and radius == most else 1) * radius / most
         weights[link] += share
         weights[line] -= share
     return Relation({theta(link): weight for link, weight in weights.items() if link != FRAME}, None)
 
 
-def _beside(mechanism: Mechanism, line: Line, distance: float, link: str, centre: str, name: str) -> Joint:
-    """A centre that keeps its `distance` [m] from a line, to its left; `name` is its displacement along the line."""
+def _beside(mechanism: Mechanism, slot: Slot, link: str, name: str) -> Joint:
+    """A point of a link that keeps its distance from a line; `name` is its displacement along the line."""
+    line = slot.line
     origin = mechanism.links[line.link].points[line.origin]
-    arm = mechanism.links[link].points[centre]
-    return Joint(line.link, origin + distance * 1j * line.direction, link, arm, name, line.direction)
+    arm = mechanism.links[link].points[slot.point]
+    return Joint(line.link, origin + slot.offset * 1j * line.direction, link, arm, name, line.direction)
 
 
 def driven(mechanism: Mechanism, driver: Driver | Pose) -> Relation:

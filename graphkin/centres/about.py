@@ -16,7 +16,6 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.centres.beneath import STILL
 from graphkin.centres.found import Centres
 from graphkin.construction import Plot, replay
 from graphkin.drafting import INFINITE
@@ -25,6 +24,7 @@ from graphkin.errors.centring import FrameStands
 from graphkin.geometry import cross, dot
 from graphkin.mechanism import FRAME
 from graphkin.readings import readings
+from graphkin.tolerances import STILL
 from graphkin.value import frozen
 
 __all__ = ["INFINITY", "About", "Carried", "Circle", "Line", "about", "euler_savary", "link_of"]
@@ -251,7 +251,7 @@ def about(found: Centres, link: str, points: Collection[str] = ()) -> About:
         if name not in machine.points:
             raise UnknownPoint(WHERE, name, machine.points)
     own = next(point for point in machine.links[link].points if point in plot.position)
-    named = tuple(points) or tuple(point for point in machine.links[link].points if point[0].isupper())
+    named = tuple(points) or machine.named(link)
     place, motion = complex(plot.position[own]), _motion(found, plot, link, own)
     assumed = not any(driver.rate for driver in found.method.drivers)
     return About(found, plot, link, (place, *motion[:2]), *motion[2:], named, assumed)

@@ -16,6 +16,7 @@ from itertools import permutations
 import numpy as np
 
 from graphkin.centres.about import About
+from graphkin.centres.search import CLEAR
 from graphkin.drafting import INFINITE, Board, Carried, Construction, Far, Meet, Pricked, Stage, Through, replay
 from graphkin.errors.centring import NoBobillier
 from graphkin.geometry import cross
@@ -24,8 +25,6 @@ from graphkin.value import frozen
 
 __all__ = ["Bobillier", "Guided", "bobillier", "guided"]
 
-CLEAR = 1e-3
-"""The sine of the angle two rays of the pole must make at least."""
 
 
 @frozen

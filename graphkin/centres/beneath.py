@@ -7,6 +7,8 @@ traced: guides, and the common normals of profiles that touch.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
+from itertools import product
 
 import numpy as np
 
@@ -17,14 +19,13 @@ from graphkin.drafting.projective import balanced
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
+from graphkin.pairs import Pair, Rod, Slot
 from graphkin.planning import Method
 from graphkin.planning.equivalent import Contact
+from graphkin.tolerances import STILL
 from graphkin.value import frozen
 
-__all__ = ["STILL", "CommonNormal", "board_over", "contact_name", "from_velocities", "normals", "pole_name"]
-
-STILL = 1e-11
-"""Links that move against each other by less than this part of the fastest motion stand still against each other."""
+__all__ = ["CommonNormal", "board_over", "contact_name", "from_velocities", "normals", "pole_name"]
 
 
 def contact_name(contact: Contact) -> str:
@@ -39,9 +40,10 @@ def pole_name(first: str, second: str) -> str:
 
 @frozen
 class CommonNormal:
-    """The common normal of two links that touch and slide, and what it is called."""
+    """The common normal of two links that touch and slide in a pair, and what it is called."""
 
     name: str
+    pair: Pair
     links: frozenset[str]
     line: Ray
 
@@ -76,25 +78,22 @@ def _touch(contact: Contact) -> Touch:
 
 def normals(mechanism: Mechanism) -> Iterator[CommonNormal]:
     """The common normals of profiles that touch and slide: of cams, and of pins in slots."""
-    for k, (links, line) in enumerate(_normals(mechanism)):
-        yield CommonNormal(f"normal {k}", links, line)
+    for k, normal in enumerate(_normals(mechanism)):
+        yield replace(normal, name=f"normal {k}")
 
 
-def _normals(mechanism: Mechanism) -> Iterator[tuple[frozenset[str], Ray]]:
-    for k, cam in enumerate(mechanism.cams):
-        first, second = cam.profiles
-        if first.line is None and second.line is None:
-            assert first.centre is not None
-            assert second.centre is not None
-            yield frozenset(cam.links), Ray(first.centre, Along(first.centre, second.centre))
-        else:
-            disc = second if first.line is not None else first
-            assert disc.centre is not None
-            yield frozenset(cam.links), Ray(disc.centre, AcrossGuide(f"c{k}"))
-    for slide in mechanism.slides:
-        if slide.block is None:
-            for link in mechanism.owners[slide.point]:
-                yield frozenset((slide.guide, link)), Ray(slide.point, AcrossGuide(slide.name))
+def _normals(mechanism: Mechanism) -> Iterator[CommonNormal]:
+    for pair in mechanism.pairs:
+        match pair.slipping:
+            case None:
+                pass
+            case Rod(_, (first, second)):
+                for two in product(mechanism.owners[first], mechanism.owners[second]):
+                    if two[0] != two[1]:
+                        yield CommonNormal("", pair, frozenset(two), Ray(first, Along(first, second)))
+            case Slot(line, point):
+                for link in mechanism.owners[point]:
+                    yield CommonNormal("", pair, frozenset((line.link, link)), Ray(point, AcrossGuide(pair.name)))
 
 
 # --- from velocities --------------------------------------------------------------------------

@@ -22,7 +22,7 @@ from graphkin.quantities import centre_of
 from graphkin.running.path import Path, along
 from graphkin.value import frozen
 
-__all__ = ["Centrodes", "Coursed", "Piece", "arc_length", "centrodes", "path", "whole"]
+__all__ = ["Centrodes", "Coursed", "centrodes", "path", "whole"]
 
 FAR = 25.0
 """A centre is followed so many times the mechanism's size away."""

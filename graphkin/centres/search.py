@@ -15,8 +15,8 @@ from itertools import combinations
 
 import numpy as np
 
-from graphkin.centres.beneath import board_over, contact_name, from_velocities, normals, pole_name
-from graphkin.construction import Plot, Ray, replay
+from graphkin.centres.beneath import CommonNormal, board_over, contact_name, from_velocities, normals, pole_name
+from graphkin.construction import Plot, replay
 from graphkin.drafting import (
     Board,
     Construction,
@@ -58,7 +58,7 @@ class Centring:
 
     construction: Construction
     links: Mapping[str, tuple[str, str]]
-    normals: Mapping[str, Ray]
+    normals: Mapping[str, CommonNormal]
     together: tuple[tuple[str, str], ...] = ()
 
     @property
@@ -86,7 +86,7 @@ def search(method: Method, plot: Plot) -> tuple[Centring, Plot, Board]:
     plot = _moving(method, plot)
     found = _Search(method, plot, board_over(method, plot))
     found.run()
-    lines = {normal.name: normal.line for normal in normals(method.mechanism)}
+    lines = {normal.name: normal for normal in normals(method.mechanism)}
     centring = Centring(Construction({}, tuple(found.stages)), found.links, lines, tuple(found.missing))
     return centring, plot, found.board
 

@@ -17,14 +17,13 @@ from graphkin.check.drawing import DrawingFile
 from graphkin.errors import BadDrawing, Where
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.quantities import centre_of
+from graphkin.tolerances import STILL
 from graphkin.value import frozen
 
 __all__ = ["CENTRES", "Seen", "parted", "pole_of", "seen_arrows", "seen_centres", "ways_to_move"]
 
 CENTRES: Literal["centres"] = "centres"
 """What the marks of centres give as their plane."""
-STILL = 1e-9
-"""Links that turn against each other by less than this part of the fastest do not turn against each other."""
 
 
 @frozen

@@ -11,6 +11,7 @@ from graphkin.check.widened import Widened
 from graphkin.construction import LETTER, Plane, Site
 from graphkin.mechanism import Mechanism
 from graphkin.naming import seen
+from graphkin.pairs import pin_name
 
 __all__ = ["is_called_so", "is_named_so", "point_value", "vector_value"]
 
@@ -146,12 +147,13 @@ def _called(exact: Widened, text: str) -> set[str]:
     if site is None:
         return set()
     bodies = {site.link, *exact.mechanism.owners.get(site.point, ())}
-    bodies |= {body for body, (point, _) in exact.bodies.items() if point == site.point}
-    names = {exact.mechanism.called(body.removeprefix("pin ")) for body in bodies}
+    bodies |= {name for name, body in exact.bodies.items() if body.points[0] == site.point}
+    slots = {pin_name(pair): pair.name for pair in exact.mechanism.pairs}
+    names = {exact.mechanism.called(slots.get(body, body)) for body in bodies}
     names |= {exact.mechanism.called(link) for name in bodies if name in exact.bodies for link in _home(exact, name)}
     return {site.point} | {site.point + name for name in names} | {f"{site.point}@{name}" for name in names}
 
 
 def _home(exact: Widened, body: str) -> tuple[str, ...]:
     """Links that carry the point of a pin."""
-    return exact.mechanism.owners.get(exact.bodies[body][0], ())
+    return exact.mechanism.owners.get(exact.bodies[body].points[0], ())

@@ -13,6 +13,7 @@ import numpy as np
 from graphkin.check.shown import Shown
 from graphkin.check.widened import Widened, lines_of
 from graphkin.mechanism import Mechanism
+from graphkin.pairs import Rod
 
 __all__ = ["link_name", "worst_place"]
 
@@ -38,6 +39,8 @@ def worst_place(mark: Shown, exact: Widened, at: Callable[[str], complex], scale
         pairs = list(_wheel(mark, exact.mechanism, at, scale)) if mark.tag == "circle" else []
     elif not mark.plain or len(mark.lines) > 1:
         return None
+    elif form == "arc":
+        pairs = list(_arc(mark, exact.mechanism, [at(point) for point in points], scale))
     elif form == "bar":
         pairs = _bar(mark, [at(point) for point in points])
     else:
@@ -66,14 +69,22 @@ def _wheel(mark: Shown, mechanism: Mechanism, at: Callable[[str], complex], scal
     yield middle + radius, middle + min(radii, key=lambda right: abs(right - radius))
 
 
+def _arc(mark: Shown, mechanism: Mechanism, points: list[complex], scale: float) -> Iterator[Pair]:
+    """Every corner at its radius from the centre, and the pin between the ends."""
+    centre, pin = points
+    (radius,) = (pair.equivalent.length for pair in mechanism.pairs
+                 if pair.name == mark.attributes.get("data-line", "") and isinstance(pair.equivalent, Rod))  # fmt: skip
+    corners = _corners(mark)
+    for place in corners:
+        yield place, centre + (place - centre) / abs(place - centre) * radius / scale
+    turns = [cmath.phase((place - centre) / (pin - centre)) for place in (corners[0], corners[-1])]
+    if min(turns) > 0 or max(turns) < 0:
+        yield corners[0], pin
+
+
 def _radii(mechanism: Mechanism, link: str, centre: str) -> set[float]:
     """Radii of a link's circles about one point [m]."""
-    circles = {entry for gear in mechanism.gears for entry in zip(gear.links, gear.centres, gear.radii, strict=True)}
-    circles |= {(roll.wheel, roll.centre, roll.radius) for roll in mechanism.rolls}
-    circles |= {(r.track, r.track_centre, r.track_radius) for r in mechanism.rolls if r.track_centre is not None}
-    for cam in mechanism.cams:
-        circles |= {(name, p.centre, p.radius) for name, p in zip(cam.links, cam.profiles, strict=True) if p.centre}
-    return {radius for name, point, radius in circles if (name, point) == (link, centre)}
+    return {radius for pair in mechanism.pairs for *at, radius in pair.circles if at == [link, centre]}
 
 
 # --- on a line of a link ----------------------------------------------------------------------

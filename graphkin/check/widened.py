@@ -12,7 +12,7 @@ from graphkin.construction import Across, AcrossGuide, Along, AlongGuide, Direct
 from graphkin.geometry import Value, meet_lines
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
-from graphkin.pairs import Line
+from graphkin.pairs import Line, Rod, Slot, pin_name, rod_name
 from graphkin.planning import plan
 from graphkin.value import Lazy, frozen
 
@@ -20,16 +20,25 @@ __all__ = ["Widened", "added_point", "lines_of", "widened"]
 
 
 @frozen
+class Body:
+    """A body that is no link: a pin turns with its slot, which is on the link `turns_with`; two centres that profiles
+    keep apart are joined by a bar of the equivalent.
+    """
+
+    points: tuple[str, ...]
+    turns_with: str = ""
+
+
+@frozen
 class Widened(Motions):
     """The analytic solution at every site of a drawing; bodies that are no links move among the links.
 
     added   points that a construction adds, and where they lie [m]: special points, rolling contacts
-    bodies  those that are no links: a pin in a slot turns with the slot (its point, the slot's link); two centres that
-            profiles keep apart are joined by a bar of the equivalent (both points)
+    bodies  those that are no links
     """
 
     added: Mapping[str, complex]
-    bodies: Mapping[str, tuple[str, str]]
+    bodies: Mapping[str, Body]
 
     def place(self, point: str) -> complex:
         return complex(self.position[point])
@@ -42,22 +51,19 @@ class Widened(Motions):
         """Points that are a body's own; of a pin only the one that it is."""
         if body in self.mechanism.links:
             return tuple(self.mechanism.links[body].points)
-        return self.bodies[body][:1] if body.startswith("pin ") else self.bodies[body]
+        return self.bodies[body].points
 
 
-def _bodies(mechanism: Mechanism) -> dict[str, tuple[str, str]]:
+def _bodies(mechanism: Mechanism) -> dict[str, Body]:
     """Pins and bars that stand for something else, under the names that the planner gives them."""
-    found = {f"pin {slide.name}": (slide.point, slide.guide) for slide in mechanism.slides if slide.block is None}
-    for roll in mechanism.rolls:
-        if roll.line is not None:
-            found[f"pin {roll.name}"] = (roll.centre, roll.line.link)
-        elif roll.track_centre is not None:
-            found[f"e {roll.name}"] = (roll.track_centre, roll.centre)
-    for k, cam in enumerate(mechanism.cams):
-        centres = [profile.centre for profile in cam.profiles if profile.centre is not None]
-        faces = [profile.line.link for profile in cam.profiles if profile.line is not None]
-        found |= {f"pin c{k}": (centres[0], faces[0])} if faces else {f"e c{k}": (centres[0], centres[1])}
-    return found | {f"e g{k}": gear.centres for k, gear in enumerate(mechanism.gears)}
+    found: dict[str, Body] = {}
+    for pair in mechanism.pairs:
+        same = pair.equivalent or pair.slipping
+        if isinstance(same, Rod):
+            found[rod_name(pair)] = Body(same.points)
+        elif isinstance(same, Slot):
+            found[pin_name(pair)] = Body((same.point,), same.line.link)
+    return found
 
 
 def widened(mechanism: Mechanism, exact: Motion, drawing: DrawingFile) -> Widened:
@@ -65,7 +71,7 @@ def widened(mechanism: Mechanism, exact: Motion, drawing: DrawingFile) -> Widene
     bodies, added = _bodies(mechanism), _added(mechanism, exact, drawing)
     known = exact.velocities, exact.accelerations
     velocities, accelerations = (
-        {**table, **{body: {point: vectors[point]} for body, (point, _) in bodies.items()}}
+        {**table, **{body: {(point := each.points[0]): vectors[point]} for body, each in bodies.items()}}
         for table, vectors in zip(known, (exact.velocity, exact.acceleration), strict=True)
     )
     return Widened(
@@ -76,16 +82,16 @@ def widened(mechanism: Mechanism, exact: Motion, drawing: DrawingFile) -> Widene
 
 
 def _turning(
-    exact: Motion, bodies: Mapping[str, tuple[str, str]], links: Mapping[str, Value], vectors: Mapping[str, Value]
+    exact: Motion, bodies: Mapping[str, Body], links: Mapping[str, Value], vectors: Mapping[str, Value]
 ) -> Mapping[str, Value]:
     """Angular velocities or accelerations of links and bodies, by the links' or by the vectors of two points."""
 
     def turning(body: str) -> Value:
         if body in links:
             return links[body]
-        point, other = bodies[body]
-        if body.startswith("pin "):
-            return links[other]
+        if guide := bodies[body].turns_with:
+            return links[guide]
+        point, other = bodies[body].points
         return np.imag((vectors[other] - vectors[point]) / (exact.position[other] - exact.position[point]))
 
     return Lazy((*links, *bodies), turning)
@@ -96,12 +102,13 @@ def _added(mechanism: Mechanism, exact: Motion, drawing: DrawingFile) -> Mapping
     named = {attributes.get("data-site", "").partition("@")[0] for attributes, _ in drawing.points}
     if named <= {"", *mechanism.points}:
         return {}
-    steps = [step for step in plan(mechanism).position.steps if isinstance(step, Touch | Meet)]
-    places = {step.point: added_point(step, mechanism, exact) for step in steps}
-    return {point: place for point, place in places.items() if place is not None}
+    method = plan(mechanism)
+    steps = (step for step in method.position.steps if isinstance(step, Touch | Meet))
+    return {step.point: added_point(step, mechanism, exact) for step in steps
+            if isinstance(step, Touch) or step.point in method.special}  # fmt: skip
 
 
-def added_point(step: Touch | Meet, mechanism: Mechanism, exact: Motion) -> complex | None:
+def added_point(step: Touch | Meet, mechanism: Mechanism, exact: Motion) -> complex:
     """The special point or the rolling contact that a step gives, from positions of the analytic solution."""
     if isinstance(step, Touch):
         centre = complex(exact.position[step.centre])
@@ -109,8 +116,6 @@ def added_point(step: Touch | Meet, mechanism: Mechanism, exact: Motion) -> comp
             return centre + 1j * step.offset * _along(step.slide, mechanism, exact)
         return centre + step.ratio * (complex(exact.position[step.other]) - centre)
     rays = [ray for ray in (step.first, step.second) if isinstance(ray, Ray)]
-    if step.point in mechanism.points or not step.point[0].isupper() or len(rays) != 2:
-        return None
     first, second = ((exact.position[ray.through], _line(ray.direction, mechanism, exact)) for ray in rays)
     return complex(meet_lines(*first, *second)[0])
 
@@ -131,6 +136,4 @@ def _along(slide: str, mechanism: Mechanism, exact: Motion) -> complex:
 
 def lines_of(mechanism: Mechanism) -> dict[str, Line]:
     """The line of every sliding pair, track and flat face of a cam."""
-    lines = {pair.name: pair.line for pair in mechanism.slides}
-    lines |= {roll.name: roll.line for roll in mechanism.rolls if roll.line is not None}
-    return lines | {f"c{k}": face.line for k, cam in enumerate(mechanism.cams) for face in cam.profiles if face.line}
+    return {pair.name: line for pair in mechanism.pairs for line in pair.lines}

@@ -256,14 +256,15 @@ def _sheets(asked: _Asked, found: Centres) -> tuple[Sheet, Iterator[Sheet], str]
 
 def _rolling(asked: _Asked, found: Centres) -> Iterator[tuple[Path, str]]:
     from graphkin.outputs import svg
-    from graphkin.sheet.centrode_frames import centrode_animation, centrode_frames
+    from graphkin.outputs.animation import animation
+    from graphkin.sheet.centrode_frames import centrode_frames
     from graphkin.sheet.centrode_sheet import centrode_sheet
 
     curves = asked.curves(found)
     frames = list(centrode_frames(curves, paper=asked.paper, lang=asked.lang)) if asked.animate or asked.steps else []
     if asked.output is not None:
         still = svg.svg(centrode_sheet(curves, paper=asked.paper, lang=asked.lang)) if not asked.animate else ""
-        yield asked.output, still or centrode_animation(frames)
+        yield asked.output, still or animation(frames)
     if asked.steps is not None:
         for k, frame in enumerate(frames, 1):
             yield asked.steps / f"{found.method.mechanism.name}-centrodes-{k:02d}.svg", svg.svg(frame)

@@ -18,11 +18,10 @@ from graphkin.design.passing import passing, shown
 from graphkin.drafting import Bisector, Board, CircleThrough, Construction, Measure, Meet, Place, Stage, Step, replay
 from graphkin.errors import CouplerChanges, NotOnBisector, SameWanted, WrongNumber
 from graphkin.geometry import dot, unit
+from graphkin.tolerances import ROUNDED
 
 __all__ = ["coupler_positions", "hinges"]
 
-_SAME = 1e-6
-"""Coupler lengths that differ by less than this part are one; so much may a given pivot be off its bisector."""
 
 
 def hinges(places: Sequence[complex], turns: Sequence[float], length: float) -> list[tuple[complex, complex]]:
@@ -69,7 +68,7 @@ def _asked(points: Sequence[tuple[complex, complex]], a: complex | None, d: comp
         raise WrongNumber(len(points), "2 (B, C)" if (a, d) != (None, None) else "2, 3 (B, C)")
     lengths = [abs(c - b) for b, c in points]
     for k, length in enumerate(lengths[1:], start=2):
-        if abs(length - lengths[0]) > _SAME * lengths[0] or lengths[0] == 0:
+        if abs(length - lengths[0]) > ROUNDED * lengths[0] or lengths[0] == 0:
             raise CouplerChanges("B1C1", lengths[0] * 1e3, f"B{k}C{k}", length * 1e3)
     for letter, row in (("B", 0), ("C", 1)):
         for i, k in combinations(range(len(points)), 2):
@@ -83,7 +82,7 @@ def _asked(points: Sequence[tuple[complex, complex]], a: complex | None, d: comp
 def _on_bisector(name: str, pivot: complex, first: complex, second: complex) -> None:
     along = unit(second - first)
     off = float(dot(along, pivot - (first + second) / 2))
-    if abs(off) > _SAME * abs(second - first):
+    if abs(off) > ROUNDED * abs(second - first):
         nearest = (pivot - off * along) * 1e3
         hinge = _HINGE[name]
         raise NotOnBisector(name, abs(off) * 1e3, f"{hinge}1", f"{hinge}2", float(nearest.real), float(nearest.imag))

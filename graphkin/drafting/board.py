@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from graphkin.drafting.projective import Homogeneous, along, foot, improper, place, product, proper
+from graphkin.drafting.projective import Homogeneous, along, foot, improper, place, product, proper, scalar
 from graphkin.geometry import Value, unit
 from graphkin.value import frozen
 
@@ -63,7 +63,15 @@ class Board:
 
     def toward(self, at: str, point: str) -> Value:
         """Unit vector from a point to another, +x where there is none; NaN where both are at one place."""
-        return unit(self.at(point) - self.at(at)) if point else 1.0 + 0j
+        if not point:
+            return 1.0 + 0j
+        place = self.at(point)
+        return scalar(np.where(np.isinf(place), self.away(point), unit(place - self.at(at))))
+
+    def away(self, point: str) -> Value:
+        """One of the two directions in which a point at infinity lies (unit vector), the same whenever it is asked."""
+        x, y, _ = self.points[point]
+        return unit(x + 1j * y)
 
     def line(self, name: str) -> tuple[Value, Value]:
         """A point of a line [m], and its direction (unit vector)."""

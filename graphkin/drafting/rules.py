@@ -5,7 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
+import numpy as np
+
+from graphkin.geometry import Value
+
 __all__ = ["RULES", "theta_of"]
+
+ROUNDING = 1e-9
+"""Sines below this are none."""
 
 
 def theta_of(k: float) -> float:
@@ -13,7 +20,13 @@ def theta_of(k: float) -> float:
     return math.pi * (k - 1) / (k + 1)
 
 
-RULES: Mapping[str, Callable[..., float]] = {
+def _sine(angle: Value) -> Value:
+    """Nothing for what is only rounding."""
+    sine = np.sin(angle)
+    return np.where(np.abs(sine) < ROUNDING, 0.0, sine)[()]
+
+
+RULES: Mapping[str, Callable[..., Value]] = {
     "theta": theta_of,
     "complement": lambda angle: math.pi / 2 - angle,
     "above": lambda angle: math.pi / 2 + angle / 2,
@@ -27,5 +40,8 @@ RULES: Mapping[str, Callable[..., float]] = {
     "over": lambda one, other: one / other,
     "lever": lambda rate, arm, other: rate * arm / other,
     "speed": lambda rate, arm, scale: rate * arm * scale,
+    "sines": lambda side, one, other: side * abs(_sine(one) / _sine(other)),
+    "sense": lambda sense, angle: sense * np.sign(np.cos(angle)),
+    "sense of sines": lambda sense, one, other: sense * np.sign(np.sin(one) * np.sin(other)),
     "rate": lambda speed, arm, scale: speed / (arm * scale),
 }

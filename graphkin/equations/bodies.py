@@ -64,23 +64,24 @@ class Bodies:
     def called(self, body: str) -> str:
         """What people call a body; links of the lower-pair equivalent are e, e2, .. as in the drawings."""
         if self.structure.is_pin(body):
-            return self.called(self.structure.slides[body.removeprefix("pin ")].guide)
-        extra = [name for name in self.structure.mechanism.links if name.startswith("e ")]
+            return self.called(self.structure.pins[body].guide)
+        extra = [name for name, link in self.structure.mechanism.links.items() if link.stands_for is not None]
         if body in extra:
             return f"e{extra.index(body) + 1}" if extra.index(body) else "e"
         return self.structure.mechanism.called(body)
 
     def spot(self, point: str) -> str:
         """A point's name. The start of a line given by coordinates is the named point there, else O, O', .."""
-        if point[0].isupper():
+        unnamed = self.structure.mechanism.unnamed
+        if point not in unnamed:
             return point
         found: dict[tuple[str, complex], str] = {}
         free = (name for k in count() if (name := "O" + "'" * k) not in self.structure.mechanism.points)
         for body, shape in self.structure.shapes.items():
-            for other in sorted(shape, key=lambda name: not name[0].isupper()):
+            for other in sorted(shape, key=lambda name: name in unnamed):
                 at = body, complex(round(shape[other].real, _PLACES), round(shape[other].imag, _PLACES))
                 if at not in found:
-                    found[at] = other if other[0].isupper() else next(free)
+                    found[at] = other if other not in unnamed else next(free)
                 if other == point:
                     return found[at]
         return point

@@ -6,10 +6,10 @@ from typing import Literal
 
 from graphkin.equations.layout import Node
 from graphkin.errors import Lang
-from graphkin.sheet.marks import Mark
+from graphkin.sheet import Sheet
 from graphkin.value import frozen
 
-__all__ = ["Block", "By", "Display", "Document", "Figure", "Heading", "Sentence", "Table"]
+__all__ = ["Block", "By", "Display", "Document", "Heading", "Sentence", "Table"]
 
 By = Literal["complex", "matrix"]
 Words = tuple[str | Node, ...]
@@ -42,17 +42,7 @@ class Table:
     rows: tuple[tuple[str | Node, ...], ...]
 
 
-@frozen
-class Figure:
-    """Marks in millimetres on a paper so wide and high, and what is said under it."""
-
-    marks: tuple[Mark, ...]
-    width: float
-    height: float
-    caption: str
-
-
-Block = Heading | Sentence | Display | Table | Figure
+Block = Heading | Sentence | Display | Table | Sheet
 
 
 @frozen

@@ -6,22 +6,25 @@ import cmath
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
-from graphkin.equations.document import Figure
 from graphkin.equations.model import Model
 from graphkin.equations.polygons import Arrow
 from graphkin.equations.readers import place
 from graphkin.equations.symbols import Symbol
-from graphkin.sheet.labels import Room, Wanted, settle
+from graphkin.errors import Lang
+from graphkin.sheet import Sheet
+from graphkin.sheet.fit import corners, cut_out
+from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.marks import Arc, Mark, Place, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import mechanism_figure
-from graphkin.sheet.obstacles import bounds
+from graphkin.sheet.page import Page, Panel
+from graphkin.sheet.paper import Paper
+from graphkin.sheet.plain_mechanism import mechanism_places
 from graphkin.sheet.scales import finest
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.wheels import rims
-from graphkin.sheet.window import Figure as Drawn
-from graphkin.sheet.window import Window
+from graphkin.sheet.window import Figure, Window
 
 __all__ = ["figure"]
 
@@ -35,42 +38,33 @@ _VECTORS = 1
 """The step the vectors and their letters are marked with, until they are coloured."""
 
 
-def figure(model: Model, caption: str) -> Figure:
-    """Drawn at the drawn position, at the finest standard scale that fits a page of text."""
-    plot = model.plot
-    machine = model.method.mechanism
-    named = [complex(value) for name, value in plot.position.items() if name in machine.points]
-    values = [*named, *rims(machine, plot.position)]
-    arrows = list(_arrows(model))
-    ends = [end for arrow in arrows for end in _ends(model, arrow)]
-    xs, ys = [v.real for v in (*values, *ends)], [v.imag for v in (*values, *ends)]
-    scale = finest(complex(max(xs) - min(xs), max(ys) - min(ys)), _ROOM)
-    drawn = _drawn(model, plot, Window(0j, scale), values, arrows)
-    left, top, right, bottom = bounds(drawn.marks)
-    window = Window(complex(_MARGIN - left, _MARGIN - top), scale)
-    drawn = _drawn(model, plot, window, values, arrows)
-    width, height = right - left + 2 * _MARGIN, bottom - top + 2 * _MARGIN
-    marks = [*drawn.marks, *settle(drawn.wanted, drawn.marks, Room(1, 1, width - 1, height - 1), far=True).marks]
-    return Figure(tuple(_coloured(mark) for mark in marks), width, height, caption)
+def figure(model: Model, caption: str, lang: Lang) -> Sheet:
+    """At the drawn position, at the finest standard scale that fits a page of text, on a paper cut to its size.
 
-
-def _coloured(mark: Mark) -> Mark:
-    """Vectors and their letters stand out; steps of a construction there are none."""
-    return replace(mark, new=mark.step == _VECTORS, step=None)
+    Vectors and their letters stand out; steps of a construction there are none.
+    """
+    method, arrows = model.method, list(_arrows(model))
+    places = mechanism_places(method, model.plot)
+    low, high = corners([*places, *(end for arrow in arrows for end in _ends(model, arrow))])
+    draw = partial(_drawn, model, places, arrows)
+    window, whole = cut_out(draw, finest(high - low, _ROOM), _MARGIN)
+    panel = Panel(draw(window), window, whole.inset(1, 1, 1), plane=None)
+    page = Page(Paper("figure", whole.right, whole.bottom, 0.0), [panel], method.mechanism, (), lang, title=caption)
+    sheet = page.sheet().upto(_VECTORS)
+    return replace(sheet, marks=tuple(replace(mark, step=None) for mark in sheet.marks))
 
 
 def _thin(mark: Mark) -> Mark:
     """Links as thin lines under their vectors."""
     if isinstance(mark, Stroke) and mark.pen == "visible":
-        return replace(mark, pen="thin", step=None)
-    return replace(mark, step=None)
+        return replace(mark, pen="thin")
+    return mark
 
 
-def _drawn(model: Model, plot: object, window: Window, values: list[complex], arrows: list[Arrow]) -> Drawn:
-    skeleton = Skeleton(model.method.mechanism, plot, window, {})  # type: ignore[arg-type]
-    found = mechanism_figure(skeleton, model.method, values)
+def _drawn(model: Model, places: list[complex], arrows: list[Arrow], window: Window) -> Figure:
+    skeleton = Skeleton(model.method.mechanism, model.plot, window, {})
+    found = mechanism_figure(skeleton, model.method, places).numbered(None)
     found.marks = [_thin(mark) for mark in found.marks]
-    found.wanted = [replace(wanted, step=None) for wanted in found.wanted]
     turned: set[Symbol] = set()
     for arrow in arrows:
         start, end = (window(value) for value in _ends(model, arrow))
@@ -90,7 +84,7 @@ def _own_angle(arrow: Arrow) -> Symbol | None:
     return only[0][0] if len(only) == 1 and only[0] == (only[0][0], 1) and not arrow.angle.quarters else None
 
 
-def _angle(found: Drawn, theta: Symbol, value: float, at: Place, length: float) -> None:
+def _angle(found: Figure, theta: Symbol, value: float, at: Place, length: float) -> None:
     """An arc from the x axis to the arrow, with its θ, where there is room for one."""
     radius = min(_ARC, 0.6 * length)
     sweep = value if abs(value) <= math.tau else math.remainder(value, math.tau)

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from typing import assert_never
 from xml.sax.saxutils import escape, quoteattr
 
-from graphkin.equations.document import Block, Display, Document, Figure, Heading, Sentence, Table
+from graphkin.equations.document import Block, Display, Document, Heading, Sentence, Table
 from graphkin.equations.layout import Node, Op, Row
 from graphkin.equations.mathml import mathml
-from graphkin.mechanism import Mechanism
-from graphkin.outputs.svg import svg as drawing
+from graphkin.outputs.svg import inline
 from graphkin.sheet import Sheet
-from graphkin.sheet.paper import Paper
 
 __all__ = ["write_html"]
 
@@ -36,7 +33,7 @@ mtd { padding: 0.25em 0.6em; }
 
 def write_html(document: Document) -> str:
     """A whole page."""
-    body = "\n".join(_block(block, document) for block in document.blocks)
+    body = "\n".join(_block(block) for block in document.blocks)
     return (
         f'<!DOCTYPE html>\n<html xmlns="http://www.w3.org/1999/xhtml" lang="{document.lang}">\n<head>\n'
         f'<meta charset="utf-8"/>\n<meta name="generator" content="graphkin"/>\n'
@@ -45,7 +42,7 @@ def write_html(document: Document) -> str:
     )
 
 
-def _block(block: Block, document: Document) -> str:
+def _block(block: Block) -> str:
     match block:
         case Heading():
             return f"<h{block.level}>{escape(block.text)}</h{block.level}>"
@@ -56,9 +53,8 @@ def _block(block: Block, document: Document) -> str:
             return f'<div class="equation"><div class="rows">{rows}</div><span>({block.number})</span></div>'
         case Table():
             return _table(block)
-        case Figure():
-            caption = escape(block.caption)
-            return f"<figure>{svg(block, document)}<figcaption>{caption}</figcaption></figure>"
+        case Sheet():
+            return f"<figure>{svg(block)}<figcaption>{escape(block.title)}</figcaption></figure>"
         case _:
             assert_never(block)
 
@@ -81,11 +77,6 @@ def _table(block: Table) -> str:
     return f"<table>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>"
 
 
-def svg(figure: Figure, document: Document) -> str:
-    """The figure by the writer of drawings, without what only a drawing file needs."""
-    machine = Mechanism(document.name, "", {})
-    paper = Paper("figure", figure.width, figure.height, 0.0)
-    sheet = Sheet(paper, figure.marks, {}, {}, machine, (), figure.caption, document.lang)
-    text = drawing(sheet)
-    text = re.sub(r"<\?xml.*?\?>\s*|<metadata.*?</metadata>", "", text, flags=re.DOTALL)
-    return text.replace("<svg ", f"<svg role=\"img\" aria-label={quoteattr(figure.caption)} ", 1).strip()
+def svg(sheet: Sheet) -> str:
+    """A drawing within the page, with its title for who does not see it."""
+    return inline(sheet).replace("<svg ", f'<svg role="img" aria-label={quoteattr(sheet.title)} ', 1)

@@ -25,9 +25,9 @@ Three = tuple[Reader, Reader, Reader]
 def angle_readers(structure: Structure, body: str, drawn: Motion) -> Three:
     """θ, ω, α of a body [rad, rad/s, rad/s^2]; of a link of the equivalent, by its two points."""
     if structure.is_pin(body):
-        slide = structure.slides[body.removeprefix("pin ")]
+        slide = structure.pins[body]
         return turned(angle_readers(structure, slide.guide, drawn), cmath.phase(slide.line.direction))
-    if body.startswith("e "):
+    if not structure.is_link(body):
         tail, head = structure.bodies[body][:2]
         return _between(tail, head, drawn)
     return (lambda motion: motion.theta[body], lambda motion: motion.omega[body], lambda motion: motion.alpha[body])

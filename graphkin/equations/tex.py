@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from graphkin.equations.document import Block, Display, Document, Figure, Heading, Sentence, Table
+from graphkin.equations.document import Block, Display, Document, Heading, Sentence, Table
 from graphkin.equations.latex import latex, words
 from graphkin.equations.layout import Grid, Node, Row
 from graphkin.equations.tikz import tikz
+from graphkin.sheet import Sheet
 
 __all__ = ["write_tex"]
 
@@ -49,8 +50,8 @@ def _block(block: Block) -> str:
             return _display(block)
         case Table():
             return _table(block)
-        case Figure():
-            return f"\\begin{{center}}\n{tikz(block)}\n\n{words(block.caption)}\n\\end{{center}}"
+        case Sheet():
+            return f"\\begin{{center}}\n{tikz(block)}\n\n{words(block.title)}\n\\end{{center}}"
         case _:
             assert_never(block)
 

@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Sequence
 from typing import assert_never
 
-from graphkin.equations.document import Block, Display, Document, Figure, Heading, Sentence, Table
+from graphkin.equations.document import Block, Display, Document, Heading, Sentence, Table
 from graphkin.equations.layout import (
     Call,
     Exp,
@@ -26,6 +26,7 @@ from graphkin.equations.layout import (
 )  # fmt: skip
 from graphkin.equations.symbols import Symbol
 from graphkin.say.text_table import aligned, padded, width
+from graphkin.sheet import Sheet
 
 __all__ = ["inline", "symbol_text", "write_text"]
 
@@ -54,7 +55,7 @@ def _block(block: Block) -> list[str]:
             return _display(block)
         case Table():
             return _table(block)
-        case Figure():
+        case Sheet():
             return []
         case _:
             assert_never(block)

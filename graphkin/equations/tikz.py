@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import assert_never
 
-from graphkin.equations.document import Figure
 from graphkin.equations.latex import words
+from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import SMALL, scripts
 from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
@@ -17,9 +17,9 @@ _FILLS: dict[Fill, str] = {"none": "", "paper": ", fill=white", "ink": ", fill=b
 _POINTS_PER_MM = 72.27 / 25.4
 
 
-def tikz(figure: Figure) -> str:
+def tikz(sheet: Sheet) -> str:
     """A `tikzpicture`."""
-    body = "\n".join(line for mark in figure.marks for line in _mark(mark))
+    body = "\n".join(line for mark in sheet.marks for line in _mark(mark))
     return f"\\begin{{tikzpicture}}[x=1mm,y=-1mm]\n{body}\n\\end{{tikzpicture}}"
 
 

@@ -36,7 +36,7 @@ def written(model: Model, by: By, lang: Lang) -> Document:
     """The document, filling the model's legend."""
     page = Page(lang)
     page.say("equations.every vector", euler=_euler())
-    page.add(figure(model, say("equations.figure", lang)))
+    page.add(figure(model, say("equations.figure", lang), lang))
     _given(model, page)
     if not model.tasks:
         page.say("equations.no loop")

@@ -3,287 +3,52 @@
 Every error says three things: where (file, line, key), what is wrong, what to do. Code raises
 the data; only the edge (the command line, a notebook) asks for the words.
 
-`base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys and
-values, `shapes` about a link's measures, `pairs` about sliding pairs, gears, rolling and cams, `drivers`
-about drivers and poses, `motion` about assembly and movement, `singular` about the analysis, `asking` about what is asked for, `finding` about conditions. A new error is a class in one of them, and
-a line here.
+`base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys and values, `shapes`
+about a link's measures, `pairs` about sliding pairs, gears, rolling and cams, `drivers` about drivers and poses, `motion`
+about assembly and movement, `singular` about the analysis, `asking` about what is asked for, `finding` about
+conditions. A new error is a class in one of them, and a name in its `__all__`: this module passes on all that those hold.
 """
 
-from graphkin.errors.asking import (
-    BadPair,
-    BadRange,
-    GivenTwice,
-    NeedsTwo,
-    NoPosition,
-    NoSuchDriver,
-    OnlyShown,
-    TooManyRows,
-    UnknownQuantity,
+from graphkin.errors import (
+    asking,
+    base,
+    centring,
+    design,
+    drivers,
+    files,
+    finding,
+    keys,
+    linkages,
+    motion,
+    pairs,
+    shapes,
+    singular,
 )
-from graphkin.errors.base import (
-    NOWHERE,
-    Choice,
-    GraphkinError,
-    Lang,
-    Several,
-    Where,
-    steers,
-)
-from graphkin.errors.centring import (
-    BadVelocities,
-    FrameStands,
-    NoBobillier,
-    NoCentrode,
-    NotOneBody,
-    OnePlace,
-    UnknownCentre,
-)
-from graphkin.errors.design import (
-    CouplerChanges,
-    NoDesign,
-    NotOnBisector,
-    OneCondition,
-    SameWanted,
-    WantedRange,
-    WrongNumber,
-)
-from graphkin.errors.drivers import (
-    DrivenFrame,
-    DrivenTwice,
-    NoDriver,
-    NoVector,
-    SameLink,
-    SayValue,
-    WhatIsDriven,
-)
-from graphkin.errors.files import (
-    BrokenToml,
-    ControlCharacter,
-    EmptyFile,
-    FileTooLarge,
-    IsFolder,
-    NoFile,
-    NotUtf8,
-    TooDeep,
-    UnknownMechanism,
-    Unreadable,
-)
-from graphkin.errors.finding import (
-    BadCondition,
-    CannotScale,
-    NegativeSize,
-    NoDimension,
-    NoLineOf,
-    NotScaled,
-    NoUnitHere,
-    OtherUnits,
-)
-from graphkin.errors.keys import (
-    AngleRange,
-    BadName,
-    DuplicateName,
-    KeyClash,
-    MissingKey,
-    Negative,
-    NoMeaning,
-    NotANumber,
-    NotOneOf,
-    NoUnit,
-    OtherDimension,
-    OutOfRange,
-    TooSmall,
-    UnknownKey,
-    UnknownLink,
-    UnknownPoint,
-    UnknownSlide,
-    UnknownUnit,
-    WrongCount,
-    WrongType,
-)
-from graphkin.errors.linkages import CannotClose, CannotDriveBy, NoFixing, NoLinkage, NotALength, OnlyStretched
-from graphkin.errors.motion import (
-    AlongOwnAxis,
-    AmbiguousSketch,
-    BadDrawing,
-    CannotAssemble,
-    CannotWrite,
-    DeadPoint,
-    GearsApart,
-    HigherClass,
-    NoDrawing,
-    NoFolder,
-    NotPlaced,
-    NotReached,
-    NotRepeated,
-    OffTrack,
-    PosesDiffer,
-    RepeatedDriver,
-    RoadsDiffer,
-    TooFar,
-    TooFewDrivers,
-    TooManyDrivers,
-    called_pair,
-    listed,
-)
-from graphkin.errors.pairs import (
-    BlockOrPin,
-    CircleOrLine,
-    LineOnLine,
-    NeedsDirection,
-    NeedsTilt,
-    NoLine,
-    PointOnPoint,
-    SameCircles,
-    SameTwice,
-    SlidesOnItself,
-)
-from graphkin.errors.shapes import (
-    CannotMove,
-    CcwContradicts,
-    CcwOnLine,
-    Contradiction,
-    FrameNameTaken,
-    LooseLink,
-    MissingCcw,
-    NoPoints,
-    NoTriangle,
-    OneSpot,
-    RigidlyJoined,
-    ShapeAndMeasures,
-    TooFewMeasures,
-    TooManyPoints,
-)
-from graphkin.errors.singular import NoAssembly, NotJoined, SingularPosition
+from graphkin.errors.asking import *  # noqa: F403
+from graphkin.errors.base import *  # noqa: F403
+from graphkin.errors.centring import *  # noqa: F403
+from graphkin.errors.design import *  # noqa: F403
+from graphkin.errors.drivers import *  # noqa: F403
+from graphkin.errors.files import *  # noqa: F403
+from graphkin.errors.finding import *  # noqa: F403
+from graphkin.errors.keys import *  # noqa: F403
+from graphkin.errors.linkages import *  # noqa: F403
+from graphkin.errors.motion import *  # noqa: F403
+from graphkin.errors.pairs import *  # noqa: F403
+from graphkin.errors.shapes import *  # noqa: F403
+from graphkin.errors.singular import *  # noqa: F403
 
-__all__ = [
-    "NOWHERE",
-    "AlongOwnAxis",
-    "AmbiguousSketch",
-    "AngleRange",
-    "BadCondition",
-    "BadDrawing",
-    "BadName",
-    "BadPair",
-    "BadRange",
-    "BadVelocities",
-    "BlockOrPin",
-    "BrokenToml",
-    "CannotAssemble",
-    "CannotClose",
-    "CannotDriveBy",
-    "CannotMove",
-    "CannotScale",
-    "CannotWrite",
-    "CcwContradicts",
-    "CcwOnLine",
-    "Choice",
-    "CircleOrLine",
-    "Contradiction",
-    "ControlCharacter",
-    "CouplerChanges",
-    "DeadPoint",
-    "DrivenFrame",
-    "DrivenTwice",
-    "DuplicateName",
-    "EmptyFile",
-    "FileTooLarge",
-    "FrameNameTaken",
-    "FrameStands",
-    "GearsApart",
-    "GivenTwice",
-    "GraphkinError",
-    "HigherClass",
-    "IsFolder",
-    "KeyClash",
-    "Lang",
-    "LineOnLine",
-    "LooseLink",
-    "MissingCcw",
-    "MissingKey",
-    "NeedsDirection",
-    "NeedsTilt",
-    "NeedsTwo",
-    "Negative",
-    "NegativeSize",
-    "NoAssembly",
-    "NoBobillier",
-    "NoCentrode",
-    "NoDesign",
-    "NoDimension",
-    "NoDrawing",
-    "NoDriver",
-    "NoFile",
-    "NoFixing",
-    "NoFolder",
-    "NoLine",
-    "NoLineOf",
-    "NoLinkage",
-    "NoMeaning",
-    "NoPoints",
-    "NoPosition",
-    "NoSuchDriver",
-    "NoTriangle",
-    "NoUnit",
-    "NoUnitHere",
-    "NoVector",
-    "NotALength",
-    "NotANumber",
-    "NotJoined",
-    "NotOnBisector",
-    "NotOneBody",
-    "NotOneOf",
-    "NotPlaced",
-    "NotReached",
-    "NotRepeated",
-    "NotScaled",
-    "NotUtf8",
-    "OffTrack",
-    "OneCondition",
-    "OnePlace",
-    "OneSpot",
-    "OnlyShown",
-    "OnlyStretched",
-    "OtherDimension",
-    "OtherUnits",
-    "OutOfRange",
-    "PointOnPoint",
-    "PosesDiffer",
-    "RepeatedDriver",
-    "RigidlyJoined",
-    "RoadsDiffer",
-    "SameCircles",
-    "SameLink",
-    "SameTwice",
-    "SameWanted",
-    "SayValue",
-    "Several",
-    "ShapeAndMeasures",
-    "SingularPosition",
-    "SlidesOnItself",
-    "TooDeep",
-    "TooFar",
-    "TooFewDrivers",
-    "TooFewMeasures",
-    "TooManyDrivers",
-    "TooManyPoints",
-    "TooManyRows",
-    "TooSmall",
-    "UnknownCentre",
-    "UnknownKey",
-    "UnknownLink",
-    "UnknownMechanism",
-    "UnknownPoint",
-    "UnknownQuantity",
-    "UnknownSlide",
-    "UnknownUnit",
-    "Unreadable",
-    "WantedRange",
-    "WhatIsDriven",
-    "Where",
-    "WrongCount",
-    "WrongNumber",
-    "WrongType",
-    "called_pair",
-    "listed",
-    "steers",
-]
+__all__: list[str] = []
+__all__ += asking.__all__
+__all__ += base.__all__
+__all__ += centring.__all__
+__all__ += design.__all__
+__all__ += drivers.__all__
+__all__ += files.__all__
+__all__ += finding.__all__
+__all__ += keys.__all__
+__all__ += linkages.__all__
+__all__ += motion.__all__
+__all__ += pairs.__all__
+__all__ += shapes.__all__
+__all__ += singular.__all__

@@ -124,6 +124,7 @@ class GearsApart(GraphkinError):
 PAIRS: dict[str, dict[Lang, str]] = {
     "slide": {"en": "guide {name}", "zh": "导路 {name}"},
     "guide": {"en": "the guide of {name}", "zh": "点 {name} 的导路"},
+    "circular slot": {"en": "the circular slot of {name}", "zh": "点 {name} 的圆弧槽"},
     "gear": {"en": "gear pair {name}", "zh": "齿轮副 {name}"},
     "roll": {"en": "rolling contact {name}", "zh": "纯滚动副 {name}"},
     "cam": {"en": "cam pair {name}", "zh": "凸轮副 {name}"},

@@ -13,6 +13,7 @@ __all__ = [
     "NeedsDirection",
     "NeedsTilt",
     "NoLine",
+    "PinInCircle",
     "PointOnPoint",
     "SameCircles",
     "SameTwice",
@@ -25,6 +26,18 @@ class BlockOrPin(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: say what slides: block and point for a sliding pair, or pin for a pin in a slot.",
         "zh": "{where}：请说明什么在滑动：移动副写 block 和 point，销槽写 pin。",
+    }
+
+
+class PinInCircle(GraphkinError):
+    """A circular slot with a block in it, or with nothing."""
+
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: centre and radius make a circular slot, in which a pin moves: give pin and guide. A block that "
+        "slides in such a slot turns about its centre: leave the slide out and let the block's link have the centre, too.",
+        "zh": "{where}：centre 和 radius 表示圆弧槽，其中只能是销：请写 pin 和 guide。沿圆弧槽滑动的滑块绕槽的圆心转动："
+        "请删去该移动副，并让滑块所在构件也含圆心这一点（即铰接于圆心）。",
     }
 
 

@@ -11,15 +11,13 @@ import numpy as np
 from graphkin.errors import NegativeSize, OtherUnits, Where
 from graphkin.finding.conditions import Comparison, value
 from graphkin.finding.found import Interval, Kind, Position
-from graphkin.finding.ground import TURN, Ground
+from graphkin.finding.ground import ROUNDING, TURN, Ground
 from graphkin.finding.search import Curve, Function, crossings, differences, followed, tops, touches, vanishing
 from graphkin.sweeps import Series
 from graphkin.value import frozen
 
 __all__ = ["Difference", "difference", "holding", "intervals", "nearest"]
 
-ALWAYS = 1e-11
-"""A difference that stays below this part of the quantities is none."""
 
 
 @frozen
@@ -56,7 +54,7 @@ def difference(ground: Ground, wanted: Comparison, drawn: tuple[Series, ...], wh
     gone = target == 0 and first.vectors is not None and first.along is None and wanted.sign == "="
     there = curve.values[np.isfinite(curve.values)]
     scale = max(abs(target or 0.0), _scale(ground))
-    small = max(ALWAYS * scale, ground.noise(first.unit))
+    small = max(ROUNDING * scale, ground.noise(first.unit))
     always = bool(there.size) and float(np.max(np.abs(there))) <= small
     if there.size and float(np.ptp(there)) <= small:
         curve, gone = _level(curve, float(np.median(there))), False

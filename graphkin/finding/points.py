@@ -76,14 +76,14 @@ def _values(method: Method, ranges: Sequence[str]) -> list[float]:
 def line_of(mechanism: Mechanism, of: str) -> tuple[str, str, str]:
     """The link and two of its points that `BC`, or a link's name, means. Raises NoLineOf."""
     if of in mechanism.moving:
-        points = [point for point in mechanism.links[of].points if point[0].isupper()]
+        points = mechanism.named(of)
         if len(points) > 1:
             return of, points[0], points[1]
     elif (sites := pair(mechanism, of)) is not None and sites[0].point != sites[1].point:
         link = common_link(mechanism, *sites)
         if link is not None and {site.point for site in sites} <= set(mechanism.links[link].points):
             return link, sites[0].point, sites[1].point
-    lines = [link for link in mechanism.moving if sum(p[0].isupper() for p in mechanism.links[link].points) > 1]
+    lines = [link for link in mechanism.moving if len(mechanism.named(link)) > 1]
     raise NoLineOf(WHERE, of, tuple(lines))
 
 

@@ -19,8 +19,8 @@ Function = Callable[[np.ndarray], np.ndarray]
 ROUNDS = 70
 BENT = 0.01
 """Between places where a curve bends by more than this part of its range, it is looked at more closely."""
-TOUCH = 1e-10
-"""A curve that comes so near to zero, as a part of its size, touches it."""
+GRAZE = 1e-10
+"""A curve that comes so near to zero, as a part of its size, grazes it."""
 EVEN = 501
 STENCIL = np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
 WEIGHTS = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
@@ -165,7 +165,7 @@ def _hidden(curve: Curve) -> list[np.ndarray]:
     for sign in (1.0, -1.0):
         dips = tops(curve, -sign)
         depth = sign * curve.function(dips)
-        inside = dips[depth < -TOUCH * curve.size]
+        inside = dips[depth < -GRAZE * curve.size]
         k = np.searchsorted(curve.t, inside)
         for ends in (curve.t[np.maximum(k - 1, 0)], curve.t[np.minimum(k, curve.t.size - 1)]):
             above = sign * curve.function(ends) > 0
@@ -184,7 +184,7 @@ def touches(curve: Curve) -> np.ndarray:
     for sign in (1.0, -1.0):
         dips = tops(curve, -sign)
         with np.errstate(invalid="ignore"):
-            touching = np.abs(curve.function(dips)) <= TOUCH * curve.size
+            touching = np.abs(curve.function(dips)) <= GRAZE * curve.size
         found.append(dips[touching])
     return np.sort(np.concatenate(found))
 

@@ -26,7 +26,7 @@ def assembled(
     shapes = {name: Link(name, dict(points) if name == FRAME else _own_axes(points)) for name, points in links.items()}
     moving = {p: z for name, points in links.items() if name != FRAME for p, z in points.items()}
     return Mechanism(
-        "linkage", frame, shapes, slides=slides, drivers=drivers,
+        "linkage", frame, shapes, slides, drivers,
         sketch={p: z for p, z in moving.items() if p not in links[FRAME]},
         scales={} if length_scale is None else {"length": length_scale}, file="linkage.toml",
     )  # fmt: skip
@@ -48,9 +48,9 @@ def _turned_back(points: Places) -> complex:
     return abs(axis) / axis if axis else 1 + 0j
 
 
-def drawn_line(links: Mapping[str, Places], link: str, origin: str, along: complex) -> Line:
+def drawn_line(links: Mapping[str, Places], link: str, origin: str, along: complex, named: bool = True) -> Line:
     """A line of a link through one of its points, drawn in the direction of a unit vector."""
-    return Line(link, origin, along if link == FRAME else along * _turned_back(links[link]))
+    return Line(link, origin, along if link == FRAME else along * _turned_back(links[link]), named)
 
 
 def turning(link: str, vector: tuple[str, str], drawn: complex, omega: float) -> Driver:

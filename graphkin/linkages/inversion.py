@@ -24,7 +24,7 @@ def inverted(mechanism: Mechanism, link: str) -> Mechanism:
     Positions stay where they are drawn; the old frame becomes a moving link of its own name. Mechanisms with gears,
     rolling or cams are not inverted. Raises NoFixing.
     """
-    possible = () if mechanism.gears or mechanism.rolls or mechanism.cams else mechanism.moving
+    possible = mechanism.moving if len(mechanism.slides) == len(mechanism.pairs) else ()
     if link not in possible:
         raise NoFixing(mechanism.where("links"), link, possible)
     return _Inversion(mechanism, link).machine()
@@ -44,10 +44,11 @@ class _Inversion:
     def _renamed(self) -> dict[str, str]:
         """Points of lines, which had no name of their own, get one: that of a point of the link at the same place."""
         found = {point: point for point in self.old.owners}
-        nameless = [(p, link) for link in self.old.links.values() for p in link.points if not p[0].isupper()]
+        nameless = [(p, link) for link in self.old.links.values() for p in link.points if p in self.old.unnamed]
         for (point, link), fresh in zip(nameless, free_names(self.old.owners, len(nameless))):
             size = max(abs(z) for z in link.points.values()) or 1.0
-            there = (p for p, z in link.points.items() if p[0].isupper() and abs(z - link.points[point]) < 1e-12 * size)
+            named = self.old.named(link.name)
+            there = (p for p in named if abs(link.points[p] - link.points[point]) < 1e-12 * size)
             found[point] = next(there, fresh)
         return found
 

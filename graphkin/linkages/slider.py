@@ -272,7 +272,7 @@ def _fixed_guide(slider: SliderCrank, omega: float) -> Mechanism:
     (a, _, c), (pa, _, pc) = slider.names, slider.places
     along, foot = _guide(slider)
     links = {FRAME: {a: pa, "s0": foot}, **_cranks(slider), "3": {c: pc}}
-    slide = Slide("s", True, drawn_line(links, FRAME, "s0", along), c, "3", 0.0)
+    slide = Slide("s", True, drawn_line(links, FRAME, "s0", along, named=False), c, "3", 0.0)
     return assembled("4", links, (slide,), (_driver(slider, ((pc - foot) * along.conjugate()).real, omega),))
 
 

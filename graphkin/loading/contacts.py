@@ -9,33 +9,7 @@ from graphkin.loading.draft import Draft
 from graphkin.loading.lines import has_line, read_line
 from graphkin.loading.positions import Path
 from graphkin.loading.schema import CamTable, GearTable, ProfileTable, RollTable
-from graphkin.pairs import Cam, Gear, Profile, Roll
-
-__all__ = ["read_cams", "read_gears", "read_rolls"]
-
-
-def read_gears(draft: Draft, tables: Sequence[GearTable]) -> tuple[Gear, ...]:
-    gears = []
-    for number, table in enumerate(tables):
-        with draft.noting():
-            gears.append(_gear(draft, table, ("gear", number)))
-    return tuple(gears)
-
-
-def read_rolls(draft: Draft, tables: Sequence[RollTable]) -> tuple[Roll, ...]:
-    rolls = []
-    for number, table in enumerate(tables):
-        with draft.noting():
-            rolls.append(_roll(draft, table, ("roll", number)))
-    return tuple(rolls)
-
-
-def read_cams(draft: Draft, tables: Sequence[CamTable]) -> tuple[Cam, ...]:
-    cams = []
-    for number, table in enumerate(tables):
-        with draft.noting():
-            cams.append(_cam(draft, table, ("cam", number)))
-    return tuple(cams)
+from graphkin.pairs import Cam, Gear, Pair, Profile, Roll
 
 
 def _two_links(draft: Draft, given: Sequence[str], path: Path) -> tuple[str, str]:
@@ -45,7 +19,7 @@ def _two_links(draft: Draft, given: Sequence[str], path: Path) -> tuple[str, str
     return first, second
 
 
-def _gear(draft: Draft, table: GearTable, path: Path) -> Gear:
+def read_gear(draft: Draft, table: GearTable, path: Path, before: Sequence[Pair]) -> Gear:
     links = _two_links(draft, table.links, path)
     first, second = (
         draft.point(link, centre, *path, "centres", n) for n, (link, centre) in enumerate(zip(links, table.centres))
@@ -55,10 +29,10 @@ def _gear(draft: Draft, table: GearTable, path: Path) -> Gear:
     one, other = table.radii
     if table.internal and one == other:
         raise SameCircles(draft.where(*path, "radii"))
-    return Gear(links, (first, second), (one, other), table.internal)
+    return Gear(draft.name(None, f"g{path[1]}", *path), links, (first, second), (one, other), table.internal)
 
 
-def _roll(draft: Draft, table: RollTable, path: Path) -> Roll:
+def read_roll(draft: Draft, table: RollTable, path: Path, before: Sequence[Pair]) -> Roll:
     """A wheel on a line if any key of a line is there, on a circle if any of a circle is."""
     own, on_line = f"r{path[1]}", table.on_centre is None and table.on_radius is None
     name = draft.name(table.name, own, *path) if on_line else own
@@ -95,7 +69,7 @@ def _track_circle(draft: Draft, table: RollTable, track: str, path: Path) -> tup
     return centre, table.on_radius
 
 
-def _cam(draft: Draft, table: CamTable, path: Path) -> Cam:
+def read_cam(draft: Draft, table: CamTable, path: Path, before: Sequence[Pair]) -> Cam:
     links = _two_links(draft, table.links, path)
     first, second = (
         _profile(draft, profile, link, n, (*path, "profiles", n))
@@ -110,7 +84,7 @@ def _cam(draft: Draft, table: CamTable, path: Path) -> Cam:
         raise PointOnPoint(draft.where(*path, "profiles"))
     if table.internal and first.radius == second.radius:
         raise SameCircles(draft.where(*path, "profiles"))
-    return Cam(links, (first, second), table.internal)
+    return Cam(draft.numbered("c"), links, (first, second), table.internal)
 
 
 def _profile(draft: Draft, table: ProfileTable, link: str, number: int, path: Path) -> Profile:

@@ -24,6 +24,7 @@ class Draft:
 
     links     by name; a link whose measures are wrong has its points at stand-in places, so that the other
               tables can still be checked
+    starts    points that nobody named, where lines begin that are given by coordinates, and where those stand
     problems  what was found wrong; `stop_if_wrong` raises it
     """
 
@@ -32,9 +33,11 @@ class Draft:
     frame: str = "0"
     links: dict[str, Link] = field(default_factory=dict)
     frame_points: dict[str, complex] = field(default_factory=dict)
+    starts: dict[str, Path] = field(default_factory=dict)
     problems: list[GraphkinError] = field(default_factory=list)
     _taken: set[str] = field(default_factory=set)
     given: set[str] = field(default_factory=set)
+    _numbers: dict[str, int] = field(default_factory=dict)
 
     def where(self, *path: str | int) -> Where:
         """The place of a key, or of the nearest key above it that the file has."""
@@ -89,7 +92,7 @@ class Draft:
 
     def named(self, link: str) -> tuple[str, ...]:
         """The points of a link that people named."""
-        return tuple(point for point in self.links[link].points if point[0].isupper())
+        return tuple(point for point in self.links[link].points if point not in self.starts)
 
     def owners(self, *points: str) -> Sequence[str]:
         """The links that have all these points, moving ones first."""
@@ -106,6 +109,11 @@ class Draft:
             raise DuplicateName(self.where(*path, "name"), given)
         self._taken.add(given)
         return given
+
+    def numbered(self, letter: str) -> str:
+        """A name for a pair that has none, by the next number: c0, c1, .."""
+        self._numbers[letter] = self._numbers.get(letter, -1) + 1
+        return f"{letter}{self._numbers[letter]}"
 
     def can_be_driven(self, given: str) -> bool:
         """Whether a sliding or rolling pair has this name."""

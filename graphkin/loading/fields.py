@@ -22,8 +22,8 @@ from graphkin.value import frozen
 __all__ = [
     "ALSO", "ANCHOR", "ANGLE", "EDGE_RADIUS", "FLAG", "LENGTH", "LINK_KEY", "MEASURE_PATTERN", "NAME", "NEW_NAME",
     "NUMBER", "PLACE", "POINT_NAME", "POINT_PATTERN", "RADIUS", "SCALE", "SIDE", "TEXT", "TRIPLES", "VECTOR", "Kind",
-    "anything", "entry", "further", "key", "keys", "kind_of", "list_of", "mapping", "one_table", "quantity_of", "table",
-    "tables", "title", "two",
+    "anything", "described", "entry", "further", "key", "keys", "kind_of", "list_of", "mapping", "one_table",
+    "quantity_of", "table", "tables", "title", "two",
 ]  # fmt: skip
 
 MEASURE_PATTERN = r"^([A-Z][0-9]*'*){2,3}$"
@@ -179,6 +179,11 @@ TRIPLES = _triples()
 def key(kind: Kind, *, default: Any = MISSING, default_factory: Any = MISSING) -> Any:
     """A key of a table; it may be left out where there is a default."""
     return field(default=default, default_factory=default_factory, metadata={"kind": kind})
+
+
+def described(kind: Kind, text: str) -> Kind:
+    """The same kind of value, with what an editor says of this key."""
+    return Kind(kind.core, kind.json | {"description": text})
 
 
 def further(pattern: str, kind: Kind) -> Any:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import combinations, islice
 
 from graphkin.errors import CannotMove, LooseLink, NoDriver, OutOfRange, RigidlyJoined, Where
 from graphkin.loading.draft import MOST_PROBLEMS, Draft
 from graphkin.loading.positions import Path
 from graphkin.mechanism import FRAME, Link
-from graphkin.pairs import Cam, Gear, Roll, Slide
+from graphkin.pairs import Pair
 
 __all__ = ["check_joints", "check_sizes", "check_sketch"]
 
@@ -16,10 +17,10 @@ UNEVEN = 1e9
 """No length is so many times another one."""
 
 
-def check_joints(draft: Draft, pairs: list[Slide | Gear | Roll | Cam], drivers: int) -> None:
+def check_joints(draft: Draft, pairs: Sequence[Pair], drivers: int) -> None:
     """Note every link that is loose, fixed or joined twice to another."""
     tied = {link for pair in pairs for link in pair.joins}
-    tied |= {link for pair in pairs if isinstance(pair, Slide) for link in draft.owners(pair.point)}
+    tied |= {link for pair in pairs if pair.path is not None for link in draft.owners(pair.path.point)}
     shared = _shared_points(draft)
     tied |= {link for links in shared for link in links}
     for name in draft.links:
@@ -42,18 +43,11 @@ def check_sizes(draft: Draft) -> None:
     if not shortest:
         return
     places: dict[Path, float] = {("links", name): max(lengths, default=0.0) for name, lengths in arms.items()}
-    places |= {_place(name): abs(place) for name, place in draft.frame_points.items()}
+    fixed = draft.frame_points.items()
+    places |= {draft.starts.get(name, ("frame", name)): abs(place) for name, place in fixed}
     for path, size in places.items():
         if size > UNEVEN * shortest:
             draft.problems.append(OutOfRange(draft.where(*path), f"{size * 1e3:.6g} mm"))
-
-
-def _place(point: str) -> Path:
-    """Where a fixed point stands in the file; one that a line goes through has its name from its table's number."""
-    tables = {"s": "slide", "r": "roll", "c": "cam"}
-    if point[0] in tables and point[1:].isdecimal():
-        return (tables[point[0]], int(point[1:]))
-    return ("frame", point)
 
 
 def _arms(link: Link) -> list[float]:

@@ -25,7 +25,7 @@ def read_line(draft: Draft, table: LineTable, link: str, own_point: str, path: P
     if link != FRAME and len(draft.links[link].points) == 1:
         return _own_line(draft, table, link, path)
     origin = _origin(draft, table, link, own_point, path)
-    return Line(link, origin, _direction(draft, table, link, origin, path))
+    return Line(link, origin, _direction(draft, table, link, origin, path), origin not in draft.starts)
 
 
 def _own_line(draft: Draft, table: LineTable, link: str, path: Path) -> Line:
@@ -45,7 +45,7 @@ def _origin(draft: Draft, table: LineTable, link: str, own_point: str, path: Pat
         raise MissingKey(draft.where(*path), "through")
     if link != FRAME or isinstance(table.through, str):
         return _point_of(draft, link, table.through, path)
-    draft.frame_points[own_point] = complex(*table.through)
+    draft.frame_points[own_point], draft.starts[own_point] = complex(*table.through), path
     return own_point
 
 

@@ -63,28 +63,24 @@ def _drawn_up(
     draft: Draft, file: File, raw: dict[str, Any], measures: dict[str, list[Measure]], name: str, text: str
 ) -> Mechanism:
     """The tables against each other."""
-    from graphkin.loading.contacts import read_cams, read_gears, read_rolls
     from graphkin.loading.drivers import read_drivers, read_poses
     from graphkin.loading.joints import check_joints, check_sizes, check_sketch
     from graphkin.loading.links import read_links
+    from graphkin.loading.pairs import read_pairs
     from graphkin.loading.questions import check_questions
-    from graphkin.loading.slides import read_slides
 
     read_links(draft, file, raw, measures)
-    names = [table.name for table in file.slide] + [table.name for table in file.roll]
-    draft.given = {name for name in names if name is not None}
-    slides, gears = read_slides(draft, file.slide), read_gears(draft, file.gear)
-    rolls, cams = read_rolls(draft, file.roll), read_cams(draft, file.cam)
+    pairs = read_pairs(draft, file)
     drivers = read_drivers(draft, file.driver, len(file.pose))
     poses = read_poses(draft, file.pose)
-    check_joints(draft, [*slides, *gears, *rolls, *cams], len(file.driver))
+    check_joints(draft, pairs, len(file.driver))
     check_sizes(draft)
     check_sketch(draft, list(file.sketch))
     draft.stop_if_wrong()
     scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}
     sketch = {point: complex(*place) for point, place in file.sketch.items()}
     mechanism = Mechanism(
-        name, draft.frame, draft.links, slides, gears, rolls, cams, drivers, poses, sketch, scales,
+        name, draft.frame, draft.links, pairs, drivers, poses, sketch, scales,
         _titles(file), file.source, tuple(file.ask), text, draft.file, draft.lines,
     )  # fmt: skip
     check_questions(draft, mechanism)

@@ -33,6 +33,7 @@ from graphkin.loading.fields import (
     VECTOR,
     Kind,
     anything,
+    described,
     entry,
     further,
     key,
@@ -68,6 +69,9 @@ __all__ = [
 Place = Sequence[float]
 Vector = tuple[str, str]
 Side = Literal["left", "right"]
+
+_CENTRE = "centre of a circular slot in place of a line: a point of the guide; for the frame also [x, y]"
+_RADIUS = "radius of a circular slot's centre line: length; units: mm, cm, m, in, ft"
 
 
 @table
@@ -106,12 +110,16 @@ class LineTable:
 
 @table
 class SlideTable(LineTable):
+    """A block, or a pin, on a line of the guide; with `centre` and `radius`, a pin in a circular slot of the guide."""
+
     name: str | None = key(NEW_NAME, default=None)
     block: str | None = key(NAME, default=None)
     point: str | None = key(POINT_NAME, default=None)
     pin: str | None = key(POINT_NAME, default=None)
     guide: str = key(NAME)
     tilt: float | None = key(ANGLE, default=None)
+    centre: str | Place | None = key(described(ANCHOR, _CENTRE), default=None)
+    radius: float | None = key(described(RADIUS, _RADIUS), default=None)
 
 
 @table

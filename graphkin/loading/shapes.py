@@ -25,12 +25,11 @@ from graphkin.errors import (
     Where,
 )
 from graphkin.loading.curves import Length, Measure, Places, Triple, crossings, gap
+from graphkin.tolerances import ROUNDED
 from graphkin.value import frozen
 
 __all__ = ["Measures", "check_round", "own_axes", "solve_shape"]
 
-AGREES = 1e-6
-"""Measures that say the same thing twice may differ by this part of the link's size."""
 
 MOST_POINTS = 50
 """Links of more points than this need coordinates."""
@@ -153,7 +152,7 @@ class _Search:
                 crossed = True
                 worst = self._worst(point, places, telling, placed)
             apart = max(apart, min((gap(a, b) for a in one for b in other), default=0.0))
-        if not crossed and apart <= AGREES * _size(placed):
+        if not crossed and apart <= ROUNDED * _size(placed):
             return None
         self.problem = self.problem or (worst if crossed else self._no_crossing(point, telling, placed))
         return []
@@ -171,7 +170,7 @@ class _Search:
         good: list[complex] = []
         for place in places:
             layout = {**placed, point: place}
-            allowed = AGREES * _size(layout)
+            allowed = ROUNDED * _size(layout)
             fits = all(measure.miss(layout) <= allowed for measure in telling)
             if fits and all(abs(place - other) > allowed for other in good):
                 good.append(place)
@@ -253,5 +252,5 @@ def _what_is_open(given: Measures, one: Places, other: Places) -> GraphkinError:
         turns = orientation(one, (a, b, c)), orientation(other, (a, b, c))
         if turns[0] != turns[1] and 0 not in turns:
             return MissingCcw(given.where, (a, b, c))
-    moved = tuple(p for p in given.points if abs(one[p] - other[p]) > AGREES * _size(one))
+    moved = tuple(p for p in given.points if abs(one[p] - other[p]) > ROUNDED * _size(one))
     return TooFewMeasures(given.where, given.link, moved)

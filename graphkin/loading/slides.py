@@ -1,30 +1,70 @@
-"""`[[slide]]`: prismatic pairs, and pins in slots."""
+"""`[[slide]]`: prismatic pairs, and pins in slots, straight or circular."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import count
 
-from graphkin.errors import BlockOrPin, KeyClash, MissingKey, NeedsTilt, NoMeaning, RigidlyJoined, SlidesOnItself
+from graphkin.errors import (
+    BlockOrPin,
+    CircleOrLine,
+    KeyClash,
+    MissingKey,
+    NeedsTilt,
+    NoMeaning,
+    PinInCircle,
+    RigidlyJoined,
+    SlidesOnItself,
+    UnknownPoint,
+)
 from graphkin.loading.draft import Draft
-from graphkin.loading.lines import read_line
+from graphkin.loading.lines import has_line, read_line
 from graphkin.loading.positions import Path
 from graphkin.loading.schema import SlideTable
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Slide
-
-__all__ = ["read_slides"]
+from graphkin.pairs import CircularSlot, Pair, Slide
 
 
-def read_slides(draft: Draft, tables: Sequence[SlideTable]) -> tuple[Slide, ...]:
-    slides: list[Slide] = []
-    for number, table in enumerate(tables):
-        with draft.noting():
-            name = draft.name(table.name, f"s{number}", "slide", number)
-            slides.append(_slide(draft, table, name, slides, ("slide", number)))
-    return tuple(slides)
+def read_slide(draft: Draft, table: SlideTable, path: Path, before: Sequence[Pair]) -> Slide | CircularSlot:
+    """On a line, or on a circle if any key of a circle is there."""
+    on_circle = table.centre is not None or table.radius is not None
+    return read_circular(draft, table, path) if on_circle else _on_line(draft, table, path, before)
 
 
-def _slide(draft: Draft, table: SlideTable, name: str, before: list[Slide], path: Path) -> Slide:
+def read_circular(draft: Draft, table: SlideTable, path: Path) -> CircularSlot:
+    """A pin in a circular slot. A block there would turn about the slot's centre: that is a hinge."""
+    guide = draft.link(table.guide, *path, "guide")
+    if has_line(table):
+        raise CircleOrLine(draft.where(*path), "centre, radius", "through, toward, from, angle")
+    if table.name is not None:
+        raise NoMeaning(draft.where(*path, "name"), "name", "circle")
+    if table.block is not None or table.pin is None:
+        raise PinInCircle(draft.where(*path, "block"))
+    if table.centre is None or table.radius is None:
+        raise MissingKey(draft.where(*path), "radius" if table.radius is None else "centre")
+    point = _pin(draft, table, table.pin, guide, path)
+    if guide in draft.owners(point):
+        raise SlidesOnItself(draft.where(*path, "pin"), guide)
+    centre = _centre(draft, table.centre, guide, path)
+    return CircularSlot(draft.numbered("c"), guide, centre, table.radius, draft.owners(point)[0], point)
+
+
+def _centre(draft: Draft, given: str | Sequence[float], guide: str, path: Path) -> str:
+    """The point of the guide; a place of the frame that has no point gets one: O, O', .."""
+    if isinstance(given, str):
+        return draft.point(guide, given, *path, "centre")
+    if guide != FRAME:
+        raise UnknownPoint(draft.where(*path, "centre"), "[x, y]", draft.named(guide))
+    place = complex(*given)
+    there = (point for point in draft.named(FRAME) if draft.frame_points[point] == place)
+    free = (name for primes in count() if not draft.owners(name := "O" + "'" * primes))
+    centre = next(there, None) or next(free)
+    draft.frame_points[centre] = place
+    return centre
+
+
+def _on_line(draft: Draft, table: SlideTable, path: Path, before: Sequence[Pair]) -> Slide:
+    name = draft.name(table.name, f"s{path[1]}", *path)
     guide = draft.link(table.guide, *path, "guide")
     if table.pin is not None:
         block, point, tilt = None, _pin(draft, table, table.pin, guide, path), 0.0
@@ -64,12 +104,11 @@ def _block(draft: Draft, table: SlideTable, guide: str, path: Path) -> tuple[str
     return block, point
 
 
-def _tilt(draft: Draft, table: SlideTable, block: str, before: list[Slide], path: Path) -> float:
+def _tilt(draft: Draft, table: SlideTable, block: str, before: Sequence[Pair], path: Path) -> float:
     """Angle from the line to the block's own direction. A block of one point takes its direction from its
     first slide's line; in a second slide, as the frame and a block of more points, it has one already."""
-    has_direction = (
-        block == FRAME or len(draft.links[block].points) > 1 or any(slide.block == block for slide in before)
-    )
+    slid_before = any(isinstance(pair, Slide) and pair.block == block for pair in before)
+    has_direction = block == FRAME or len(draft.links[block].points) > 1 or slid_before
     if has_direction and table.tilt is None:
         raise NeedsTilt(draft.where(*path), block)
     if table.tilt and not has_direction:

@@ -14,7 +14,7 @@ import re
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, assert_never
 
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs import files
@@ -26,7 +26,7 @@ from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Shows,
 from graphkin.sheet.paper import PENS, PenName
 from graphkin.sheet.scales import KEYS
 
-__all__ = ["NAMESPACE", "Unwritable", "refuse", "svg", "write"]
+__all__ = ["NAMESPACE", "Unwritable", "inline", "refuse", "svg", "write"]
 
 NAMESPACE = "https://graphkin.invalid/sheet/1"
 MARKS = (NAMESPACE.encode(),)
@@ -55,11 +55,20 @@ class Unwritable(GraphkinError):
 def svg(sheet: Sheet) -> str:
     """The SVG text of a sheet. Raises Unwritable where the mechanism file holds control characters."""
     _refuse_control(sheet.mechanism.text, sheet.mechanism.file)
+    return '<?xml version="1.0" encoding="utf-8"?>\n' + _drawn(sheet, metadata=True) + "\n"
+
+
+def inline(sheet: Sheet) -> str:
+    """The drawing as an element of a page, without what only a file of its own needs."""
+    return _drawn(sheet, metadata=False)
+
+
+def _drawn(sheet: Sheet, metadata: bool) -> str:
     _refuse_control(sheet.title, sheet.mechanism.file)
-    pen = _Pen(sheet)
+    pen = _Pen(sheet, metadata)
     for mark in sheet.marks:
         pen.draw(mark)
-    return '<?xml version="1.0" encoding="utf-8"?>\n' + str(pen.drawing.tostring()) + "\n"
+    return str(pen.drawing.tostring())
 
 
 def write(path: str | os.PathLike[str], text: str, force: bool = False) -> None:
@@ -100,7 +109,7 @@ def _xy(place: Place) -> tuple[str, str]:
 class _Pen:
     """One drawing in the making."""
 
-    def __init__(self, sheet: Sheet) -> None:
+    def __init__(self, sheet: Sheet, metadata: bool) -> None:
         import svgwrite
 
         wide, high = mm(sheet.paper.width), mm(sheet.paper.height)
@@ -110,7 +119,8 @@ class _Pen:
         self.drawing["xmlns:gk"] = NAMESPACE
         self.drawing["xml:lang"] = sheet.lang
         self.drawing.set_desc(title=sheet.title)
-        self.drawing.set_metadata(_metadata(sheet))
+        if metadata:
+            self.drawing.set_metadata(_metadata(sheet))
         for new in (False, True):
             self._marker(new, 1.0)
             self._marker(new, 0.5)
@@ -139,6 +149,8 @@ class _Pen:
                 element = self._point(mark)
             case Text():
                 element = self._text(mark)
+            case _:
+                assert_never(mark)
         if told := stated(mark):
             element["class"] = _class(mark)
             element.attribs |= {f"data-{key}": value for key, value in told.items()}

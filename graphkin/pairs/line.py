@@ -11,11 +11,13 @@ __all__ = ["Line"]
 class Line:
     """A directed line of `link`, through its point `origin`.
 
-    origin     a point of the link; lines of the frame given by coordinates have a point of their own
-               there, whose name starts with a small letter (`s0`, `r1`), so that no user's point can clash
+    origin     a point of the link; lines of the frame given by coordinates have a point of their own there, whose
+               name starts with a small letter (`s0`, `r1`), so that no user's point can clash
     direction  unit complex number in the link's own axes
+    named      whether people named the origin
     """
 
     link: str
     origin: str
     direction: complex
+    named: bool = True

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import ClassVar
 
+from graphkin.pairs.pair import Pair
 from graphkin.value import frozen
 
 __all__ = ["Revolute"]
 
 
 @frozen
-class Revolute:
+class Revolute(Pair):
     """`links` (the frame may be one) all turn about `point`; three or more make a multiple hinge."""
 
     table: ClassVar[str] = ""
@@ -21,3 +22,7 @@ class Revolute:
     @property
     def joins(self) -> tuple[str, ...]:
         return self.links
+
+    @property
+    def lower(self) -> bool:
+        return True

@@ -10,14 +10,15 @@ import cmath
 from typing import ClassVar
 
 from graphkin.pairs.line import Line
+from graphkin.pairs.pair import Pair, Slot
 from graphkin.value import frozen
 
 __all__ = ["Slide"]
 
 
 @frozen
-class Slide:
-    """One `[[slide]]`.
+class Slide(Pair):
+    """One `[[slide]]` with a line.
 
     name    as the file gives it, else `s0`, `s1`, .. by the order of the slides in the file
     named   whether the file gave the name
@@ -25,6 +26,7 @@ class Slide:
     point   the point that stays on the line
     block   the link that slides without turning; None for a pin in a slot
     tilt    angle from the line to the block's axis (its first two points) [rad]; 0 for one point
+    stands_for  the pair that it replaces, in a lower-pair equivalent
     """
 
     table: ClassVar[str] = "slide"
@@ -35,6 +37,7 @@ class Slide:
     point: str
     block: str | None
     tilt: float
+    stands_for: Pair | None = None
 
     @property
     def guide(self) -> str:
@@ -43,6 +46,34 @@ class Slide:
     @property
     def joins(self) -> tuple[str, ...]:
         return (self.guide,) if self.block is None else (self.guide, self.block)
+
+    @property
+    def given(self) -> str:
+        return self.name if self.named else ""
+
+    @property
+    def known_by(self) -> tuple[str, str]:
+        return "guide", self.point
+
+    @property
+    def pin(self) -> str:
+        return self.point if self.block is None else ""
+
+    @property
+    def lower(self) -> bool:
+        return self.block is not None
+
+    @property
+    def path(self) -> Slot:
+        return Slot(self.line, self.point)
+
+    @property
+    def slipping(self) -> Slot | None:
+        return None if self.lower else self.path
+
+    @property
+    def lines(self) -> tuple[Line, ...]:
+        return (self.line,)
 
     @property
     def turn(self) -> float:

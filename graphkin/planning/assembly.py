@@ -13,10 +13,12 @@ import numpy as np
 from graphkin.construction import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, slide_key
 from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
 from graphkin.geometry import Value, cross
+from graphkin.naming import spelled
 from graphkin.planning.branch_search import BETWEEN, DeadEnd, branches, told_slides
 from graphkin.planning.branches import Branches
 from graphkin.planning.own_axis import along_own_axis
 from graphkin.planning.structure import Structure
+from graphkin.tolerances import CLOSED
 from graphkin.value import frozen
 
 __all__ = ["DEAD_SINE", "Assembly", "assemble", "extent", "links_of", "refuse_bad_positions", "refuse_open"]
@@ -24,8 +26,6 @@ __all__ = ["DEAD_SINE", "Assembly", "assemble", "extent", "links_of", "refuse_ba
 DEAD_DEG = 0.5
 """Lines that meet under less than this give no usable drawing [deg]."""
 DEAD_SINE = float(np.sin(np.radians(DEAD_DEG)))
-CLOSED = 1e-9
-"""A gap of less than this part of the mechanism's size is none."""
 
 
 @frozen
@@ -107,7 +107,7 @@ def _ambiguous(structure: Structure, plot: Plot, first: int, second: int) -> Amb
     places = {
         point: (_at(value, first), _at(value, second))
         for point, value in plot.position.items()
-        if point[0].isupper() and abs(_at(value, first) - _at(value, second)) > 1e-9 * size
+        if point in mechanism.points and abs(_at(value, first) - _at(value, second)) > 1e-9 * size
     }
     point, (one, two) = next(iter(places.items()), ("", (0j, 0j)))
     return AmbiguousSketch(
@@ -138,7 +138,7 @@ def refuse_open(structure: Structure, plot: Plot, part: float) -> None:
     link, gap = _open_link(structure, plot)
     if gap > part * extent(plot):
         mechanism = structure.mechanism
-        raise CannotAssemble(mechanism.where("links", link), (mechanism.called(link),), gap * 1000)
+        raise CannotAssemble(mechanism.where("links", link), (spelled(mechanism.called(link)),), gap * 1000)
 
 
 def _crossings(construction: Construction) -> Iterator[tuple[Meet | Swing | Fit, str]]:
@@ -164,8 +164,8 @@ def _refusal(structure: Structure, construction: Construction, plot: Plot) -> Ca
 
 def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: Plot) -> CannotAssemble | DeadPoint:
     mechanism, links = structure.mechanism, links_of(structure, step)
-    where = mechanism.where("links", links[-1]) if links else mechanism.where("links")
-    called = tuple(mechanism.called(link) for link in links)
+    where = mechanism.where("links", *[link for link in links if structure.is_link(link)][-1:])
+    called = tuple(spelled(mechanism.called(link)) for link in links)
     gap = float(np.nanmin(plot.misses.get(key, np.array(0.0))))
     if gap > CLOSED * extent(plot):
         return CannotAssemble(where, called, gap * 1000)

@@ -246,4 +246,4 @@ def _late(block: Block) -> list[Measure]:
 
 def told_slides(structure: Structure) -> list[str]:
     """Slides that the file speaks of, not those of an equivalent."""
-    return [name for name, pair in structure.slides.items() if not pair.line.origin.endswith(" origin")]
+    return [name for name, pair in structure.slides.items() if pair.stands_for is None]

@@ -9,9 +9,11 @@ import numpy as np
 
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import PairName
-from graphkin.planning.ranks import RANK, rank
+from graphkin.pairs import Pair
+from graphkin.planning.ranks import rank
 from graphkin.planning.restraints import Row, Rows
 from graphkin.planning.structure import Structure
+from graphkin.tolerances import RANK
 from graphkin.value import frozen
 
 __all__ = ["Candidates", "SetAside", "over"]
@@ -47,43 +49,31 @@ class Candidates:
         """Links on hinges, whole pairs, parts of pairs; the last in the file first, what is asked for at the end."""
         wholes, lines, slips, angles = (list[SetAside]() for _ in range(4))
         for pair in self._pairs():
-            rows = self._rows_of(pair)
-            wholes += [SetAside(pair, "whole", rows)] if rows else []
-            if pair[0] == "roll" and len(rows) == 2:
-                lines.append(SetAside(pair, "line", rows[:1]))
-                slips.append(SetAside(pair, "slip", rows[1:]))
-            elif pair[0] == "slide" and len(rows) == 2:
-                angles.append(SetAside(pair, "angle", rows[1:]))
+            rows = tuple(row for kind in ("line", "angle", "slip") if (row := Row(kind, pair.name)) in self.labels)
+            name = self.mechanism.path(pair)
+            wholes += [SetAside(name, "whole", rows)] if rows else []
+            match [row.kind for row in rows]:
+                case ["line", "slip"]:
+                    lines.append(SetAside(name, "line", rows[:1]))
+                    slips.append(SetAside(name, "slip", rows[1:]))
+                case ["line", "angle"]:
+                    angles.append(SetAside(name, "angle", rows[1:]))
+                case _:
+                    pass  # it goes whole, or not at all
         return [*self.links(), *wholes, *lines, *slips, *angles]
 
-    def _pairs(self) -> list[PairName]:
+    def _pairs(self) -> list[Pair]:
         """The pairs that may go, the last in the file first; drivers and poses need theirs."""
         m = self.mechanism
         needed = {driver.link for driver in m.drivers if driver.kind == "slide"}
         needed |= {pose.link for pose in m.poses if pose.kind == "slide"}
         asked = {word for question in m.ask for word in question.split()}
-        tables = (("slide", m.slides), ("gear", m.gears), ("roll", m.rolls), ("cam", m.cams))
-        ranked = []
-        for order, (table, pairs) in enumerate(tables):
-            for k, pair in enumerate(pairs):
-                name = getattr(pair, "name", "")
-                if name not in needed:
-                    line = m.lines.get((table, k), 0)
-                    ranked.append((name not in asked, line, order, k, (table, k)))
-        return [pair for *_, pair in sorted(ranked, reverse=True)]
-
-    def _rows_of(self, pair: PairName) -> tuple[Row, ...]:
-        table, k = pair
-        assert isinstance(k, int)
-        names = {
-            "slide": lambda: self.mechanism.slides[k].name,
-            "gear": lambda: f"g{k}",
-            "roll": lambda: self.mechanism.rolls[k].name,
-            "cam": lambda: f"c{k}",
-        }
-        name = names[table]()
-        kinds = {"slide": ("line", "angle"), "gear": ("slip",), "roll": ("line", "slip"), "cam": ("line",)}[table]
-        return tuple(Row(kind, name) for kind in kinds if Row(kind, name) in self.labels)
+        ranked = [
+            (pair.name not in asked, m.lines.get(m.path(pair), 0), k)
+            for k, pair in enumerate(m.pairs)
+            if pair.name not in needed
+        ]
+        return [m.pairs[k] for *_, k in sorted(ranked, reverse=True)]
 
     def links(self) -> Iterator[SetAside]:
         """Links that only hang on hinges, undriven, the last first."""
@@ -105,11 +95,9 @@ class Candidates:
         """A link of the file; one of the equivalent stands for its pair."""
         if link in self.mechanism.links:
             return "links", link
-        name = link.removeprefix("e ")
-        for k, roll in enumerate(self.mechanism.rolls):
-            if roll.name == name:
-                return "roll", k
-        return ("gear" if name[0] == "g" else "cam"), int(name[1:])
+        pair = self.structure.mechanism.links[link].stands_for
+        assert pair is not None
+        return self.mechanism.path(pair)
 
     def _hinges(self, link: str, joints: Iterable[str]) -> tuple[Row, ...]:
         rows = []
@@ -122,13 +110,7 @@ class Candidates:
         m = self.mechanism
         if row.kind == "hinge":
             return ("hinge", row.name) if row.body in m.links else self._meant(row.body)
-        for k, slide in enumerate(m.slides):
-            if slide.name == row.name:
-                return "slide", k
-        for k, roll in enumerate(m.rolls):
-            if roll.name == row.name:
-                return "roll", k
-        return ("gear" if row.kind == "slip" else "cam"), int(row.name[1:])
+        return m.path(m.pair(row.name))
 
     def holding(self, each: SetAside, whole: Rows, kept: Rows) -> list[PairName]:
         """The pairs whose equations add up to those of one."""

@@ -10,8 +10,9 @@ import numpy as np
 from graphkin.errors import NotRepeated
 from graphkin.naming import named
 from graphkin.planning.candidates import Candidates, SetAside, over
-from graphkin.planning.ranks import CLOSED, RANK, beside, drawn_place, open_by, rank
+from graphkin.planning.ranks import beside, drawn_place, open_by, rank
 from graphkin.planning.restraints import Array, Restraints, Rows
+from graphkin.tolerances import CLOSED, RANK
 
 __all__ = ["Contradictions"]
 

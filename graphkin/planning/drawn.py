@@ -11,14 +11,13 @@ from graphkin.construction import Construction, Equation, Facts, Meet, Plot, Ste
 from graphkin.errors import GearsApart, OffTrack
 from graphkin.geometry import Value, cross
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Line
+from graphkin.pairs import Gear, Line
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Structure
+from graphkin.tolerances import ROUNDED
 
 __all__ = ["facts_of", "refuse_contacts_apart", "with_sides"]
 
-ROUNDED = 1e-6
-"""Lengths in files are rounded: this part of a length is no gap."""
 
 
 def refuse_contacts_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot: Plot) -> None:
@@ -28,17 +27,16 @@ def refuse_contacts_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot:
     """
     if any(np.ndim(value) for value in plot.position.values()):
         return
-    gears = len(mechanism.gears)
-    for k, tie in enumerate(ties):
-        where = mechanism.where("gear", k, "radii") if k < gears else mechanism.where("roll", k - gears, "radius")
+    for tie in ties:
+        where = mechanism.where(*mechanism.path(tie.pair), "radii" if isinstance(tie.pair, Gear) else "radius")
         if not tie.slide:
             distance, wanted = float(abs(plot.arm(*tie.centres))), abs(sum(tie.radii))
             if abs(distance - wanted) > ROUNDED * max(distance, wanted):
                 raise GearsApart(where, tie.centres, distance * 1000, wanted * 1000)
-        elif mechanism.slides and (roll := mechanism.rolls[k - gears]).line is not None:
-            distance, wanted = _beside(roll.line, roll.centre, plot), roll.radius if roll.left else -roll.radius
-            if abs(distance - wanted) > ROUNDED * roll.radius:
-                raise OffTrack(where, roll.centre, mechanism.called(roll.track), distance * 1000, wanted * 1000)
+        elif mechanism.slides and (path := tie.pair.path) is not None:
+            distance, wanted = _beside(path.line, path.point, plot), path.offset
+            if abs(distance - wanted) > ROUNDED * abs(wanted):
+                raise OffTrack(where, path.point, mechanism.called(path.line.link), distance * 1000, wanted * 1000)
 
 
 def _beside(line: Line, point: str, plot: Plot) -> float:

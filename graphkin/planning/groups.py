@@ -3,23 +3,14 @@
 from __future__ import annotations
 
 from graphkin.construction import (
-    Across,
-    Along,
-    AlongGuide,
     Chain,
-    Coriolis,
     Direction,
     Drawn,
-    Driven,
     LayOff,
-    Normal,
-    Quarter,
     Simultaneous,
     Site,
     Size,
-    Tangential,
     Term,
-    Turning,
     Unknown,
 )
 from graphkin.mechanism import FRAME
@@ -32,6 +23,9 @@ from graphkin.planning.special import Leg, Ternary
 from graphkin.planning.stages import Group, Loop
 
 __all__ = ["chain", "group", "walk"]
+
+Known = tuple[tuple[Site, ...], str, Size, Direction | None]
+"""A known arrow: the sites it lies between, its part, its size, its direction."""
 
 
 def group(polygon: Polygon, stage: Group, found: Ternary | None) -> None:
@@ -99,10 +93,10 @@ def _leg(polygon: Polygon, leg: Leg, point: Site) -> tuple[Term, ...]:
     tail = terms[-1].head if terms else polygon.name(leg.start)
     link = polygon.structure.home(leg.end.link)
     label = polygon.labels.label
-    for sites, part, size in _known_of(polygon, leg, point):
+    for sites, part, size, way in _known_of(polygon, leg, point):
         of, seen_from = map(label, sites)
         head = polygon.between("k" if part == "k" else "n", link, f"a^{part}_{of}{seen_from}")
-        terms.append(Term(of, seen_from, part, size, _direction_of(size, leg), tail, head, sites=sites))
+        terms.append(Term(of, seen_from, part, size, way, tail, head, sites=sites))
         tail = head
     seen_from, part = _unknown_of(polygon, leg.unknown)
     sites = (point, leg.unknown.seen_from, leg.unknown.of, leg.end)
@@ -112,18 +106,18 @@ def _leg(polygon: Polygon, leg: Leg, point: Site) -> tuple[Term, ...]:
     return tuple(terms)
 
 
-def _known_of(polygon: Polygon, leg: Leg, point: Site) -> list[tuple[tuple[Site, ...], str, Size]]:
-    """Sites, part and size of each known arrow of a leg, and of the normal one from its end to the point."""
-    known: list[tuple[tuple[Site, ...], str, Size]] = [
-        ((hop.of, hop.seen_from), part, size)
+def _known_of(polygon: Polygon, leg: Leg, point: Site) -> list[Known]:
+    """Each known arrow of a leg, and the normal one from its end to the point."""
+    known: list[Known] = [
+        ((hop.of, hop.seen_from), part, size, way)
         for hop in leg.hops
-        for part, size, _ in polygon.pieces(hop)
+        for part, size, way in polygon.pieces(hop)
         if size is not None
     ]
     if polygon.plane == "acceleration":
-        part, size, _ = polygon.pieces(Lever(leg.end, point, True))[0]
+        part, size, way = polygon.pieces(Lever(leg.end, point, True))[0]
         assert size is not None
-        known.append(((point, leg.end), part, size))
+        known.append(((point, leg.end), part, size, way))
     return known
 
 
@@ -133,20 +127,6 @@ def _unknown_of(polygon: Polygon, hop: Hop) -> tuple[str, str]:
     absolute = hop.seen_from.link == FRAME and (in_velocity or sliding)
     part = "" if in_velocity or absolute else ("r" if sliding else "t")
     return "" if absolute else polygon.labels.label(hop.seen_from), part
-
-
-def _direction_of(size: Size, leg: Leg) -> Direction:
-    match size:
-        case Normal(_, tail, head):
-            return Along(head, tail)
-        case Coriolis(link, tail, head):
-            return Quarter(link, tail, head)
-        case Driven(slide, _):
-            return AlongGuide(slide)
-        case Turning(_, tail, head) | Tangential(_, tail, head):
-            return Across(tail, head)
-        case _:
-            return leg.way
 
 
 def _measure_leg(polygon: Polygon, leg: Leg) -> None:

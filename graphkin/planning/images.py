@@ -14,9 +14,8 @@ __all__ = ["add_up", "base_of", "drive", "fill", "reach"]
 
 def fill(polygon: Polygon, body: str) -> None:
     """Every named point of a link."""
-    for point in polygon.structure.bodies[body]:
-        if point[0].isupper():
-            reach(polygon, Site(point, body))
+    for point in polygon.structure.named(body):
+        reach(polygon, Site(point, body))
 
 
 def reach(polygon: Polygon, site: Site) -> None:
@@ -35,7 +34,7 @@ def reach(polygon: Polygon, site: Site) -> None:
 
 def base_of(polygon: Polygon, body: str) -> list[Site]:
     """Known sites of a body that lie apart, its own points first."""
-    own = [Site(point, body) for point in polygon.structure.bodies[body] if point[0].isupper()]
+    own = [Site(point, body) for point in polygon.structure.named(body)]
     more = [key for key in polygon.at if key.link == body and key not in own]
     known = [site for site in own + more if polygon.known(site)]
     pairs = combinations(known, 2)

@@ -31,7 +31,7 @@ class Labels:
                 return point
             link = self.coincident[point]
         elif self.structure.is_pin(site.link):
-            return f"{point}@{site.link.removeprefix('pin ')}"  # a pin in a slot is a body beside its link
+            return f"{point}@{self.structure.pins[site.link].name}"  # a pin in a slot is a body beside its link
         else:
             link = self.structure.home(site.link)
         return self.numbered(point, link)

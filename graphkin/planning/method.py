@@ -8,8 +8,8 @@ from functools import cached_property
 from graphkin.construction import Construction, Facts, Fit, Roll, Site
 from graphkin.geometry import Value
 from graphkin.mechanism import Driver, Mechanism
+from graphkin.planning.candidates import SetAside
 from graphkin.planning.drawn import facts_of
-from graphkin.planning.repeated import SetAside
 from graphkin.planning.special import Ternary
 from graphkin.planning.stages import Bridge, Group, Stage
 from graphkin.planning.structure import Structure
@@ -67,6 +67,11 @@ class Method:
         """Whether constraints and drivers, counted by the formula, do not add up: some repeat others, or clash."""
         bridged = any(isinstance(stage, Bridge) for stage in self.stages)
         return bridged or bool(self.aside) or self.structure.surplus != 0
+
+    @property
+    def special(self) -> frozenset[str]:
+        """The special points, which no link of the file has."""
+        return frozenset(found.name for found in self.ternaries.values())
 
     @property
     def constructions(self) -> tuple[Construction, Construction, Construction]:

@@ -22,7 +22,7 @@ from graphkin.planning.special import Ternary
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.planning.structure import Hinge, Structure
 
-__all__ = ["Labels", "motion"]
+__all__ = ["motion"]
 
 
 def motion(
@@ -50,7 +50,7 @@ def _with_pole(
     polygon = Polygon(structure, labels, plane, pole + prime, velocity)
     polygon.new(polygon.pole, "pole")
     polygon.reserved = {name[0].lower() + name[1:] + prime for name in _written(structure, labels)}
-    fixed = tuple(polygon.fixed(point) for point in structure.bodies[FRAME] if point[0].isupper())
+    fixed = tuple(polygon.fixed(point) for point in structure.named(FRAME))
     polygon.parts.append(Given(polygon.pole, fixed))
     return polygon
 

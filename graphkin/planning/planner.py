@@ -10,13 +10,14 @@ from graphkin.errors import HigherClass
 from graphkin.mechanism import Mechanism
 from graphkin.planning.assembly import assemble
 from graphkin.planning.bypass import with_ways
+from graphkin.planning.candidates import SetAside
 from graphkin.planning.drawn import facts_of, refuse_contacts_apart, with_sides
 from graphkin.planning.equivalent import contacts, lower_pairs
 from graphkin.planning.labels import Labels, coincident_points
 from graphkin.planning.method import Method
 from graphkin.planning.motion import motion
 from graphkin.planning.position import position
-from graphkin.planning.repeated import SetAside, as_aside, repeated
+from graphkin.planning.repeated import as_aside, repeated
 from graphkin.planning.special import special_points, with_special_points
 from graphkin.planning.stages import Group, Loop, Mesh, Stage, stages
 from graphkin.planning.standing import as_drawn
@@ -89,7 +90,7 @@ def _order(structure: Structure) -> tuple[Stage, ...]:
     order, left = stages(structure)
     if left:
         homes = dict.fromkeys(structure.home(body) for body in left)
-        names = [name for name in homes if name in structure.mechanism.links and " " not in name]
+        names = [name for name in homes if structure.is_link(name)]
         raise HigherClass(structure.mechanism.where("links", names[0]), tuple(names))
     _refuse_held_twice(structure, order)
     return order

@@ -7,13 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from graphkin.planning.restraints import Array, Restraints, Row, Rows, settled
+from graphkin.tolerances import CLOSED, RANK
 
-__all__ = ["CLOSED", "RANK", "beside", "drawn_place", "open_by", "rank"]
+__all__ = ["beside", "drawn_place", "open_by", "rank"]
 
-RANK = 1e-6
-"""Singular values below this count as zero."""
-CLOSED = 1e-9
-"""Equations that are open by less hold [size, rad]."""
 _STARTS = 12
 
 

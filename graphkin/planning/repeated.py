@@ -16,11 +16,12 @@ import numpy as np
 from graphkin.mechanism import Driver, Mechanism
 from graphkin.planning.candidates import Candidates, SetAside, over
 from graphkin.planning.contradicting import Contradictions
-from graphkin.planning.ranks import CLOSED, drawn_place, open_by, rank
+from graphkin.planning.ranks import drawn_place, open_by, rank
 from graphkin.planning.restraints import Array, Restraints, Row, Rows, settled
 from graphkin.planning.structure import Aside, Structure
+from graphkin.tolerances import CLOSED
 
-__all__ = ["SetAside", "as_aside", "repeated", "still_repeated"]
+__all__ = ["as_aside", "repeated", "still_repeated"]
 
 _NUDGE = 0.05
 """How far bodies are moved to see the general rank [size, rad]."""
@@ -46,7 +47,6 @@ def as_aside(found: Iterable[SetAside]) -> Aside:
     gone = {row for each in pairs for row in each.rows}
     return Aside(
         slides=frozenset(row.name for row in gone if row.kind == "line"),
-        cams=frozenset(row.name for each in pairs if each.pair[0] == "cam" for row in each.rows),
         angles=frozenset(row.name for row in gone if row.kind == "angle" and Row("line", row.name) not in gone),
         contacts=frozenset(row.name for row in gone if row.kind == "slip"),
     )

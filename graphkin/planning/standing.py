@@ -15,19 +15,20 @@ from graphkin.construction import Plot, replay, slide_key
 from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, Where
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning.assembly import assemble, extent, refuse_open
+from graphkin.planning.candidates import SetAside
 from graphkin.planning.drawn import facts_of, with_sides
 from graphkin.planning.position import position
-from graphkin.planning.repeated import SetAside, as_aside, still_repeated
+from graphkin.planning.repeated import as_aside, still_repeated
 from graphkin.planning.stages import stages
 from graphkin.planning.structure import Structure
+from graphkin.quantities import EDGE, driven
+from graphkin.tolerances import ROUNDED
 from graphkin.value import frozen
 
 __all__ = ["as_drawn"]
 
 Repeats = tuple[SetAside, ...]
 
-SAME = 1e-6
-"""Values that differ by less say the same [rad, mechanism's size]: figures in files are rounded."""
 TRIES = 64
 """So many choices of poses to leave out are tried."""
 
@@ -53,7 +54,7 @@ def as_drawn(
     structure, plot = _standing(mechanism, lower, repeats)
     drawn = {link: float(plot.theta[link]) if link in plot.theta else 0.0 for link in structure.bodies}
     drawn |= {slide_key(slide): float(value) for slide, value in plot.s.items()}
-    sketch = {**lower.sketch, **{p: complex(z) for p, z in plot.position.items() if p[0].isupper()}}
+    sketch = {**lower.sketch, **{p: complex(z) for p, z in plot.position.items() if p in mechanism.points}}
     drivers = tuple(_valued(driver, plot, drawn) for driver in mechanism.drivers)
     driven = replace(lower, drivers=drivers, sketch=sketch)
     return _counted_on(replace(structure, mechanism=driven), drawn), driven
@@ -154,7 +155,7 @@ def _placed(
     facts = facts_of(structure, None, {})
     found = assemble(structure, construction, choices, facts, {})
     plot = replay(with_sides(construction, found.sides), Plot(facts, found.near))
-    refuse_open(structure, plot, SAME)
+    refuse_open(structure, plot, ROUNDED)
     return structure, plot
 
 
@@ -173,8 +174,7 @@ def _with(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], rep
 
 def _shows_nothing(mechanism: Mechanism, structure: Structure, body: str) -> bool:
     """Whether one cannot see how a wheel stands: it hangs on its centre alone, and has no other point."""
-    wheels = {wheel for gear in mechanism.gears for wheel in gear.joins}
-    wheels |= {wheel for roll in mechanism.rolls for wheel in roll.joins}
+    wheels = {wheel for pair in mechanism.pairs if pair.rolling is not None for wheel in pair.joins}
     wheels |= {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
     hinges = list(structure.joints(body))
     return body in wheels and len(hinges) < 2 and len(set(structure.shapes[body].values())) == 1
@@ -184,7 +184,7 @@ def _left(structure: Structure) -> tuple[str, ...]:
     """The links that nothing places, those first whose direction is open."""
     left = [body for body in stages(structure)[1] if not structure.is_pin(body)]
     turning = [body for body in left if structure.base(body) != FRAME]
-    return tuple(name for name in turning or left if " " not in name)
+    return tuple(name for name in turning or left if structure.is_link(name))
 
 
 # --- comparing --------------------------------------------------------------------------------
@@ -208,13 +208,10 @@ def _off(plot: Plot, given: _Given) -> float:
 
 
 def _holds(plot: Plot, given: _Given) -> bool:
-    return abs(_off(plot, given)) < (SAME * extent(plot) if given.fixes.kind == "slide" else SAME)
+    return abs(_off(plot, given)) < (ROUNDED * extent(plot) if given.fixes.kind == "slide" else ROUNDED)
 
 
 def _told(given: _Given, off: float) -> tuple[str, str, str]:
     """What is said, what holds, and how far they are apart, with units."""
-    said, unit, scale = given.fixes.value or 0.0, "°", 180 / np.pi
-    if given.fixes.kind == "slide":
-        unit, scale = " mm", 1000.0
-    said_text, holds, apart = (f"{value * scale:.6g}{unit}" for value in (said, said + off, abs(off)))
-    return said_text, holds, apart
+    said, unit = given.fixes.value or 0.0, EDGE[driven(given.fixes.kind == "slide")]
+    return unit.shown(said), unit.shown(said + off), unit.shown(abs(off))

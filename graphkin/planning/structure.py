@@ -14,7 +14,7 @@ from functools import cached_property
 
 from graphkin.construction import TurnOf
 from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.pairs import Slide
+from graphkin.pairs import Rod, Slide, pin_name
 from graphkin.planning.equivalent import Contact
 from graphkin.value import frozen
 
@@ -43,7 +43,6 @@ class Aside:
     """What repeats others, by name: slides (those that stand for cams, too); blocks whose angle is held; contacts."""
 
     slides: frozenset[str] = frozenset()
-    cams: frozenset[str] = frozenset()
     angles: frozenset[str] = frozenset()
     contacts: frozenset[str] = frozenset()
 
@@ -76,17 +75,22 @@ class Structure:
         )
 
     @cached_property
+    def pins(self) -> dict[str, Slide]:
+        """The slide in whose slot each body moves that stands for a pin."""
+        return {self.block(slide): slide for slide in self.slides.values() if slide.block is None}
+
+    @cached_property
     def bodies(self) -> dict[str, tuple[str, ...]]:
         """Points of each body: the links, then the blocks that stand for pins."""
         bodies = {name: tuple(link.points) for name, link in self.mechanism.links.items()}
-        bodies |= {self.block(s): (s.point,) for s in self.joining if s.block is None}
+        bodies |= {self.block(slide): (slide.point,) for slide in self.joining if slide.block is None}
         return bodies
 
     @cached_property
     def shapes(self) -> dict[str, Mapping[str, complex]]:
         """Points of each body in its axes [m]; the one of a pin's body is its origin."""
         shapes: dict[str, Mapping[str, complex]] = {n: link.points for n, link in self.mechanism.links.items()}
-        return shapes | {b: {points[0]: 0j} for b, points in self.bodies.items() if self.is_pin(b)}
+        return shapes | {body: {slide.point: 0j} for body, slide in self.pins.items() if body in self.bodies}
 
     @cached_property
     def order(self) -> dict[str, int]:
@@ -95,21 +99,30 @@ class Structure:
     @staticmethod
     def block(slide: Slide) -> str:
         """The body that slides: the block, or the one that stands for the pin."""
-        return slide.block if slide.block is not None else f"pin {slide.name}"
+        return slide.block if slide.block is not None else pin_name(slide)
 
     @cached_property
     def followers(self) -> frozenset[str]:
         """Lines of centres of gears: they go with two points whose distance other links keep, and keep none."""
-        return frozenset(name for name in self.mechanism.links if name.startswith("e g"))
+        rods = {name: link.stands_for.equivalent for name, link in self.mechanism.links.items() if link.stands_for}
+        return frozenset(name for name, rod in rods.items() if isinstance(rod, Rod) and rod.follows)
 
     def is_pin(self, body: str) -> bool:
         return body not in self.mechanism.links
+
+    def is_link(self, body: str) -> bool:
+        """Whether the file has it: no pin, and no rod of the equivalent."""
+        return not self.is_pin(body) and self.mechanism.links[body].stands_for is None
+
+    def named(self, body: str) -> tuple[str, ...]:
+        """The points of a body that people named."""
+        return tuple(point for point in self.bodies[body] if point not in self.mechanism.unnamed)
 
     def home(self, body: str) -> str:
         """The link people name for a body: for a pin, the first link that carries it."""
         if not self.is_pin(body):
             return body
-        slide = self.slides[body.removeprefix("pin ")]
+        slide = self.pins[body]
         return next(name for name in self.mechanism.owners[slide.point] if name != slide.guide)
 
     @cached_property
@@ -169,7 +182,9 @@ class Structure:
     @cached_property
     def measured(self) -> tuple[str, ...]:
         """The slides whose displacements are of use: all but those that stand for cams and join nothing."""
-        return tuple(name for name in self.slides if name not in self.aside.cams)
+        aside = [slide for name, slide in self.slides.items() if name in self.aside.slides]
+        useless = {slide.name for slide in aside if slide.stands_for is not None and slide.stands_for.path is None}
+        return tuple(name for name in self.slides if name not in useless)
 
     @property
     def surplus(self) -> int:

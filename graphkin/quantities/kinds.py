@@ -10,6 +10,7 @@ from graphkin.geometry import Value
 from graphkin.motions import Motions
 from graphkin.naming import Seen
 from graphkin.quantities.relative import absolute, relative
+from graphkin.tolerances import STILL
 from graphkin.value import frozen
 
 __all__ = [
@@ -21,8 +22,6 @@ Axis = Literal["x", "y"]
 
 _TURNING = {"theta": ("rad", "θ"), "omega": ("rad/s", "ω"), "alpha": ("rad/s^2", "α")}
 _MOVING = {"v": "m/s", "a": "m/s^2"}
-STILL = 1e-9
-"""Two links that turn against each other by less than this part of the fastest rotation move along each other."""
 
 
 @frozen

@@ -20,6 +20,7 @@ from graphkin.errors import (
 )
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import Seen, pair, seen
+from graphkin.pairs import Roll, Slide
 from graphkin.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation
 from graphkin.quantities.relative import has_part
 
@@ -147,11 +148,10 @@ def _rotation(mechanism: Mechanism, where: Where, word: str, of: str) -> Rotatio
 
 def _displacement(mechanism: Mechanism, where: Where, of: str) -> Displacement | None:
     """Of a sliding pair, or of a wheel on a line; that of a wheel on a circle is only shown."""
-    slides = tuple(slide.name for slide in mechanism.slides) + tuple(roll.name for roll in mechanism.rolls)
-    if of not in slides:
-        raise UnknownSlide(where, of, slides)
-    round_circles = {roll.name for roll in mechanism.rolls if roll.line is None}
-    return Displacement("s", of, of) if of not in round_circles else None
+    way = {pair.name: pair.path for pair in mechanism.pairs if isinstance(pair, Slide | Roll)}
+    if of not in way:
+        raise UnknownSlide(where, of, tuple(way))
+    return Displacement("s", of, of) if way[of] is not None else None
 
 
 def _site(mechanism: Mechanism, where: Where, of: str) -> Seen:
@@ -190,9 +190,8 @@ def _guide(mechanism: Mechanism, site: Seen) -> complex | None:
 def _others(mechanism: Mechanism, of: Seen, word: str) -> tuple[str, ...]:
     """What may be meant: the point of another link under this one, or another point of the same link."""
     if word in ("a_n", "a_t"):
-        links = [mechanism.links[link].points for link in mechanism.owners[of.point] if link != FRAME]
-        return tuple(dict.fromkeys(of.point + point for points in links for point in points if point[0].isupper()
-                                   and point != of.point))  # fmt: skip
+        links = [mechanism.named(link) for link in mechanism.owners[of.point] if link != FRAME]
+        return tuple(dict.fromkeys(of.point + point for points in links for point in points if point != of.point))
     return tuple(
         _coincident(mechanism, of.point, link, slide.guide)
         for slide in mechanism.slides if slide.point == of.point

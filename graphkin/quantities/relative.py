@@ -10,6 +10,7 @@ from graphkin.geometry import Value, dot
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
 from graphkin.naming import Seen, common_link
+from graphkin.pairs import Rod
 
 __all__ = ["absolute", "has_part", "relative"]
 
@@ -26,7 +27,9 @@ def has_part(mechanism: Mechanism, part: str, of: Seen, seen_from: Seen) -> bool
     """Whether there is such a part: n and t of points of one link, or of centres that profiles keep apart; k and r of
     coincident points."""
     if part in ("n", "t"):
-        return bool(common_link(mechanism, of, seen_from) is not None or mechanism.cams or mechanism.rolls)
+        apart = (pair.equivalent for pair in mechanism.pairs)
+        held = any(same is not None and not (isinstance(same, Rod) and same.follows) for same in apart)
+        return held or common_link(mechanism, of, seen_from) is not None
     return part == "" or of.point == seen_from.point
 
 

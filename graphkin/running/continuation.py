@@ -16,14 +16,12 @@ import numpy as np
 
 from graphkin.construction import Fit, Meet, Plot, Roll, Swing, replay
 from graphkin.planning.method import Method
-from graphkin.running.path import Event, Path, along, by_slide_key, stride, turned
+from graphkin.running.path import STEP_DEG, STEP_PART, Event, Path, along, by_slide_key, stride, turned
 from graphkin.running.singularities import Crossing, choice_of, crossings, event_at, key_of, touching
 from graphkin.value import frozen
 
 __all__ = ["continued"]
 
-STEP_DEG, STEP_PART = 3.0, 0.02
-"""The longest step [deg, of the mechanism's size]."""
 FIRST = 1 / 32
 """The first step, of which nothing is foretold but its direction, as part of the longest."""
 FARTHEST = 0.2

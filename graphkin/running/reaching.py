@@ -11,14 +11,13 @@ from graphkin.construction import Plot, replay
 from graphkin.errors import NotReached
 from graphkin.geometry import Value
 from graphkin.planning.method import Method
+from graphkin.quantities import EDGE, driven
 from graphkin.running.many import along_in_parts
-from graphkin.running.path import Path, along, stride, turned
+from graphkin.running.path import STEP_DEG, STEP_PART, Path, along, stride, turned
 from graphkin.running.tracing import trace
 
 __all__ = ["moved_to", "reached"]
 
-STEP_DEG, STEP_PART = 3.0, 0.02
-"""How far a mechanism is moved at once where its position is found from the one before [deg, of its size]."""
 SURPRISE = 0.02
 """How far a link may turn beside what its turning so far foretold [rad]; more, and the step is halved."""
 SHORTEST = 1 / 256
@@ -60,13 +59,9 @@ def _other_way_round(method: Method, values: Sequence[Value]) -> Sequence[Value]
 def _not_reached(method: Method, path: Path, t: float) -> NotReached:
     moving = int(np.argmax(np.abs(path.pace)))
     driver = method.drivers[moving]
-
-    def told(at: float) -> str:
-        value = float(path.values(at)[moving])
-        return f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{np.degrees(value):.6g}°"
-
-    where = method.mechanism.where("driver", moving)
-    return NotReached(where, driver.name, told(0.0), told(t), told(path.last))
+    unit = EDGE[driven(driver.kind == "slide")]
+    start, end, stop = (unit.shown(float(path.values(at)[moving])) for at in (0.0, t, path.last))
+    return NotReached(method.mechanism.where("driver", moving), driver.name, start, end, stop)
 
 
 # --- positions --------------------------------------------------------------------------------

@@ -11,9 +11,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing
+from graphkin.naming import spelled
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
 from graphkin.running.path import Event, Path, along, stride
+from graphkin.tolerances import TOUCH
 
 __all__ = [
     "LOOK_DEG",
@@ -29,8 +31,6 @@ __all__ = [
 
 LOOK_DEG, LOOK_PART = 0.5, 0.002
 """How closely the path is looked at [deg, of the mechanism's size]."""
-TOUCH = 1e-11
-"""Circles that miss each other by less than this part of the mechanism's size touch."""
 TOUCHING_SINE = 3e-6
 """The sine to which two loci come down, as closely as it is looked at, where they touch."""
 LOW_SINE = 0.3
@@ -79,7 +79,7 @@ def _kind(step: Crossing) -> str:
 
 
 def _called(method: Method, step: Crossing) -> tuple[str, ...]:
-    return tuple(method.mechanism.called(link) for link in links_of(method.structure, step))
+    return tuple(spelled(method.mechanism.called(link)) for link in links_of(method.structure, step))
 
 
 def first_touching(method: Method, path: Path, t: np.ndarray, step: Crossing, plot: Plot) -> tuple[float, bool] | None:

@@ -6,6 +6,7 @@ import math
 
 from graphkin.errors import TooFar
 from graphkin.planning.method import Method
+from graphkin.quantities import EDGE, driven
 from graphkin.running.path import Path, stride
 
 __all__ = ["refuse_far"]
@@ -24,12 +25,9 @@ def refuse_far(method: Method, path: Path, look_deg: float, look_part: float) ->
         return
     moving = max(range(len(path.pace)), key=lambda k: abs(path.pace[k]))
     driver = method.drivers[moving]
-
-    def told(value: float) -> str:
-        return f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{math.degrees(value):.6g}°"
-
-    start, end = (told(path.start[moving] + path.pace[moving] * t) for t in (path.low, path.high))
-    farthest = told(_round(abs(path.pace[moving]) * most))
+    unit = EDGE[driven(driver.kind == "slide")]
+    start, end = (unit.shown(path.start[moving] + path.pace[moving] * t) for t in (path.low, path.high))
+    farthest = unit.shown(_round(abs(path.pace[moving]) * most))
     raise TooFar(method.mechanism.where("driver", moving), driver.name, start, end, farthest)
 
 

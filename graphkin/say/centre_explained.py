@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from math import degrees
 from typing import Any
 
-from graphkin.centres import ByCentres, Centres, advantages, as_json
+from graphkin.centres import Centres, advantages, as_json
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
 from graphkin.say.centre_steps import CentreReader
@@ -62,8 +62,8 @@ def _way(by: str | list[list[str]], lang: Lang) -> str:
 
 def advantage_lines(found: Centres, lang: Lang) -> Iterator[str]:
     """How many times the driver's torque a link gives, by the ratios of the centres' distances."""
-    by, mechanism = ByCentres(found), found.method.mechanism
+    mechanism = found.method.mechanism
     driver = next((d for d in mechanism.drivers if d.rate), mechanism.drivers[0])
-    for link, value in advantages(by).items():
+    for link, value in advantages(found).items():
         names = {"out": mechanism.called(link), "driver": mechanism.called(driver.link)}
         yield "  " + say("centres.advantage", lang, value=f"{value:.4g}", **names)

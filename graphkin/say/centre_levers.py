@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import assert_never
 
-from graphkin.centres.levers import Lever, Levers, Number
+from graphkin.centres.lever_board import Lever, Number
+from graphkin.centres.levers import Levers
 from graphkin.drafting import Reckon
 from graphkin.mechanism import FRAME
 from graphkin.say import names
@@ -89,12 +90,12 @@ class LeverReader:
 
     def _formulas(self, lever: Lever, found: Reckon) -> tuple[tuple[str, ...], str]:
         """The formulas, and the last one with its figures."""
+        if lever.stage.say == "triangle":
+            return (), ""
         written, figured = FORMS[found.rule]
         formula = written.format(*(self.symbol(name) for name in found.of))
         figures = figured.format(*(number(float(self.levers.board.numbers[name])) for name in found.of))
         match lever.stage.say:
-            case "triangle":
-                return (), ""
             case "pushed":
                 return (f"v_{self._shared(lever)}", formula), figures
             case "point" if not self.levers.turning[lever.link]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from math import degrees
 from typing import assert_never
@@ -10,7 +10,7 @@ from typing import assert_never
 import numpy as np
 
 from graphkin.centres import Centres
-from graphkin.construction import Ray
+from graphkin.centres.beneath import CommonNormal
 from graphkin.drafting import (
     Far,
     LayOff,
@@ -26,11 +26,15 @@ from graphkin.drafting import (
 )
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.pairs import Cam, CircularSlot, Pair, Slide
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.entries import Entry, Heading, Sentence
 from graphkin.say.numbers import number
 from graphkin.value import frozen
+
+NORMALS: Mapping[type[Pair], str] = {Cam: "contact", Slide: "slot", CircularSlot: "circular slot"}
+"""What the common normal is the normal of, for each kind of pair that slips."""
 
 
 @frozen
@@ -134,11 +138,10 @@ class CentreReader:
         key = "centres.across guide" if by_definition else "centres.parallel"
         return self.say(key, angle=self.angle(far[0]), **words)
 
-    def _normal(self, step: Meet, normal: Ray) -> str:
+    def _normal(self, step: Meet, normal: CommonNormal) -> str:
         pair = self.found.centring.links[step.name]
-        if any({*cam.links} == {*pair} for cam in self.mechanism.cams):
-            return self.say("centres.normal", **self._links(pair))
-        return self.say("centres.slot", point=names.point(normal.through), **self._links(pair))
+        key = f"centres.normal of {NORMALS[type(normal.pair)]}"
+        return self.say(key, point=names.point(normal.line.through), **self._links(pair))
 
     def _three(self, ends: Iterable[str]) -> str:
         """The three links whose centres lie on a line: `1, 2, 3`."""

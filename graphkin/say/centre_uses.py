@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import hypot
 
-from graphkin.centres.levers import Levers, printed
-from graphkin.centres.uses import driven_point
+from graphkin.centres.lever_board import printed
+from graphkin.centres.levers import Levers, driven_point
 from graphkin.errors import listed
 from graphkin.mechanism import FRAME, Driver
 from graphkin.naming import Seen, common_link

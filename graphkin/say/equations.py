@@ -163,7 +163,8 @@ def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...])
         match step:
             case LayOff():
                 yield Sentence(_lay_off(polygon, step, carried=met, told=told))
-                told = told or (step.tip.startswith("*") and polygon.size(step.term.tail, step.term.head) > 0)
+                aside = not polygon.construction.nodes[step.tip].of
+                told = told or (aside and polygon.size(step.term.tail, step.term.head) > 0)
             case Meet():
                 met = True
                 yield Sentence(_meet(polygon, step, terms))
@@ -185,7 +186,7 @@ def _lay_off(polygon: Polygon, step: LayOff, carried: bool = False, told: bool =
         return say("derivation.lay off nothing", name=name, tip=tip, start=start)
     ends = (step.tip, step.start) if step.backwards else (step.start, step.tip)
     length = polygon.laid(name, term.tail, term.head, ends)
-    if step.tip.startswith("*"):
+    if not polygon.construction.nodes[step.tip].of:
         way = say("derivation.aside backward" if step.backwards else "derivation.aside forward", start=start)
         return say(
             "derivation.aside more" if told else "derivation.aside",

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import assert_never
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, assert_never
 
 import numpy as np
 
@@ -23,7 +23,7 @@ from graphkin.construction import (
     Touch,
 )
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, Gear, Line
+from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, Slot, rod_name
 from graphkin.pairs import Roll as RollingPair
 from graphkin.say import names
 from graphkin.say.entries import Entry, Sentence
@@ -33,47 +33,59 @@ from graphkin.say.reading import Reading
 
 def equivalents(reading: Reading) -> Iterator[Entry]:
     """Each cam by its lower pairs, each rolling wheel by what its centre does."""
-    for k, cam in enumerate(reading.mechanism.cams):
-        yield Sentence(_cam(reading, k, cam))
-        if f"c{k}" in reading.contact_slides:
-            yield from _path(reading, f"c{k}")
-    for roll in reading.mechanism.rolls:
-        if roll.line is not None:
-            yield Sentence(_on_line(reading, roll, roll.line))
-            if roll.name in reading.contact_slides:
-                yield from _path(reading, roll.name)
-        elif f"e {roll.name}" in reading.method.structure.bodies:
-            yield Sentence(_on_circle(reading, roll))
-    for k, gear in enumerate(reading.mechanism.gears):
-        if f"e g{k}" in reading.method.structure.bodies:
-            yield Sentence(_line_of_centres(reading, gear, f"e g{k}"))
+    for kind, tell in EQUIVALENTS.items():
+        for pair in reading.mechanism.of(kind):
+            yield from tell(reading, pair)
 
 
-def _cam(reading: Reading, k: int, cam: Cam) -> str:
-    first, second = cam.profiles
-    if first.line is None and second.line is None:
-        assert first.centre is not None
-        assert second.centre is not None
-        centres, link = (first.centre, second.centre), names.point(f"e c{k}")
-        one, other = (names.point(centre) for centre in centres)
-        if first.radius and second.radius:
-            length = _distance(centres, (first.radius, second.radius), cam.internal)
-            return reading.say("contacts.circles touch", first=one, second=other, length=length, link=link)
-        if not first.radius:
-            one, other = other, one
-        length = f"{names.pair(*centres)} = {number(1000 * (first.radius + second.radius))} mm"
-        return reading.say("contacts.edge on circle", first=one, second=other, length=length, link=link)
-    flat, disc = (first, second) if first.line is not None else (second, first)
-    assert flat.line is not None
-    assert disc.centre is not None
+def _cam(reading: Reading, cam: Cam) -> Iterator[Entry]:
+    match cam.equivalent:
+        case Rod() as rod:
+            yield Sentence(_circles_touch(reading, cam, rod))
+        case Slot() as slot:
+            yield Sentence(_flat_touches(reading, slot))
+            if cam.name in reading.contact_slides:
+                yield from _path(reading, cam.name)
+
+
+def _circles_touch(reading: Reading, cam: Cam, rod: Rod) -> str:
+    one, other = (names.point(centre) for centre in rod.points)
+    (_, _, radius), (_, _, more) = cam.circles
+    link = names.point(rod_name(cam))
+    if radius and more:
+        length = _distance(rod.points, (radius, more), cam.internal)
+        return reading.say("contacts.circles touch", first=one, second=other, length=length, link=link)
+    if not radius:
+        one, other = other, one
+    length = f"{names.pair(*rod.points)} = {number(1000 * rod.length)} mm"
+    return reading.say("contacts.edge on circle", first=one, second=other, length=length, link=link)
+
+
+def _flat_touches(reading: Reading, slot: Slot) -> str:
     words = {
-        "centre": names.point(disc.centre),
-        "face": _face(reading, flat.line),
-        "link": reading.link(flat.line.link),
+        "centre": names.point(slot.point),
+        "face": _face(reading, slot.line),
+        "link": reading.link(slot.line.link),
     }
-    if not disc.radius:
+    if not slot.offset:
         return reading.say("contacts.edge touches", **words)
-    return reading.say("contacts.flat touches", length=_radius(disc.radius), **words)
+    return reading.say("contacts.flat touches", length=_radius(abs(slot.offset)), **words)
+
+
+def _circular_slot(reading: Reading, slot: CircularSlot) -> Iterator[Entry]:
+    centre, pin = names.point(slot.centre), names.point(slot.point)
+    length = f"{names.pair(slot.centre, slot.point)} = {number(1000 * slot.radius)} mm"
+    words = {"guide": reading.link(slot.guide), "link": names.point(rod_name(slot)), "length": length}
+    yield Sentence(reading.say("contacts.pin in arc", centre=centre, pin=pin, **words))
+
+
+def _rolling(reading: Reading, roll: RollingPair) -> Iterator[Entry]:
+    if roll.line is not None:
+        yield Sentence(_on_line(reading, roll, roll.line))
+        if roll.name in reading.contact_slides:
+            yield from _path(reading, roll.name)
+    elif rod_name(roll) in reading.method.structure.bodies:
+        yield Sentence(_on_circle(reading, roll))
 
 
 def _on_line(reading: Reading, roll: RollingPair, line: Line) -> str:
@@ -97,17 +109,24 @@ def _on_circle(reading: Reading, roll: RollingPair) -> str:
         first=names.point(roll.track_centre),
         second=names.point(roll.centre),
         length=_distance(centres, (roll.track_radius, roll.radius), roll.internal),
-        link=names.point(f"e {roll.name}"),
+        link=names.point(rod_name(roll)),
     )
 
 
-def _line_of_centres(reading: Reading, gear: Gear, link: str) -> str:
-    return reading.say(
-        "contacts.line of centres",
-        wheels=reading.listed([reading.link(wheel) for wheel in gear.links]),
-        length=_distance(gear.centres, gear.radii, gear.internal),
-        link=names.point(link),
-    )
+def _line_of_centres(reading: Reading, gear: Gear) -> Iterator[Entry]:
+    if rod_name(gear) in reading.method.structure.bodies:
+        words = {"wheels": reading.listed([reading.link(wheel) for wheel in gear.links]),
+                 "length": _distance(gear.centres, gear.radii, gear.internal)}  # fmt: skip
+        yield Sentence(reading.say("contacts.line of centres", **words, link=names.point(rod_name(gear))))
+
+
+EQUIVALENTS: Mapping[type[Pair], Callable[[Reading, Any], Iterator[Entry]]] = {
+    Cam: _cam,
+    CircularSlot: _circular_slot,
+    RollingPair: _rolling,
+    Gear: _line_of_centres,
+}
+"""What is said of each kind that has a lower-pair equivalent, in this order."""
 
 
 def _distance(centres: tuple[str, str], radii: tuple[float, float], internal: bool) -> str:
@@ -138,9 +157,9 @@ def _path(reading: Reading, name: str) -> Iterator[Entry]:
         start, angle = path[0].upper() + path[1:], degrees(slide.line.direction)
         yield Sentence(reading.say("contacts.fixed path", path=start, place=f"({x}, {y})", angle=angle))
     elif any(_uses(step, origin) for step in reading.method.position.steps):
-        beside, mark = reading.track_origin(name), names.point(origin)
-        if beside[0].isupper():
-            yield Sentence(reading.say("contacts.abreast", path=path, mark=mark, origin=names.point(beside)))
+        (beside,), mark = reading.mechanism.pair(name).lines, names.point(origin)
+        if beside.named:
+            yield Sentence(reading.say("contacts.abreast", path=path, mark=mark, origin=names.point(beside.origin)))
         else:
             yield Sentence(reading.say("contacts.marked start", path=path, mark=mark))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from graphkin.construction import Plane
+from graphkin.naming import spelled
 
 LETTER: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
 SCALE: dict[Plane, str] = {"position": "μ_l", "velocity": "μ_v", "acceleration": "μ_a"}
@@ -25,7 +26,7 @@ def point(name: str) -> str:
         count = int(name[1:])
         return chr(0x2460 + count - 1) if count <= 20 else f"({count})"
     name = _ORIGIN.sub(_origin, name)
-    return _EQUIVALENT.sub(_equivalent, name).replace("'", "′")
+    return spelled(name).replace("'", "′")
 
 
 _ORIGIN = re.compile(r"(?:([cr])(\d+)|\w+) origin")
@@ -36,16 +37,6 @@ def _origin(found: re.Match[str]) -> str:
     kind, number = found.groups()
     mark = "ⓒ" if kind == "c" else "ⓡ"
     return mark + (str(int(number) + 1) if number and int(number) else "")
-
-
-_EQUIVALENT = re.compile(r"(?<![A-Za-z])([nkrt]?)e (?:c(\d+)|(\w+))")
-
-
-def _equivalent(found: re.Match[str]) -> str:
-    letter, cam, roll = found.groups()
-    if cam is None:
-        return f"{letter}e_{roll}"
-    return f"{letter}e" + (str(int(cam) + 1) if int(cam) else "")
 
 
 def stretch(tail: str, head: str) -> str:

@@ -65,14 +65,14 @@ class PositionReader:
             case LayOff():
                 yield Sentence(self._lay_off(step))
             case Meet():
-                special = step.point not in self.reading.method.structure.owners and step.point[0] != "*"
+                special = step.point in self.reading.method.special
                 yield Sentence(special_point(self.reading, step) if special else self._meet(step))
             case Swing():
                 yield Sentence(self._swing(step))
                 yield from self._angles(step.link)
                 yield from self._slide(step.slide)
             case Image(link, corners, _, point):
-                if point[0].isupper():  # the start of a line that has no name is told where it is needed
+                if self.reading.named(point):  # the start of a line that has no name is told where it is needed
                     yield Sentence(self._corner(link, corners))
             case Measure("theta", of):
                 yield from self._angles(of)
@@ -94,13 +94,13 @@ class PositionReader:
     def _fixed(self) -> Iterator[Entry]:
         reading = self.reading
         shape = reading.plot.facts.shapes[FRAME]
-        fixed = [f"{names.point(p)}{self._paper(shape[p])}" for p in shape if p[0].isupper()]
+        fixed = [f"{names.point(p)}{self._paper(shape[p])}" for p in shape if reading.named(p)]
         if fixed:
             yield Sentence(reading.say("derivation.fixed points", points=reading.say("common.and").join(fixed)))
         for slide in reading.mechanism.slides:
             if slide.guide == FRAME:
                 origin = slide.line.origin
-                place = names.point(origin) if origin[0].isupper() else self._paper(shape[origin])
+                place = names.point(origin) if slide.line.named else self._paper(shape[origin])
                 guide = self.reading.path(slide.name)
                 angle = degrees(slide.line.direction)
                 yield Sentence(reading.say("derivation.fixed guide", guide=guide, place=place, angle=angle))
@@ -126,7 +126,7 @@ class PositionReader:
         if len(span.parts) == 1 and not isinstance(first, Arm):
             pair = self.reading.method.structure.slides[first.slide]
             symbol = names.of_slide("s", first.slide if pair.named else names.point(pair.point))
-            if not pair.named and pair.line.origin[0].isupper():
+            if not pair.named and pair.line.named:
                 ends = names.pair(pair.line.origin, pair.point)
                 return self._length(name or ends, f"l_{ends}", metres)
             return self._length(name, f"|{symbol}|" if self.reading.plot.s[first.slide] < 0 else symbol, metres)
@@ -221,7 +221,7 @@ class PositionReader:
         """Directions of a link, and of those that keep their angle to it, by their first two points."""
         reading, found = self.reading, list[str]()
         for member in (reading.body(link), *reading.group(link)):
-            named = [p for p in reading.method.structure.bodies[member] if p[0].isupper()]
+            named = reading.method.structure.named(member)
             if len(named) > 1:
                 angle = degrees(reading.plot.arm(named[0], named[1]))
                 name, arrow = reading.rate("θ", member), names.arrow(named[0], named[1])
@@ -240,7 +240,7 @@ class PositionReader:
         if pair.named:
             along = dot(reading.plot.guide_direction(slide), reading.plot.arm(origin, point))
             text = f"{names.of_slide('s', slide)} = {number(float(along) * 1000, reading.noise * 1000)} mm"
-        elif origin[0].isupper():
+        elif pair.line.named:
             text = f"l_{names.pair(origin, point)} = {number(reading.distance(origin, point) * 1000)} mm"
         else:
             text = self._coordinates(point)

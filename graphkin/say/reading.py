@@ -11,7 +11,7 @@ from graphkin.errors import Lang, listed
 from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning import Method
-from graphkin.planning.motion import Labels
+from graphkin.planning.labels import Labels
 from graphkin.say import names
 from graphkin.say.catalogue import close, say
 from graphkin.say.numbers import number
@@ -51,7 +51,7 @@ class Reading:
         structure = self.method.structure
         if not structure.is_pin(link):
             return link
-        return structure.slides[link.removeprefix("pin ")].guide
+        return structure.pins[link].guide
 
     def link(self, link: str) -> str:
         """What people call a link."""
@@ -109,10 +109,10 @@ class Reading:
             return self.say("derivation.guide of", name=slide)
         on_it = self._points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
         if on_it is None and slide in self.contact_slides:
-            rolling = next((r.wheel for r in self.mechanism.rolls if r.name == slide), "")
-            link = rolling or pair.guide
+            rolling = pair.stands_for.rolling if pair.stands_for is not None else None
             if len(self.contact_slides) == 1:
                 return self.say("contacts.track" if rolling else "contacts.face")
+            link = rolling.wheels[1] if rolling else pair.guide
             return self.say("contacts.track of" if rolling else "contacts.face of", link=self.link(link))
         if on_it:
             return names.pair(*on_it)
@@ -121,8 +121,8 @@ class Reading:
     @cached_property
     def contact_slides(self) -> frozenset[str]:
         """Slides that stand for a cam's slot or for the path of a rolling wheel's centre."""
-        named = {slide.name for slide in self.mechanism.slides}
-        return frozenset(name for name in self.method.structure.slides if name not in named)
+        slides = self.method.structure.slides
+        return frozenset(name for name, slide in slides.items() if slide.stands_for is not None)
 
     def path(self, slide: str) -> str:
         """What the line of a slide is called in the drawing."""
@@ -137,7 +137,7 @@ class Reading:
 
     def points_parallel(self, link: str, along: Value) -> tuple[str, str] | None:
         """Two points of a link whose line is parallel to a direction."""
-        points = [p for p in self.method.structure.bodies[link] if p[0].isupper()]
+        points = self.method.structure.named(link)
         for first, second in combinations(points, 2):
             arm = self.plot.arm(first, second)
             if abs(cross(along, arm)) <= self.noise < abs(arm):
@@ -151,7 +151,7 @@ class Reading:
         on_it = [
             point
             for point in named
-            if point[0].isupper() and abs(cross(along, self.plot.arm(pair.point, point))) <= self.noise
+            if self.named(point) and abs(cross(along, self.plot.arm(pair.point, point))) <= self.noise
         ]
         for first in on_it:
             for second in on_it:
@@ -161,7 +161,7 @@ class Reading:
 
     def place(self, point: str) -> str:
         """A point of the drawing; the start of a line that has no name of its own is told by its guide."""
-        if point[0].isupper() or point[0] == "*":
+        if self.named(point):
             return names.point(point)
         slides = self.method.structure.slides
         slide = next(s for s in slides.values() if s.line.origin == point)
@@ -171,10 +171,6 @@ class Reading:
             return self.say("contacts.path start", path=self.path(slide.name))
         return self.say("derivation.origin of", name=slide.name if slide.named else slide.point)
 
-    def track_origin(self, slide: str) -> str:
-        """The start of the line on which a contact lies."""
-        for roll in self.mechanism.rolls:
-            if roll.name == slide and roll.line is not None:
-                return roll.line.origin
-        cam = self.mechanism.cams[int(slide.removeprefix("c"))]
-        return next(profile.line.origin for profile in cam.profiles if profile.line is not None)
+    def named(self, point: str) -> bool:
+        """Whether a point has a letter: it is not merely where a line begins."""
+        return point not in self.mechanism.unnamed

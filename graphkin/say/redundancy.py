@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from graphkin.errors import Lang, called_pair, listed
 from graphkin.naming import named
 from graphkin.planning import Method
-from graphkin.planning.repeated import SetAside
+from graphkin.planning.candidates import SetAside
 from graphkin.planning.stages import Bridge
 from graphkin.say.catalogue import say
 

@@ -181,7 +181,7 @@ def sliding(polygon: Polygon, step: Measure) -> Iterator[Entry]:
         symbol = names.of_slide(names.SLIDING[polygon.plane], step.of)
         formula = name if value > 0 else f"−{name}"
         yield Calculation(symbol, (formula if size else name,), "", value if size else 0.0, unit)
-    elif polygon.plane == "velocity" and size and pair.guide != FRAME and pair.line.origin[0].isupper():
+    elif polygon.plane == "velocity" and size and pair.guide != FRAME and pair.line.named:
         stretch = names.pair(pair.line.origin, pair.point)
         key = "derivation.grows" if value * float(reading.plot.s[step.of]) > 0 else "derivation.shrinks"
         yield Sentence(reading.say(key, stretch=stretch, size=number(size)))

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
 
 from graphkin.assur import Structure, structure
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
+from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Roll, Slide
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
 from graphkin.say.redundancy import redundant_constraints
@@ -31,23 +33,26 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
     yield f"{say('structure.methods', lang)}: {methods or say('structure.none', lang)}"
 
 
+KINDS: Mapping[type[Pair], Callable[[Any], tuple[str, str]]] = {
+    Revolute: lambda hinge: ("multiple" if len(hinge.links) > 2 else "hinge", hinge.point),
+    Slide: lambda slide: ("pin" if slide.block is None else "slide", slide.point),
+    CircularSlot: lambda slot: ("circular slot", slot.point),
+    Gear: lambda gear: ("gear", ""),
+    Roll: lambda roll: ("roll", ""),
+    Cam: lambda cam: ("cam", ""),
+}
+"""The line of each kind, and the point it is about."""
+
+
 def _pairs(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
     def called(links: tuple[str, ...]) -> str:
         return ", ".join(mechanism.called(link) for link in links)
 
-    for hinge in mechanism.hinges:
-        several = len(hinge.links) > 2
-        words = {"point": hinge.point, "links": called(hinge.links)}
-        yield say("structure.multiple" if several else "structure.hinge", lang, **words)
-    for slide in mechanism.slides:
-        guide = mechanism.called(slide.guide)
-        if slide.block is None:
-            yield say("structure.pin", lang, point=slide.point, guide=guide)
-        else:
-            yield say("structure.slide", lang, block=mechanism.called(slide.block), guide=guide)
-    for key, pairs in (("gear", mechanism.gears), ("roll", mechanism.rolls), ("cam", mechanism.cams)):
-        for pair in pairs:
-            yield say(f"structure.pair {key}", lang, links=called(pair.joins))
+    for pair in (*mechanism.hinges, *mechanism.pairs):
+        key, point = KINDS[type(pair)](pair)
+        guide, *block = pair.joins
+        names = {"links": called(pair.joins), "guide": called((guide,)), "block": called(tuple(block))}
+        yield say(f"structure.pair {key}", lang, point=point, **names)
 
 
 def _freedoms(method: Method, found: Structure, lang: Lang) -> Iterator[str]:

@@ -94,7 +94,7 @@ def _arms(reading: Reading, step: Fit) -> list[str]:
 
 
 def _angle(reading: Reading, link: str) -> str:
-    points = [p for p in reading.method.structure.bodies[link] if p[0].isupper()]
+    points = reading.method.structure.named(link)
     if len(points) < 2:
         return ""
     angle = degrees(reading.plot.arm(points[0], points[1]))
@@ -107,7 +107,7 @@ def _slide(reading: Reading, slide: str) -> str:
     value = number(float(reading.plot.s[slide]) * 1000, reading.noise * 1000)
     if pair.named:
         return f"{names.of_slide('s', slide)} = {value} mm"
-    if pair.line.origin[0].isupper():
+    if pair.line.named:
         ends = names.pair(pair.line.origin, pair.point)
         return f"l_{ends} = {number(reading.distance(pair.line.origin, pair.point) * 1000)} mm"
     return ""
@@ -216,9 +216,10 @@ def _symbol(polygon: Polygon, slide: str) -> str:
 
 def _loop(polygon: Polygon, chain: Chain) -> str:
     """`ABCD`: the joints that a chain of arrows passes."""
-    slides = polygon.reading.method.structure.slides
+    reading = polygon.reading
+    slides = reading.method.structure.slides
     points: dict[str, None] = {}
     for unknown in chain.unknown:
         ends = (slides[unknown.slide].point,) if unknown.slide else (unknown.tail, unknown.head)
-        points |= dict.fromkeys(names.point(point) for point in ends if point[0].isupper())
+        points |= dict.fromkeys(names.point(point) for point in ends if reading.named(point))
     return "–".join(points)

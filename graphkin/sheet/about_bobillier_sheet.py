@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
-from dataclasses import replace
 
 from graphkin.centres.about import About
 from graphkin.centres.about_bobillier import Bobillier
 from graphkin.drafting import INFINITE, LineStep, PointStep, drawn_through
 from graphkin.errors import Lang
-from graphkin.sheet import Sheet
-from graphkin.sheet.about_page import Page, clipped, drawn_values, enlarged, finished, mechanism_on, page, within
+from graphkin.sheet.alone import Alone, place_for
+from graphkin.sheet.curves import clipped
+from graphkin.sheet.fit import enlarged
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, plain, point_label, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place
+from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.window import Figure
+from graphkin.sheet.plain_mechanism import shown_places
+from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
 
 __all__ = ["bobillier_sheet", "bobillier_step_sheets"]
@@ -36,17 +38,10 @@ HEADING: dict[Lang, str] = {
 def bobillier_sheet(seen: About, drawn: Bobillier, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
     """The whole construction over the mechanism. Raises UnknownPaper."""
     method, plot = seen.found.method, seen.plot
-    on = page(method, [plot], _values(seen, drawn), paper)
+    on = place_for(method, [plot], _places(seen, drawn), paper)
     drawing = _Drawing(drawn, on, drawn.point not in method.mechanism.points)
-    figure = mechanism_on(method, plot, on.window)
-    under = Figure([*drawing.lines()])
-    under.marks += figure.marks
-    under.wanted += figure.wanted
-    for mark, want in drawing.points():
-        under.marks.append(mark)
-        under.wanted.append(want)
-    heading = HEADING[lang].format(point=drawn.point, link=seen.called)
-    return finished(on, method, plot, heading, under, lang)
+    figure = Figure.of(drawing.lines()) + on.mechanism(plot) + Figure.of(drawing.points())
+    return on.sheet(plot, HEADING[lang].format(point=drawn.point, link=seen.called), figure, lang)
 
 
 def bobillier_step_sheets(
@@ -54,15 +49,13 @@ def bobillier_step_sheets(
 ) -> Iterator[Sheet]:
     """One sheet a step, its newest marks emphasised."""
     whole = bobillier_sheet(seen, drawn, paper=paper, lang=lang)
-    for step in range(1, len([*drawn.construction.steps]) + 1):
-        marks = (mark for mark in whole.marks if mark.step is None or mark.step <= step)
-        yield replace(whole, marks=tuple(replace(m, new=True) if m.step == step else m for m in marks))
+    yield from step_sheets(whole, range(1, len([*drawn.construction.steps]) + 1))
 
 
-def _values(seen: About, drawn: Bobillier) -> list[complex]:
+def _places(seen: About, drawn: Bobillier) -> list[complex]:
     names = (drawn.point, drawn.pole, drawn.answer, *drawn.crossings)
     places = [place for name in names if cmath.isfinite(place := drawn.board.at(name))]
-    return enlarged(drawn_values(seen.found.method, seen.plot), places, _MOST)
+    return enlarged(shown_places(seen.found.method, seen.plot), places, _MOST)
 
 
 @frozen
@@ -70,15 +63,14 @@ class _Drawing:
     """The construction on a page. new: its point is a place of the plane, no point of the mechanism."""
 
     drawn: Bobillier
-    on: Page
+    on: Alone
     new: bool
 
     def lines(self) -> Iterator[Mark]:
         """Every line, past the points on it; thin, the axes as centre lines."""
         for number, step in enumerate(self.drawn.construction.steps, start=1):
             if isinstance(step, LineStep):
-                for stroke in clipped(self._ends(step), self.on.room, _PENS.get(step.name, "construction")):
-                    yield replace(stroke, step=number)
+                yield from clipped(self._ends(step), self.on.room, _PENS.get(step.name, "construction"), number)
 
     def _ends(self, line: LineStep) -> list[Place]:
         """From the first to the last of the points on a line, and a little more; towards one at infinity, farther.
@@ -96,15 +88,16 @@ class _Drawing:
         more = 8 * _BEYOND if far or len(places) < 2 else _BEYOND
         return [places[0] + along * (max(reach) + more), places[0] + along * (min(reach) - more)]
 
-    def points(self) -> Iterator[tuple[Mark, Wanted]]:
+    def points(self) -> Iterator[Entry]:
         """What is found, and the point itself where the mechanism does not show it."""
         entries: list[tuple[str, int | None]] = [(self.drawn.point, None)] if self.new else []
         numbered = enumerate(self.drawn.construction.steps, start=1)
         entries += [(step.name, number) for number, step in numbered if isinstance(step, PointStep)]
         for name, number in entries:
             place = self.drawn.board.at(name)
-            if cmath.isfinite(place) and within(at := self.on.window(place), self.on.room):
-                yield Disc(at, 0.6, "vector", "ink", step=number), Wanted(self._label(name), at, gap=0.9, step=number)
+            if cmath.isfinite(place) and self.on.room.holds(at := self.on.window(place)):
+                yield Disc(at, 0.6, "vector", "ink", step=number)
+                yield Wanted(self._label(name), at, gap=0.9, step=number)
 
     def _label(self, name: str) -> Label:
         if name == self.drawn.answer:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Mapping
+from itertools import chain
 
 import numpy as np
 
@@ -11,25 +12,18 @@ from graphkin.centres.about import About, Circle, Line
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
-from graphkin.sheet import Sheet
-from graphkin.sheet.about_page import (
-    Page,
-    circle,
-    clipped,
-    drawn_values,
-    enlarged,
-    finished,
-    mechanism_on,
-    page,
-    within,
-)
-from graphkin.sheet.labels import Room, Wanted
+from graphkin.sheet.alone import Alone, place_for
+from graphkin.sheet.curves import circle, clipped
+from graphkin.sheet.fit import enlarged
+from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, joined, plain, quantity_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
-from graphkin.sheet.paper import PenName
+from graphkin.sheet.page import Sheet
+from graphkin.sheet.paper import PenName, Room
+from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import arrow_head
-from graphkin.sheet.window import Figure
+from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
 
 __all__ = ["about_sheet"]
@@ -47,8 +41,6 @@ _AXIS = 38.0
 _TOWARDS = 30.0
 """How far a ray goes to a pole that is not on the paper [mm]."""
 
-Entry = Mark | Wanted
-
 HEADING: dict[Lang, str] = {"en": "Link {link} about its instant centre", "zh": "构件 {link} 绕瞬心的运动"}
 INFLECTION: dict[Lang, str] = {"en": "inflection circle", "zh": "拐点圆"}
 INFLECTION_LINE: dict[Lang, str] = {"en": "inflection circle (a line)", "zh": "拐点圆（退化为直线）"}
@@ -61,27 +53,14 @@ def about_sheet(seen: About, *, paper: str | None = None, lang: Lang = "en") -> 
     Raises UnknownPaper.
     """
     method, plot = seen.found.method, seen.plot
-    values = enlarged(enlarged(drawn_values(method, plot), [seen.pole], _POLE), _wanted_places(seen), _MOST)
-    on = page(method, [plot], values, paper)
+    places = enlarged(enlarged(shown_places(method, plot), [seen.pole], _POLE), _wanted_places(seen), _MOST)
+    on = place_for(method, [plot], places, paper)
     drawing = _Drawing(seen, on, lang)
-    figure = Figure()
-    for part in (drawing.circles(), drawing.axes(), drawing.rays(), drawing.field()):
-        _add(figure, part)
-    machine = mechanism_on(method, plot, on.window)
-    figure.marks += machine.marks
-    figure.wanted += machine.wanted
-    for part in (drawing.velocities(), drawing.poles(), drawing.centres()):
-        _add(figure, part)
-    more: dict[Plane, float] = {"velocity": drawing.pace} if seen.moves else {}
-    return finished(on, method, plot, HEADING[lang].format(link=seen.called), figure, lang, more)
-
-
-def _add(figure: Figure, part: Iterator[Entry]) -> None:
-    for entry in part:
-        if isinstance(entry, Wanted):
-            figure.wanted.append(entry)
-        else:
-            figure.marks.append(entry)
+    under = chain(drawing.circles(), drawing.axes(), drawing.rays(), drawing.field())
+    over = chain(drawing.velocities(), drawing.poles(), drawing.centres())
+    figure = Figure.of(under) + on.mechanism(plot) + Figure.of(over)
+    further: dict[Plane, float] = {"velocity": drawing.pace} if seen.moves else {}
+    return on.sheet(plot, HEADING[lang].format(link=seen.called), figure, lang, further)
 
 
 def _wanted_places(seen: About) -> Iterator[complex]:
@@ -99,7 +78,7 @@ class _Drawing:
     """A link on a page: its parts, marks and labels in the order of painting."""
 
     seen: About
-    on: Page
+    on: Alone
     lang: Lang
 
     @property
@@ -119,13 +98,14 @@ class _Drawing:
         seen, window, room = self.seen, self.on.window, self.on.room
         if isinstance(seen.inflection, Line):
             foot, along = window(seen.inflection.through), window.turned(seen.inflection.direction)
-            reach = abs(complex(room.right - room.left, room.bottom - room.top)) + abs(foot - _middle(room))
+            reach = abs(room.size) + abs(foot - room.middle)
             yield from self._named([foot - reach * along, foot + reach * along], "thin", INFLECTION_LINE)
         if not seen.diameter or seen.returning is None or not isinstance(seen.inflection, Circle):
             return
-        for drawn, pen, words in ((seen.inflection, "thin", INFLECTION), (seen.returning, "dashed", RETURN)):
+        pens: tuple[PenName, ...] = ("thin", "dashed")
+        for drawn, pen, words in zip((seen.inflection, seen.returning), pens, (INFLECTION, RETURN), strict=True):
             places = circle(window(drawn.centre), drawn.radius / window.scale, room)
-            yield from self._named(places, pen, words)  # type: ignore[arg-type]
+            yield from self._named(places, pen, words)
         yield from self._spot(seen.pole + seen.diameter, plain("W", italic=True), 0.6)
 
     def _named(self, places: list[Place], pen: PenName, words: Mapping[Lang, str]) -> Iterator[Entry]:
@@ -140,7 +120,7 @@ class _Drawing:
     def axes(self) -> Iterator[Entry]:
         """Pole tangent t and normal n."""
         seen, pole = self.seen, self.seen.pole
-        if seen.tangent is None or seen.normal is None or not within(self.on.window(pole), self.on.room):
+        if seen.tangent is None or seen.normal is None or not self.on.room.holds(self.on.window(pole)):
             return
         for letter, direction in (("t", seen.tangent), ("n", seen.normal)):
             start, way = self.on.window(pole), self.on.window.turned(direction)
@@ -153,19 +133,20 @@ class _Drawing:
         seen, window, room = self.seen, self.on.window, self.on.room
         if not seen.moves:
             return
-        here = not cmath.isinf(seen.pole) and within(window(seen.pole), room)
+        here = not cmath.isinf(seen.pole) and room.holds(window(seen.pole))
+        last: tuple[Place, complex] | None = None
         for carried in seen.points.values():
             at = window(carried.place)
             way = window.turned(seen.towards if cmath.isinf(seen.pole) else seen.pole - carried.place)
             if here:
                 yield from clipped([at, window(seen.pole)], room, "construction")
             elif abs(way) > 0:
-                tip = at + way / abs(way) * _TOWARDS
-                yield Stroke((at, tip), "construction")
-                yield arrow_head(tip, way / abs(way), None)
-        if not here:
+                last = at + way / abs(way) * _TOWARDS, way / abs(way)
+                yield Stroke((at, last[0]), "construction")
+                yield arrow_head(*last, None)
+        if last is not None:
             label = (*self.name, *plain(" → ∞" if cmath.isinf(seen.pole) else self._far(seen.pole)))
-            yield Wanted(label, tip, gap=1.0, away=way / abs(way))
+            yield Wanted(label, last[0], gap=1.0, away=last[1])
 
     @staticmethod
     def _far(place: complex) -> str:
@@ -177,12 +158,12 @@ class _Drawing:
         if not seen.moves:
             return
         places = [window(carried.place) for carried in seen.points.values()]
-        if not cmath.isinf(seen.pole) and within(window(seen.pole), room):
+        if not cmath.isinf(seen.pole) and room.holds(window(seen.pole)):
             places.append(window(seen.pole))
         for at in _lattice(places, room):
             velocity = seen.carried(_back(self.on, at)).velocity
             arrow = window.turned(velocity / self.pace) * _LIGHT
-            if 1.0 < abs(arrow) <= _FIELD and within(at + arrow, room) and all(abs(at - p) > 5 for p in places):
+            if 1.0 < abs(arrow) <= _FIELD and room.holds(at + arrow) and all(abs(at - p) > 5 for p in places):
                 yield Stroke((at, at + arrow), "leader")
                 yield from _head(at + arrow, arrow / abs(arrow))
 
@@ -219,22 +200,18 @@ class _Drawing:
                 continue
             at = window(carried.centre)
             yield from clipped([window(carried.place), at], room, "dashed")
-            if within(at, room) and all(abs(at - other) > 0.3 for other in taken):
+            if room.holds(at) and all(abs(at - other) > 0.3 for other in taken):
                 taken.append(at)
                 yield from self._spot(carried.centre, quantity_label("K", name), 0.6)
 
     def _spot(self, place: complex, label: Label, radius: float, fill: Fill = "ink") -> Iterator[Entry]:
         at = self.on.window(place)
-        if within(at, self.on.room):
+        if self.on.room.holds(at):
             yield Disc(at, radius, "vector", fill)
             yield Wanted(label, at, gap=radius + 0.2)
 
 
-def _middle(room: Room) -> Place:
-    return complex(room.left + room.right, room.top + room.bottom) / 2
-
-
-def _back(on: Page, at: Place) -> complex:
+def _back(on: Alone, at: Place) -> complex:
     """From paper to SI."""
     return ((at - on.window.origin) * on.window.scale).conjugate()
 
@@ -247,7 +224,7 @@ def _lattice(places: list[Place], room: Room) -> Iterator[Place]:
     top, bottom = min(p.imag for p in places) - _FIELD, max(p.imag for p in places) + _FIELD
     for x in np.arange(left, right + 1e-9, _FIELD):
         for y in np.arange(top, bottom + 1e-9, _FIELD):
-            if within(complex(x, y), room):
+            if room.holds(complex(x, y)):
                 yield complex(x, y)
 
 

@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, Profile, Slide
+from graphkin.pairs import Cam, Line, Profile, Rod, Slide, Slot
 from graphkin.sheet import symbols
 from graphkin.sheet.marks import Disc, Mark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wheels import straight
-from graphkin.sheet.window import Figure
 
-__all__ = ["cams", "equivalents", "follower"]
+__all__ = ["equivalents", "follower", "profiles"]
 
 _REACH = 14.0
 """How far a slot of the equivalent goes to both sides of its block [mm]."""
@@ -20,15 +19,12 @@ _ROD, _BUSH = 34.0, (15.0, 27.0)
 """A follower's rod from its tip, and where it is guided [mm]."""
 
 
-def cams(skeleton: Skeleton) -> Figure:
+def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
     """The profiles that touch."""
-    figure = Figure()
-    for number, cam in enumerate(skeleton.mechanism.cams):
-        step = skeleton.step(*(p.centre for p in cam.profiles if p.centre is not None))
-        others = (cam.profiles[1], cam.profiles[0])
-        for link, profile, other in zip(cam.links, cam.profiles, others, strict=True):
-            figure.marks += _profile(skeleton, (link, f"c{number}"), profile, other, step)
-    return figure
+    step, marks = skeleton.step(*(centre for _, centre, _ in cam.circles)), list[Mark]()
+    for link, profile, other in zip(cam.links, cam.profiles, cam.profiles[::-1], strict=True):
+        marks += _profile(skeleton, (link, cam.name), profile, other, step)
+    return marks
 
 
 def _profile(
@@ -48,26 +44,24 @@ def _profile(
 def equivalents(skeleton: Skeleton) -> list[Mark]:
     """In dashes: the link between two centres, or the slot through a centre at a face's distance."""
     marks: list[Mark] = []
-    for cam in skeleton.mechanism.cams:
-        centres = [p.centre for p in cam.profiles if p.centre is not None]
-        step = skeleton.step(*centres)
-        if len(centres) == 2:
-            edges = {p.centre for p in cam.profiles if p.radius == 0}
-            marks += _joined(skeleton, centres, edges, step)
-        else:
-            marks += _slotted(skeleton, cam, centres[0], step)
+    for pair in skeleton.mechanism.pairs:
+        match pair.equivalent:
+            case Rod(_, centres) if pair.rolling is None:
+                edges = {centre for _, centre, radius in pair.circles if radius == 0}
+                marks += _joined(skeleton, centres, edges, skeleton.step(*centres))
+            case Slot(line, centre) if pair.rolling is None:
+                marks += _slotted(skeleton, line, centre, skeleton.step(centre))
     return marks
 
 
-def _joined(skeleton: Skeleton, centres: list[str], edges: set[str | None], step: int | None) -> list[Mark]:
+def _joined(skeleton: Skeleton, centres: tuple[str, str], edges: set[str], step: int | None) -> list[Mark]:
     start, end = (skeleton.at(p) for p in centres)
     hinges = [Disc(skeleton.at(p), symbols.HINGE, "thin", step=step) for p in centres if p not in edges]
     return [Stroke((start, end), "dashed", step=step), *hinges]
 
 
-def _slotted(skeleton: Skeleton, cam: Cam, centre: str, step: int | None) -> list[Mark]:
+def _slotted(skeleton: Skeleton, line: Line, centre: str, step: int | None) -> list[Mark]:
     """The block's way is the face's line moved sideways to the centre; both belong to one link."""
-    line = next(p.line for p in cam.profiles if p.line is not None)
     at, along = skeleton.at(centre), skeleton.direction(line)
     x, y = along * symbols.BLOCK.real / 2, 1j * along * symbols.BLOCK.imag / 2
     corners = (at + x + y, at + x - y, at - x - y, at - x + y)
@@ -82,7 +76,7 @@ def follower(skeleton: Skeleton, slide: Slide) -> list[Mark] | None:
     """A fixed guide's block that a cam moves at its point: a rod with its tip or roller, guided above; else None."""
     if slide.guide != FRAME or slide.block is None or len(skeleton.named(slide.block)) > 1:
         return None
-    for cam in skeleton.mechanism.cams:
+    for cam in skeleton.mechanism.of(Cam):
         for profile, other in (cam.profiles, cam.profiles[::-1]):
             if profile.centre == slide.point and other.centre is not None:
                 return _rod(skeleton, slide, profile.radius / skeleton.window.scale, other.centre)

@@ -10,7 +10,7 @@ from graphkin.centres import Centres
 from graphkin.drafting import Far
 from graphkin.sheet.centre_lines import reach_of
 from graphkin.sheet.centre_places import Line as PaperLine
-from graphkin.sheet.centre_places import OnPaper, Spot, centre_label, clipped, inside, middle
+from graphkin.sheet.centre_places import OnPaper, Spot, centre_label, clipped
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run, number, plain
 from graphkin.sheet.marks import Mark, Place, VectorMark
@@ -40,7 +40,7 @@ def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
         length = _LONG if spot.place is None else _SHORT
         start, way = _free(_places(paper, spot), length, taken, drawn, paper)
         head = "∞" if spot.place is None else spot.name
-        arrow = VectorMark("centres", spot.name, "", head, start, start + length * way, spot.number)  # type: ignore[arg-type]
+        arrow = VectorMark("centres", spot.name, "", head, start, start + length * way, spot.number)
         figure.marks.append(arrow)
         label = (*centre_label(spot.name), *(INFINITY if spot.place is None else _off(paper.found, spot)))
         figure.wanted.append(Wanted(label, arrow.end, gap=0.7, away=way, step=spot.number))
@@ -100,9 +100,9 @@ def _at_ends(paper: OnPaper, spot: Spot, line: PaperLine, ends: tuple[Place, Pla
 def _anywhere(paper: OnPaper, spot: Spot) -> Iterator[_Stand]:
     """From the middle of the figure to its edge."""
     room = paper.room
-    spread = 0.35 * complex(room.right - room.left, room.bottom - room.top)
+    spread = 0.35 * room.size
     for x, y in ((0, 0), (1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)):
-        foot = middle(room) + complex(x * spread.real, y * spread.imag)
+        foot = room.middle + complex(x * spread.real, y * spread.imag)
         way = paper.window.turned(spot.direction) if spot.place is None else _towards(paper.at(spot), foot)
         span = clipped(PaperLine(foot, way, ()), room)
         if span is not None:
@@ -126,7 +126,7 @@ def _free(
     def price(k: int) -> float:
         start, _, end = tried[k]
         near = any(abs(start - other.start) < _APART or abs(end - other.end) < _APART for other in taken)
-        return float(min(hits[k], 6) + 8 * near + 30 * (not (inside(paper.room, start) and inside(paper.room, end))))
+        return float(min(hits[k], 6) + 8 * near + 30 * (not (paper.room.holds(start) and paper.room.holds(end))))
 
     best = min(range(len(tried)), key=lambda k: (price(k) + 0.4 * k, k))
     return tried[best][0], tried[best][1]

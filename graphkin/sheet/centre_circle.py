@@ -12,10 +12,9 @@ from collections.abc import Sequence
 
 from graphkin.centres import Centres
 from graphkin.errors import Lang
-from graphkin.sheet.labels import Room
 from graphkin.sheet.lettering import link_label, plain, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
-from graphkin.sheet.paper import LABEL, LEAST, PenName
+from graphkin.sheet.paper import LABEL, LEAST, PenName, Room
 from graphkin.value import frozen
 
 __all__ = ["circle_diagram", "circle_size"]

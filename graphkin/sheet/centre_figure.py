@@ -2,50 +2,41 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from graphkin.centres import Centres
 from graphkin.sheet.cams import equivalents
 from graphkin.sheet.centre_arrows import centre_arrows
 from graphkin.sheet.centre_lines import centre_lines
 from graphkin.sheet.centre_places import SAME, OnPaper, Spot, centre_label
 from graphkin.sheet.labels import Wanted
-from graphkin.sheet.lettering import Label, Run, joined, width
-from graphkin.sheet.marks import Disc, Mark, PointMark, Text
+from graphkin.sheet.lettering import Label, Run, joined
+from graphkin.sheet.marks import Disc, Mark, PointMark
 from graphkin.sheet.mechanism_figure import mechanism_figure
+from graphkin.sheet.plain_mechanism import mechanism_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.specials import specials
 from graphkin.sheet.symbols import HINGE
-from graphkin.sheet.wheels import rims
 from graphkin.sheet.window import Figure, Window
 
-__all__ = ["centre_figure", "mechanism_places", "plain_mechanism", "split_names"]
+__all__ = ["bare_mechanism", "centre_figure"]
 
 _CIRCLE, _DOT = 1.0, 0.5
 """Radius of the circle and of the dot that mark a centre [mm]."""
 _BETWEEN = ", "
 
 
-def mechanism_places(found: Centres) -> list[complex]:
-    """The places that the mechanism itself takes up [m]."""
-    machine, position = found.method.mechanism, found.plot.position
-    return [*(complex(position[p]) for p in machine.points if p in position), *rims(machine, position)]
-
-
-def plain_mechanism(found: Centres, window: Window) -> Figure:
+def bare_mechanism(found: Centres, window: Window) -> Figure:
     """The mechanism as it stands there before the first centre: no special points, no lower-pair equivalents."""
     skeleton = Skeleton(found.method.mechanism, found.plot, window, {})
     whole = mechanism_figure(skeleton, found.method, [])
     beside = specials(found.method, skeleton, [])
     left_out = [*beside.marks, *equivalents(skeleton)]
-    marks = [replace(mark, step=None) for mark in whole.marks if mark not in left_out]
-    wanted = [replace(want, step=None) for want in whole.wanted if want not in beside.wanted]
-    return Figure(marks, wanted)
+    marks = [mark for mark in whole.marks if mark not in left_out]
+    return Figure(marks, [want for want in whole.wanted if want not in beside.wanted]).numbered(None)
 
 
 def centre_figure(paper: OnPaper) -> Figure:
     """Lines first, the mechanism over them, then the marks of the centres and the arrows to those that have none."""
-    lines, machine = centre_lines(paper), plain_mechanism(paper.found, paper.window)
+    lines, machine = centre_lines(paper), bare_mechanism(paper.found, paper.window)
     marks = [mark for spot in paper.spots if paper.shown(spot) for mark in _marked(paper, spot)]
     drawn = [*lines.marks, *machine.marks, *marks]
     arrows = centre_arrows(paper, drawn)
@@ -56,8 +47,8 @@ def centre_figure(paper: OnPaper) -> Figure:
 def _marked(paper: OnPaper, spot: Spot) -> list[Mark]:
     """A small circle with a dot; over a hinge the dot alone shows."""
     at, step = paper.at(spot), spot.number
-    dot = PointMark("centres", spot.name, spot.name, at, _DOT, step=step)  # type: ignore[arg-type]
-    hinges = (paper.window(place) for place in mechanism_places(paper.found))
+    dot = PointMark("centres", spot.name, spot.name, at, _DOT, step=step)
+    hinges = (paper.window(place) for place in mechanism_places(paper.found.method, paper.found.plot))
     if any(abs(hinge - at) < _CIRCLE for hinge in hinges):
         return [dot]
     return [Disc(at, _CIRCLE, "thin", "paper", step=step), dot]
@@ -80,26 +71,14 @@ def _groups(paper: OnPaper) -> list[list[Spot]]:
 
 
 def _names(paper: OnPaper) -> list[Wanted]:
-    """A label for each place."""
+    """A label for each place, in which each name comes with its own step."""
     wanted: list[Wanted] = []
     for group in _groups(paper):
         label = joined([centre_label(spot.name) for spot in group], _BETWEEN)
-        wanted.append(Wanted(label, paper.at(group[0]), gap=HINGE, step=group[0].number))
+        parts = tuple((_part(spot, k), spot.number) for k, spot in enumerate(group))
+        wanted.append(Wanted(label, paper.at(group[0]), gap=HINGE, step=group[0].number, parts=parts))
     return wanted
 
 
-def split_names(marks: list[Mark], paper: OnPaper) -> list[Mark]:
-    """A label shared by several centres as one text a centre, so that each comes with its own step."""
-    shared = {joined([centre_label(s.name) for s in group], _BETWEEN): group for group in _groups(paper)}
-    split: list[Mark] = []
-    for mark in marks:
-        group = shared.get(mark.label) if isinstance(mark, Text) else None
-        if not isinstance(mark, Text) or group is None or len(group) < 2:
-            split.append(mark)
-            continue
-        pen = mark.at
-        for k, spot in enumerate(group):
-            own: Label = ((Run(_BETWEEN),) if k else ()) + centre_label(spot.name)
-            split.append(Text(own, pen, mark.size, spot.number))
-            pen += width(own, mark.size)
-    return split
+def _part(spot: Spot, k: int) -> Label:
+    return ((Run(_BETWEEN),) if k else ()) + centre_label(spot.name)

@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from functools import cached_property
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from functools import cached_property, partial
 
 from graphkin.centres import Centres
 from graphkin.errors import Lang
 from graphkin.sheet.centre_circle import circle_size
-from graphkin.sheet.centre_figure import mechanism_places, plain_mechanism
+from graphkin.sheet.centre_figure import bare_mechanism
 from graphkin.sheet.centre_places import spots
 from graphkin.sheet.centre_table import CentreTable, centre_table
-from graphkin.sheet.labels import Room
-from graphkin.sheet.layout import HEAD, papers_for
-from graphkin.sheet.marks import Place
-from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import Paper
-from graphkin.sheet.scales import finest
-from graphkin.sheet.titleblock import strip_heights
+from graphkin.sheet.fit import Extent, corners
+from graphkin.sheet.layout import HEAD, divided, papers_for
+from graphkin.sheet.paper import Paper, Room
+from graphkin.sheet.plain_mechanism import mechanism_places
+from graphkin.sheet.titleblock import strip_height
 from graphkin.sheet.window import Window
 from graphkin.value import frozen
 
@@ -45,21 +44,18 @@ class Measures:
 
     @cached_property
     def places(self) -> list[complex]:
-        return mechanism_places(self.found)
+        return mechanism_places(self.found.method, self.found.plot)
 
     @cached_property
-    def corners(self) -> tuple[complex, complex]:
-        return _corners(self.places)
+    def extent(self) -> Extent:
+        """Of the mechanism alone."""
+        given = self.found.method.mechanism.scales.get("length")
+        return Extent.of(self.places, partial(bare_mechanism, self.found), given, letters=_LETTERS, trial=_TRIAL)
 
     @property
-    def size(self) -> complex:
-        low, high = self.corners
-        return high - low
-
-    @property
-    def extent(self) -> float:
+    def longest(self) -> float:
         """The mechanism's larger side [m]."""
-        return max(self.size.real, self.size.imag) or 1.0
+        return self.extent.longest or 1.0
 
     @cached_property
     def finite(self) -> list[complex]:
@@ -69,44 +65,27 @@ class Measures:
 
     def off(self, place: complex) -> float:
         """How far outside the mechanism a place lies, in its larger sides."""
-        low, high = self.corners
+        low, high = self.extent.low, self.extent.high
         x = max(low.real - place.real, place.real - high.real, 0.0)
         y = max(low.imag - place.imag, place.imag - high.imag, 0.0)
-        return max(x, y) / self.extent
+        return max(x, y) / self.longest
 
-    @cached_property
-    def reach(self) -> tuple[float, float, float, float]:
-        """What signs and letters take beyond the points: left, top, right, bottom [mm]."""
-        low, high = self.corners
-        trial = finest(self.size, complex(_TRIAL, _TRIAL))
-        left, top, right, bottom = bounds(plain_mechanism(self.found, Window(0j, trial)).marks)
-        return (
-            max(0.0, low.real / trial - left) + _LETTERS, max(0.0, -high.imag / trial - top) + _LETTERS,
-            max(0.0, right - high.real / trial) + _LETTERS, max(0.0, bottom + low.imag / trial) + _LETTERS,
-        )  # fmt: skip
-
-    def box(self, near: float) -> tuple[complex, complex]:
-        """What holds the mechanism and the centres near it."""
-        return _corners([*self.places, *(place for place in self.finite if self.off(place) <= near)])
-
-
-def _corners(places: Sequence[complex]) -> tuple[complex, complex]:
-    """Lower left and upper right of what holds all these places."""
-    xs, ys = [z.real for z in places] or [0.0], [z.imag for z in places] or [0.0]
-    return complex(min(xs), min(ys)), complex(max(xs), max(ys))
+    def box(self, places: Iterable[complex]) -> Extent:
+        """What holds the mechanism and more places."""
+        low, high = corners([*self.places, *places])
+        return replace(self.extent, low=low, high=high)
 
 
 @frozen
 class CentreLayout:
-    """A paper divided, the figure's scale [m/mm] and its origin on paper; how many centres lie in its room."""
+    """A paper divided, the window through which the figure is seen; how many centres lie in its room."""
 
     paper: Paper
     field: Room
     circle: Room
     strip: Room
     table: CentreTable
-    scale: float
-    origin: Place
+    window: Window
     shown: int
     large: float
 
@@ -128,52 +107,42 @@ def layouts(found: Centres, paper: str | None, lang: Lang, fit: bool) -> list[Ce
 def _on(measures: Measures, paper: Paper, lang: Lang, fit: bool) -> Iterator[CentreLayout]:
     """On one paper, with more or less room for centres outside the mechanism."""
     field, circle, strip, table = _divided(measures.found, paper, lang)
-    left, top, right, bottom = measures.reach
-    room = complex(field.right - field.left - left - right, field.bottom - field.top - HEAD - top - bottom)
-    if min(room.real, room.imag) < 15:
+    room = field.inset(0, HEAD, 0)
+    inner = room.size - measures.extent.reach
+    if min(inner.real, inner.imag) < 15:
         return
-    scales = set()
-    for near in (_FIT,) if fit else _NEAR:
-        low, high = measures.box(near)
-        scales.add(_scale(measures, high - low, room, fit))
-    for scale in sorted(scales):
-        low, high, shown = _held(measures, room * scale)
-        x = (field.left + field.right + left - right - (high - low).real / scale) / 2
-        y = (field.top + HEAD + field.bottom + top - bottom + (high - low).imag / scale) / 2
-        origin = complex(x, y) - low.conjugate() / scale
-        large = measures.extent / scale
-        yield CentreLayout(paper, field, circle, strip, table, scale, origin, shown, large)
+    around = (_FIT,) if fit else _NEAR
+    boxes = (measures.box(place for place in measures.finite if measures.off(place) <= near) for near in around)
+    for scale in sorted({_scale(measures, box, room, fit) for box in boxes}):
+        shown = _held(measures, inner * scale)
+        window = measures.box(shown).window(room, scale)
+        yield CentreLayout(paper, field, circle, strip, table, window, len(shown), measures.longest / scale)
 
 
-def _scale(measures: Measures, size: complex, room: complex, fit: bool) -> float:
+def _scale(measures: Measures, box: Extent, room: Room, fit: bool) -> float:
     """The finest at which all fits; the file's own, where the mechanism (to fit: all of it) fits at that."""
-    chosen, given = finest(size, room), measures.found.method.mechanism.scales.get("length")
-    if given is None or given < finest(size if fit else measures.size, room):
-        return chosen
-    return given
+    given = measures.extent.given
+    kept = given is not None and (box if fit else measures.extent).fits(given, room)
+    return given if given is not None and kept else box.finest(room)
 
 
-def _held(measures: Measures, room: complex) -> tuple[complex, complex, int]:
-    """The mechanism and as many centres as a room holds [m], the nearest first; how many they are."""
-    held, shown = list(measures.places), 0
+def _held(measures: Measures, room: complex) -> list[complex]:
+    """As many centres as a room holds beside the mechanism [m], the nearest first."""
+    held: list[complex] = []
     for place in measures.finite:
-        low, high = _corners([*held, place])
-        size = high - low
+        size = measures.box([*held, place]).size
         if size.real <= room.real * (1 + 1e-9) and size.imag <= room.imag * (1 + 1e-9):
             held.append(place)
-            shown += 1
-    return *_corners(held), shown
+    return held
 
 
 def _divided(found: Centres, paper: Paper, lang: Lang) -> tuple[Room, Room, Room, CentreTable]:
     """Strip at the foot; the circle diagram at the right, or under the figure on upright paper."""
-    left, top, right = paper.margin, paper.margin, paper.width - paper.margin
-    bottom = paper.height - paper.margin
-    table = centre_table(found, lang, right - left - _TITLE, 0.4 * paper.height)
-    high = max(strip_heights([])[paper.name], table.height + 1 + _BAR)
-    strip, size = Room(left, bottom - high, right, bottom), circle_size(found)
+    whole = paper.frame
+    table = centre_table(found, lang, whole.size.real - _TITLE, 0.4 * paper.height)
+    field, strip = divided(paper, max(strip_height(paper), table.height + 1 + _BAR))
     if paper.landscape:
-        edge = right - size.real
-        return Room(left, top, edge, strip.top), Room(edge, top, right, strip.top), strip, table
-    edge = strip.top - size.imag
-    return Room(left, top, right, edge), Room(left, edge, right, strip.top), strip, table
+        edge = field.right - circle_size(found).real
+        return replace(field, right=edge), replace(field, left=edge), strip, table
+    edge = field.bottom - circle_size(found).imag
+    return replace(field, bottom=edge), replace(field, top=edge), strip, table

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from graphkin.sheet.centre_places import SAME, Laid, Line, OnPaper, Spot, clipped, inside
+from graphkin.sheet.centre_places import SAME, Laid, Line, OnPaper, Spot, clipped
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Stroke
@@ -54,8 +54,8 @@ def reach_of(paper: OnPaper, spot: Spot, line: Line, normal: bool = False) -> La
         return None
     low, high = span
     beyond = _NORMAL if normal else _PARALLEL if spot.place is None else _BEYOND
-    seen = [line.along(place) for place in line.stops if inside(paper.room, place)]
-    outer = [line.along(place) for place in line.stops if not inside(paper.room, place)]
+    seen = [line.along(place) for place in line.stops if paper.room.holds(place)]
+    outer = [line.along(place) for place in line.stops if not paper.room.holds(place)]
     ends = [*(max(low, t - beyond) for t in seen), *(min(high, t + beyond) for t in seen)]
     ends += [low if t < low else high for t in outer]
     return Laid(line, min(ends), max(ends)) if max(ends, default=0) - min(ends, default=0) > SAME else None

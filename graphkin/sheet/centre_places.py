@@ -12,11 +12,12 @@ from functools import cached_property
 import numpy as np
 
 from graphkin.centres import Centres
-from graphkin.construction import Ray
+from graphkin.centres.beneath import CommonNormal
 from graphkin.drafting import LineStep, Stage, drawn_through
-from graphkin.sheet.labels import Room
+from graphkin.pairs import Cam, Pair, Rod
 from graphkin.sheet.lettering import Label, quantity_label
 from graphkin.sheet.marks import Place
+from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Window
 from graphkin.value import frozen
 
@@ -101,7 +102,7 @@ class OnPaper:
 
     def shown(self, spot: Spot) -> bool:
         """Whether a centre lies in the room."""
-        return spot.place is not None and inside(self.room, self.at(spot))
+        return spot.place is not None and self.room.holds(self.at(spot))
 
     def lines(self, spot: Spot) -> Iterator[Line]:
         """The lines that give a centre, but for the line at infinity."""
@@ -114,10 +115,11 @@ class OnPaper:
     def _own(self, spot: Spot) -> tuple[Place, ...]:
         return () if spot.place is None else (self.at(spot),)
 
-    def _normal(self, line: Ray, spot: Spot) -> Line:
+    def _normal(self, normal: CommonNormal, spot: Spot) -> Line:
+        line = normal.line
         start = self.window(complex(self.found.plot.position[line.through]))
         way = self.window.turned(complex(self.found.plot.direction(line.direction)))
-        return Line(start, way / abs(way), (start, *self._contact(spot), *self._own(spot)), normal=True)
+        return Line(start, way / abs(way), (start, *self._contact(normal.pair), *self._own(spot)), normal=True)
 
     def _join(self, line: LineStep, spot: Spot) -> Line | None:
         ends = [self.by_name[end] for end in drawn_through(line)]
@@ -128,24 +130,29 @@ class OnPaper:
             way = places[1] - places[0]
         else:
             way = self.window.turned(next(end.direction for end in ends if end.place is None))
-        near = min(places, key=lambda place: abs(place - middle(self.room)))
+        near = min(places, key=lambda place: abs(place - self.room.middle))
         return Line(near, way / abs(way), (*places, *self._own(spot)))
 
-    def _contact(self, spot: Spot) -> Iterator[Place]:
-        """Where the two profiles touch that have this normal."""
-        position, machine = self.found.plot.position, self.found.method.mechanism
-        for cam in machine.cams:
-            if {*cam.links} == {*self.found.centring.links[spot.name]}:
-                straight = next((p.line for p in cam.profiles if p.line is not None), None)
-                (one, radius), *others = [(position[p.centre], p.radius) for p in cam.profiles if p.centre is not None]
-                if straight is not None:
-                    way = straight.direction * np.exp(1j * self.found.plot.theta.get(straight.link, 0.0))
-                    off = position[straight.origin] - one
-                    yield self.window(complex(one + off - way * np.real(off * np.conj(way))))
-                else:
-                    other, less = others[0]
-                    side = -1 if cam.internal and radius < less else 1
-                    yield self.window(complex(one + side * radius * (other - one) / np.abs(other - one)))
+    def _contact(self, pair: Pair) -> Iterator[Place]:
+        """Where the links of a pair touch, unless the normal is drawn from there."""
+        position = self.found.plot.position
+        if not isinstance(pair, Cam):
+            yield from (self.window(complex(position[end])) for end in _far_end(pair))
+            return
+        (one, radius), *others = [(position[centre], radius) for _, centre, radius in pair.circles]
+        if others:
+            other, less = others[0]
+            side = -1 if pair.internal and radius < less else 1
+            yield self.window(complex(one + side * radius * (other - one) / np.abs(other - one)))
+        for straight in pair.lines:
+            way = straight.direction * np.exp(1j * self.found.plot.theta.get(straight.link, 0.0))
+            off = position[straight.origin] - one
+            yield self.window(complex(one + off - way * np.real(off * np.conj(way))))
+
+
+def _far_end(pair: Pair) -> tuple[str, ...]:
+    """The point that a rod keeps at its distance."""
+    return pair.slipping.points[1:] if isinstance(pair.slipping, Rod) else ()
 
 
 # --- rooms ------------------------------------------------------------------------------------
@@ -162,14 +169,6 @@ class Laid:
     @property
     def ends(self) -> tuple[Place, Place]:
         return self.line.point(self.start), self.line.point(self.end)
-
-
-def inside(room: Room, place: Place) -> bool:
-    return room.left <= place.real <= room.right and room.top <= place.imag <= room.bottom
-
-
-def middle(room: Room) -> Place:
-    return complex(room.left + room.right, room.top + room.bottom) / 2
 
 
 def clipped(line: Line, room: Room) -> tuple[float, float] | None:

@@ -6,24 +6,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from graphkin.centres import Centres
 from graphkin.errors import Lang
-from graphkin.sheet import Sheet
 from graphkin.sheet.centre_circle import circle_diagram
-from graphkin.sheet.centre_figure import centre_figure, split_names
+from graphkin.sheet.centre_figure import centre_figure
 from graphkin.sheet.centre_layout import CentreLayout, layouts
 from graphkin.sheet.centre_places import OnPaper
-from graphkin.sheet.labels import Room, settle
 from graphkin.sheet.layout import HEAD
-from graphkin.sheet.lettering import plain, width
-from graphkin.sheet.marks import Mark, Stroke, Text
-from graphkin.sheet.paper import LABEL
-from graphkin.sheet.scales import written
-from graphkin.sheet.titleblock import strip
-from graphkin.sheet.window import Window
-from graphkin.value import frozen
+from graphkin.sheet.marks import Stroke
+from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
+from graphkin.sheet.titleblock import Strip
 
 __all__ = ["centre_sheet", "centre_step_sheets"]
 
@@ -45,13 +38,13 @@ def centre_sheet(found: Centres, *, paper: str | None = None, lang: Lang = "en",
 
     Raises UnknownPaper.
     """
-    drawn: list[_Drawn] = []
+    tried: list[Lettered] = []
     for way in layouts(found, paper, lang, fit)[:_TRIES]:
-        drawn.append(_lettered(found, way, lang))
-        if drawn[-1].good:
+        tried.append(_lettered(_page(found, way, lang)))
+        if not tried[-1].lost and tried[-1].crowded <= _CROWDED:
             break
-    best = min(drawn, key=lambda one: (one.lost, max(0, one.leaders - _CROWDED)))
-    return _sheet(found, _drawn(found, best.layout, lang, far=True) if best.lost > _FEW else best, lang)
+    best = min(tried, key=lambda one: (one.lost, max(0, one.crowded - _CROWDED)))
+    return best.page.sheet() if best.lost > _FEW else best.sheet
 
 
 def centre_step_sheets(
@@ -59,72 +52,27 @@ def centre_step_sheets(
 ) -> Iterator[Sheet]:
     """One sheet a centre, in the order in which they are found; what a step adds is emphasised."""
     whole = centre_sheet(found, paper=paper, lang=lang, fit=fit)
-    for number in range(1, len(found.centring.stages) + 1):
-        marks = (mark for mark in whole.marks if mark.step is None or mark.step <= number)
-        yield replace(whole, marks=tuple(replace(m, new=True) if m.step == number else m for m in marks))
+    yield from step_sheets(whole, range(1, len(found.centring.stages) + 1))
 
 
-@frozen
-class _Drawn:
-    """A layout filled; how many labels found no place, and how many stand off."""
-
-    layout: CentreLayout
-    marks: list[Mark]
-    lost: int
-    leaders: int
-
-    @property
-    def good(self) -> bool:
-        return not self.lost and self.leaders <= _CROWDED
-
-
-def _lettered(found: Centres, layout: CentreLayout, lang: Lang) -> _Drawn:
+def _lettered(page: Page) -> Lettered:
     """The labels near what they name; where a few find no place, farther off."""
-    near = _drawn(found, layout, lang)
-    if not 0 < near.lost <= _FEW:
-        return near
-    return min(near, _drawn(found, layout, lang, far=True), key=lambda one: one.lost)
+    near = page.lettered(far=False)
+    return min(near, page.lettered(), key=lambda one: one.lost) if 0 < near.lost <= _FEW else near
 
 
-def _drawn(found: Centres, layout: CentreLayout, lang: Lang, far: bool = False) -> _Drawn:
-    field = layout.field
-    inner = Room(field.left + 2, field.top + HEAD, field.right - 2, field.bottom - 2)
-    paper = OnPaper(found, Window(layout.origin, layout.scale), inner)
-    figure = centre_figure(paper)
-    settled = settle(figure.wanted, figure.marks, inner, far)
-    machine = found.method.mechanism
-    marks = strip(machine, [], layout.paper, layout.strip, {"position": layout.scale}, {}, lang)
-    marks += layout.table.drawn(complex(layout.strip.left + 3, layout.strip.top + 1.5))
-    marks += [*_heading(layout, lang), *_divider(layout), *circle_diagram(found, layout.circle, lang)]
-    marks += [*figure.marks, *split_names(settled.marks, paper)]
-    leaders = sum(isinstance(mark, Stroke) and mark.pen == "leader" for mark in settled.marks)
-    return _Drawn(layout, marks, settled.clashes, leaders)
+def _page(found: Centres, layout: CentreLayout, lang: Lang) -> Page:
+    field, machine = layout.field, found.method.mechanism
+    room = field.inset(2, HEAD, 2)
+    base = [*layout.table.drawn(complex(layout.strip.left + 3, layout.strip.top + 1.5))]
+    base += heading(_HEADING[lang], "position", layout.window.scale, field)
+    base += [_divider(layout), *circle_diagram(found, layout.circle, lang)]
+    panel = Panel(centre_figure(OnPaper(found, layout.window, room)), layout.window, room)
+    return Page(layout.paper, [panel], machine, found.plot.facts.values, lang, Strip(layout.strip), base)
 
 
-def _heading(layout: CentreLayout, lang: Lang) -> list[Mark]:
-    label, at = plain(_HEADING[lang]), complex(layout.field.left + 3, layout.field.top + 5.5)
-    scale = written("position", layout.scale)
-    return [Text(label, at, LABEL), Text(scale, at + width(label, LABEL) + 4, LABEL)]
-
-
-def _divider(layout: CentreLayout) -> Iterator[Mark]:
+def _divider(layout: CentreLayout) -> Stroke:
     """A thin line between figure and circle diagram."""
-    room = layout.circle
-    if layout.paper.landscape:
-        yield Stroke((complex(room.left, room.top), complex(room.left, room.bottom)), "thin")
-    else:
-        yield Stroke((complex(room.left, room.top), complex(room.right, room.top)), "thin")
-
-
-def _sheet(found: Centres, drawn: _Drawn, lang: Lang) -> Sheet:
-    layout, machine = drawn.layout, found.method.mechanism
-    return Sheet(
-        paper=layout.paper,
-        marks=tuple(drawn.marks),
-        scales={"position": layout.scale},
-        origins={"position": layout.origin},
-        mechanism=machine,
-        drivers=tuple(float(value) for value in found.plot.facts.values),
-        title=machine.headline(lang),
-        lang=lang,
-    )
+    room, corner = layout.circle, complex(layout.circle.left, layout.circle.top)
+    other = complex(room.left, room.bottom) if layout.paper.landscape else complex(room.right, room.top)
+    return Stroke((corner, other), "thin")

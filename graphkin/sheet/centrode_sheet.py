@@ -11,21 +11,15 @@ from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
 from graphkin.running.path import along
-from graphkin.sheet import Sheet
-from graphkin.sheet.about_page import (
-    Page,
-    clipped,
-    drawn_values,
-    enlarged,
-    finished,
-    mechanism_on,
-    page,
-    within,
-)
+from graphkin.sheet.alone import Alone, place_for
+from graphkin.sheet.curves import clipped
+from graphkin.sheet.fit import corners, enlarged
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, link_label, plain, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke
+from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName
+from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.window import Figure
 
 __all__ = ["centre_at", "centrode_marks", "centrode_page", "centrode_sheet", "heading", "plot_at"]
@@ -55,18 +49,16 @@ def centrode_sheet(curves: Centrodes, *, t: float = 0.0, paper: str | None = Non
 
     Raises UnknownPaper.
     """
-    method, plot = curves.found.method, plot_at(curves, t)
+    plot = plot_at(curves, t)
     on = centrode_page(curves, [t], paper)
     figure = Figure([*centrode_marks(curves, t, on)])
     figure.wanted += _names(curves, t, on, figure.marks, lang)
-    machine = mechanism_on(method, plot, on.window)
-    figure.marks += machine.marks
-    figure.wanted += machine.wanted
+    figure += on.mechanism(plot)
     centre = centre_at(curves, t)
-    if centre is not None and within(on.window(centre), on.room):
+    if centre is not None and on.room.holds(on.window(centre)):
         figure.marks.append(Disc(on.window(centre), 1.0, "vector", "paper"))
         figure.wanted.append(Wanted(quantity_label("P", curves.name[1:]), on.window(centre), gap=1.2))
-    return finished(on, method, plot, heading(curves, lang), figure, lang)
+    return on.sheet(plot, heading(curves, lang), figure, lang)
 
 
 def heading(curves: Centrodes, lang: Lang) -> str:
@@ -82,32 +74,24 @@ def plot_at(curves: Centrodes, t: float) -> Plot:
     return along(curves.found.method, curves.path, t)
 
 
-def centrode_page(curves: Centrodes, times: Sequence[float], paper: str | None) -> Page:
+def centrode_page(curves: Centrodes, times: Sequence[float], paper: str | None) -> Alone:
     """A page with room for the mechanism at all these t, and for the curves near it."""
     method = curves.found.method
     plots = [plot_at(curves, t) for t in times]
-    values = [place for plot in plots for place in drawn_values(method, plot)]
-    low = complex(min(z.real for z in values), min(z.imag for z in values))
-    high = complex(max(z.real for z in values), max(z.imag for z in values))
+    values = [place for plot in plots for place in shown_places(method, plot)]
+    low, high = corners(values)
     size = max((high - low).real, (high - low).imag)
     places = np.concatenate([curve for t in times for link in curves.axes for curve in _carried(curves, link, t)])
     more = _ROUND * size * (1 + 1j)
     near = places[_between(places, low - more, high + more)]
     centre = centre_at(curves, times[0])
-    shown = enlarged([*values, *_corners(near)], [] if centre is None else [centre], _CENTRE)
-    return page(method, plots, shown, paper)
+    shown = enlarged([*values, *(corners(near) if near.size else ())], [] if centre is None else [centre], _CENTRE)
+    return place_for(method, plots, shown, paper)
 
 
 def _between(places: np.ndarray, low: complex, high: complex) -> np.ndarray:
     across = (low.real <= places.real) & (places.real <= high.real)
     return np.asarray(across & (low.imag <= places.imag) & (places.imag <= high.imag))
-
-
-def _corners(places: np.ndarray) -> list[complex]:
-    if not places.size:
-        return []
-    x, y = places.real, places.imag
-    return [complex(x.min(), y.min()), complex(x.max(), y.max())]
 
 
 def _carried(curves: Centrodes, link: str, t: float) -> list[np.ndarray]:
@@ -117,13 +101,13 @@ def _carried(curves: Centrodes, link: str, t: float) -> list[np.ndarray]:
     return [origin + turn * curve for curve in found]
 
 
-def centrode_marks(curves: Centrodes, t: float, on: Page) -> Iterator[Mark]:
+def centrode_marks(curves: Centrodes, t: float, on: Alone) -> Iterator[Mark]:
     """The curves as far as they lie in the room; a centre that stays at one point is a dot."""
     for link, pen in zip(curves.axes, (_FIXED, _MOVING), strict=False):
         yield from _curve(curves, link, t, on, pen)
 
 
-def _curve(curves: Centrodes, link: str, t: float, on: Page, pen: PenName) -> Iterator[Stroke]:
+def _curve(curves: Centrodes, link: str, t: float, on: Alone, pen: PenName) -> Iterator[Stroke]:
     for curve, piece in zip(_carried(curves, link, t), curves.pieces, strict=True):
         places = [*(on.window.origin + np.conj(curve) / on.window.scale)]
         yield from clipped([*places, places[0]] if piece.closed else _once(places), on.room, pen)
@@ -160,7 +144,7 @@ def centre_at(curves: Centrodes, t: float) -> complex | None:
 # --- names ------------------------------------------------------------------------------------
 
 
-def _names(curves: Centrodes, t: float, on: Page, marks: Sequence[Mark], lang: Lang) -> Iterator[Wanted]:
+def _names(curves: Centrodes, t: float, on: Alone, marks: Sequence[Mark], lang: Lang) -> Iterator[Wanted]:
     """Each curve's name at the longest part that is on the paper."""
     for k, (pen, label) in enumerate(zip((_FIXED, _MOVING), _labels(curves, lang), strict=False)):
         strokes = [mark for mark in marks if isinstance(mark, Stroke) and mark.pen == pen]

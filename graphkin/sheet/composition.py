@@ -1,44 +1,40 @@
-"""All figures of a sheet together: drawn once to see how far they reach, laid out, drawn, lettered."""
+"""The sheet of a mechanism: its figure and its polygons, drawn once to see how far they reach, laid out, lettered.
+
+Labels that find no place choose paper and scales, too: every division is lettered near by before one is taken.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 
 from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
+from graphkin.sheet.fit import Extent
 from graphkin.sheet.gear_images import GearImage, gear_images
-from graphkin.sheet.labels import Room, settle
-from graphkin.sheet.layout import HEAD, Extent, Layout, lay_out, papers_for
-from graphkin.sheet.lettering import Label, plain, width
-from graphkin.sheet.marks import Mark, Place, Stroke, Text
+from graphkin.sheet.layout import Layout, lay_out, papers_for
+from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
-from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import LABEL, PAPERS, Paper
+from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
+from graphkin.sheet.paper import LARGE, Paper
 from graphkin.sheet.pencil import pencil_lines
+from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.polygons import Polygon, polygon_figure
 from graphkin.sheet.results import Table, tables
-from graphkin.sheet.scales import KEYS, TooLargeForPaper, finest, written
+from graphkin.sheet.scales import KEYS, TooLargeForPaper
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.specials import named_specials
-from graphkin.sheet.titleblock import strip, strip_heights
-from graphkin.sheet.wheels import rims
-from graphkin.sheet.window import PLANES, Figure, Window, births, constructions, first_steps
+from graphkin.sheet.titleblock import Strip, strip_height
+from graphkin.sheet.window import PLANES, Figure, Window, births, constructions, first_steps, step_count
 from graphkin.value import frozen
 
-__all__ = ["Composed", "compose", "scales_of"]
+__all__ = ["mechanism_sheet", "mechanism_step_sheets", "scales_of"]
 
-_TRIAL = 100.0
-"""Size of a figure when it is drawn to see how far its signs reach [mm]."""
 _CROWDED, _EASED = 8, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
-_LARGE = [PAPERS["A3-landscape"], PAPERS["A3"]]
 _MORE = (2, 4)
 """So many times its labels count for a plane where some found no place."""
-_LETTERS = 6.5
-"""What labels need around a figure [mm]."""
 HEADINGS: dict[Lang, dict[Plane, str]] = {
     "en": {"position": "Mechanism", "velocity": "Velocity polygon", "acceleration": "Acceleration polygon"},
     "zh": {"position": "机构运动简图", "velocity": "速度多边形", "acceleration": "加速度多边形"},
@@ -48,24 +44,52 @@ FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
 TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
 
 
-@frozen
-class Composed:
-    """Marks on a laid out paper, and where each plane's origin came to lie."""
+def mechanism_sheet(
+    method: Method,
+    plot: Plot,
+    *,
+    paper: str | None = None,
+    lang: Lang = "en",
+    only: Plane | Collection[Plane] | None = None,
+    upto: int | None = None,
+) -> Sheet:
+    """Draw a mechanism and its polygons to scale.
 
-    layout: Layout
-    marks: list[Mark]
-    origins: Mapping[Plane, Place]
-    clashes: Mapping[Plane, int]
-    """How many labels of a plane found no place of their own near what they name."""
+    plot   the method replayed at one position
+    paper  a key of `PAPERS`; the smallest that fits where left out
+    only   the plane or planes to draw; all three where left out
+    upto   draw the construction as far as this step (1 to `step_count(method)`), its newest marks emphasised
 
-    @property
-    def lost(self) -> int:
-        return sum(self.clashes.values())
+    Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
+    """
+    work = _Work(_Planes(method, plot), _planes(only), tables(method, plot, lang), lang)
+    if upto is not None:
+        return _staged(work, paper).upto(upto)
+    best = _divided(work, paper)
+    return (work.on(best.layout, far=True) if best.lost else best).sheet
 
-    @property
-    def crowded(self) -> int:
-        """How many labels stand off from what they name, at the end of a leader."""
-        return sum(isinstance(mark, Stroke) and mark.pen == "leader" for mark in self.marks)
+
+def mechanism_step_sheets(
+    method: Method,
+    plot: Plot,
+    *,
+    paper: str | None = None,
+    lang: Lang = "en",
+    only: Plane | Collection[Plane] | None = None,
+) -> Iterator[Sheet]:
+    """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
+    work = _Work(_Planes(method, plot), _planes(only), tables(method, plot, lang), lang)
+    yield from step_sheets(_staged(work, paper), range(1, step_count(method) + 1))
+
+
+def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
+    wanted = PLANES if only is None else (only,) if isinstance(only, str) else only
+    return tuple(plane for plane in PLANES if plane in wanted)
+
+
+def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
+    """The scales of the sheet, without its last lettering."""
+    return _divided(_Work(_Planes(method, plot), PLANES, tables(method, plot, lang), lang), None).layout.scales
 
 
 @frozen
@@ -80,12 +104,9 @@ class _Planes:
 
     def values(self, plane: Plane) -> list[complex]:
         """The points a plane shows, in SI units."""
-        points = self.plot.points(plane)
         if plane == "position":
-            machine = self.method.mechanism
-            named = [complex(v) for name, v in points.items() if name in machine.points]
-            drawn = [*named, *rims(machine, points)]
-            return [*drawn, *named_specials(self.method, self.plot, drawn).values()]
+            return shown_places(self.method, self.plot)
+        points = self.plot.points(plane)
         names = {self.construction(plane).pole, *self.construction(plane).nodes}
         found = [complex(v) for name, v in points.items() if name in names]
         return found + [corner for image in self.gears(plane) for corner in image.corners]
@@ -103,71 +124,50 @@ class _Planes:
 
     def extent(self, plane: Plane) -> Extent:
         """How large the plane's points are, and how far its signs reach beyond them."""
-        low, high = _corners(self.values(plane))
-        size = high - low
         given = self.method.mechanism.scales.get(KEYS[plane])
-        trial = given or finest(size, complex(_TRIAL, _TRIAL))
-        figure = self.figure(plane, Window(0j, trial))
-        left, top, right, bottom = bounds(figure.marks)
-        points = _Box(low.real / trial, -high.imag / trial, high.real / trial, -low.imag / trial)
-        more = _LETTERS
-        return Extent(
-            size, max(0, points.left - left) + more, max(0, points.top - top) + more,
-            max(0, right - points.right) + more, max(0, bottom - points.bottom) + more, given, len(figure.wanted),
-        )  # fmt: skip
+        return Extent.of(self.values(plane), partial(self.figure, plane), given)
+
+
+# --- which paper, how divided -----------------------------------------------------------------
 
 
 @frozen
-class _Box:
-    left: float
-    top: float
-    right: float
-    bottom: float
+class _Composed:
+    """A page lettered, and how its paper was divided."""
+
+    layout: Layout
+    lettered: Lettered
+
+    @property
+    def lost(self) -> int:
+        return self.lettered.lost
+
+    @property
+    def crowded(self) -> int:
+        return self.lettered.crowded
+
+    @property
+    def sheet(self) -> Sheet:
+        return self.lettered.sheet
 
 
-def _corners(values: Sequence[complex]) -> tuple[complex, complex]:
-    """Lower left and upper right corner of what holds all these points."""
-    xs, ys = [v.real for v in values] or [0.0], [v.imag for v in values] or [0.0]
-    return complex(min(xs), min(ys)), complex(max(xs), max(ys))
+def _staged(work: _Work, paper: str | None) -> Sheet:
+    """The pencil's own lines are there too, and no results; the paper is that of the sheet without them."""
+    return work.on(_divided(work, paper).layout, stages=True, far=True).sheet
 
 
-def compose(
-    method: Method, plot: Plot, planes: tuple[Plane, ...], paper: str | None, lang: Lang, stages: bool
-) -> Composed:
-    """Draw, lay out, letter. With `stages` the pencil's own lines are there too, and no results.
-
-    The paper is the smallest that holds all and leaves its letters room; the same for `stages` or not.
-    """
-    work = _Work(_Planes(method, plot), planes, tables(method, plot, lang), lang)
-    composed = _divided(work, paper)
-    return work.on(composed.layout, stages, far=True) if stages or composed.lost else composed
-
-
-def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
-    """The scales of the sheet, without its last lettering; labels that find no place choose paper and scales, too."""
-    return _divided(_Work(_Planes(method, plot), PLANES, tables(method, plot, lang), lang), None).layout.scales
-
-
-def _divided(work: _Work, paper: str | None) -> Composed:
-    """Lettered near by, on the paper divided best."""
+def _divided(work: _Work, paper: str | None) -> _Composed:
+    """Lettered near by, on the paper divided best: the smallest that holds all and leaves its letters room."""
     try:
         layout = work.layout(papers_for(paper))
     except TooLargeForPaper as error:
         raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
-    composed = work.on(layout)
-    if composed.lost:
-        composed = work.roomier(composed, papers_for(paper))
-    if paper is None and _small(composed) and (composed.crowded > _CROWDED or composed.lost):
-        larger = work.on(work.layout(_LARGE))
-        if larger.lost:
-            larger = work.roomier(larger, _LARGE)
+    composed = work.roomier(work.on(layout), papers_for(paper))
+    if paper is None and composed.layout.paper not in LARGE and (composed.crowded > _CROWDED or composed.lost):
+        larger = work.roomier(work.on(work.layout(LARGE)), LARGE)
         eased = larger.crowded <= composed.crowded - _EASED
         composed = larger if (larger.lost, not eased) < (composed.lost, True) else composed
     return composed
-
-
-def _small(composed: Composed) -> bool:
-    return not composed.layout.paper.name.startswith("A3")
 
 
 @frozen
@@ -198,63 +198,34 @@ class _Work:
     def layout(self, papers: Sequence[Paper], crowded: Collection[Plane] = (), more: int = 1) -> Layout:
         """The best division; crowded planes count as if they had more labels."""
         extents = {p: replace(e, labels=e.labels * more) if p in crowded else e for p, e in self.extents.items()}
-        return lay_out(extents, strip_heights(self.found), papers)
+        return lay_out(extents, partial(strip_height, found=self.found), papers)
 
-    def roomier(self, composed: Composed, papers: Sequence[Paper]) -> Composed:
-        """The same size of paper divided for the planes where labels found no place, if that helps."""
+    def roomier(self, composed: _Composed, papers: Sequence[Paper]) -> _Composed:
+        """The same size of paper divided for the planes where labels found no place, if there are and that helps."""
+        if not composed.lost:
+            return composed
         area = composed.layout.paper.width * composed.layout.paper.height
         same = [paper for paper in papers if paper.width * paper.height == area]
-        crowded = [plane for plane, lost in composed.clashes.items() if lost]
+        crowded = [plane for plane, lost in zip(self.planes, composed.lettered.clashes) if lost]
         for more in _MORE:
             if (layout := self.layout(same, crowded, more)) != composed.layout:
                 other = self.on(layout)
                 composed = other if other.lost < composed.lost else composed
         return composed
 
-    def on(self, layout: Layout, stages: bool = False, far: bool = False) -> Composed:
+    def on(self, layout: Layout, stages: bool = False, far: bool = False) -> _Composed:
         """Everything on a divided paper; with `far`, labels of a crowd go far off to find a place."""
-        machine, found = self.drawing.method.mechanism, [] if stages else self.found
-        marks = strip(machine, found, layout.paper, layout.strip, layout.scales, self.notes, self.lang)
-        origins: dict[Plane, Place] = {}
-        clashes: dict[Plane, int] = {}
-        for plane in self.planes:
-            origins[plane] = _origin(self.drawing.values(plane), self.extents[plane], layout, plane)
-            figure, drawn = _placed(self.drawing, plane, layout, origins[plane], self.lang, stages)
-            settled = settle(figure.wanted, drawn, _inner(layout.rooms[plane]), far)
-            marks += drawn + settled.marks
-            clashes[plane] = settled.clashes
-        return Composed(layout, marks, origins, clashes)
+        method, plot = self.drawing.method, self.drawing.plot
+        panels = [self.panel(layout, plane, stages) for plane in self.planes]
+        foot = Strip(layout.strip, [] if stages else self.found, self.notes)
+        page = Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, foot)
+        return _Composed(layout, page.lettered(far))
 
-
-def _origin(values: Sequence[complex], extent: Extent, layout: Layout, plane: Plane) -> Place:
-    """The plane's origin on paper, so that the figure with all its signs stands in the middle of its room."""
-    room, scale = layout.rooms[plane], layout.scales[plane]
-    low, _ = _corners(values)
-    whole = extent.size / scale + extent.reach
-    x = (room.left + room.right - whole.real) / 2 + extent.left
-    y = (room.top + HEAD + room.bottom - whole.imag) / 2 + extent.top + extent.size.imag / scale
-    return complex(x, y) - low.conjugate() / scale
-
-
-def _placed(
-    drawing: _Planes, plane: Plane, layout: Layout, origin: Place, lang: Lang, stages: bool
-) -> tuple[Figure, list[Mark]]:
-    """One plane's figure, and its marks with heading and lines of the pencil, without labels."""
-    room, window = layout.rooms[plane], Window(origin, layout.scales[plane])
-    figure = drawing.figure(plane, window)
-    marks = [*_heading(plane, room, layout.scales[plane], lang)]
-    if stages:
-        before = first_steps(drawing.method)[plane]
-        marks += pencil_lines(drawing.construction(plane), drawing.plot, window, room, before)
-    return figure, marks + figure.marks
-
-
-def _inner(room: Room) -> Room:
-    """Where labels may stand."""
-    return Room(room.left + 1, room.top + 1, room.right - 1, room.bottom - 1)
-
-
-def _heading(plane: Plane, room: Room, scale: float, lang: Lang) -> list[Mark]:
-    """What the figure is, and its scale."""
-    label, at = plain(HEADINGS[lang][plane]), complex(room.left + 3, room.top + 5.5)
-    return [Text(label, at, LABEL), Text(written(plane, scale), at + width(label, LABEL) + 4, LABEL)]
+    def panel(self, layout: Layout, plane: Plane, stages: bool) -> Panel:
+        """One plane's figure under its heading; with `stages`, over the lines of the pencil."""
+        drawing, room, window = self.drawing, layout.rooms[plane], layout.window(plane, self.extents[plane])
+        before = [*heading(HEADINGS[self.lang][plane], plane, window.scale, room)]
+        if stages:
+            first = first_steps(drawing.method)[plane]
+            before += pencil_lines(drawing.construction(plane), drawing.plot, window, room, first)
+        return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), plane=plane)

@@ -33,12 +33,13 @@ from graphkin.drafting import (
     Turned,
     drawn_through,
 )
-from graphkin.sheet.about_page import Page, clipped, within
+from graphkin.sheet.alone import Alone
+from graphkin.sheet.curves import clipped
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
-from graphkin.sheet.marks import Arc, Disc, Mark, Stroke
+from graphkin.sheet.marks import Arc, Disc, Stroke
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.window import Figure
+from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
 
 __all__ = ["DesignFigure"]
@@ -54,15 +55,13 @@ _ARC = 13.0
 _PART = math.radians(14)
 """Half of a drawn arc of a compass."""
 
-Entry = Mark | Wanted
-
 
 @frozen
 class DesignFigure:
     """A solution on a page."""
 
     solution: Solution
-    on: Page
+    on: Alone
     families: tuple[Family, ...] = ()
 
     @property
@@ -80,13 +79,7 @@ class DesignFigure:
 
     def figure(self) -> Figure:
         """Construction and positions; marks carry the number of their stage."""
-        figure = Figure()
-        for entry in self._entries():
-            if isinstance(entry, Wanted):
-                figure.wanted.append(entry)
-            else:
-                figure.marks.append(entry)
-        return figure
+        return Figure.of(self._entries())
 
     def _entries(self) -> Iterator[Entry]:
         for number_, stage in enumerate(self.construction.stages, start=1):
@@ -139,8 +132,7 @@ class DesignFigure:
         reach = _BEYOND * self.on.window.scale
         ends = [self.on.window(start + along * way) for way in (min(ways) - reach, max(ways) + reach)]
         pen: PenName = "centre" if isinstance(step, Bisector) else "construction"
-        for stroke in clipped(ends, self.on.room, pen):
-            yield Stroke(stroke.places, stroke.pen, step=stage)
+        yield from clipped(ends, self.on.room, pen, stage)
 
     def _lying_on(self, step: Step) -> list[str]:
         """Points chosen on a bisector."""
@@ -167,7 +159,7 @@ class DesignFigure:
         off = (way.conjugate() * (at - first)).imag / abs(way)
         place = self.on.window(at)
         taken = any(abs(self.on.window(z) - place) < _NEAR for z in self.places.values())
-        if not taken and within(place, self.on.room):
+        if not taken and self.on.room.holds(place):
             yield Disc(place, _DOT, "thin", "ink", step=stage)
             letter = "F" if abs(off) < 1e-6 * abs(at - first) else "G"
             yield Wanted(point_label(letter), place, gap=0.9, step=stage, spare=True)
@@ -189,8 +181,7 @@ class DesignFigure:
         count = max(24, math.ceil((ends[1] - ends[0]) * 60))
         turns = (ends[0] + (ends[1] - ends[0]) * k / count for k in range(count + 1))
         places = [self.on.window(centre + cmath.rect(radius, turn)) for turn in turns]
-        for stroke in clipped(places, self.on.room, pen):
-            yield Stroke(stroke.places, stroke.pen, step=stage)
+        yield from clipped(places, self.on.room, pen, stage)
 
     def _compass(self, step: CircleAbout, stage: int) -> Iterator[Entry]:
         """A short arc at each point found with it."""
@@ -236,7 +227,7 @@ class DesignFigure:
         hinges = [self.on.window(z) for places in self.solution.limits for z in places.values()]
         used: list[complex] = [self.on.window(z) for z in self.solution.places.values()]
         for name, at in shown.items():
-            if any(abs(at - other) < _NEAR for other in used) or not within(at, self.on.room):
+            if any(abs(at - other) < _NEAR for other in used) or not self.on.room.holds(at):
                 continue
             used.append(at)
             same = [other for other, z in shown.items() if abs(z - at) < _NEAR]

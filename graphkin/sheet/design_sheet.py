@@ -16,13 +16,15 @@ from graphkin.design import Design, Solution
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.say.design import error, mechanism_of
-from graphkin.sheet import Sheet
-from graphkin.sheet.about_page import Page, drawn_values, enlarged, finished, mechanism_on, page
+from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.design_figure import DesignFigure
+from graphkin.sheet.fit import enlarged
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
 from graphkin.sheet.marks import Text
+from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import LABEL
+from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.value import frozen
 
 __all__ = ["design_sheet", "design_step_sheets"]
@@ -59,12 +61,10 @@ def design_sheet(
     on = _page(drawn, paper)
     construction = DesignFigure(chosen, on, design.families)
     last = len(chosen.construction.stages) + 1
-    machine = mechanism_on(drawn.method, drawn.plot, on.window)
-    figure = construction.figure()
-    figure.marks += [replace(mark, step=last) for mark in machine.marks]
-    figure.wanted += [_named(replace(want, step=last), construction) for want in machine.wanted]
-    whole = finished(on, drawn.method, drawn.plot, _HEADING[lang], figure, lang)
-    return replace(whole, marks=(*whole.marks, *_result(chosen, on, last)))
+    machine = on.mechanism(drawn.plot).numbered(last)
+    machine.wanted = [_named(want, construction) for want in machine.wanted]
+    figure = construction.figure() + machine
+    return on.sheet(drawn.plot, _HEADING[lang], figure, lang, after=_result(chosen, on, last))
 
 
 def _named(want: Wanted, construction: DesignFigure) -> Wanted:
@@ -82,16 +82,14 @@ def design_step_sheets(
 ) -> Iterator[Sheet]:
     """One sheet a numbered sentence that draws something; what it adds is emphasised. The linkage comes last."""
     whole = design_sheet(design, solution=solution, paper=paper, lang=lang)
-    for step in sorted({mark.step for mark in whole.marks if mark.step is not None}):
-        marks = (mark for mark in whole.marks if mark.step is None or mark.step <= step)
-        yield replace(whole, marks=tuple(replace(m, new=True) if m.step == step else m for m in marks))
+    yield from step_sheets(whole, sorted({mark.step for mark in whole.marks if mark.step is not None}))
 
 
-def _page(drawn: _Drawn, paper: str | None) -> Page:
+def _page(drawn: _Drawn, paper: str | None) -> Alone:
     """Room for the linkage at all positions, the construction's points, and its circle if that is not too large."""
     one = drawn.solution
     board = one.board()
-    values = drawn_values(drawn.method, drawn.plot)
+    values = shown_places(drawn.method, drawn.plot)
     values += [place for places in one.limits for place in places.values()]
     values = enlarged(values, board.places.values(), _MOST)
     if "locus" in board.circles:
@@ -99,10 +97,10 @@ def _page(drawn: _Drawn, paper: str | None) -> Page:
         round_about = [centre + radius * way for way in (1, 1j, -1, -1j)]
         wider = enlarged(values, round_about, _MOST)
         values = wider if all(place in wider for place in round_about) else values
-    return page(drawn.method, [drawn.plot], values, paper)
+    return place_for(drawn.method, [drawn.plot], values, paper)
 
 
-def _result(one: Solution, on: Page, step: int) -> list[Text]:
+def _result(one: Solution, on: Alone, step: int) -> list[Text]:
     """l_AB = 20.773 mm, .. in the strip at the foot, on the left of the title block, two to a line."""
     corner = complex(on.layout.strip.left + 3, on.layout.strip.top + 6)
     places = (corner + complex(_COLUMN * (k % 2), _LINE * (k // 2)) for k in range(9))

@@ -124,9 +124,6 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
 
 def _path(skeleton: Skeleton, driver: Driver) -> tuple[str, Line, tuple[str, ...]]:
     """The point a driven slide (or roll) moves, the line it moves along, the links it joins."""
-    for slide in skeleton.mechanism.slides:
-        if slide.name == driver.link:
-            return slide.point, slide.line, slide.joins
-    roll = next(roll for roll in skeleton.mechanism.rolls if roll.name == driver.link)
-    assert roll.line is not None
-    return roll.centre, roll.line, roll.joins
+    pair = skeleton.mechanism.pair(driver.link)
+    assert pair.path is not None
+    return pair.path.point, pair.path.line, pair.joins

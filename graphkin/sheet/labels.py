@@ -16,13 +16,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphkin.sheet.lettering import Label, box
+from graphkin.sheet.lettering import Label, box, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import Tree, tree
-from graphkin.sheet.paper import LABEL
+from graphkin.sheet.paper import LABEL, Room
 from graphkin.value import frozen
 
-__all__ = ["Room", "Settled", "Wanted", "settle"]
+__all__ = ["Settled", "Wanted", "settle"]
 
 _CLEAR, _EASY = 0.45, 1.3
 """What a label keeps from lines at least, and likes to keep [mm]."""
@@ -45,22 +45,13 @@ _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 
 
 @frozen
-class Room:
-    """A rectangle of the paper that labels must stay in [mm]."""
-
-    left: float
-    top: float
-    right: float
-    bottom: float
-
-
-@frozen
 class Wanted:
     """A label and what it names: a point (`start` only) or a line from start to end.
 
     gap   how far the symbol at the point, or the line's width, reaches [mm]
     away  the side it likes (any length; 0 for none)
     spare  what it says can be read from other labels too
+    parts  the label in parts that come with steps of their own; else it is one
     """
 
     label: Label
@@ -71,6 +62,13 @@ class Wanted:
     size: float = LABEL
     step: int | None = None
     spare: bool = False
+    parts: tuple[tuple[Label, int | None], ...] = ()
+
+    def texts(self, at: Place) -> Iterator[Text]:
+        """Its letters, from the left end of the base line."""
+        for label, step in self.parts or ((self.label, self.step),):
+            yield Text(label, at, self.size, step)
+            at += width(label, self.size)
 
 
 class Settled(NamedTuple):
@@ -128,7 +126,7 @@ def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: boo
     for want, spot in zip(left, (table.spots[row] for row in chosen), strict=True):
         wide, up, down = box(want.label, want.size)
         corner = spot.middle + complex(-wide / 2, (up - down) / 2)
-        marks.append(Text(want.label, corner, want.size, want.step))
+        marks += want.texts(corner)
         if spot.anchor is not None:
             marks.append(_leader(spot, complex(wide, up + down) / 2, want))
     return Settled(marks, len(clashing))
@@ -222,7 +220,6 @@ def _middle(values: list[float]) -> float:
     ordered = sorted(values)
     half = len(ordered) // 2
     return (ordered[half] + ordered[-half - 1]) / 2 if ordered else 0.0
-
 
 
 class _Table:

@@ -8,7 +8,7 @@ largest figures is taken.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -17,12 +17,13 @@ import numpy as np
 
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
-from graphkin.sheet.labels import Room
-from graphkin.sheet.paper import PAPERS, Paper
-from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, finer, finest_each
+from graphkin.sheet.fit import Extent
+from graphkin.sheet.paper import LARGE, PAPERS, Paper, Room
+from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, finer
+from graphkin.sheet.window import Window
 from graphkin.value import frozen
 
-__all__ = ["HEAD", "Extent", "Layout", "lay_out", "papers_for"]
+__all__ = ["HEAD", "Layout", "alone", "divided", "lay_out", "papers_for"]
 
 HEAD = 7.5
 """Height of a figure's heading [mm]."""
@@ -32,38 +33,12 @@ _MECHANISM = 1.3
 """How much more the mechanism counts: its signs keep their size and need room between them."""
 _IN_ORDER = 0.12
 """What it is worth that the figures follow one another as they are drawn."""
+_LARGE_ENOUGH = 130.0
+"""A figure of this size alone on its paper needs no larger one [mm]."""
 
 
-@frozen
-class Extent:
-    """How large a figure is: its points in SI units, and what signs and labels reach beyond them [mm].
-
-    left, top, right, bottom  the reaches; given  its scale where the file gives one
-    labels  how much is lettered in it
-    """
-
-    size: complex
-    left: float
-    top: float
-    right: float
-    bottom: float
-    given: float | None = None
-    labels: int = 10
-
-    @property
-    def reach(self) -> complex:
-        return complex(self.left + self.right, self.top + self.bottom)
-
-    def scales_in(self, room: Room) -> Any:
-        """The scale at which it fits each of many rooms; NaN where it does not fit."""
-        wide, high = room.right - room.left, room.bottom - room.top - HEAD
-        inner_wide, inner_high = wide - self.reach.real, high - self.reach.imag
-        fits = (inner_wide > 5) & (inner_high > 5) & (wide >= HEAD_WIDTH)
-        if self.given is None:
-            least = np.maximum(self.size.real / np.maximum(inner_wide, 5), self.size.imag / np.maximum(inner_high, 5))
-            return np.where(fits, finest_each(least), math.nan)
-        whole = self.size / self.given
-        return np.where(fits & (whole.real <= inner_wide) & (whole.imag <= inner_high), self.given, math.nan)
+Height = Callable[[Paper], float]
+"""What the tables and the title need on a paper [mm]."""
 
 
 @frozen
@@ -75,6 +50,10 @@ class Layout:
     scales: Mapping[Plane, float]
     strip: Room
 
+    def window(self, plane: Plane, extent: Extent) -> Window:
+        """The figure with all its signs in the middle of its room, under its heading."""
+        return extent.window(self.rooms[plane].inset(0, HEAD, 0), self.scales[plane])
+
 
 def papers_for(name: str | None) -> list[Paper]:
     """The paper asked for, or all."""
@@ -83,10 +62,32 @@ def papers_for(name: str | None) -> list[Paper]:
     return [PAPERS[name]] if name is not None else list(PAPERS.values())
 
 
-def lay_out(extents: Mapping[Plane, Extent], strip_height: Mapping[str, float], candidates: Sequence[Paper]) -> Layout:
+def divided(paper: Paper, height: float) -> tuple[Room, Room]:
+    """The field for figures, and under it a strip of that height [mm]."""
+    whole = paper.frame
+    edge = whole.bottom - height
+    return Room(whole.left, whole.top, whole.right, edge), Room(whole.left, edge, whole.right, whole.bottom)
+
+
+def alone(extent: Extent, strip_height: Height, paper: str | None) -> Layout:
+    """One figure alone; a given scale that is too fine is not kept. Raises UnknownPaper."""
+    layout = _freely(extent, strip_height, papers_for(paper))
+    if paper is None and extent.longest / layout.scales["position"] < _LARGE_ENOUGH:
+        return min(layout, _freely(extent, strip_height, LARGE), key=lambda found: found.scales["position"])
+    return layout
+
+
+def _freely(extent: Extent, strip_height: Height, papers: Sequence[Paper]) -> Layout:
+    """A given scale is kept where it fits."""
+    try:
+        return lay_out({"position": extent}, strip_height, papers)
+    except TooLargeForPaper:
+        return lay_out({"position": replace(extent, given=None)}, strip_height, papers)
+
+
+def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: Sequence[Paper]) -> Layout:
     """The smallest of the papers that holds all.
 
-    strip_height  what the tables and the title need on each paper [mm]
     Raises TooLargeForPaper where a given scale is too fine for every paper.
     """
     for size in dict.fromkeys(p.width * p.height for p in candidates):
@@ -96,21 +97,24 @@ def lay_out(extents: Mapping[Plane, Extent], strip_height: Mapping[str, float], 
     raise _too_large(extents, strip_height, candidates)
 
 
-def _best(papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Mapping[str, float]) -> Layout | None:
+def _best(papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Height) -> Layout | None:
     """The first of the best divisions, None where nothing fits."""
     best, found = -math.inf, None
     for paper in papers:
-        inner = Room(paper.margin, paper.margin, paper.width - paper.margin, paper.height - paper.margin)
-        strip = Room(inner.left, inner.bottom - strip_height[paper.name], inner.right, inner.bottom)
-        field = Room(inner.left, inner.top, inner.right, strip.top)
+        field, strip = divided(paper, strip_height(paper))
         ways = list(_divisions(field, tuple(extents)))
-        scales = [{plane: extents[plane].scales_in(rooms[plane]) for plane in extents} for rooms in ways]
+        scales = [{plane: _scales(extents[plane], rooms[plane]) for plane in extents} for rooms in ways]
         scores = np.stack([_score(extents, *way) for way in zip(scales, ways)], axis=-1)
         for k, score in enumerate(scores.ravel().tolist()):
             if score > best + 1e-9:
                 share, way = divmod(k, len(ways))
                 best, found = score, (paper, ways[way], scales[way], strip, share)
     return _picked(*found) if found is not None else None
+
+
+def _scales(extent: Extent, room: Room) -> Any:
+    """The scale at which a figure fits each of many rooms under its heading; NaN where it does not."""
+    return np.where(room.right - room.left >= HEAD_WIDTH, extent.scales_in(room.inset(0, HEAD, 0)), math.nan)
 
 
 def _picked(paper: Paper, rooms: Mapping[Plane, Room], scales: Mapping[Plane, Any], strip: Room, share: int) -> Layout:
@@ -147,7 +151,7 @@ def _worth(plane: Plane, large: Any, labels: int) -> Any:
 
 
 def _too_large(
-    extents: Mapping[Plane, Extent], strip_height: Mapping[str, float], papers: Sequence[Paper]
+    extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper]
 ) -> TooLargeForPaper:
     """The given scale that does not fit, and the finest one that would."""
     given = [plane for plane, extent in extents.items() if extent.given is not None]

@@ -52,14 +52,6 @@ def _swept(centre: Place, radius: float, begin: float, sweep: float, label: Labe
     return figure
 
 
-def _joined(*figures: Figure) -> Figure:
-    whole = Figure()
-    for figure in figures:
-        whole.marks += figure.marks
-        whole.wanted += figure.wanted
-    return whole
-
-
 # --- limits -------------------------------------------------------------------------------------
 
 
@@ -70,7 +62,7 @@ def dimensioned_limits(report: Report, window: Window) -> Figure:
         parts.append(_psi(report, window))
     elif report.stroke is not None:
         parts.append(_stroke(report, report.stroke, window))
-    return _joined(*parts)
+    return sum(parts, Figure())
 
 
 def _psi(report: Report, window: Window) -> Figure:
@@ -101,7 +93,7 @@ def _theta(report: Report, window: Window) -> Figure:
     if report.limits[0].how == "across":
         figure.marks.append(Stroke((at, at + end / abs(end) * (radius + 3)), "construction"))
         figure.marks.append(Stroke((first[1], at + start / abs(start) * (radius + 3)), "construction"))
-    return _joined(figure, _arc(at, radius, start / abs(start), end / abs(end), _degrees("θ", report.theta)))
+    return figure + _arc(at, radius, start / abs(start), end / abs(end), _degrees("θ", report.theta))
 
 
 def _stroke(report: Report, length: float, window: Window) -> Figure:
@@ -126,7 +118,7 @@ def _stroke(report: Report, length: float, window: Window) -> Figure:
 
 def dimensioned_transmission(report: Report, positions: tuple[Position, ...], window: Window) -> Figure:
     """gamma at each position; for a slider the pressure angle alpha, which is seen against the guide."""
-    return _joined(*(_gamma(report, end, window, number) for number, end in enumerate(positions, start=1)))
+    return sum((_gamma(report, end, window, number) for number, end in enumerate(positions, start=1)), Figure())
 
 
 def _gamma(report: Report, end: Position, window: Window, number: int) -> Figure:
@@ -147,4 +139,4 @@ def _between(at: Place, one: complex, other: complex, radius: float, label: Labe
         one = -one
     for way in (one, other):
         figure.marks.append(Stroke((at, at + way * (radius + 3)), "construction"))
-    return _joined(figure, _arc(at, radius, one, other, label))
+    return figure + _arc(at, radius, one, other, label)

@@ -5,7 +5,7 @@ The linkage itself is the mechanism's own figure at each position; here it is pu
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from graphkin.linkages import Linkage
@@ -13,11 +13,13 @@ from graphkin.linkages.linkage import Position
 from graphkin.linkages.posed import posed
 from graphkin.mechanism import FRAME
 from graphkin.sheet import symbols
+from graphkin.sheet.fit import Extent
 from graphkin.sheet.grounds import grounds
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run, point_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke
 from graphkin.sheet.mechanism_figure import moving_links
+from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure, Window
 
@@ -25,7 +27,16 @@ Row = Sequence[Position]
 """Positions drawn over each other."""
 
 
-def values(positions: Row) -> list[complex]:
+_TRIAL = 80.0
+"""Size of a figure when it is drawn to see how far its signs reach [mm]."""
+
+
+def pictured(positions: Row, draw: Callable[[Window], Figure], caption: Caption) -> Picture:
+    """A figure of these positions that wants a cell."""
+    return Picture(Extent.of(_places(positions), draw, trial=_TRIAL), draw, caption)
+
+
+def _places(positions: Row) -> list[complex]:
     """The places a figure shows [m]."""
     return [place for position in positions for place in position.places]
 
@@ -60,7 +71,7 @@ def _thin(mark: Mark) -> Mark:
 def _names(linkage: Linkage, positions: Row, first: Skeleton, primes: bool) -> Iterator[Wanted]:
     """Pivots once, moving points at every position."""
     window = first.window
-    centre = sum(values(positions)) / len(values(positions))
+    centre = sum(places := _places(positions)) / len(places)
     for k, name in enumerate(linkage.names):
         fixed = FRAME in first.mechanism.owners[name]
         for number, position in enumerate(positions[:1] if fixed else positions, start=1):

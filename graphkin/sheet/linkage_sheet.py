@@ -14,14 +14,12 @@ from graphkin.linkages.linkage import Position
 from graphkin.mechanism import Mechanism
 from graphkin.say.linkages import amount, kind_name, titled
 from graphkin.say.numbers import angle as degrees
-from graphkin.sheet import Sheet
-from graphkin.sheet.labels import Room
-from graphkin.sheet.layout import papers_for
+from graphkin.sheet.layout import divided, papers_for
 from graphkin.sheet.linkage_angles import dimensioned_limits, dimensioned_transmission
-from graphkin.sheet.linkage_figure import drawn_over
-from graphkin.sheet.linkage_panel import Panel
-from graphkin.sheet.paper import Paper
-from graphkin.sheet.titleblock import strip, strip_heights
+from graphkin.sheet.linkage_figure import drawn_over, pictured
+from graphkin.sheet.page import Page, Sheet
+from graphkin.sheet.pictures import Caption, Picture
+from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
 
 _CAPTION = 22.0
@@ -37,17 +35,14 @@ def limit_sheet(report: Report, lang: Lang = "en", *, paper: str | None = None, 
     Raises UnknownPaper.
     """
     chosen = papers_for(paper or "A4-landscape")[0]
-    panels = _panels(report, lang)
-    cells = _cells(chosen, len(panels))
-    scale = max(panel.scale(cell) for panel, cell in zip(panels, cells))
-    headline = title or kind_name(report, lang)
-    machine = _mechanism(report, headline)
-    marks = list(strip(machine, [], chosen, _strip(chosen), {"position": scale}, {}, lang))
-    for panel, cell in zip(panels, cells):
-        marks += panel.drawn(cell, scale)
-    drivers = tuple(float(driver.value or 0.0) for driver in machine.drivers)
-    origins = {"position": panels[0].window(cells[0], scale).origin}
-    return Sheet(chosen, tuple(marks), {"position": scale}, origins, machine, drivers, headline, lang)  # type: ignore[arg-type]
+    pictures = _pictures(report, lang)
+    field, foot = divided(chosen, strip_height(chosen))
+    cells = field.cells(len(pictures), len(pictures) if chosen.landscape else 1)
+    scale = max(picture.scale(cell) for picture, cell in zip(pictures, cells))
+    panels = [picture.panel(cell, scale) for picture, cell in zip(pictures, cells)]
+    machine = _mechanism(report, title or kind_name(report, lang))
+    drivers = [driver.value or 0.0 for driver in machine.drivers]
+    return Page(chosen, panels, machine, drivers, lang, Strip(foot)).sheet()
 
 
 def _mechanism(report: Report, headline: str) -> Mechanism:
@@ -58,33 +53,37 @@ def _mechanism(report: Report, headline: str) -> Mechanism:
 # --- what is drawn ------------------------------------------------------------------------------
 
 
-def _panels(report: Report, lang: Lang) -> list[Panel]:
-    panels = []
+def _pictures(report: Report, lang: Lang) -> list[Picture]:
+    found = []
     if report.limits:
-        panels.append(_limits(report, lang))
+        found.append(_limits(report, lang))
     if report.critical and report.gamma_min is not None and not report.level:
-        panels.append(_transmission(report, lang))
-    if not panels:
+        found.append(_transmission(report, lang))
+    if not found:
         ends, name = report.critical[:2], kind_name(report, lang)
-        panels.append(Panel(ends, lambda window: drawn_over(report.linkage, ends, window), (name,), _CAPTION))
-    return panels
+        found.append(pictured(ends, lambda window: drawn_over(report.linkage, ends, window), _caption(name)))
+    return found
 
 
-def _limits(report: Report, lang: Lang) -> Panel:
+def _caption(*texts: str) -> Caption:
+    return Caption(texts, _CAPTION)
+
+
+def _limits(report: Report, lang: Lang) -> Picture:
     def draw(window: Window) -> Figure:
         return _over(drawn_over(report.linkage, report.limits, window), dimensioned_limits(report, window))
 
-    return Panel(report.limits, draw, _limit_caption(report, lang), _CAPTION)
+    return pictured(report.limits, draw, _caption(*_limit_caption(report, lang)))
 
 
-def _transmission(report: Report, lang: Lang) -> Panel:
+def _transmission(report: Report, lang: Lang) -> Picture:
     shown = _shown(report)
 
     def draw(window: Window) -> Figure:
         angles = dimensioned_transmission(report, shown, window)
         return _over(drawn_over(report.linkage, shown, window, primes=True), angles)
 
-    return Panel(shown, draw, _gamma_caption(report, lang), _CAPTION)
+    return pictured(shown, draw, _caption(*_gamma_caption(report, lang)))
 
 
 def _over(linkage: Figure, angles: Figure) -> Figure:
@@ -140,22 +139,3 @@ def _dead(report: Report, driver: str, lang: Lang) -> str:
     slides = driver == report.slide
     said = ", ".join(f"{round(value * 1e3, 6) + 0.0:.5g} mm" if slides else _degrees(value) for value in values)
     return _WORDS["dead" if values else "none"][lang].format(driver=driver, values=said)
-
-
-# --- where it stands -----------------------------------------------------------------------------
-
-
-def _strip(paper: Paper) -> Room:
-    foot = paper.height - paper.margin
-    return Room(paper.margin, foot - strip_heights([])[paper.name], paper.width - paper.margin, foot)
-
-
-def _cells(paper: Paper, count: int) -> list[Room]:
-    """Rooms side by side, or over each other on paper that stands upright."""
-    room = _strip(paper)
-    left, right, top, foot = room.left, room.right, paper.margin, room.top
-    if paper.landscape:
-        wide = (right - left) / count
-        return [Room(left + k * wide, top, left + (k + 1) * wide, foot) for k in range(count)]
-    high = (foot - top) / count
-    return [Room(left, top + k * high, right, top + (k + 1) * high) for k in range(count)]

@@ -14,11 +14,15 @@ from graphkin.sheet.lettering import Label
 from graphkin.sheet.paper import PenName
 from graphkin.value import frozen
 
-__all__ = ["Arc", "Disc", "Fill", "Form", "Mark", "Place", "PointMark", "Shows", "Stroke", "Text", "VectorMark"]
+__all__ = [
+    "Arc", "Disc", "Fill", "Form", "Layer", "Mark", "Place", "PointMark", "Shows", "Stroke", "Text", "VectorMark",
+]  # fmt: skip
 
 Place = complex
 Fill = Literal["none", "paper", "ink", "grey"]
-Form = Literal["bar", "guide", "block", "slot", "wheel"]
+Layer = Plane | Literal["centres"]
+"""What a mark belongs to: a plane of the construction, or the instant centres over the mechanism."""
+Form = Literal["bar", "guide", "block", "slot", "wheel", "arc"]
 
 
 @frozen
@@ -27,7 +31,7 @@ class Shows:
 
     form    "bar": corners at `points`, one by one; "guide": on a line of the link, reaching over `points`;
             "block": about its point, sides along and across the line; "slot": its middle on the line, sides along it,
-            reaching over `points`; "wheel": a circle about its point
+            reaching over `points`; "wheel": a circle about its point; "arc": about the first point, past the second
     points  of the plane, as their marks are called
     line    the slide, roll or cam whose line it is
     """
@@ -98,7 +102,7 @@ class VectorMark:
     part   which part of the motion, as in `Term`
     """
 
-    plane: Plane
+    plane: Layer
     name: str
     tail: str
     head: str
@@ -122,7 +126,7 @@ class PointMark:
     site  the point and the link of which it is meant to be a part, as `B@3`; "" for what is no point of a link
     """
 
-    plane: Plane
+    plane: Layer
     name: str
     of: str
     at: Place

@@ -3,25 +3,29 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from itertools import pairwise
+from typing import Any
 
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Slide
+from graphkin.pairs import Cam, CircularSlot, Pair, Slide, pin_name
 from graphkin.planning import Method
 from graphkin.sheet import symbols
-from graphkin.sheet.cams import cams, equivalents, follower
+from graphkin.sheet.cams import equivalents, follower, profiles
+from graphkin.sheet.circular_slots import circular_slot
 from graphkin.sheet.drives import drives
 from graphkin.sheet.grounds import grounds
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import link_label, point_label
-from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke
+from graphkin.sheet.marks import Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton, hull, in_line
 from graphkin.sheet.specials import contacts, specials
 from graphkin.sheet.wheels import wheels, wheels_of
 from graphkin.sheet.window import Figure
 
 __all__ = ["mechanism_figure", "moving_links"]
+
+Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
 
 
 def mechanism_figure(skeleton: Skeleton, method: Method, drawn: list[complex]) -> Figure:
@@ -57,13 +61,18 @@ def moving_links(skeleton: Skeleton) -> list[Mark]:
 
 def _bodies(skeleton: Skeleton) -> Figure:
     """Links with their numbers, cams, and blocks over their guides."""
-    figure = Figure()
+    figure = Figure(_signs(skeleton, BEFORE_LINKS))
     for link in skeleton.mechanism.moving:
         _link(skeleton, link, figure)
-    figure.marks += cams(skeleton).marks
-    for slide in skeleton.mechanism.slides:
-        figure.marks += _sliding(skeleton, slide)
+    figure.marks += _signs(skeleton, OVER_LINKS)
     return figure
+
+
+def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
+    """The signs of all pairs of these kinds."""
+    return [
+        mark for kind, sign in signs.items() for pair in skeleton.mechanism.of(kind) for mark in sign(skeleton, pair)
+    ]
 
 
 def _link(skeleton: Skeleton, link: str, figure: Figure) -> None:
@@ -99,7 +108,7 @@ def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
         return symbols.cylinder(skeleton.at(origin), skeleton.at(slide.point), _cylinder(slide), step)
     start, end = skeleton.guide_bar(slide)
     marks = symbols.bar([start, end], Shows(slide.guide, "guide", (origin, slide.point), slide.name), step)
-    if skeleton.is_welded(slide) and origin[0].isupper():
+    if skeleton.is_welded(slide) and slide.line.named:
         foot = skeleton.at(origin)
         far = max((start, end), key=lambda p: abs(p - foot))
         others = [skeleton.at(p) for p in skeleton.named(slide.guide) if p != origin]
@@ -110,7 +119,7 @@ def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
 
 def _cylinder(slide: Slide) -> tuple[Shows, Shows, Shows]:
     """Foot and tube of the guide; the rod, which ends at the point that slides."""
-    rod = slide.block or f"pin {slide.name}"
+    rod = slide.block or pin_name(slide)
     foot, tube = (Shows(slide.guide, "guide", points, slide.name) for points in ((slide.line.origin,), ()))
     return foot, tube, Shows(rod, "guide", (slide.point,), slide.name)
 
@@ -130,6 +139,15 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     reach = min(9.0, max(4.0, abs(at - skeleton.at(slide.line.origin)) - 3.0))
     shows = Shows(slide.guide, "slot", (slide.point,), slide.name)
     return symbols.slot(at - reach * along, at + 9.0 * along, shows, step=step)
+
+
+OVER_LINKS: Signs = {
+    Cam: profiles,
+    Slide: _sliding,
+}
+"""The signs of pairs that stand over the links; hinges are points."""
+BEFORE_LINKS: Signs = {CircularSlot: circular_slot}
+"""Those over which links are drawn, as they are over `wheels`."""
 
 
 def _through_bars(skeleton: Skeleton) -> list[Mark]:
@@ -161,14 +179,14 @@ def _hinges(skeleton: Skeleton) -> list[Mark]:
         hinged = len(skeleton.mechanism.owners[point]) > 1 or _is_pin(skeleton, point)
         radius = symbols.HINGE if hinged else 0.6
         step = skeleton.step(point)
-        fill = "paper" if hinged else "ink"
+        fill: Fill = "paper" if hinged else "ink"
         site = f"{point}@{skeleton.mechanism.owners[point][0]}"
-        marks.append(PointMark("position", point, point, skeleton.at(point), radius, fill, step, site=site))  # type: ignore[arg-type]
+        marks.append(PointMark("position", point, point, skeleton.at(point), radius, fill, step, site=site))
     return marks
 
 
 def _is_pin(skeleton: Skeleton, point: str) -> bool:
-    return any(slide.point == point and slide.block is None for slide in skeleton.mechanism.slides)
+    return any(pair.pin == point for pair in skeleton.mechanism.pairs)
 
 
 def _names(skeleton: Skeleton) -> list[Wanted]:

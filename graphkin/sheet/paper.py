@@ -7,7 +7,39 @@ from typing import Literal
 
 from graphkin.value import frozen
 
-__all__ = ["BODY", "LABEL", "LEAST", "PAPERS", "PENS", "TITLE", "Paper", "Pen", "PenName"]
+__all__ = ["BODY", "LABEL", "LARGE", "LEAST", "PAPERS", "PENS", "TITLE", "Paper", "Pen", "PenName", "Room"]
+
+
+@frozen
+class Room:
+    """A rectangle of the paper [mm, y down]."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    @property
+    def size(self) -> complex:
+        """Width and height."""
+        return complex(self.right - self.left, self.bottom - self.top)
+
+    @property
+    def middle(self) -> complex:
+        return complex(self.left + self.right, self.top + self.bottom) / 2
+
+    def inset(self, sides: float, top: float, foot: float) -> Room:
+        """The same without a margin at each side, at the top and at the foot."""
+        return Room(self.left + sides, self.top + top, self.right - sides, self.bottom - foot)
+
+    def holds(self, place: complex) -> bool:
+        return self.left <= place.real <= self.right and self.top <= place.imag <= self.bottom
+
+    def cells(self, count: int, columns: int) -> list[Room]:
+        """Equal cells, row by row."""
+        wide, high = self.size.real / columns, self.size.imag / -(-count // columns)
+        corners = ((self.left + k % columns * wide, self.top + k // columns * high) for k in range(count))
+        return [Room(left, top, left + wide, top + high) for left, top in corners]
 
 
 @frozen
@@ -23,6 +55,11 @@ class Paper:
     def landscape(self) -> bool:
         return self.width > self.height
 
+    @property
+    def frame(self) -> Room:
+        """What the drawing frame holds."""
+        return Room(self.margin, self.margin, self.width - self.margin, self.height - self.margin)
+
 
 PAPERS: Mapping[str, Paper] = {
     paper.name: paper
@@ -34,6 +71,8 @@ PAPERS: Mapping[str, Paper] = {
     )
 }
 """In the order in which they are tried: the smallest that fits is taken."""
+LARGE = (PAPERS["A3-landscape"], PAPERS["A3"])
+"""Tried, too, where a smaller one holds all but leaves it little room."""
 
 PenName = Literal["visible", "outline", "vector", "thin", "hatch", "dashed", "centre", "construction", "leader"]
 

@@ -7,9 +7,9 @@ import math
 from collections.abc import Iterator
 
 from graphkin.construction import Arc, Construction, Meet, Plot, Ray
-from graphkin.sheet.labels import Room
 from graphkin.sheet.marks import Arc as ArcMark
 from graphkin.sheet.marks import Mark, Place, Stroke
+from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Window
 
 __all__ = ["pencil_lines"]

@@ -72,7 +72,7 @@ class Polygon:
             node = self.construction.nodes.get(name)
             if node is None or node.site is None or name in self.fixed or (pole, name) in drawn:
                 continue
-            if node.site.point[0].isupper():
+            if node.site.point not in self.mechanism.unnamed:
                 yield self._vector(f"{LETTER[self.construction.plane]}_{node.of}", pole, name, (node.site,))
 
     def _vector(self, name: str, tail: str, head: str, sites: tuple[Site, ...], part: str = "") -> VectorMark:
@@ -96,9 +96,7 @@ class Polygon:
         sites = {n.site: name for name, n in self.construction.nodes.items() if n.site is not None}
         for link in self.mechanism.moving:
             names: list[str] = []
-            for point in self.mechanism.links[link].points:
-                if not point[0].isupper():
-                    continue
+            for point in self.mechanism.named(link):
                 owners = self.mechanism.owners[point]
                 if FRAME in owners:
                     names.append(pole)

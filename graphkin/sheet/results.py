@@ -131,7 +131,7 @@ class _Results:
         head = (plain(word), _unit(quantity_label("v", ""), "m/s"), _unit(quantity_label("a", ""), "m/s²"))
         method, plot, usual = self.method, self.plot, self.usual
         primed = {node.of: name for name, node in method.acceleration.nodes.items() if node.site is not None}
-        nodes = [node for node in method.velocity.nodes.values() if node.of in primed and _moves(node)]
+        nodes = [node for node in method.velocity.nodes.values() if node.of in primed and _moves(method, node)]
         nodes.sort(key=lambda node: not self.asked(node.of))
         rows = (
             (
@@ -194,9 +194,10 @@ def _unit(label: Label, unit: str) -> Label:
     return (*label, Run(f" [{unit}]"))
 
 
-def _moves(node: Node) -> bool:
+def _moves(method: Method, node: Node) -> bool:
     """Whether a point of the polygon is a named point of a moving link."""
-    return node.site is not None and node.site.point[0].isupper() and node.site.link != FRAME
+    unnamed = method.mechanism.unnamed
+    return node.site is not None and node.site.point not in unnamed and node.site.link != FRAME
 
 
 def _pair_label(low: str) -> Label:

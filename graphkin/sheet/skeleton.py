@@ -54,7 +54,7 @@ class Skeleton:
     def named(self, link: str) -> tuple[str, ...]:
         """The points of a link that people named, and that are drawn."""
         placed = {*self.plot.position, *self.mechanism.links[FRAME].points}
-        return tuple(p for p in self.mechanism.links[link].points if p[0].isupper() and p in placed)
+        return tuple(p for p in self.mechanism.named(link) if p in placed)
 
     @cached_property
     def points(self) -> tuple[str, ...]:

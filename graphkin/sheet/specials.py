@@ -38,10 +38,9 @@ class _Special:
 
 
 def _found(method: Method) -> Iterator[_Special]:
-    named = set(method.mechanism.points)
     sites = {node.site: node.of for node in method.velocity.nodes.values() if node.site is not None}
     for number, step in enumerate(method.position.steps, start=first_steps(method)["position"] + 1):
-        if not isinstance(step, Meet) or step.point in named or not step.point[0].isupper():
+        if not isinstance(step, Meet) or step.point not in method.special:
             continue
         node = method.position.nodes[step.point]
         if isinstance(step.first, Arc) or isinstance(step.second, Arc):

@@ -8,13 +8,15 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 
 from graphkin.sheet.marks import Arc, Mark, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName
 
 __all__ = [
-    "BLOCK", "HINGE", "PIVOT_DEPTH", "SWEEP", "TUBE", "arrow_head", "bar", "block", "centre_mark", "corner", "cylinder",
-    "guide", "hatch", "pivot", "plate", "push", "rim_hatch", "slot", "spin",
+    "BLOCK", "HINGE", "PIVOT_DEPTH", "SWEEP", "TUBE", "arc_ground", "arc_places", "arc_slot", "arrow_head", "bar",
+    "block", "centre_mark", "corner", "cylinder", "guide", "hatch", "pivot", "plate", "push", "rim_hatch", "slot",
+    "spin",
 ]  # fmt: skip
 
 HINGE = 1.3
@@ -125,6 +127,33 @@ def slot(start: Place, end: Place, shows: Shows, pen: PenName = "outline", step:
     far = [end + side * t for t in turn]
     near = [start - side * t for t in turn]
     return [Stroke((*far, *near), pen, closed=True, fill="paper", shows=shows, step=step)]
+
+
+def arc_places(centre: Place, arm: complex, start: float, end: float) -> list[Place]:
+    """Places along an arc about `centre`, from `arm` turned by `start` to `arm` turned by `end` [rad]."""
+    steps = max(8, math.ceil(abs(end - start) / math.radians(3)))
+    return [centre + arm * cmath.rect(1, start + (end - start) * k / steps) for k in range(steps + 1)]
+
+
+def arc_slot(centre: Place, along: Sequence[Place], step: int | None = None) -> list[Mark]:
+    """A slot with round ends along an arc, white over what it is cut into."""
+    ends = [(place - centre) / abs(place - centre) * _SLOT for place in (along[0], along[-1])]
+    outer = [place + (place - centre) / abs(place - centre) * _SLOT for place in along]
+    inner = [place - (place - centre) / abs(place - centre) * _SLOT for place in reversed(along)]
+    sense = math.copysign(1, ((along[1] - along[0]) / (1j * (along[0] - centre))).real)
+    caps = [[cmath.rect(1, sense * math.pi * k / 10) for k in range(1, 10)] for _ in ends]
+    far = [along[-1] + ends[1] * turn for turn in caps[1]]
+    near = [along[0] - ends[0] * turn for turn in caps[0]]
+    return [Stroke((*outer, *far, *inner, *near), "outline", closed=True, fill="paper", step=step)]
+
+
+def arc_ground(centre: Place, along: Sequence[Place], step: int | None = None) -> list[Mark]:
+    """The ground outside a fixed slot along an arc."""
+    marks: list[Mark] = []
+    for one, other in pairwise(along):
+        out = ((one + other) / 2 - centre) / abs((one + other) / 2 - centre)
+        marks += hatch(one + out * _SLOT, other + out * _SLOT, out, step)
+    return marks
 
 
 def cylinder(foot: Place, rod_end: Place, shows: tuple[Shows, Shows, Shows], step: int | None = None) -> list[Mark]:

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import field
 
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
-from graphkin.sheet.labels import Room
 from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
-from graphkin.sheet.paper import BODY, LEAST, PAPERS, TITLE, Paper
+from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room
 from graphkin.sheet.results import Table, arranged, drawn_tables, height_of
 from graphkin.sheet.scales import written
+from graphkin.value import frozen
 
-__all__ = ["strip", "strip_heights"]
+__all__ = ["Strip", "broken", "frame", "strip", "strip_height"]
 
 _WIDE = 64.0
 """Width of the title block [mm]."""
@@ -24,41 +25,47 @@ _BAR = 9.0
 _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
 
 
-def strip_heights(found: list[Table]) -> Mapping[str, float]:
-    """What the strip needs on each paper [mm]."""
-    return {name: _height(found, paper) for name, paper in PAPERS.items()}
+def strip_height(paper: Paper, found: Sequence[Table] = ()) -> float:
+    """What the strip needs on a paper [mm]."""
+    return max(_LEAST_HEIGHT, height_of(arranged([*found], _room(paper))) + 1 + _BAR)
 
 
 def _room(paper: Paper) -> float:
     return paper.width - 2 * paper.margin - _WIDE - 6
 
 
-def _height(found: list[Table], paper: Paper) -> float:
-    return max(_LEAST_HEIGHT, height_of(arranged(found, _room(paper))) + 1 + _BAR)
+@frozen
+class Strip:
+    """What stands at the foot of a sheet beside title, source and scales.
+
+    found  tables of results; notes: what stands beside a plane's scale; further: scales that no figure tells
+    """
+
+    room: Room
+    found: Sequence[Table] = ()
+    notes: Mapping[Plane, Label] = field(default_factory=dict)
+    further: Mapping[Plane, float] = field(default_factory=dict)
 
 
-def strip(
-    machine: Mechanism, found: list[Table], paper: Paper, room: Room, scales: Mapping[Plane, float],
-    notes: Mapping[Plane, Label], lang: Lang,
-) -> list[Mark]:  # fmt: skip
-    """The whole strip and the drawing frame. `notes` stand beside the scales."""
-    edge = room.right - _WIDE
+def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane, float], lang: Lang) -> list[Mark]:
+    """The whole strip and the drawing frame."""
+    room, edge = asked.room, asked.room.right - _WIDE
     marks: list[Mark] = [
-        _frame(paper),
+        frame(paper),
         Stroke((complex(room.left, room.top), complex(room.right, room.top)), "outline"),
         Stroke((complex(edge, room.top), complex(edge, room.bottom)), "outline"),
     ]
-    marks += drawn_tables(arranged(found, _room(paper)), complex(room.left + 3, room.top + 1.5))
+    marks += drawn_tables(arranged([*asked.found], _room(paper)), complex(room.left + 3, room.top + 1.5))
     marks += _check_bar(complex(room.left + 3, room.bottom - 3.2), lang)
-    marks += _words(machine, complex(edge + 3, room.top), scales, notes, lang)
+    marks += _words(machine, complex(edge + 3, room.top), {**scales, **asked.further}, asked.notes, lang)
     return marks
 
 
-def _frame(paper: Paper) -> Mark:
-    left = top = paper.margin
-    right, bottom = paper.width - paper.margin, paper.height - paper.margin
-    corners = (complex(left, top), complex(right, top), complex(right, bottom), complex(left, bottom))
-    return Stroke(corners, "outline", closed=True)
+def frame(paper: Paper) -> Mark:
+    """The drawing frame."""
+    room = paper.frame
+    low, high = complex(room.left, room.top), complex(room.right, room.bottom)
+    return Stroke((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), "outline", closed=True)
 
 
 def _check_bar(at: Place, lang: Lang) -> list[Mark]:

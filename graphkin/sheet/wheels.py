@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
 
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Line, Roll
+from graphkin.pairs import Gear, Line, Pair, Roll
 from graphkin.sheet import symbols
 from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import link_label
@@ -43,17 +44,28 @@ class Wheel:
 def wheels_of(machine: Mechanism) -> list[Wheel]:
     """Every wheel once: gears, then what rolls and what it rolls on. A ring stays a ring."""
     found: dict[tuple[str, str, float], Wheel] = {}
-    for gear in machine.gears:
-        for link, centre, radius in zip(gear.links, gear.centres, gear.radii, strict=True):
-            ring = gear.internal and radius == max(gear.radii)
-            _add(found, Wheel(link, centre, radius, gear=True, ring=ring))
-    for roll in machine.rolls:
-        turning_inside = roll.internal and roll.track_radius < roll.radius
-        _add(found, Wheel(roll.wheel, roll.centre, roll.radius, gear=False, ring=turning_inside))
-        if roll.track_centre is not None:
-            ring = roll.internal and not turning_inside
-            _add(found, Wheel(roll.track, roll.track_centre, roll.track_radius, gear=False, ring=ring))
+    for kind, rims in UNDER_LINKS.items():
+        for pair in machine.of(kind):
+            for wheel in rims(pair):
+                _add(found, wheel)
     return list(found.values())
+
+
+def _gears(gear: Gear) -> Iterator[Wheel]:
+    for link, centre, radius in gear.circles:
+        yield Wheel(link, centre, radius, gear=True, ring=gear.internal and radius == max(gear.radii))
+
+
+def _rolling(roll: Roll) -> Iterator[Wheel]:
+    turning_inside = roll.internal and roll.track_radius < roll.radius
+    yield Wheel(roll.wheel, roll.centre, roll.radius, gear=False, ring=turning_inside)
+    if roll.track_centre is not None:
+        ring = roll.internal and not turning_inside
+        yield Wheel(roll.track, roll.track_centre, roll.track_radius, gear=False, ring=ring)
+
+
+UNDER_LINKS: Mapping[type[Pair], Callable[[Any], Iterator[Wheel]]] = {Gear: _gears, Roll: _rolling}
+"""The wheels of the pairs whose signs stand under the links; see `mechanism_figure.OVER_LINKS`."""
 
 
 def _add(found: dict[tuple[str, str, float], Wheel], wheel: Wheel) -> None:
@@ -71,7 +83,7 @@ def wheels(skeleton: Skeleton) -> Figure:
         if wheel.link not in numbered and len(skeleton.named(wheel.link)) < 2 and wheel.link != FRAME:
             numbered.add(wheel.link)
             figure.wanted.append(_number(skeleton, wheel))
-    for roll in skeleton.mechanism.rolls:
+    for roll in skeleton.mechanism.of(Roll):
         if roll.line is not None:
             figure.marks += _track(skeleton, roll, roll.line)
     return figure
@@ -154,8 +166,7 @@ def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float,
 
 def circles(skeleton: Skeleton) -> Iterator[tuple[Place, float]]:
     """Centre and radius of every circle on paper: of wheels and of cams [mm]."""
-    found = {(wheel.centre, wheel.radius) for wheel in wheels_of(skeleton.mechanism)}
-    found |= {(p.centre, p.radius) for cam in skeleton.mechanism.cams for p in cam.profiles if p.centre is not None}
+    found = {(centre, radius) for pair in skeleton.mechanism.pairs for _, centre, radius in pair.circles}
     for centre, radius in sorted(found):
         if radius > 0:
             yield skeleton.at(centre), radius / skeleton.window.scale
@@ -163,9 +174,6 @@ def circles(skeleton: Skeleton) -> Iterator[tuple[Place, float]]:
 
 def rims(machine: Mechanism, position: Mapping[str, complex]) -> Iterator[complex]:
     """Corners of the squares around all circles, in the mechanism's plane [m]: how far they reach."""
-    around = [(wheel.centre, wheel.radius) for wheel in wheels_of(machine)]
-    profiles = (profile for cam in machine.cams for profile in cam.profiles)
-    around += [(profile.centre, profile.radius) for profile in profiles if profile.centre is not None]
-    for centre, radius in around:
+    for _, centre, radius in (circle for pair in machine.pairs for circle in pair.circles):
         at = complex(position[centre])
         yield from (at - complex(radius, radius), at + complex(radius, radius))

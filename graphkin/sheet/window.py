@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import assert_never
 
 from graphkin.construction import (
@@ -28,8 +28,9 @@ from graphkin.sheet.labels import Wanted
 from graphkin.sheet.marks import Mark, Place
 from graphkin.value import frozen
 
-__all__ = ["PLANES", "Figure", "Window", "births", "first_steps", "step_count"]
+__all__ = ["PLANES", "Entry", "Figure", "Window", "births", "first_steps", "step_count"]
 
+Entry = Mark | Wanted
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
 
@@ -55,6 +56,25 @@ class Figure:
 
     marks: list[Mark] = field(default_factory=list)
     wanted: list[Wanted] = field(default_factory=list)
+
+    @classmethod
+    def of(cls, entries: Iterable[Entry]) -> Figure:
+        """Marks and labels in any order."""
+        figure = cls()
+        for entry in entries:
+            if isinstance(entry, Wanted):
+                figure.wanted.append(entry)
+            else:
+                figure.marks.append(entry)
+        return figure
+
+    def __add__(self, other: Figure) -> Figure:
+        """The other painted over this one."""
+        return Figure(self.marks + other.marks, self.wanted + other.wanted)
+
+    def numbered(self, step: int | None) -> Figure:
+        """All of it in one step of the construction, or in none."""
+        return Figure([replace(mark, step=step) for mark in self.marks], [replace(w, step=step) for w in self.wanted])
 
 
 def constructions(method: Method) -> dict[Plane, Construction]:

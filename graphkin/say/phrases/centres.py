@@ -44,13 +44,17 @@ PHRASES: Phrases = {
         "the line at infinity, as {first} and {second} do (links {links})",
         "无穷远直线（{first}、{second} 均在无穷远，构件 {links}）",
     ),
-    "normal": (
+    "normal of contact": (
         "the common normal n–n at the contact of links {first} and {second}",
         "构件 {first}、{second} 接触点处的公法线 n–n",
     ),
-    "slot": (
+    "normal of slot": (
         "the normal of the slot through {point}, where links {first} and {second} touch",
         "构件 {first}、{second} 接触处 {point} 的槽的法线",
+    ),
+    "normal of circular slot": (
+        "the normal n–n of the circular slot, through its centre {point}, where links {first} and {second} touch",
+        "构件 {first}、{second} 接触处圆弧槽的公法线 n–n（过槽的圆心 {point}）",
     ),
     "met": ("where the two lines meet, {place}", "两线交点，{place}"),
     "met far": ("the lines are parallel, so {name} → ∞ at {angle}", "两线平行，故 {name} → ∞，方向 {angle}"),

@@ -16,6 +16,10 @@ PHRASES: Phrases = {
         "Higher pair replaced by lower pairs, at this instant: the edge {second} lies on the circle about {first}, at the distance {length}. A link {link} with hinges at {first} and {second} stands for the contact.",
         "高副低代（瞬时）：尖顶 {second} 在以 {first} 为圆心的圆上，距离为 {length}；故以两端铰接于 {first}、{second} 的构件 {link} 代替该高副。",
     ),
+    "pin in arc": (
+        "Higher pair replaced by lower pairs: pin {pin} moves in a circular slot of link {guide} about {centre}, at the distance {length}. A link {link} with hinges at {centre} and {pin} stands for the slot.",
+        "高副低代：销 {pin} 在构件 {guide} 上以 {centre} 为圆心的圆弧槽中移动，距离为 {length}；故以两端铰接于 {centre}、{pin} 的构件 {link} 代替该高副。",
+    ),
     "flat touches": (
         "Higher pair replaced by lower pairs, at this instant: the circle about {centre} touches the straight face{face} of link {link}. {centre} moves in a slot of link {link}, parallel to the face at the distance {length}.",
         "高副低代（瞬时）：以 {centre} 为圆心的圆与构件 {link} 的直线轮廓{face} 相切；故 {centre} 在构件 {link} 的槽中移动，槽平行于该直线，距离为 {length}。",

@@ -1,0 +1,32 @@
+"""The tables of pairs, in the order in which a mechanism lists them; `READERS` has one reader a kind of table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from graphkin.loading.contacts import read_cam, read_gear, read_roll
+from graphkin.loading.draft import Draft
+from graphkin.loading.positions import Path
+from graphkin.loading.schema import File
+from graphkin.loading.slides import read_slide
+from graphkin.pairs import Pair
+
+READERS: Mapping[str, Callable[[Draft, Any, Path, Sequence[Pair]], Pair]] = {
+    "slide": read_slide,
+    "gear": read_gear,
+    "roll": read_roll,
+    "cam": read_cam,
+}
+
+
+def read_pairs(draft: Draft, file: File) -> tuple[Pair, ...]:
+    """The pairs of a file, kind by kind; each reader is told its place in the file and the pairs before."""
+    tables = {name: getattr(file, name) for name in READERS}
+    draft.given = {name for given in tables.values() for each in given if (name := getattr(each, "name", None))}
+    pairs: list[Pair] = []
+    for name, read in READERS.items():
+        for number, table in enumerate(tables[name]):
+            with draft.noting():
+                pairs.append(read(draft, table, (name, number), pairs))
+    return tuple(pairs)

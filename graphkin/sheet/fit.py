@@ -1,0 +1,136 @@
+"""How much room a figure wants, at which scale it fits a room, and where it stands there."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from graphkin.sheet.obstacles import bounds
+from graphkin.sheet.paper import Room
+from graphkin.sheet.scales import finest, finest_each
+from graphkin.sheet.window import Figure, Window
+from graphkin.value import frozen
+
+__all__ = ["Extent", "corners", "cut_out", "enlarged"]
+
+_TRIAL = 100.0
+"""Size of a figure when it is drawn to see how far its signs reach [mm]."""
+_LETTERS = 6.5
+"""What labels need around a figure [mm]."""
+_LEAST = 5.0
+"""Points in less room than this are no figure [mm]."""
+_CLOSE = 1 + 1e-9
+"""What is too large by rounding alone still fits."""
+
+
+@frozen
+class Extent:
+    """How large a figure is: its places in SI units, and what signs and labels reach beyond them [mm].
+
+    low, high  lower left and upper right corner of its places
+    left, top, right, bottom  the reaches
+    given   its scale where the file gives one; labels: how much is lettered in it
+    """
+
+    low: complex
+    high: complex
+    left: float
+    top: float
+    right: float
+    bottom: float
+    given: float | None = None
+    labels: int = 10
+
+    @classmethod
+    def of(
+        cls, places: Sequence[complex], draw: Callable[[Window], Figure], given: float | None = None,
+        letters: float = _LETTERS, trial: float = _TRIAL,
+    ) -> Extent:  # fmt: skip
+        """Drawn once to see how far it reaches, at a given scale or as large as a trial is [mm].
+
+        letters  what labels need around it [mm]
+        """
+        low, high = corners(places)
+        scale = given or finest(high - low, complex(trial, trial))
+        figure = draw(Window(0j, scale))
+        left, top, right, bottom = bounds(figure.marks)
+        return cls(
+            low, high, max(0.0, low.real / scale - left) + letters, max(0.0, -high.imag / scale - top) + letters,
+            max(0.0, right - high.real / scale) + letters, max(0.0, bottom + low.imag / scale) + letters,
+            given, len(figure.wanted),
+        )  # fmt: skip
+
+    @property
+    def size(self) -> complex:
+        """Of its places, in SI units."""
+        return self.high - self.low
+
+    @property
+    def longest(self) -> float:
+        """The larger side of its places, in SI units."""
+        return max(self.size.real, self.size.imag)
+
+    @property
+    def reach(self) -> complex:
+        return complex(self.left + self.right, self.top + self.bottom)
+
+    def scale(self, room: Room) -> float:
+        """The given scale where it fits one room at that, else the finest at which it does."""
+        return self.given if self.given is not None and self.fits(self.given, room) else self.finest(room)
+
+    def fits(self, scale: float, room: Room) -> bool:
+        whole, inner = self.size / scale, room.size - self.reach
+        return whole.real <= inner.real * _CLOSE and whole.imag <= inner.imag * _CLOSE
+
+    def finest(self, room: Room) -> float:
+        """The finest scale of the series at which it fits one room."""
+        inner = room.size - self.reach
+        return finest(self.size, complex(max(inner.real, 1.0), max(inner.imag, 1.0)))
+
+    def scales_in(self, room: Room) -> Any:
+        """The scale at which it fits each of many rooms, the given one if any; NaN where it does not fit."""
+        wide, high = room.right - room.left - self.reach.real, room.bottom - room.top - self.reach.imag
+        fits = (wide > _LEAST) & (high > _LEAST)
+        if self.given is None:
+            least = np.maximum(self.size.real / np.maximum(wide, _LEAST), self.size.imag / np.maximum(high, _LEAST))
+            return np.where(fits, finest_each(least), np.nan)
+        whole = self.size / self.given
+        return np.where(fits & (whole.real <= wide) & (whole.imag <= high), self.given, np.nan)
+
+    def window(self, room: Room, scale: float) -> Window:
+        """Through which it stands with all its signs in the middle of a room."""
+        whole = self.size / scale + self.reach
+        x = (room.left + room.right - whole.real) / 2 + self.left
+        y = (room.top + room.bottom - whole.imag) / 2 + self.top + self.size.imag / scale
+        return Window(complex(x, y) - self.low.conjugate() / scale, scale)
+
+
+def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tuple[Window, Room]:
+    """Through which window a figure fills a paper cut to its size, with a margin [mm]; and the whole of that paper."""
+    left, top, right, bottom = bounds(draw(Window(0j, scale)).marks)
+    whole = Room(0.0, 0.0, right - left + 2 * margin, bottom - top + 2 * margin)
+    return Window(complex(margin - left, margin - top), scale), whole
+
+
+def corners(places: Sequence[complex]) -> tuple[complex, complex]:
+    """Lower left and upper right corner of what holds all these places."""
+    xs, ys = [v.real for v in places] or [0.0], [v.imag for v in places] or [0.0]
+    return complex(min(xs), min(ys)), complex(max(xs), max(ys))
+
+
+def enlarged(places: Sequence[complex], more: Iterable[complex], factor: float) -> list[complex]:
+    """The places, and of more, in their order, those that leave the figure at most `factor` times as large."""
+    found = list(places)
+    size = _diagonal(found) or 1.0
+    for place in more:
+        if cmath.isfinite(place) and _diagonal([*found, place]) <= factor * size:
+            found.append(place)
+    return found
+
+
+def _diagonal(places: Sequence[complex]) -> float:
+    low, high = corners(places)
+    return abs(high - low)

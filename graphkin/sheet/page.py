@@ -1,0 +1,166 @@
+"""The one page: figures in their rooms, over a strip with results and title, lettered and handed on as a `Sheet`.
+
+    figures through windows (`fit`) --> Panels --> Page --lettered--> Lettered --sheet--> Sheet --step_sheets--> Sheets
+
+Here alone labels are settled, sheets made, and sheets of single steps taken from a whole one. What a sheet shows is
+the business of the `.._sheet` files: each says which figures it has and what goes into its strip.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from typing import SupportsFloat
+
+from graphkin.construction import Plane
+from graphkin.errors import Lang
+from graphkin.mechanism import Mechanism
+from graphkin.sheet.labels import Settled, settle
+from graphkin.sheet.lettering import plain, width
+from graphkin.sheet.marks import Mark, Place, Stroke, Text
+from graphkin.sheet.paper import LABEL, Paper, Room
+from graphkin.sheet.scales import written
+from graphkin.sheet.titleblock import Strip, strip
+from graphkin.sheet.window import Figure, Window
+from graphkin.value import frozen
+
+__all__ = ["Lettered", "Page", "Panel", "Sheet", "heading", "step_sheets"]
+
+
+@frozen
+class Sheet:
+    """A finished drawing.
+
+    marks    in the order of painting [mm, y down]
+    scales   by plane [m/mm, (m/s)/mm, (m/s²)/mm]; origins: where each plane's origin lies on the paper
+    drivers  their values at the drawn position [rad, m]
+    """
+
+    paper: Paper
+    marks: tuple[Mark, ...]
+    scales: Mapping[Plane, float]
+    origins: Mapping[Plane, Place]
+    mechanism: Mechanism
+    drivers: tuple[float, ...]
+    title: str
+    lang: Lang
+
+    def upto(self, step: int) -> Sheet:
+        """What is there after a step of the construction; its own marks are new."""
+        marks = (mark for mark in self.marks if mark.step is None or mark.step <= step)
+        return replace(self, marks=tuple(replace(m, new=True) if m.step == step else m for m in marks))
+
+
+def step_sheets(whole: Sheet, steps: Iterable[int]) -> Iterator[Sheet]:
+    """One sheet a step, drawn and lettered only once."""
+    return (whole.upto(step) for step in steps)
+
+
+@frozen
+class Panel:
+    """A figure in its room.
+
+    figure         on paper already, with the labels it wants; window: through which it is seen
+    room           where its labels may stand [mm]
+    before, after  what is painted before it (its heading), and after its labels (its caption)
+    plane          whose origin and scale the sheet tells; None for a figure whose scale it does not
+    """
+
+    figure: Figure
+    window: Window
+    room: Room
+    before: tuple[Mark, ...] = ()
+    after: tuple[Mark, ...] = ()
+    plane: Plane | None = "position"
+
+    @property
+    def drawn(self) -> list[Mark]:
+        """Everything but the labels, which keep off it."""
+        return [*self.before, *self.figure.marks]
+
+
+@frozen
+class Page:
+    """All that one paper holds, without labels.
+
+    drivers  their values [rad, m]
+    strip    what stands at its foot; a page without one has no frame either
+    base     what is painted over the strip, under the figures
+    title    the mechanism's own where left out
+    """
+
+    paper: Paper
+    panels: Sequence[Panel]
+    mechanism: Mechanism
+    drivers: Sequence[SupportsFloat]
+    lang: Lang
+    strip: Strip | None = None
+    base: Sequence[Mark] = ()
+    title: str = ""
+
+    @property
+    def windows(self) -> Mapping[Plane, Window]:
+        """Through which each plane is seen; the first, where several figures show it."""
+        told: dict[Plane, Window] = {}
+        for panel in self.panels:
+            if panel.plane is not None:
+                told.setdefault(panel.plane, panel.window)
+        return told
+
+    @property
+    def scales(self) -> Mapping[Plane, float]:
+        return {plane: window.scale for plane, window in self.windows.items()}
+
+    def lettered(self, far: bool = True) -> Lettered:
+        """With its labels; `far`: where some of a panel find no place near what they name, all may go farther off."""
+        return Lettered(self, [settle(one.figure.wanted, one.drawn, one.room, far) for one in self.panels])
+
+    def sheet(self) -> Sheet:
+        return self.lettered().sheet
+
+
+@frozen
+class Lettered:
+    """A page with its labels, panel by panel."""
+
+    page: Page
+    labels: list[Settled]
+
+    @property
+    def clashes(self) -> list[int]:
+        """How many labels of each panel found no place of their own."""
+        return [settled.clashes for settled in self.labels]
+
+    @property
+    def lost(self) -> int:
+        return sum(self.clashes)
+
+    @cached_property
+    def crowded(self) -> int:
+        """How many labels stand off from what they name, at the end of a leader."""
+        return sum(isinstance(mark, Stroke) for settled in self.labels for mark in settled.marks)
+
+    @property
+    def sheet(self) -> Sheet:
+        page = self.page
+        foot = [] if page.strip is None else strip(page.strip, page.mechanism, page.paper, page.scales, page.lang)
+        marks = [*foot, *page.base]
+        for panel, settled in zip(page.panels, self.labels, strict=True):
+            marks += [*panel.drawn, *settled.marks, *panel.after]
+        return Sheet(
+            paper=page.paper,
+            marks=tuple(marks),
+            scales=page.scales,
+            origins={plane: window.origin for plane, window in page.windows.items()},
+            mechanism=page.mechanism,
+            drivers=tuple(float(value) for value in page.drivers),
+            title=page.title or page.mechanism.headline(page.lang),
+            lang=page.lang,
+        )
+
+
+def heading(text: str, plane: Plane, scale: float, room: Room) -> tuple[Mark, ...]:
+    """What a figure is, and its scale, in the upper left corner of its room."""
+    label, at = plain(text), complex(room.left + 3, room.top + 5.5)
+    return Text(label, at, LABEL), Text(written(plane, scale), at + width(label, LABEL) + 4, LABEL)
