@@ -1,6 +1,6 @@
 """A replay beside the analytic solution.
 
-`held` is the one reader of a position for whatever is drawn or told: it replays the construction, solves the
+`proved` is the one reader of a position for whatever is drawn or told: it replays the construction, solves the
 mechanism anew by the matrix method, and gives neither where they differ.
 """
 
@@ -21,14 +21,14 @@ from graphkin.readings import readings
 from graphkin.running import replay_all
 from graphkin.value import frozen
 
-__all__ = ["AGREE", "Held", "apart", "compare", "held"]
+__all__ = ["AGREE", "Proved", "apart", "compare", "proved"]
 
 AGREE = 1e-6
 """Results of the two roads that differ by more are not given; the tests hold them to 1e-9."""
 
 
 @frozen
-class Held:
+class Proved:
     """One position by both roads: the replayed construction, the analytic solution, and how far they differ."""
 
     plot: Plot
@@ -36,7 +36,7 @@ class Held:
     worst: float
 
 
-def held(method: Method, values: Sequence[float] | None = None) -> Held:
+def proved(method: Method, values: Sequence[float] | None = None) -> Proved:
     """The drawn position, or the one at driver `values` [rad, m], proved.
 
     Raises RoadsDiffer where the two roads differ by more than `AGREE`, and what either road raises: dead points,
@@ -47,7 +47,7 @@ def held(method: Method, values: Sequence[float] | None = None) -> Held:
     worst = compare(method, plot, exact)
     if not worst < AGREE:
         raise RoadsDiffer(method.mechanism.where("driver", 0), worst)
-    return Held(plot, exact, worst)
+    return Proved(plot, exact, worst)
 
 
 def compare(method: Method, plot: Plot, exact: Motion) -> float:

@@ -122,9 +122,9 @@ class Drawing:
     @classmethod
     def at(cls, method: Method, values: Sequence[float] | None = None) -> Drawing:
         """Draw a planned mechanism. Raises RoadsDiffer where the analysis does not confirm the drawing."""
-        from graphkin.agreement import held
+        from graphkin.agreement import proved
 
-        return cls(method.mechanism, method, held(method, values).plot)
+        return cls(method.mechanism, method, proved(method, values).plot)
 
     def sheet(self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None) -> Shown:
         """The sheet: mechanism and polygons to scale, in millimetres on paper."""

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from graphkin.agreement import held
+from graphkin.agreement import proved
 from graphkin.centres import centres, place
 from graphkin.construction import Plot, Site
 from graphkin.errors import Lang
@@ -41,7 +41,7 @@ def results(mechanism: Mechanism, method: Method, lang: Lang = "en") -> Json:
 
 
 def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...]) -> Json:
-    found = held(method, values)
+    found = proved(method, values)
     plot, drawn = found.plot, readings(method, found.plot)
     return {
         "drivers": list(values),

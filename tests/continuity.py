@@ -12,7 +12,7 @@ from graphkin.agreement import apart
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
 from graphkin.planning import plan
-from graphkin.sweeps import Course, course, held
+from graphkin.sweeps import Course, course, prove
 from graphkin.sweeps.roads import moving
 
 BESIDE, SHARP = 0.03, 0.02
@@ -29,7 +29,7 @@ def hold_continuous(mechanism: Mechanism, turns: float = 2, step: float = 1.0) -
         begin = math.degrees(driver.value or 0.0)
         ranges = [f"{begin + 360 * turns!r}:{begin!r}:{-step!r}"]
     moved = course(method, ranges)
-    held(moved)
+    prove(moved)
     t = _places(moved, step)
     roads = [moving(method, moved.path, t, by) for by in ("construction", "analysis")]
     rate = method.drivers[moved.swept].rate / moved.path.pace[moved.swept]

@@ -15,7 +15,7 @@ from random_mechanisms import DYADS, Build, cam, chain, coupler_angle, dyad, epi
 from graphkin import library
 from graphkin.analytic import Motion, motion
 from graphkin.centres import Centres, centres
-from graphkin.centres.about import About, Circle, Line, about
+from graphkin.centres.about import About, Circle, InflectionLine, about
 from graphkin.centres.about_bobillier import bobillier, guided
 from graphkin.drafting import replay
 from graphkin.errors import GraphkinError, UnknownLink, UnknownPoint
@@ -149,7 +149,7 @@ def test_translation_has_a_line():
     """The crank upright: the coupler of s4-ex1 moves along for an instant."""
     seen = about(found(library.load("s4-ex1")), "2")
     assert cmath.isinf(seen.pole)
-    assert isinstance(seen.inflection, Line)
+    assert isinstance(seen.inflection, InflectionLine)
     for k in (-2, 0.5, 3):
         carried = seen.carried(seen.inflection.through + 0.1 * k * seen.inflection.direction)
         assert cmath.isinf(carried.centre)

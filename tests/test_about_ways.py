@@ -8,7 +8,7 @@ import random
 
 import pytest
 
-from graphkin.centres.ways import from_text, pole_of
+from graphkin.centres.two_velocities import from_text, pole_of
 from graphkin.errors import UnknownUnit
 from graphkin.errors.centring import BadVelocities, NotOneBody, OnePlace
 from graphkin.say.centre_about import pole_words

@@ -14,7 +14,7 @@ import random_mechanisms
 
 from graphkin import library, loading, motion
 from graphkin.centres import Centres, centres
-from graphkin.check import Report, measure
+from graphkin.check import RulerReport, measure
 from graphkin.check.centre_measure import pole_of, ways_to_move
 from graphkin.mechanism import Mechanism
 from graphkin.outputs.svg import svg
@@ -70,7 +70,7 @@ def sheet(name: str) -> Sheet:
     return centre_sheet(found(name))
 
 
-def measured(folder: Path, text: str) -> Report:
+def measured(folder: Path, text: str) -> RulerReport:
     path = folder / "centres.svg"
     path.write_text(text, encoding="utf-8")
     return measure(path)

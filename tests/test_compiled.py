@@ -38,7 +38,7 @@ from graphkin.running.compiled.lazy_plot import TABLES
 from graphkin.running.compiled.operations import CannotRecord
 from graphkin.running.compiled.program import CHUNK, Program, compiled_program
 from graphkin.running.compiled.tape import Tape
-from graphkin.running.many import MANY, program_of, replay_along
+from graphkin.running.many_positions import MANY, program_of, replay_along
 from graphkin.running.tracing import trace
 
 COUNT = 721

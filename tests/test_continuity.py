@@ -32,7 +32,7 @@ from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.say.sweeps import left_out
-from graphkin.sweeps import course, held, parts, sweep
+from graphkin.sweeps import course, in_parts, prove, sweep
 
 COUNT = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
 """Mechanisms of each kind; 0: one of some kinds."""
@@ -118,23 +118,23 @@ def test_a_fit_ends_where_it_stands_at_right_angles():
     turned = s / 0.04 - math.atan2(s, 0.04)
     (stop,) = moved.path.stops
     assert stop.at == pytest.approx(-turned, abs=1e-6)
-    assert held(moved) < 1e-9
+    assert prove(moved) < 1e-9
 
 
 # --- what is told, and what is not ------------------------------------------------------------------
 
 
 def test_roads_that_differ_give_no_sweep(monkeypatch: pytest.MonkeyPatch):
-    module = import_module("graphkin.sweeps.held")
+    module = import_module("graphkin.sweeps.proof")
     moved = course(plan(folding("parallelogram", "crank", 0)), ["0:360:30"])
-    assert held(moved) < 1e-9
+    assert prove(moved) < 1e-9
     other = course(plan(folding("parallelogram", "crank", 1)), ["0:360:30"])
     told = module.moving
     monkeypatch.setattr(
         module, "moving", lambda method, path, t, by: told(*((other.method, other.path) if by == "analysis" else (method, path)), t, by)
     )
     with pytest.raises(RoadsDiffer):
-        held(moved)
+        prove(moved)
 
 
 def test_positions_without_a_motion_are_left_out(monkeypatch: pytest.MonkeyPatch):
@@ -149,7 +149,7 @@ def test_positions_without_a_motion_are_left_out(monkeypatch: pytest.MonkeyPatch
 
     monkeypatch.setattr(module, "series", failing)
     moved = course(plan(folding("rhombus", "none", 0)), ["0:360:30"])
-    (found,) = parts(moved, ["omega 3", "v B"])
+    (found,) = in_parts(moved, ["omega 3", "v B"])
     assert found.values.size == found["v B"].values.size == 12
     assert math.degrees(found.undefined[0]) == pytest.approx(60)
     assert "60°" in next(left_out(moved, found.undefined, "en"))

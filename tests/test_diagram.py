@@ -82,7 +82,7 @@ def test_curves_are_what_the_other_road_finds(name: str):
         clear = (t - found.low > 0.01 * (found.high - found.low)) & (found.high - t > 0.01 * (found.high - found.low))
         for k in group:
             entry = found.series[k]
-            exact = sweeps.at(found.course, [entry.name], t[clear], "analysis").series[0].signed
+            exact = sweeps.quantities_at(found.course, [entry.name], t[clear], "analysis").series[0].signed
             off = np.asarray(y)[clear] / EDGE[entry.unit].factor - exact
             off = off - TURN * np.round(off / TURN) if entry.unit == "rad" else off
             assert np.abs(off).max() <= 1e-6 * max(np.abs(exact).max(), 1e-3), entry.name
@@ -93,11 +93,11 @@ def test_extremes_are_greatest_and_least(name: str):
     """No densely sampled value passes them, and they lie on their curve."""
     found = sampled(name)
     t = np.linspace(found.low, found.high, 20003)[1:-1]
-    dense = sweeps.at(found.course, [entry.name for entry in found.series], t, found.by).series
+    dense = sweeps.quantities_at(found.course, [entry.name for entry in found.series], t, found.by).series
     for k, entry in enumerate(dense):
         low, high = found.bounds(k)
         for peak in found.peaks[k]:
-            at = sweeps.at(found.course, [entry.name], np.array([peak.t]), found.by).series[0].signed[0]
+            at = sweeps.quantities_at(found.course, [entry.name], np.array([peak.t]), found.by).series[0].signed[0]
             assert at == pytest.approx(peak.value, abs=1e-9 * max(abs(low), abs(high)))
             near = np.abs(t - peak.t) < 0.02 * (found.high - found.low) if any(found.unbounded(k)) else np.isfinite(t)
             beyond = peak.sign * (entry.signed[near] - peak.value)

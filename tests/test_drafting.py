@@ -8,22 +8,21 @@ import numpy as np
 import pytest
 
 from graphkin.drafting import (
-    Beneath,
     Bisector,
     Board,
-    Carried,
+    CarriedAngle,
+    ChosenPoint,
     CircleAbout,
     CircleThrough,
-    Construction,
+    Drafting,
     Far,
     LayOff,
     MarkOn,
     Measure,
     MeasureAngle,
     Meet,
-    Normal,
     Parallel,
-    Place,
+    Perpendicular,
     Pricked,
     Reckon,
     Slanted,
@@ -32,19 +31,21 @@ from graphkin.drafting import (
     Through,
     Traced,
     Turned,
+    Underlay,
     replay,
 )
 
 COUNT = 7
 EVERY = Stage("every kind", (
-    Place("A", 0.1 + 0.2j), LayOff("B", "A", "r"), LayOff("C", "A", "r", "B", "turn", -1.0), Through("AB", "A", "B"),
-    Slanted("AT", "A", "B", "turn"), Normal("n", "C", "AB"), Parallel("p", "AB", "r"), Bisector("m", "B", "C"),
-    Meet("D", "n", "p"), Meet("E", "AT", "m"), Carried("AK", "A", "n", "AB", "m"), Traced("guide", "guide"),
+    ChosenPoint("A", 0.1 + 0.2j), LayOff("B", "A", "r"), LayOff("C", "A", "r", "B", "turn", -1.0), Through("AB", "A", "B"),
+    Slanted("AT", "A", "B", "turn"), Perpendicular("n", "C", "AB"), Parallel("p", "AB", "r"), Bisector("m", "B", "C"),
+    Meet("D", "n", "p"), Meet("E", "AT", "m"), CarriedAngle("AK", "A", "n", "AB", "m"), Traced("guide", "guide"),
     Far("F", "guide"), Through("BF", "B", "F"), Pricked("G", "G"), Meet("H", "BF", "AK"),
     CircleThrough("round", ("A", "B", "D"), "O"), CircleAbout("about", "B", "r"), CircleAbout("again", "A", through="G"),
     Meet("I", "about", "round", near="D"), Meet("J", "AB", "about", far="A"), MarkOn("K", "round", 0.7),
     Turned("L", "G", "O", "turn"), Measure("GL", "G", "L"), MeasureAngle("LOG", "O", "G", "L"),
-    Reckon("twice", "double", ("GL",)),
+    Reckon("twice", "double", ("GL",)), MeasureAngle("GBF", "B", "G", "F"), Reckon("kept", "sense", ("r", "GBF")),
+    Reckon("side", "sines", ("r", "GBF", "LOG")), Reckon("kept by two", "sense of sines", ("r", "GBF", "LOG")),
 ))  # fmt: skip
 
 
@@ -52,15 +53,15 @@ def over(value: np.ndarray | float) -> Board:
     """The board of one value, or of many."""
     guide = np.array([0.3 * np.ones_like(value), np.cos(value), 0.1 * np.ones_like(value)])
     point = np.array([0.4 + 0.1 * np.sin(value), 0.3 * np.ones_like(value), np.ones_like(value)])
-    return Board(0.05 + 0.01j, 0.2, Beneath({"G": point}, {"guide": guide}), numbers={"r": 0.3 + value / 50, "turn": value})
+    return Board(0.05 + 0.01j, 0.2, Underlay({"G": point}, {"guide": guide}), numbers={"r": 0.3 + value / 50, "turn": value})
 
 
 def test_every_kind_of_step_over_many_positions_at_once():
     assert {type(step) for step in EVERY.steps} == {*typing.get_args(Step)}
     values = np.linspace(0.4, 1.2, COUNT)
-    many = replay(Construction({}, (EVERY,)), over(values))
+    many = replay(Drafting({}, (EVERY,)), over(values))
     for k, value in enumerate(values):
-        one = replay(Construction({}, (EVERY,)), over(float(value)))
+        one = replay(Drafting({}, (EVERY,)), over(float(value)))
         for point in one.points:
             assert np.isclose(np.broadcast_to(many.at(point), COUNT)[k], one.at(point), rtol=1e-12, atol=1e-12), point
         for name, number in one.numbers.items():
@@ -68,7 +69,7 @@ def test_every_kind_of_step_over_many_positions_at_once():
 
 
 def test_what_the_steps_say_holds():
-    board = replay(Construction({}, (EVERY,)), over(0.9))
+    board = replay(Drafting({}, (EVERY,)), over(0.9))
     at = board.places
     assert ((at["D"] - at["C"]) * (at["B"] - at["A"]).conjugate()).real == pytest.approx(0, abs=1e-12)
     assert abs(at["E"] - at["B"]) == pytest.approx(abs(at["E"] - at["C"]))
@@ -76,24 +77,27 @@ def test_what_the_steps_say_holds():
     assert abs(at["J"] - at["A"]) == pytest.approx(2 * board.numbers["r"])
     assert board.numbers["LOG"] == pytest.approx(0.9)
     assert np.isinf(at["F"])
+    ray = (at["G"] - at["B"]) * np.exp(1j * board.numbers["GBF"])
+    assert (ray / board.line("BF")[1]).imag == pytest.approx(0, abs=1e-12)
+    assert board.numbers["kept"] == pytest.approx(np.sign(np.cos(board.numbers["GBF"])) * board.numbers["r"])
     assert 0 < board.lean["H"] <= 1
 
 
 @pytest.mark.parametrize(("steps", "point"), [
-    ((Place("A", 0j), Place("B", 1 + 0j), Place("C", 2 + 0j), CircleThrough("c", ("A", "B", "C"), "O")), "O"),
-    ((Place("A", 0j), Place("B", 1 + 0j), CircleAbout("a", "A", "r"), CircleAbout("b", "B", "r"), Meet("O", "a", "b")), "O"),
-    ((Place("A", 0j), Place("B", 0j), Through("AB", "A", "B"), Normal("n", "A", "AB"), Meet("O", "AB", "n")), "O"),
+    ((ChosenPoint("A", 0j), ChosenPoint("B", 1 + 0j), ChosenPoint("C", 2 + 0j), CircleThrough("c", ("A", "B", "C"), "O")), "O"),
+    ((ChosenPoint("A", 0j), ChosenPoint("B", 1 + 0j), CircleAbout("a", "A", "r"), CircleAbout("b", "B", "r"), Meet("O", "a", "b")), "O"),
+    ((ChosenPoint("A", 0j), ChosenPoint("B", 0j), Through("AB", "A", "B"), Perpendicular("n", "A", "AB"), Meet("O", "AB", "n")), "O"),
 ])  # fmt: skip
 def test_what_does_not_meet_is_nowhere(steps: tuple[Step, ...], point: str):
-    assert np.isnan(replay(Construction({"r": 0.1}, (Stage("", steps),))).at(point))
+    assert np.isnan(replay(Drafting({"r": 0.1}, (Stage("", steps),))).at(point))
 
 
 def test_parallels_meet_at_infinity():
     steps = (
-        Place("A", 0j), Place("B", 1 + 1j), Through("AB", "A", "B"), Parallel("p", "AB", "r"), Meet("O", "AB", "p"),
-        Place("C", 3 + 0j), Through("CO", "C", "O"),
+        ChosenPoint("A", 0j), ChosenPoint("B", 1 + 1j), Through("AB", "A", "B"), Parallel("p", "AB", "r"), Meet("O", "AB", "p"),
+        ChosenPoint("C", 3 + 0j), Through("CO", "C", "O"),
     )  # fmt: skip
-    board = replay(Construction({"r": 0.1}, (Stage("", steps),)))
+    board = replay(Drafting({"r": 0.1}, (Stage("", steps),)))
     assert np.isinf(board.at("O"))
     assert board.direction("O") == pytest.approx(np.pi / 4)
     assert abs(np.sin(np.angle(board.line("CO")[1]) - np.pi / 4)) < 1e-12

@@ -198,7 +198,7 @@ def test_a_limit_in_g_is_passed_where_the_size_is_above_it() -> None:
     moved = sweeps.course(method)
     found = finding.limit(moved, "a F 0.1 g")
     t = moved.fine(721)
-    size = sweeps.at(moved, ["a F"], t, "analysis")["a F"].values
+    size = sweeps.quantities_at(moved, ["a F"], t, "analysis")["a F"].values
     inside = np.zeros(t.size, dtype=bool)
     for part in found.intervals:
         inside |= (t >= part.begin.t) & (t <= part.end.t)

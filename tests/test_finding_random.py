@@ -10,8 +10,8 @@ import random_mechanisms as made
 
 from graphkin import finding
 from graphkin.errors import CannotAssemble, DeadPoint
-from graphkin.finding.ground import Ground, ground
 from graphkin.finding.search import differences
+from graphkin.finding.stretch import Stretch, stretch
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.planning import Method, plan
 from graphkin.sweeps import course
@@ -39,15 +39,15 @@ def quantities(mechanism: Mechanism) -> list[str]:
     return [f"omega {link}", f"v {point}", f"x {point}", f"a_x {point}"]
 
 
-def exactly(over: Ground, t: np.ndarray) -> list[np.ndarray]:
+def exactly(over: Stretch, t: np.ndarray) -> list[np.ndarray]:
     """All quantities by the analysis."""
-    other = Ground(over.course, "analysis", over.names, over.low, over.high, over.stopped)
+    other = Stretch(over.course, "analysis", over.names, over.low, over.high, over.stopped)
     return [entry.signed for entry in other.read(t)]
 
 
-def scanned(method: Method) -> tuple[Ground, np.ndarray, list[np.ndarray]]:
+def scanned(method: Method) -> tuple[Stretch, np.ndarray, list[np.ndarray]]:
     """All quantities by the analysis, evenly over the inside of what is looked at."""
-    over = ground(course(method), (), tuple(quantities(method.mechanism)), "construction")
+    over = stretch(course(method), (), tuple(quantities(method.mechanism)), "construction")
     t = np.linspace(over.low, over.high, ROWS)[2:-2]
     return over, t, exactly(over, t)
 
@@ -122,7 +122,7 @@ def test_what_the_drawing_tells_of_change_is_the_derivative(kind: str, seed: int
         return
     link = method.mechanism.moving[-1]
     names = (f"theta {link}", *quantities(method.mechanism))
-    over = ground(course(method), (), names, "construction")
+    over = stretch(course(method), (), names, "construction")
     t = over.low + (over.high - over.low) * np.linspace(0.2, 0.8, 41)
     for number, name in enumerate(names):
         told, differed = over.slope(number)(t), differences(over.values(number), over.step / 2)(t)

@@ -29,7 +29,7 @@ from graphkin.linkages import (
     reported,
     some_found_in,
 )
-from graphkin.linkages.posed import posed
+from graphkin.linkages.placement import posed
 from graphkin.linkages.triangles import whole
 from graphkin.loading import loads
 from graphkin.outputs.svg import svg

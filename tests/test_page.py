@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import ast
+import math
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import graphkin
@@ -16,10 +18,19 @@ from graphkin.centres.about import about
 from graphkin.loading import loads
 from graphkin.planning import plan
 from graphkin.running import replay_all
-from graphkin.sheet import Sheet, sheet
+from graphkin.sheet import PAPERS, Sheet, sheet
 from graphkin.sheet.about_sheet import about_sheet
 from graphkin.sheet.centre_sheet import centre_sheet
+from graphkin.sheet.fit import Extent, cut_out
 from graphkin.sheet.gallery_sheet import side_by_side
+from graphkin.sheet.labels import Wanted
+from graphkin.sheet.lettering import plain, width
+from graphkin.sheet.marks import Stroke, Text
+from graphkin.sheet.obstacles import bounds
+from graphkin.sheet.page import Page, Panel, step_sheets
+from graphkin.sheet.paper import Room
+from graphkin.sheet.scales import finer
+from graphkin.sheet.window import Figure, Window
 
 PACKAGE = Path(graphkin.__file__).parent
 TEXTS = {path.relative_to(PACKAGE).as_posix(): path.read_text("utf-8") for path in PACKAGE.rglob("*.py")}
@@ -107,3 +118,87 @@ def of_a_file(scale: float) -> Iterator[Sheet]:
 def test_the_scale_of_the_file_is_kept_where_the_figure_fits(scale: float):
     """A scale that is not of the series, too, and by every sheet."""
     assert [drawn.scales["position"] for drawn in of_a_file(scale)] == [scale] * 4
+
+
+# --- fitting ----------------------------------------------------------------------------------
+
+
+def box_of(low: complex, high: complex) -> Callable[[Window], Figure]:
+    """A figure of two lines, and a sign that reaches 7 mm to the right and 3 mm up, whatever the scale."""
+
+    def draw(window: Window) -> Figure:
+        ends = window(low), window(high)
+        return Figure([Stroke(ends), Stroke((ends[1], ends[1] + complex(7, -3)))])
+
+    return draw
+
+
+@pytest.mark.parametrize(("wide", "high"), [(0.2, 0.1), (3.0, 0.004), (0.0, 0.05), (1e-5, 4e-5), (0.0, 0.0)])
+@pytest.mark.parametrize("corner", [0j, 5 - 2j, -0.3 + 0.1j])
+def test_a_figure_stands_in_the_middle_of_its_room_at_the_finest_scale(wide: float, high: float, corner: complex):
+    draw, room = box_of(corner, corner + complex(wide, high)), Room(10, 20, 130, 90)
+    extent = Extent.of([corner, corner + complex(wide, high)], draw, letters=4.0)
+    scale = extent.scale(room)
+    left, top, right, bottom = bounds(draw(extent.window(room, scale)).marks)
+    assert (left - room.left, top - room.top) == pytest.approx((room.right - right, room.bottom - bottom), abs=1e-6)
+    assert left - room.left >= 4 - 1e-6
+    assert top - room.top >= 4 - 1e-6
+    assert not abs(extent.size) or not extent.fits(finer(scale), room)
+    assert math.isclose(float(f"{scale:.0e}"), scale)
+    assert f"{scale:.0e}"[0] in "125"
+
+
+def test_a_given_scale_is_kept_where_it_fits():
+    draw, room = box_of(0j, 0.1 + 0.05j), Room(0, 0, 120, 90)
+    assert Extent.of([0j, 0.1 + 0.05j], draw, 0.0013).scale(room) == 0.0013
+    assert Extent.of([0j, 0.1 + 0.05j], draw, 0.0009).scale(room) == 0.001
+
+
+def test_a_paper_is_cut_to_its_figure():
+    draw = box_of(1 + 1j, 1.2 + 1.1j)
+    window, whole = cut_out(draw, 0.002, 9.0)
+    left, top, right, bottom = bounds(draw(window).marks)
+    assert (left, top, whole.right - right, whole.bottom - bottom) == pytest.approx((9.0,) * 4)
+    assert whole.size == pytest.approx(complex(18 + 107, 18 + 53))
+
+
+@pytest.mark.parametrize(("count", "columns"), [(1, 1), (5, 3), (6, 3), (7, 2)])
+def test_cells_tile_their_room(count: int, columns: int):
+    room = Room(10, 20, 130, 90)
+    cells = room.cells(count, columns)
+    assert len(cells) == count
+    assert {cell.size for cell in cells} == {cells[0].size}
+    assert cells[0].left == room.left
+    assert cells[0].top == room.top
+    assert max(cell.right for cell in cells) == pytest.approx(room.right if count >= columns else cells[-1].right)
+    assert cells[-1].bottom == pytest.approx(room.bottom)
+    middles = [cell.middle for cell in cells]
+    assert all(sum(cell.holds(at) for cell in cells) == 1 for at in middles)
+
+
+# --- a page of one's own ----------------------------------------------------------------------
+
+
+def test_a_page_tells_the_first_of_each_plane_and_takes_its_steps():
+    """Two figures of one plane and one of no plane; steps 1 and 2; a label in two parts."""
+    name = Wanted(plain("A, B"), 40 + 40j, step=1, parts=((plain("A"), 1), (plain(", B"), 2)))
+    first = Figure([Stroke((30 + 30j, 50 + 30j), step=1)], [name])
+    room, window = Room(0, 0, 100, 90), Window(3 + 4j, 0.002)
+    panels = [
+        Panel(first, window, room, before=(Text(plain("head"), 5 + 5j, 3.8),)),
+        Panel(Figure([Stroke((80 + 30j, 90 + 30j), step=2)]), Window(0j, 0.5), room),
+        Panel(Figure(), Window(0j, 7.0), room, plane=None),
+    ]
+    machine = library.load("ex3-1")
+    whole = Page(PAPERS["A4"], panels, machine, (np.float64(0.5),), "en").sheet()
+    assert (whole.scales, whole.origins) == ({"position": 0.002}, {"position": 3 + 4j})
+    assert whole.drivers == (0.5,)
+    assert whole.title == machine.headline("en")
+    texts = [mark for mark in whole.marks if isinstance(mark, Text)]
+    assert [("".join(run.text for run in text.label), text.step) for text in texts] == [("head", None), ("A", 1), (", B", 2)]
+    assert texts[2].at == pytest.approx(texts[1].at + width(plain("A"), texts[1].size))
+    one, two = step_sheets(whole, (1, 2))
+    assert [(mark.step, mark.new) for mark in one.marks] == [(None, False), (1, True), (1, True)]
+    assert [(mark.step, mark.new) for mark in two.marks] == [
+        (None, False), (1, False), (1, False), (2, True), (2, True),
+    ]  # fmt: skip

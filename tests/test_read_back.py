@@ -34,7 +34,7 @@ from random_mechanisms import (
 from renamed import renamed
 
 from graphkin import Drawing
-from graphkin.check import Report, measured
+from graphkin.check import RulerReport, measured
 from graphkin.check.drawing import read
 from graphkin.errors import BadDrawing, DeadPoint
 from graphkin.loading import loads
@@ -73,13 +73,13 @@ def drawn(family: str, seed: int) -> str | None:
         return None
 
 
-def read_back(folder: Path, text: str, mechanism: Mechanism) -> Report:
+def read_back(folder: Path, text: str, mechanism: Mechanism) -> RulerReport:
     path = folder / "drawing.svg"
     path.write_text(text, encoding="utf-8")
     return measured(read(path), mechanism, 0.01)
 
 
-def wrong(report: Report) -> list[object]:
+def wrong(report: RulerReport) -> list[object]:
     return [entry for entry in report.measured if not entry.off_mm <= 0.01] + list(report.faults)
 
 

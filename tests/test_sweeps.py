@@ -20,7 +20,7 @@ from graphkin.errors import BadRange, GraphkinError, NoPosition, NoSuchDriver
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
-from graphkin.sweeps import at, course, sweep
+from graphkin.sweeps import course, quantities_at, sweep
 from graphkin.sweeps.roads import moving
 
 LIMITED = ("fig3-6", "fig3-10", "p3-22", "s4-ex3", "ex3-2", "s4-ex8")
@@ -133,7 +133,7 @@ def test_change_points_are_gone_through_smoothly(lengths: tuple[float, ...], ske
     assert len(drive.path.changes) == changes  # a turn to either side
     step = 1e-3
     t = np.concatenate([[drive.at(v) + k * step for k in (-2, -1, 0, 1, 2)] for v in np.radians([0.0, 90, 180, 180.3, 270])])
-    found = at(drive, ["theta 2", "theta 3", "omega 2", "omega 3"], t, by)
+    found = quantities_at(drive, ["theta 2", "theta 3", "omega 2", "omega 3"], t, by)
     for link in "23":
         angles = found[f"theta {link}"].values.reshape(-1, 5)
         slope = angles @ np.array([1, -8, 0, 8, -1]) / (12 * step)

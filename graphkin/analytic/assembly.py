@@ -14,7 +14,7 @@ import numpy as np
 
 from graphkin.analytic.branching import SAME, Judge, branched
 from graphkin.analytic.loops import Loops, loops_of
-from graphkin.analytic.newton import Closure, close, search
+from graphkin.analytic.newton import EquationSystem, close, search
 from graphkin.analytic.rules import Relation, driven, placing
 from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Complex, Real
@@ -22,7 +22,7 @@ from graphkin.errors import NoAssembly
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.tolerances import ROUNDED
 
-__all__ = ["Assembled", "Drawn", "assemble", "drawn", "held", "idle"]
+__all__ = ["Assembled", "DrawnPosition", "assemble", "drawn", "held", "idle"]
 
 _STARTS = 128
 _MANY = 32
@@ -40,7 +40,7 @@ class Assembled:
 
 
 @dataclass(frozen=True)
-class Drawn:
+class DrawnPosition:
     """The drawn position: unknowns q (n,), and each driver's value there [rad or m]."""
 
     loops: Loops
@@ -48,13 +48,13 @@ class Drawn:
     values: tuple[float, ...]
 
 
-def drawn(mechanism: Mechanism) -> Drawn:
+def drawn(mechanism: Mechanism) -> DrawnPosition:
     """Find the drawn position. Raises NoAssembly."""
     loops = loops_of(mechanism)
     found = assemble(mechanism, loops)
     if found.q is None:
         raise NoAssembly(mechanism.where("driver"), found.gap * 1e3)
-    return Drawn(loops, found.q, driver_values(mechanism, loops, found.q))
+    return DrawnPosition(loops, found.q, driver_values(mechanism, loops, found.q))
 
 
 def driver_values(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[float, ...]:
@@ -83,7 +83,7 @@ def idle(mechanism: Mechanism, loops: Loops) -> tuple[str, ...]:
 def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assembled:
     """Put the mechanism together, its drivers and poses at their values unless not `driving`."""
     relations, c = _standing(mechanism, loops, driving)
-    closure = Closure.of(loops, relations)
+    closure = EquationSystem.of(loops, relations)
     seen = guess(mechanism, loops)
     starts = _starts(seen, mechanism, loops)
     first, _ = _closed(closure, starts[:1], c)
@@ -104,7 +104,7 @@ def _judge(mechanism: Mechanism, loops: Loops) -> Judge:
     return Judge(rows, places / loops.size, _columns(loops, lengths), _columns(loops, forwards))
 
 
-def _closed(closure: Closure, starts: Real, c: Real) -> tuple[Real, Real]:
+def _closed(closure: EquationSystem, starts: Real, c: Real) -> tuple[Real, Real]:
     """The assemblies found from starts (b, n), one for each that led to one; and where the search ended (b, n)."""
     ends = search(closure, starts, c)
     closed = close(closure, ends, c, steps=40)
@@ -119,7 +119,7 @@ def _as_sketched(mechanism: Mechanism, loops: Loops, q: Real) -> bool:
     return bool(away < _EXACT * loops.size and wrong[0] == 0)
 
 
-def _smallest_gap(closure: Closure, ends: Real, c: Real) -> float:
+def _smallest_gap(closure: EquationSystem, ends: Real, c: Real) -> float:
     """How near the loops come to closing; a mismatch of angles counts at the mechanism's size."""
     best = np.argsort(closure.loops.open_by(ends))[:4]
     gap = closure.loops.open_by(search(closure, ends[best], c, steps=300))

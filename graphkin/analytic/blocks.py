@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphkin.analytic.elimination import Elimination
-from graphkin.analytic.newton import Closure
+from graphkin.analytic.newton import EquationSystem
 from graphkin.analytic.vectors import Complex, Real, Vectors
 
 __all__ = ["Block", "blocks_of", "moved_by"]
@@ -39,8 +39,8 @@ class Block:
     moving: Indices
     still: Indices
     rows: Complex
-    part: Closure
-    whole: Closure
+    part: EquationSystem
+    whole: EquationSystem
 
     def given(self, q: Real) -> Real:
         """What the other unknowns give the arrows, from all unknowns q (b, n): angles, then lengths (b, 2m + 2r)."""
@@ -55,7 +55,7 @@ class Block:
         return np.hstack([y, given])
 
 
-def blocks_of(closure: Closure) -> tuple[Block, ...]:
+def blocks_of(closure: EquationSystem) -> tuple[Block, ...]:
     """The blocks in order; none where equations and unknowns do not match."""
     uses = moved_by(closure, closure.loops.rows)
     takers = _matched(uses)
@@ -64,7 +64,7 @@ def blocks_of(closure: Closure) -> tuple[Block, ...]:
     return tuple(_block(closure, rows, np.flatnonzero(np.isin(takers, rows))) for rows in _in_order(uses, takers))
 
 
-def moved_by(closure: Closure, rows: Complex) -> Flags:
+def moved_by(closure: EquationSystem, rows: Complex) -> Flags:
     """Which of the unknowns left move what rows (r, m) give: (r, y)."""
     vectors = closure.loops.vectors
     on = (np.abs(rows) > _NOTHING) @ (np.abs(vectors.turning) + np.abs(vectors.stretching)) > 0
@@ -107,7 +107,7 @@ def _in_order(uses: Flags, takers: Indices) -> list[Indices]:
     return [np.flatnonzero(together[head]) for head in sorted(heads, key=lambda head: int(waits[head].sum()))]
 
 
-def _block(closure: Closure, rows: Indices, columns: Indices) -> Block:
+def _block(closure: EquationSystem, rows: Indices, columns: Indices) -> Block:
     """The closure of some loops alone: the other unknowns only turn and stretch their arrows."""
     loops, left = closure.loops, closure.known.left[:, columns]
     there = (np.abs(loops.rows[rows]) > _NOTHING).any(axis=0)
@@ -125,4 +125,4 @@ def _block(closure: Closure, rows: Indices, columns: Indices) -> Block:
     free = np.vstack([np.eye(count), np.zeros((2 * size, count))])
     known = Elimination(given, free, np.arange(count), np.zeros((0, 2 * size)))
     part = replace(loops, vectors=vectors, rows=np.hstack([loops.rows[np.ix_(rows, moving)], np.eye(len(rows))]))
-    return Block(columns, moving, still, loops.rows[rows], Closure(part, given.T, known), closure)
+    return Block(columns, moving, still, loops.rows[rows], EquationSystem(part, given.T, known), closure)

@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from graphkin.analytic.blocks import Block, Flags, Indices, blocks_of, moved_by
-from graphkin.analytic.newton import Closure, close, inverse, search
+from graphkin.analytic.newton import EquationSystem, close, inverse, search
 from graphkin.analytic.vectors import Complex, Real
 from graphkin.tolerances import ROUNDED
 
@@ -43,7 +43,7 @@ class Judge:
     forwards: list[int]
 
 
-def branched(closure: Closure, judge: Judge, seen: Real, starts: Real, c: Real) -> Real:
+def branched(closure: EquationSystem, judge: Judge, seen: Real, starts: Real, c: Real) -> Real:
     """Positions (a, n) that close every block, the one nearest to the sketch among them; none where none is found.
 
     seen    what the sketch shows of the unknowns (n,), nan elsewhere
@@ -69,7 +69,7 @@ def branched(closure: Closure, judge: Judge, seen: Real, starts: Real, c: Real) 
 class _Walk:
     """One search through the blocks; `limit`: branches farther from the sketch than this are left [size²]."""
 
-    closure: Closure
+    closure: EquationSystem
     judge: Judge
     seen: Real
     starts: Real

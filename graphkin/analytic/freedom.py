@@ -12,7 +12,7 @@ import numpy as np
 
 from graphkin.analytic.assembly import assemble, held, idle
 from graphkin.analytic.loops import Loops, loops_of
-from graphkin.analytic.newton import Closure, close
+from graphkin.analytic.newton import EquationSystem, close
 from graphkin.analytic.rules import driven, placing
 from graphkin.analytic.vectors import Real
 from graphkin.mechanism import Mechanism
@@ -137,7 +137,7 @@ def _scale(rows: Real) -> Real:
 
 def _nearby(loops: Loops, q: Real) -> list[Real]:
     """The position, and some next to it along its freedoms, put together again."""
-    closure = Closure.of(loops, (*loops.relations, *held(loops, loops.relations)))
+    closure = EquationSystem.of(loops, (*loops.relations, *held(loops, loops.relations)))
     rng = np.random.default_rng(2)
     directions = null_space(closure.matrix(q))
     moves = rng.normal(0, 1, (_NUDGES, len(directions))) @ directions

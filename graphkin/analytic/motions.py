@@ -7,10 +7,10 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from graphkin.analytic.assembly import Drawn, drawn, held, idle
+from graphkin.analytic.assembly import DrawnPosition, drawn, held, idle
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.moving import moved
-from graphkin.analytic.newton import Closure, inverse
+from graphkin.analytic.newton import EquationSystem, inverse
 from graphkin.analytic.rates import Rates, rates
 from graphkin.analytic.rules import driven
 from graphkin.analytic.vectors import Complex, Real
@@ -78,7 +78,7 @@ def conditioning(mechanism: Mechanism) -> float:
     return _conditioning(_driving(mechanism, start)[0], start.q)
 
 
-def _conditioning(closure: Closure, q: Real) -> float:
+def _conditioning(closure: EquationSystem, q: Real) -> float:
     return float(inverse(closure.matrix(q[None]))[1][0])
 
 
@@ -87,15 +87,15 @@ def _definite(mechanism: Mechanism, condition: float) -> None:
         raise SingularPosition(mechanism.where("driver"), condition)
 
 
-def _driving(mechanism: Mechanism, start: Drawn) -> tuple[Closure, int]:
+def _driving(mechanism: Mechanism, start: DrawnPosition) -> tuple[EquationSystem, int]:
     """Loops closed with the drivers, and the first driver's row among the relations."""
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
     pairs = start.loops.relations
     still = held(start.loops, (*pairs, *drivers))
-    return Closure.of(start.loops, (*pairs, *still, *drivers)), len(pairs) + len(still)
+    return EquationSystem.of(start.loops, (*pairs, *still, *drivers)), len(pairs) + len(still)
 
 
-def _wanted(mechanism: Mechanism, start: Drawn, values: Sequence[ArrayLike] | None) -> tuple[Real, ...]:
+def _wanted(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLike] | None) -> tuple[Real, ...]:
     """Driver values as arrays of one shape."""
     given = start.values if values is None else values
     if len(given) != len(mechanism.drivers):
@@ -103,7 +103,7 @@ def _wanted(mechanism: Mechanism, start: Drawn, values: Sequence[ArrayLike] | No
     return tuple(np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given)))
 
 
-def _rates(mechanism: Mechanism, closure: Closure, first: int, q: Real, single: bool) -> Rates:
+def _rates(mechanism: Mechanism, closure: EquationSystem, first: int, q: Real, single: bool) -> Rates:
     """Rates at q (p, n); nan where q is nan and at dead points."""
     speed, push = np.zeros(len(closure.weights)), np.zeros(len(closure.weights))
     speed[first:] = [driver.rate for driver in mechanism.drivers]
@@ -125,7 +125,7 @@ def _shaped(found: Rates, shape: tuple[int, ...]) -> Rates:
     return Rates(first, second, found.condition.reshape(shape))
 
 
-def _motion(mechanism: Mechanism, closure: Closure, values: tuple[Real, ...], q: Real, found: Rates) -> Motion:
+def _motion(mechanism: Mechanism, closure: EquationSystem, values: tuple[Real, ...], q: Real, found: Rates) -> Motion:
     """Read everything off the unknowns."""
     loops, vectors = closure.loops, closure.loops.vectors
     three = q, found.first, found.second

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from graphkin.analytic.newton import Closed, Closure, close
-from graphkin.analytic.path import Line, Path, path_along
+from graphkin.analytic.newton import Closed, EquationSystem, close
+from graphkin.analytic.path import Path, RightSides, path_along
 from graphkin.analytic.rates import tangent
 from graphkin.analytic.vectors import Real
 
@@ -63,7 +63,7 @@ class Limit:
     weights: Real
 
 
-def moved(closure: Closure, start: Real, c: Real, change: Real) -> tuple[Real, list[Limit]]:
+def moved(closure: EquationSystem, start: Real, c: Real, change: Real) -> tuple[Real, list[Limit]]:
     """Unknowns (p, n) where the right sides are c (k,) + change (p, k), and the positions beside change points.
 
     nan where the way does not lead. `start` are the unknowns (n,) at c.
@@ -80,7 +80,7 @@ def moved(closure: Closure, start: Real, c: Real, change: Real) -> tuple[Real, l
     return goals, [Limit(there[limit.rows], limit.q, limit.weights) for limit in found[1]]
 
 
-def _on_line(closure: Closure, start: Real, c: Real, change: Real) -> tuple[Real, list[Limit]] | None:
+def _on_line(closure: EquationSystem, start: Real, c: Real, change: Real) -> tuple[Real, list[Limit]] | None:
     """Positions on one line, which may pass the drawn position by: first straight to it. None where none joins them."""
     base, line = change[0], change[int(np.argmax(np.abs(change - change[0]).sum(axis=1)))] - change[0]
     square = float(line @ line)
@@ -92,14 +92,14 @@ def _on_line(closure: Closure, start: Real, c: Real, change: Real) -> tuple[Real
     if not np.allclose(base + along[:, None] * line, change, rtol=0, atol=_SAME):
         return None
     if np.max(np.abs(base), initial=0.0) > _SAME:
-        aside = path_along(Line(closure, c, base), start, 0.0, 1.0)
+        aside = path_along(RightSides(closure, c, base), start, 0.0, 1.0)
         if aside.at[-1] < 1.0:
             return None
         start, c = aside.between(np.ones(1))[0], c + base
-    return _at(Line(closure, c, line), start, along)
+    return _at(RightSides(closure, c, line), start, along)
 
 
-def _at(line: Line, start: Real, along: Real) -> tuple[Real, list[Limit]]:
+def _at(line: RightSides, start: Real, along: Real) -> tuple[Real, list[Limit]]:
     """Positions along a path, found all at once from its nodes."""
     beyond = 4 * _ASIDE * line.longest if np.any(line.toward) else 0.0
     path = path_along(line, start, min(along.min(), 0.0) - beyond, max(along.max(), 0.0) + beyond)
@@ -148,7 +148,7 @@ _MIDDLE = np.concatenate([[0.0], _weights(np.zeros(1), _PLACES[1:-1])[0], [0.0]]
 """The change point itself by the inner neighbours alone."""
 
 
-def _fanned(closure: Closure, start: Real, c: Real, change: Real) -> Real:
+def _fanned(closure: EquationSystem, start: Real, c: Real, change: Real) -> Real:
     """Every position on its own straight way."""
     q, done = np.broadcast_to(start, (len(change), len(start))), np.zeros(len(change))
     for q, done in _walk(closure, start, c, change):  # noqa: B007 - the last one counts
@@ -158,7 +158,7 @@ def _fanned(closure: Closure, start: Real, c: Real, change: Real) -> Real:
     return np.where((reached & _good(closure, closed, q))[:, None], closed.q, np.nan)
 
 
-def _walk(closure: Closure, start: Real, c: Real, change: Real) -> Iterator[tuple[Real, Real]]:
+def _walk(closure: EquationSystem, start: Real, c: Real, change: Real) -> Iterator[tuple[Real, Real]]:
     """Yield (q (p, n), share of the way done (p,)) after each sub-step, until all arrive or are stuck."""
     q, done = np.repeat(start[None], len(change), axis=0), np.zeros(len(change))
     longest, heard = _longest(closure, change), closure.loops.moves(closure.loops.rows)
@@ -187,7 +187,7 @@ def _walk(closure: Closure, start: Real, c: Real, change: Real) -> Iterator[tupl
         yield q.copy(), done.copy()
 
 
-def _longest(closure: Closure, change: Real) -> Real:
+def _longest(closure: EquationSystem, change: Real) -> Real:
     """The longest sub-step of each position, as a share of its way: (p,)."""
     lengths = np.max(np.abs(closure.weights), axis=1, initial=0.0) == closure.loops.size
     angle = np.where(lengths, _STRIDE / _LENGTH_STRIDE / closure.loops.size, 1.0)
@@ -195,7 +195,7 @@ def _longest(closure: Closure, change: Real) -> Real:
     return np.asarray(np.minimum(1.0, _STRIDE / np.maximum(way, _STRIDE)))
 
 
-def _good(closure: Closure, closed: Closed, tried: Real) -> NDArray[np.bool_]:
+def _good(closure: EquationSystem, closed: Closed, tried: Real) -> NDArray[np.bool_]:
     """Closed, settled, and not far from where it was expected."""
     away = np.abs(closed.q - tried)[:, closure.loops.moves(closure.loops.rows)]
     near = np.max(away, axis=-1, initial=0.0) < _TRUST

@@ -17,7 +17,7 @@ from graphkin.analytic.loops import Loops
 from graphkin.analytic.rules import Relation
 from graphkin.analytic.vectors import Real
 
-__all__ = ["Closed", "Closure", "close", "inverse", "search"]
+__all__ = ["Closed", "EquationSystem", "close", "inverse", "search"]
 
 _SETTLED = 1e-13
 """Newton steps below this are rounding."""
@@ -28,7 +28,7 @@ _SLOW = 1e-10
 
 
 @dataclass(frozen=True)
-class Closure:
+class EquationSystem:
     """Loops and the relations that hold with them; `c` (..., k) are the relations' right sides."""
 
     loops: Loops
@@ -36,7 +36,7 @@ class Closure:
     known: Elimination
 
     @classmethod
-    def of(cls, loops: Loops, relations: Sequence[Relation]) -> Closure:
+    def of(cls, loops: Loops, relations: Sequence[Relation]) -> EquationSystem:
         weights = loops.weights(relations)
         return cls(loops, weights, eliminate(weights))
 
@@ -57,7 +57,7 @@ class Closed:
     step: Real
 
 
-def close(closure: Closure, q: Real, c: Real, steps: int = 12) -> Closed:
+def close(closure: EquationSystem, q: Real, c: Real, steps: int = 12) -> Closed:
     """Newton from q (p, n), with the relations at c. A step is at most 1 rad, or the mechanism's size.
 
     Positions that have settled are left alone, so a few at dead points do not keep all others busy.
@@ -74,7 +74,7 @@ def close(closure: Closure, q: Real, c: Real, steps: int = 12) -> Closed:
     return Closed(q, closure.loops.open_by(q), last)
 
 
-def _newton_step(closure: Closure, q: Real) -> Real:
+def _newton_step(closure: EquationSystem, q: Real) -> Real:
     matrix, gap = closure.matrix(q), closure.loops.gap(q)[..., None]
     if matrix.shape[-1] == matrix.shape[-2]:
         try:
@@ -118,7 +118,7 @@ def _condition(matrix: Real) -> Real:
     return np.asarray(columns / np.maximum(np.sqrt((values**2).sum(axis=-1)) * inverted, 1.0))
 
 
-def search(closure: Closure, q: Real, c: Real, steps: int = 60) -> Real:
+def search(closure: EquationSystem, q: Real, c: Real, steps: int = 60) -> Real:
     """Levenberg-Marquardt from many starts q (b, n): where each ends.
 
     A step that opens the loops further is taken back and damped more, each start for itself; one that has

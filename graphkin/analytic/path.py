@@ -16,12 +16,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from graphkin.analytic.newton import Closure, close
+from graphkin.analytic.newton import EquationSystem, close
 from graphkin.analytic.rates import tangent
 from graphkin.analytic.vectors import Real
 from graphkin.tolerances import TOUCH
 
-__all__ = ["Line", "Node", "Path", "path_along"]
+__all__ = ["Path", "PathNode", "RightSides", "path_along"]
 
 STRIDE = 0.12
 """Longest step of a driver [rad]: 4.7 deg."""
@@ -40,7 +40,7 @@ FLAT = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class PathNode:
     """Unknowns (n,) and their slopes at a place on the line; the reciprocal condition, with the determinant's sign."""
 
     at: float
@@ -50,10 +50,10 @@ class Node:
 
 
 @dataclass(frozen=True)
-class Line:
+class RightSides:
     """Right sides c + at * toward (k,) of the relations; `longest` is the longest step along it."""
 
-    closure: Closure
+    closure: EquationSystem
     c: Real
     toward: Real
 
@@ -73,13 +73,13 @@ class Line:
         """Which unknowns are displacements: (n,)."""
         return np.array([unknown.kind == "s" for unknown in self.closure.loops.unknowns])
 
-    def node(self, at: float, guess: Real) -> Node | None:
+    def node(self, at: float, guess: Real) -> PathNode | None:
         """The position at a place, from one close by; None where it is not closed."""
         closed = close(self.closure, guess[None], self.c + at * self.toward, steps=9)
         if not (closed.gap[0] < CLOSED and closed.step[0] < SETTLED):
             return None
         slope, condition, sense = tangent(self.closure, closed.q, self.toward)
-        return Node(at, closed.q[0], slope[0], float(condition[0] * sense[0]))
+        return PathNode(at, closed.q[0], slope[0], float(condition[0] * sense[0]))
 
     def largest(self, change: Real, q: Real) -> float:
         """The largest change of an unknown in the loops [rad, size]; of a displacement far off, as part of it."""
@@ -91,8 +91,8 @@ class Line:
 class Path:
     """Nodes in the order of their places, and the places of change points."""
 
-    line: Line
-    nodes: tuple[Node, ...]
+    line: RightSides
+    nodes: tuple[PathNode, ...]
     changes: tuple[float, ...]
 
     @cached_property
@@ -109,13 +109,13 @@ class Path:
         return _cubic(*ends, at)[0]
 
 
-def path_along(line: Line, start: Real, low: float, high: float) -> Path:
+def path_along(line: RightSides, start: Real, low: float, high: float) -> Path:
     """The path from the unknowns `start` (n,) at 0 down to `low` and up to `high`, or as far as it leads."""
     forth = _Walk(line, start)
     back = _Walk(replace(line, toward=-line.toward), start)
     forth.walk(high)
     back.walk(-low)
-    before = tuple(Node(-node.at, node.q, -node.slope, node.measure) for node in back.nodes[:0:-1])
+    before = tuple(PathNode(-node.at, node.q, -node.slope, node.measure) for node in back.nodes[:0:-1])
     changes = (*(-at for at in reversed(back.changes)), *forth.changes)
     return Path(line, (*before, *forth.nodes), changes)
 
@@ -124,18 +124,18 @@ def path_along(line: Line, start: Real, low: float, high: float) -> Path:
 class _Walk:
     """One direction of a path; `missed` is where two motions only came near each other."""
 
-    line: Line
+    line: RightSides
     start: Real
-    nodes: list[Node] = field(default_factory=list)
+    nodes: list[PathNode] = field(default_factory=list)
     changes: list[float] = field(default_factory=list)
     missed: float = -np.inf
 
     def __post_init__(self) -> None:
         slope, condition, sense = tangent(self.line.closure, self.start[None], self.line.toward)
-        self.nodes.append(Node(0.0, self.start, slope[0], float(condition[0] * sense[0])))
+        self.nodes.append(PathNode(0.0, self.start, slope[0], float(condition[0] * sense[0])))
 
     @property
-    def last(self) -> Node:
+    def last(self) -> PathNode:
         return self.nodes[-1]
 
     @property
@@ -164,7 +164,7 @@ class _Walk:
         self.nodes.append(node)
         return True
 
-    def _as_foretold(self, at: float) -> Node | None:
+    def _as_foretold(self, at: float) -> PathNode | None:
         """The position that goes on from the nodes so far, smoothly."""
         q, slope = self._extrapolated(at)
         node = self.line.node(at, q)
@@ -199,7 +199,7 @@ class _Walk:
         self.missed = place
         return False
 
-    def _gone_through(self, beyond: Node) -> bool:
+    def _gone_through(self, beyond: PathNode) -> bool:
         """Take the change point between here and there, if it is one."""
         here, shares = self.last, (abs(self.last.measure), abs(beyond.measure))
         place = here.at + (beyond.at - here.at) * shares[0] / max(sum(shares), 1e-300)
@@ -214,13 +214,13 @@ class _Walk:
         self.nodes += [*(node for node in (left, right) if here.at < node.at < beyond.at), beyond]
         return True
 
-    def _inside(self, left: Node, right: Node, at: float) -> Node | None:
+    def _inside(self, left: PathNode, right: PathNode, at: float) -> PathNode | None:
         """A node between two others, where these tell it to be."""
         q = _between(left, right, np.array([at]))[0][0]
         node = self.line.node(at, q)
         return node if node is not None and self.line.largest(node.q - q, q) < AWAY else None
 
-    def _singular(self, left: Node, right: Node, place: float) -> float:
+    def _singular(self, left: PathNode, right: PathNode, place: float) -> float:
         """Where the matrix is singular between two nodes: the condition falls and rises there in straight lines."""
         width = (right.at - left.at) / 16
         for _ in range(3):
@@ -230,7 +230,7 @@ class _Walk:
             width /= 16
         return place
 
-    def _closes(self, left: Node, right: Node, place: float) -> bool:
+    def _closes(self, left: PathNode, right: PathNode, place: float) -> bool:
         """Whether the loops close at the singular place, but for the direction in which the matrix tells nothing."""
         closure, right_side = self.line.closure, self.line.c + place * self.line.toward
         q = _between(left, right, np.array([place]))[0][0]
@@ -243,7 +243,7 @@ class _Walk:
         return not clear.all() and float(closure.loops.open_by(q)) < TOUCH
 
 
-def _between(left: Node, right: Node, at: Real) -> tuple[Real, Real]:
+def _between(left: PathNode, right: PathNode, at: Real) -> tuple[Real, Real]:
     """Unknowns and slopes (p, n) at places (p,) between two nodes, or beyond them."""
     first, last = ((np.full(len(at), node.at), node.q[None], node.slope[None]) for node in (left, right))
     return _cubic(first, last, at)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from graphkin.analytic.loops import parts
-from graphkin.analytic.newton import Closure, inverse
+from graphkin.analytic.newton import EquationSystem, inverse
 from graphkin.analytic.vectors import Real
 
 __all__ = ["Rates", "rates", "tangent"]
@@ -26,7 +26,7 @@ class Rates:
     condition: Real
 
 
-def rates(closure: Closure, q: Real, first: Real, second: Real) -> Rates:
+def rates(closure: EquationSystem, q: Real, first: Real, second: Real) -> Rates:
     """Rates of the unknowns at q (..., n), for rates of the relations' right sides (k,)."""
     slope = closure.loops.slope(q)
     inverted, condition = inverse(slope @ closure.known.left)
@@ -36,7 +36,7 @@ def rates(closure: Closure, q: Real, first: Real, second: Real) -> Rates:
     return Rates(dq, ddq, condition)
 
 
-def tangent(closure: Closure, q: Real, first: Real) -> tuple[Real, Real, Real]:
+def tangent(closure: EquationSystem, q: Real, first: Real) -> tuple[Real, Real, Real]:
     """q' alone (p, n), the reciprocal condition number of A (p,), and its determinant's sign (p,), 1 if it has none.
 
     `first` (..., k) may differ from position to position. The sign changes only through a change point, or to another
@@ -50,7 +50,7 @@ def tangent(closure: Closure, q: Real, first: Real) -> tuple[Real, Real, Real]:
     return _solved(closure, inverted, slope, first, np.zeros(slope.shape[:-1])), condition, sense
 
 
-def _solved(closure: Closure, inverted: Real, slope: Real, given: Real, rest: Real) -> Real:
+def _solved(closure: EquationSystem, inverted: Real, slope: Real, given: Real, rest: Real) -> Real:
     """The x with W x = given and slope x + rest = 0."""
     driven = given @ closure.known.given.T
     right = -(slope @ driven[..., None])[..., 0] - rest

@@ -1,8 +1,8 @@
 """Instant centres: where they are, how they are found, what they tell.
 
-    Plot -- beneath --> Board over the mechanism          its points, guides, common normals
+    Plot -- underlay -> Board over the mechanism          its points, guides, common normals
     Board -- search --> Centring (a drafting stage each)  by definition, on two lines, from velocities
-    Centring over a way -- centrode_places.over --> Centres at many positions -> centrodes
+    Centring over a path - centrode_places.over --> Centres at many positions -> centrodes
     Centres -- levers --> Levers (a drafting stage each)  velocities, by printed figures or exactly; advantages
     Centres -- about --> About: pole, circles, curvature; about_bobillier: the same by construction
 
@@ -12,6 +12,6 @@ Words are in `say.centre_*`, sheets in `sheet.centre_*` and `sheet.about_*`: the
 from graphkin.centres.advantages import advantages
 from graphkin.centres.centrode_places import over
 from graphkin.centres.data import as_json, place
-from graphkin.centres.found import Centres, centres
+from graphkin.centres.instant_centres import Centres, centres
 
 __all__ = ["Centres", "advantages", "as_json", "centres", "over", "place"]

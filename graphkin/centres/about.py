@@ -16,7 +16,7 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.centres.found import Centres
+from graphkin.centres.instant_centres import Centres
 from graphkin.construction import Plot, replay
 from graphkin.drafting import INFINITE
 from graphkin.errors import UnknownLink, UnknownPoint, Where
@@ -27,7 +27,7 @@ from graphkin.readings import readings
 from graphkin.tolerances import STILL
 from graphkin.value import frozen
 
-__all__ = ["INFINITY", "About", "Carried", "Circle", "Line", "about", "euler_savary", "link_of"]
+__all__ = ["INFINITY", "About", "CarriedPoint", "Circle", "InflectionLine", "about", "euler_savary", "link_of"]
 
 INFINITY = complex(math.inf)
 NOWHERE = complex(math.nan, math.nan)
@@ -43,7 +43,7 @@ class Circle:
 
 
 @frozen
-class Line:
+class InflectionLine:
     """A line through a point [m] in a direction (unit vector): what becomes of a circle that is infinitely large."""
 
     through: complex
@@ -51,7 +51,7 @@ class Line:
 
 
 @frozen
-class Carried:
+class CarriedPoint:
     """A point carried by a link: place [m], velocity [m/s], acceleration [m/s^2], centre of curvature of its path [m].
 
     centre  infinite where the path is straight at this instant, NaN where the point stands still
@@ -165,7 +165,7 @@ class About:
         return self.diameter / abs(self.diameter) if self.diameter else None
 
     @cached_property
-    def inflection(self) -> Circle | Line | None:
+    def inflection(self) -> Circle | InflectionLine | None:
         """The inflection circle: points whose paths are straight at this instant. A line in translation.
 
         None where no point, or where every point has such a path.
@@ -176,7 +176,7 @@ class About:
         if not velocity or not self.alpha:
             return None
         along = velocity / abs(velocity)
-        return Line(place - along * float(cross(along, acceleration)) / self.alpha, 1j * along)
+        return InflectionLine(place - along * float(cross(along, acceleration)) / self.alpha, 1j * along)
 
     @property
     def returning(self) -> Circle | None:
@@ -187,30 +187,30 @@ class About:
 
     # --- points -------------------------------------------------------------------------------
 
-    def carried(self, place: complex) -> Carried:
+    def carried(self, place: complex) -> CarriedPoint:
         """The point of the link's plane that lies at a place [m]."""
         start, velocity, acceleration = self.base
         arm = place - start
         return self._moved(place, velocity + 1j * self.omega * arm, acceleration + self._turn * arm)
 
     @cached_property
-    def points(self) -> Mapping[str, Carried]:
+    def points(self) -> Mapping[str, CarriedPoint]:
         """The points asked for, as points of the link."""
         motions = readings(self.found.method, self.plot)
-        found: dict[str, Carried] = {}
+        found: dict[str, CarriedPoint] = {}
         for name in self.names:
             velocity, acceleration = motions.velocity_at(name, self.link), motions.acceleration_at(name, self.link)
             found[name] = self._moved(complex(self.plot.position[name]), complex(velocity), complex(acceleration))
         return found
 
-    def _moved(self, place: complex, velocity: complex, acceleration: complex) -> Carried:
+    def _moved(self, place: complex, velocity: complex, acceleration: complex) -> CarriedPoint:
         speed = abs(velocity)
         if speed <= STILL * _pace(self.found, self.plot) * self.size:
-            return Carried(place, velocity, acceleration, place if self.diameter else NOWHERE)
+            return CarriedPoint(place, velocity, acceleration, place if self.diameter else NOWHERE)
         curvature = float(cross(velocity, acceleration)) / speed**3
         if abs(curvature) * self.size <= INFINITE:
-            return Carried(place, velocity, acceleration, INFINITY)
-        return Carried(place, velocity, acceleration, place + 1j * velocity / speed / curvature)
+            return CarriedPoint(place, velocity, acceleration, INFINITY)
+        return CarriedPoint(place, velocity, acceleration, place + 1j * velocity / speed / curvature)
 
     def savary(self, place: complex) -> complex:
         """The centre of curvature of the path of a point by the inflection circle alone (Euler-Savary) [m].

@@ -17,7 +17,7 @@ import numpy as np
 
 from graphkin.centres.about import About
 from graphkin.centres.search import CLEAR
-from graphkin.drafting import INFINITE, Board, Carried, Construction, Far, Meet, Pricked, Stage, Through, replay
+from graphkin.drafting import INFINITE, Board, CarriedAngle, Drafting, Far, Meet, Pricked, Stage, Through, replay
 from graphkin.errors.centring import NoBobillier
 from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
@@ -52,7 +52,7 @@ class Bobillier:
     point, answer  the point and its centre of curvature; pole, crossings: the letters of P, and of Q and the second Q
     """
 
-    construction: Construction
+    construction: Drafting
     guides: tuple[Guided, Guided]
     point: str
     pole: str
@@ -143,7 +143,7 @@ def bobillier(seen: About, point: str | complex) -> Bobillier:
     known |= {first.written: first.centre, second.written: second.centre}
     pole, q, qc, answer = (letters.free(name) for name in ("P", "Q", f"Q{letter}", f"K{letter}"))
     stages = tuple(_stages(first, second, letter, pole, (q, qc), answer))
-    return Bobillier(Construction({}, stages, known), (first, second), letter, pole, (q, qc), answer)
+    return Bobillier(Drafting({}, stages, known), (first, second), letter, pole, (q, qc), answer)
 
 
 @frozen
@@ -213,6 +213,6 @@ def _stages(
     yield Stage("Q", (Through("line ab", a, b), Through("line a0b0", a0, b0), Meet(q, "line ab", "line a0b0")))
     yield Stage("axis", (Through("axis", pole, q),))
     yield Stage("ray c", (Through("ray c", pole, c),))
-    yield Stage("axis c", (Carried("axis c", pole, "axis", "ray b", "ray c"),))
+    yield Stage("axis c", (CarriedAngle("axis c", pole, "axis", "ray b", "ray c"),))
     yield Stage("Qc", (Through("line ac", a, c), Meet(qc, "line ac", "axis c")))
     yield Stage("K", (Through("line a0qc", a0, qc), Meet(answer, "line a0qc", "ray c")))

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from graphkin.centres.about import About, Carried, Circle
+from graphkin.centres.about import About, CarriedPoint, Circle
 from graphkin.centres.centrodes import Centrodes
 
 __all__ = ["about_json", "centrodes_json"]
@@ -41,7 +41,7 @@ def about_json(seen: About) -> Json:
     }
 
 
-def _point(carried: Carried) -> Json:
+def _point(carried: CarriedPoint) -> Json:
     straight = cmath.isinf(carried.centre)
     return {
         "at": _pair(carried.place),

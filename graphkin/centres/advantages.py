@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import isfinite
 
-from graphkin.centres.found import Centres
+from graphkin.centres.instant_centres import Centres
 from graphkin.centres.levers import Levers
 from graphkin.mechanism import FRAME
 

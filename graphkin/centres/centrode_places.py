@@ -10,8 +10,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphkin.centres.beneath import board_over, from_velocities, pole_name
-from graphkin.centres.found import Centres
+from graphkin.centres.instant_centres import Centres
+from graphkin.centres.underlay import board_over, from_velocities, pole_name
 from graphkin.construction import Plot, replay
 from graphkin.drafting import Board, draw
 from graphkin.geometry import Value, weights_of
@@ -74,7 +74,7 @@ def _drawn(found: Centres, path: Path, t: np.ndarray) -> Centres:
         for stage in centring.stages:
             links = centring.links[stage.last.name]
             if stage.say == "velocities":
-                board.beneath.points[pole_name(*links)] = from_velocities(board, motions, *links)
+                board.underlay.points[pole_name(*links)] = from_velocities(board, motions, *links)
             draw(stage, board)
             if stage.last.name in board.lean:
                 _mend(board, motions, stage.last.name, links)

@@ -13,7 +13,7 @@ import numpy as np
 from graphkin.centres.about import link_of
 from graphkin.centres.centrode_places import carried_to, over
 from graphkin.centres.centrode_sampling import Piece, Sample, arc_length, joined, pieces
-from graphkin.centres.found import Centres
+from graphkin.centres.instant_centres import Centres
 from graphkin.errors import Where
 from graphkin.errors.centring import NoCentrode, UnknownCentre
 from graphkin.geometry import Value

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from graphkin.centres.found import Centres
+from graphkin.centres.instant_centres import Centres
 from graphkin.centres.search import Centring
 from graphkin.drafting import LineStep, Stage, drawn_through
 

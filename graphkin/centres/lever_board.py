@@ -11,7 +11,7 @@ from functools import cached_property
 from math import copysign, nan
 from typing import Literal
 
-from graphkin.centres.found import Centres
+from graphkin.centres.instant_centres import Centres
 from graphkin.drafting import Board, Measure, MeasureAngle, Pricked, Reckon, Stage, Step, draw
 from graphkin.geometry import unit
 from graphkin.mechanism import FRAME, Mechanism
@@ -116,7 +116,7 @@ class LeverBoard:
     def board(self) -> Board:
         """The centres' board; a ruler reads millimetres of paper on it, and sums have four digits."""
         found = self.found.board
-        board = Board(found.origin, found.size, found.beneath, dict(found.points))
+        board = Board(found.origin, found.size, found.underlay, dict(found.points))
         return replace(board, read=self._read, written=printed) if self.scale else board
 
     @cached_property

@@ -7,7 +7,7 @@ import heapq
 from collections.abc import Collection
 from math import inf, log10
 
-from graphkin.centres.found import Centres
+from graphkin.centres.instant_centres import Centres
 from graphkin.mechanism import FRAME
 from graphkin.value import frozen
 

@@ -15,11 +15,11 @@ from itertools import combinations
 
 import numpy as np
 
-from graphkin.centres.beneath import CommonNormal, board_over, contact_name, from_velocities, normals, pole_name
+from graphkin.centres.underlay import CommonNormal, board_over, contact_name, from_velocities, normals, pole_name
 from graphkin.construction import Plot, replay
 from graphkin.drafting import (
     Board,
-    Construction,
+    Drafting,
     Far,
     LineStep,
     Meet,
@@ -56,7 +56,7 @@ class Centring:
     together    pairs of links that do not move against each other: they have no centre
     """
 
-    construction: Construction
+    construction: Drafting
     links: Mapping[str, tuple[str, str]]
     normals: Mapping[str, CommonNormal]
     together: tuple[tuple[str, str], ...] = ()
@@ -87,7 +87,7 @@ def search(method: Method, plot: Plot) -> tuple[Centring, Plot, Board]:
     found = _Search(method, plot, board_over(method, plot))
     found.run()
     lines = {normal.name: normal for normal in normals(method.mechanism)}
-    centring = Centring(Construction({}, tuple(found.stages)), found.links, lines, tuple(found.missing))
+    centring = Centring(Drafting({}, tuple(found.stages)), found.links, lines, tuple(found.missing))
     return centring, plot, found.board
 
 
@@ -202,7 +202,7 @@ class _Search:
         for pair in waiting:
             place = from_velocities(self.board, motions, *pair)
             if np.isfinite(place).all():
-                self.board.beneath.points[pole_name(*pair)] = place
+                self.board.underlay.points[pole_name(*pair)] = place
                 centre = self.named(frozenset(pair))
                 self.take(frozenset(pair), Stage("velocities", (Pricked(centre, pole_name(*pair)),)))
                 return True

@@ -20,14 +20,14 @@ from graphkin.quantities import centre_of
 from graphkin.tolerances import STILL
 from graphkin.value import frozen
 
-__all__ = ["CENTRES", "Seen", "parted", "pole_of", "seen_arrows", "seen_centres", "ways_to_move"]
+__all__ = ["CENTRES", "SeenCentre", "parted", "pole_of", "seen_arrows", "seen_centres", "ways_to_move"]
 
 CENTRES: Literal["centres"] = "centres"
 """What the marks of centres give as their plane."""
 
 
 @frozen
-class Seen:
+class SeenCentre:
     """A centre in the drawing.
 
     name          `P13`; kind: "point" for a mark, "vector" for an arrow towards it
@@ -64,7 +64,9 @@ def ways_to_move(mechanism: Mechanism, solved: Motion) -> list[Motion]:
     return found
 
 
-def seen_centres(centres: DrawingFile, mechanism: Mechanism, exact: Sequence[Motion], scale: float) -> Iterator[Seen]:
+def seen_centres(
+    centres: DrawingFile, mechanism: Mechanism, exact: Sequence[Motion], scale: float
+) -> Iterator[SeenCentre]:
     """Every mark of a centre: its place on the paper, and where it should be from the mechanism's origin.
 
     Links that never move against each other and are not joined have all points in common: there is nothing to measure.
@@ -78,12 +80,12 @@ def seen_centres(centres: DrawingFile, mechanism: Mechanism, exact: Sequence[Mot
             continue
         if not turning:
             raise BadDrawing(Where(centres.file), "value", f"data-name={name}")
-        yield Seen(name, "point", place, pole / scale)
+        yield SeenCentre(name, "point", place, pole / scale)
 
 
 def seen_arrows(
     centres: DrawingFile, mechanism: Mechanism, exact: Sequence[Motion], scale: float, origin: complex
-) -> Iterator[Seen]:
+) -> Iterator[SeenCentre]:
     """Every arrow towards a centre, as long as it is drawn. origin: of the mechanism on paper [mm], y up."""
     for attributes, tail, head in centres.vectors:
         pole, turning = _known(centres, mechanism, exact, attributes)
@@ -91,7 +93,7 @@ def seen_arrows(
         along = way / abs(way) if abs(way) else 0j
         if not turning and (along.conjugate() * (head - tail)).real < 0:
             along = -along
-        yield Seen(attributes.get("data-name", ""), "vector", head - tail, abs(head - tail) * along)
+        yield SeenCentre(attributes.get("data-name", ""), "vector", head - tail, abs(head - tail) * along)
 
 
 def _known(

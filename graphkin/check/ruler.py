@@ -21,7 +21,7 @@ from graphkin.errors import BadDrawing, Where
 from graphkin.mechanism import Mechanism
 from graphkin.value import frozen
 
-__all__ = ["Measured", "Report", "measure", "measured"]
+__all__ = ["Measured", "RulerReport", "measure", "measured"]
 
 
 @frozen
@@ -46,7 +46,7 @@ class Measured:
 
 
 @frozen
-class Report:
+class RulerReport:
     """What a ruler finds in one drawing file.
 
     faults  what is wrong with it beyond lengths: a point that is not where its vector ends, a mark that is hidden
@@ -66,7 +66,7 @@ class Report:
         return sum(not entry.off_mm <= tolerance_mm for entry in self.measured) + len(self.faults)
 
 
-def measure(path: str | Path, tolerance_mm: float = 0.01) -> Report:
+def measure(path: str | Path, tolerance_mm: float = 0.01) -> RulerReport:
     """Measure what a viewer shows of a drawing file against the analytic solution of the mechanism in it.
 
     What that proves, and what not, says `graphkin.check.claims`. Raises `BadDrawing` where the file is no drawing of
@@ -77,7 +77,7 @@ def measure(path: str | Path, tolerance_mm: float = 0.01) -> Report:
     return measured(drawing, mechanism_of(drawing), tolerance_mm)
 
 
-def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) -> Report:
+def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) -> RulerReport:
     """A drawing beside the mechanism that it should show."""
     solved = motion(mechanism, numbers(drawing, "drivers", len(mechanism.drivers)))
     planes, centres = parted(drawing)
@@ -93,7 +93,7 @@ def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) ->
         notes = [*unjudged(drawing, layers.letters), *ruler.unknown()]
     except Unread as error:
         raise BadDrawing(Where(drawing.file), "shown", str(error)) from None
-    return Report(drawing.file, tuple(entries), tuple(faults), tuple(notes))
+    return RulerReport(drawing.file, tuple(entries), tuple(faults), tuple(notes))
 
 
 @frozen

@@ -123,7 +123,7 @@ class _Asked:
         from graphkin.centres.centrodes import centrodes, path, whole
 
         course = sweeps.course(found.method, self.ranges)
-        sweeps.held(course)
+        sweeps.prove(course)
         span = None if self.ranges else whole(course)
         if self.centre:
             try:
@@ -191,7 +191,7 @@ def _point(found: Centres, name: str) -> str:
 
 
 def _of_two_velocities(asked: _Asked) -> None:
-    from graphkin.centres.ways import from_text
+    from graphkin.centres.two_velocities import from_text
     from graphkin.say.centre_about import pole_words
 
     click.echo("\n".join(pole_words(from_text(asked.velocities), asked.lang)))

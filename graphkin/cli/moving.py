@@ -75,7 +75,7 @@ def sweep(
     names = sweeps.asked(method.mechanism, sweeps.split(of))
     course = sweeps.course(method, ranges)
     _refuse_rows(course.t.size, output)
-    sweeps.held(course)
+    sweeps.prove(course)
     if output is None:
         found = sweeps.sweep_over(course, names, by)
         click.echo("\n".join(book_lines(found) if table else sweep_lines(found)))
@@ -105,11 +105,11 @@ def _write_sweep(
     import numpy as np
 
     from graphkin.outputs import tables
-    from graphkin.sweeps import parts
+    from graphkin.sweeps import in_parts
 
     suffix, undefined = output.suffix.lower(), [np.empty(0)]
     if str(output) == "-":
-        found = tables.told(parts(course, names, by), lambda part: undefined.append(part.undefined))
+        found = tables.told(in_parts(course, names, by), lambda part: undefined.append(part.undefined))
         for lines in tables.csv_lines(course, found):
             click.echo(lines, nl=False)
         return np.concatenate(undefined)

@@ -14,8 +14,8 @@ from graphkin.drafting import (
     CircleThrough,
     MarkOn,
     Meet,
-    Normal,
     Parallel,
+    Perpendicular,
     Reckon,
     Slanted,
     Stage,
@@ -32,7 +32,7 @@ def circle_stages(side: float) -> tuple[Stage, ...]:
     """P and the circle through C1, C2, P, on the near side of C1C2 (1) or beyond it (-1)."""
     corner = (
         Through("C1C2", "C1", "C2"), Reckon("rest", "complement", ("theta",)),
-        Slanted("C1P", "C1", "C2", "rest", -side), Normal("C2P", "C2", "C1C2"), Meet("P", "C1P", "C2P"),
+        Slanted("C1P", "C1", "C2", "rest", -side), Perpendicular("C2P", "C2", "C1C2"), Meet("P", "C1P", "C2P"),
     )  # fmt: skip
     return (
         Stage("corner" if side > 0 else "corner beyond", corner),

@@ -12,13 +12,13 @@ from graphkin.design.asked import one_of, positive, ratio_within
 from graphkin.design.judging import angle_between
 from graphkin.design.model import Design, Solution
 from graphkin.drafting import (
-    Construction,
+    ChosenPoint,
+    Drafting,
     LayOff,
     Measure,
     Meet,
-    Normal,
     Parallel,
-    Place,
+    Perpendicular,
     Reckon,
     Slanted,
     Stage,
@@ -43,7 +43,7 @@ def guide_bar(k: float, *, frame: float | None = None, crank: float | None = Non
     ratio_within(k, math.inf)
     name = one_of({"frame": frame, "crank": crank}, 1)
     given = {"K": k, name: frame or crank or 0.0}
-    construction = Construction(given, (*_first_stages(), *(_by_frame() if name == "frame" else _by_crank())))
+    construction = Drafting(given, (*_first_stages(), *(_by_frame() if name == "frame" else _by_crank())))
     return Design("guide-bar", given, (_solution(construction),))
 
 
@@ -58,20 +58,20 @@ def _sides() -> tuple[Step, ...]:
 
 def _feet() -> tuple[Step, ...]:
     return (
-        Normal("AB1", "A", "m"), Meet("B1", "AB1", "m"), Normal("AB2", "A", "n"), Meet("B2", "AB2", "n"),
+        Perpendicular("AB1", "A", "m"), Meet("B1", "AB1", "m"), Perpendicular("AB2", "A", "n"), Meet("B2", "AB2", "n"),
         Measure("a", "A", "B1"), Measure("d", "A", "C"),
     )  # fmt: skip
 
 
 def _by_frame() -> tuple[Stage, ...]:
-    laid = (Place("A", 0j), LayOff("C", "A", "frame"))
+    laid = (ChosenPoint("A", 0j), LayOff("C", "A", "frame"))
     return Stage("guide pivots", laid), Stage("guide limits", _sides()), Stage("guide lengths", _feet())
 
 
 def _by_crank() -> tuple[Stage, ...]:
     """C and both limits first; A is where the crank's length fits between them."""
     fixed: tuple[Step, ...] = (
-        Place("C", 0j), Reckon("one", "same", ("crank",)), LayOff("X", "C", "one", "", "straight"),
+        ChosenPoint("C", 0j), Reckon("one", "same", ("crank",)), LayOff("X", "C", "one", "", "straight"),
         Slanted("m", "C", "X", "halved", 1.0), Slanted("n", "C", "X", "halved", -1.0), Through("CX", "C", "X"),
     )  # fmt: skip
     fitted = (Parallel("beside", "m", "crank", -1.0), Meet("A", "beside", "CX"))
@@ -79,7 +79,7 @@ def _by_crank() -> tuple[Stage, ...]:
     return straight, Stage("guide crank fits", fitted), Stage("guide lengths", _feet())
 
 
-def _solution(construction: Construction) -> Solution:
+def _solution(construction: Drafting) -> Solution:
     board = replay(construction)
     a, c = board.at("A"), board.at("C")
     ends = board.at("B1"), board.at("B2")

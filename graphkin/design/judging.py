@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator
 
 from graphkin.design.model import Reason, Solution, gamma_four, gamma_slider
-from graphkin.drafting import Board, Construction
+from graphkin.drafting import Board, Drafting
 from graphkin.geometry import cross, meet_circles
 
 __all__ = ["LOW", "angle_between", "quick_four", "quick_slider"]
@@ -29,7 +29,7 @@ def angle_between(one: complex, other: complex) -> float:
     return abs(cmath.phase(one.conjugate() * other))
 
 
-def quick_four(construction: Construction, board: Board, worth: str) -> Solution:
+def quick_four(construction: Drafting, board: Board, worth: str) -> Solution:
     """A crank-rocker whose limits are C1 and C2. worth: of A's place on the circle (`Arc.name`)."""
     at, pivot = board.at("A"), board.at("D")
     first, second = board.at("C1"), board.at("C2")
@@ -47,7 +47,7 @@ def quick_four(construction: Construction, board: Board, worth: str) -> Solution
     )  # fmt: skip
 
 
-def quick_slider(construction: Construction, board: Board, worth: str) -> Solution:
+def quick_slider(construction: Drafting, board: Board, worth: str) -> Solution:
     """A slider-crank whose slider's limits are C1 and C2."""
     at, first, second = (board.at(name) for name in ("A", "C1", "C2"))
     a, b = board.numbers["a"], board.numbers["b"]

@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from graphkin.drafting import Board, Construction, replay
+from graphkin.drafting import Board, Drafting, replay
 from graphkin.value import frozen
 
 __all__ = ["Arc", "Design", "Family", "Kind", "Reason", "Solution", "folded_least", "gamma_four", "gamma_slider"]
@@ -43,7 +43,7 @@ class Solution:
     """
 
     shape: Shape
-    construction: Construction
+    construction: Drafting
     places: Mapping[str, complex]
     limits: tuple[Mapping[str, complex], ...]
     a: float

@@ -22,13 +22,13 @@ from graphkin.design.passing import passing, shown
 from graphkin.drafting import (
     Bisector,
     Board,
+    ChosenPoint,
     CircleThrough,
-    Construction,
+    Drafting,
     LayOff,
     Measure,
     MeasureAngle,
     Meet,
-    Place,
     Reckon,
     Stage,
     Step,
@@ -89,13 +89,13 @@ def _freudenstein(given: dict[str, float], phis: list[float], psis: list[float],
         return Design("angles", given, why=(Reason("no coupler"),))
     given |= {"R1": r1, "R2": r2, "R3": r3}
     turned = tuple(Reason("turned", (("link", link), ("mm", x * 1e3))) for link, x in (("AB", a), ("DC", c)) if x < 0)
-    construction = Construction(given, _laid_stages())
+    construction = Drafting(given, _laid_stages())
     return Design("angles", given, (_solution(construction, replay(construction), turned),))
 
 
 def _laid_stages() -> tuple[Stage, ...]:
     """a and c from the ratios, laid off at their angles; b is measured, at every position the same."""
-    sides: list[Step] = [Place("A", 0j), LayOff("D", "A", "d")]
+    sides: list[Step] = [ChosenPoint("A", 0j), LayOff("D", "A", "d")]
     laid: list[Step] = []
     for k in (1, 2, 3):
         laid += [LayOff(f"B{k}", "A", "a", "", f"phi{k}"), LayOff(f"C{k}", "D", "c", "", f"psi{k}")]
@@ -112,7 +112,7 @@ def _laid_stages() -> tuple[Stage, ...]:
 
 
 def _inverted(given: dict[str, float]) -> Design:
-    sides: tuple[Step, ...] = (Place("A", 0j), LayOff("D", "A", "d"))
+    sides: tuple[Step, ...] = (ChosenPoint("A", 0j), LayOff("D", "A", "d"))
     laid = tuple(LayOff(f"B{k}", "A", "a", "", f"phi{k}") for k in (1, 2, 3))
     back: list[Step] = []
     for k in (2, 3):
@@ -124,7 +124,7 @@ def _inverted(given: dict[str, float]) -> Design:
     measured: list[Step] = [Measure("b", "B1", "C1"), Measure("c", "C1", "D"), MeasureAngle("psi01", "D", "", "C1")]
     for k in (2, 3):
         measured += [Reckon(f"psi{k}1", "difference", (f"psi{k}", "psi1")), Turned(f"C{k}", "C1", "D", f"psi{k}1")]
-    construction = Construction(
+    construction = Drafting(
         given,
         (
             Stage("frame laid", sides), Stage("crank laid", laid), Stage("turned back", tuple(back)),
@@ -137,7 +137,7 @@ def _inverted(given: dict[str, float]) -> Design:
     return Design("angles", given, (_solution(construction, board, ()),))
 
 
-def _solution(construction: Construction, board: Board, turned: tuple[Reason, ...]) -> Solution:
+def _solution(construction: Drafting, board: Board, turned: tuple[Reason, ...]) -> Solution:
     at = board.places
     positions = tuple({"A": at["A"], "B": at[f"B{k}"], "C": at[f"C{k}"], "D": at["D"]} for k in (1, 2, 3))
     judged = passing(positions)

@@ -15,7 +15,7 @@ from itertools import combinations
 from graphkin.design.free import chosen
 from graphkin.design.model import Design, Reason, Solution
 from graphkin.design.passing import passing, shown
-from graphkin.drafting import Bisector, Board, CircleThrough, Construction, Measure, Meet, Place, Stage, Step, replay
+from graphkin.drafting import Bisector, Board, ChosenPoint, CircleThrough, Drafting, Measure, Meet, Stage, Step, replay
 from graphkin.errors import CouplerChanges, NotOnBisector, SameWanted, WrongNumber
 from graphkin.geometry import dot, unit
 from graphkin.tolerances import ROUNDED
@@ -47,11 +47,11 @@ def coupler_positions(
     _asked(points, pivot_a, pivot_d)
     given = {f"b{k}": abs(c - b) for k, (b, c) in enumerate(points, start=1)}
     if len(points) == 3:
-        construction = Construction(given, _by_three(points))
+        construction = Drafting(given, _by_three(points))
     else:
         a, d = chosen(points, pivot_a, pivot_d)
         free = tuple(name for name, pivot in (("A", pivot_a), ("D", pivot_d)) if pivot is None)
-        construction = Construction(given, _by_two(points, a, d, free))
+        construction = Drafting(given, _by_two(points, a, d, free))
     board = replay(construction)
     lost = tuple(name for name in "AD" if not math.isfinite(abs(board.at(name))))
     if lost:
@@ -89,7 +89,7 @@ def _on_bisector(name: str, pivot: complex, first: complex, second: complex) -> 
 
 
 def _laid(points: Sequence[tuple[complex, complex]]) -> Stage:
-    found = [Place(f"{name}{k}", z) for k, pair in enumerate(points, start=1) for name, z in zip("BC", pair)]
+    found = [ChosenPoint(f"{name}{k}", z) for k, pair in enumerate(points, start=1) for name, z in zip("BC", pair)]
     return Stage("coupler laid", tuple(found))
 
 
@@ -113,7 +113,7 @@ def _by_two(
     stages = [_laid(points)]
     for pivot, hinge, at in (("A", "B", a), ("D", "C", d)):
         say = f"{pivot} chosen" if pivot in free else f"{pivot} given"
-        stages.append(Stage(say, (Bisector(f"{hinge}12", f"{hinge}1", f"{hinge}2"), Place(pivot, at))))
+        stages.append(Stage(say, (Bisector(f"{hinge}12", f"{hinge}1", f"{hinge}2"), ChosenPoint(pivot, at))))
     return (*stages, _lengths())
 
 
@@ -124,7 +124,7 @@ def _lengths() -> Stage:
     return Stage("coupler lengths", measured)
 
 
-def _solution(construction: Construction, board: Board, count: int) -> Solution:
+def _solution(construction: Drafting, board: Board, count: int) -> Solution:
     at = board.places
     positions = tuple(
         {"A": at["A"], "B": at[f"B{k}"], "C": at[f"C{k}"], "D": at["D"]} for k in range(1, count + 1)

@@ -18,7 +18,7 @@ from graphkin.design.asked import angle_within, one_of, positive, ratio_within
 from graphkin.design.finding import on_circle, ranged
 from graphkin.design.judging import quick_four
 from graphkin.design.model import Design, Solution, gamma_four
-from graphkin.drafting import Construction, LayOff, Measure, Place, Reckon, Stage, Step, replay, theta_of
+from graphkin.drafting import ChosenPoint, Drafting, LayOff, Measure, Reckon, Stage, Step, replay, theta_of
 from graphkin.geometry import cross
 
 __all__ = ["rocker"]
@@ -78,7 +78,7 @@ def _chord(length: float, swing: float, k: float) -> Chord:
 
 def _first_stages() -> tuple[Stage, ...]:
     limits = (
-        Place("D", 0j), Reckon("upright", "above", ("psi",)), LayOff("C1", "D", "c", "", "upright"),
+        ChosenPoint("D", 0j), Reckon("upright", "above", ("psi",)), LayOff("C1", "D", "c", "", "upright"),
         LayOff("C2", "D", "c", "C1", "psi", -1.0),
     )  # fmt: skip
     return Stage("theta", (Reckon("theta", "theta", ("K",)),)), Stage("rocker limits", limits)
@@ -90,7 +90,7 @@ def _solution(chord: Chord, given: dict[str, float], side: float, steps: tuple[S
         Measure("AC1", "A", "C1"), Measure("AC2", "A", "C2"), Reckon("a", "half difference", ("AC2", "AC1")),
         Reckon("b", "half sum", ("AC2", "AC1")), Measure("d", "A", "D"),
     )  # fmt: skip
-    construction = Construction(given, (*_first_stages(), *steps, Stage("rocker lengths", measured)))
+    construction = Drafting(given, (*_first_stages(), *steps, Stage("rocker lengths", measured)))
     board = replay(construction)
     at = board.at("A")
     if not math.isfinite(abs(at)):

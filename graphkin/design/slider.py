@@ -17,7 +17,7 @@ from graphkin.design.asked import angle_within, one_of, positive, ratio_within
 from graphkin.design.finding import on_circle, ranged
 from graphkin.design.judging import quick_slider
 from graphkin.design.model import Design, Solution, gamma_slider
-from graphkin.drafting import Construction, LayOff, Measure, Place, Reckon, Stage, Step, replay, theta_of
+from graphkin.drafting import ChosenPoint, Drafting, LayOff, Measure, Reckon, Stage, Step, replay, theta_of
 
 __all__ = ["slider"]
 
@@ -75,13 +75,13 @@ def _chord(stroke: float, k: float) -> Chord:
 
 
 def _solution(chord: Chord, given: dict[str, float], side: float, steps: tuple[Stage, ...]) -> Solution | None:
-    start: tuple[Step, ...] = (Place("C1", 0j), LayOff("C2", "C1", "H"))
+    start: tuple[Step, ...] = (ChosenPoint("C1", 0j), LayOff("C2", "C1", "H"))
     measured: tuple[Step, ...] = (
         Measure("AC1", "A", "C1"), Measure("AC2", "A", "C2"), Reckon("a", "half difference", ("AC2", "AC1")),
         Reckon("b", "half sum", ("AC2", "AC1")),
     )  # fmt: skip
     head = Stage("theta", (Reckon("theta", "theta", ("K",)),)), Stage("slider limits", start)
-    construction = Construction(given, (*head, *steps, Stage("slider lengths", measured)))
+    construction = Drafting(given, (*head, *steps, Stage("slider lengths", measured)))
     board = replay(construction)
     at = board.at("A")
     if not math.isfinite(abs(at)):

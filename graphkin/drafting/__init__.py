@@ -1,6 +1,6 @@
 """Ruler, compass and protractor on named points, lines, circles and numbers: for what is no polygon.
 
-    Construction (stages of steps) -- replay --> Board -- readers --> words, sheets, JSON
+    Drafting (stages of steps) -- replay --> Board -- readers --> words, sheets, JSON
 
 A step is a frozen value that names what it makes, and from what; it holds no result. Steps stand in stages, and a
 stage is what one sentence speaks of. A board may lie over a drawing: its points are pricked through, its lines traced.
@@ -12,17 +12,18 @@ To add a kind of step: its class in `steps`, there in the group of what it makes
 reader that has to know it.
 """
 
-from graphkin.drafting.board import Beneath, Board
+from graphkin.drafting.board import Board, Underlay
 from graphkin.drafting.pencil import draw, replay, ruled
 from graphkin.drafting.projective import INFINITE, Homogeneous
 from graphkin.drafting.rules import theta_of
 from graphkin.drafting.steps import (
     Bisector,
-    Carried,
+    CarriedAngle,
+    ChosenPoint,
     CircleAbout,
     CircleStep,
     CircleThrough,
-    Construction,
+    Drafting,
     Far,
     LayOff,
     LineStep,
@@ -30,10 +31,9 @@ from graphkin.drafting.steps import (
     Measure,
     MeasureAngle,
     Meet,
-    Normal,
     NumberStep,
     Parallel,
-    Place,
+    Perpendicular,
     PointStep,
     Pricked,
     Reckon,
@@ -47,8 +47,39 @@ from graphkin.drafting.steps import (
 )
 
 __all__ = [
-    "INFINITE", "Beneath", "Bisector", "Board", "Carried", "CircleAbout", "CircleStep", "CircleThrough", "Construction",
-    "Far", "Homogeneous", "LayOff", "LineStep", "MarkOn", "Measure", "MeasureAngle", "Meet", "Normal", "NumberStep",
-    "Parallel", "Place", "PointStep", "Pricked", "Reckon", "Slanted", "Stage", "Step", "Through", "Traced", "Turned",
-    "draw", "drawn_through", "replay", "ruled", "theta_of",
+    "INFINITE",
+    "Bisector",
+    "Board",
+    "CarriedAngle",
+    "ChosenPoint",
+    "CircleAbout",
+    "CircleStep",
+    "CircleThrough",
+    "Drafting",
+    "Far",
+    "Homogeneous",
+    "LayOff",
+    "LineStep",
+    "MarkOn",
+    "Measure",
+    "MeasureAngle",
+    "Meet",
+    "NumberStep",
+    "Parallel",
+    "Perpendicular",
+    "PointStep",
+    "Pricked",
+    "Reckon",
+    "Slanted",
+    "Stage",
+    "Step",
+    "Through",
+    "Traced",
+    "Turned",
+    "Underlay",
+    "draw",
+    "drawn_through",
+    "replay",
+    "ruled",
+    "theta_of",
 ]  # fmt: skip

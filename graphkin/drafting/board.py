@@ -11,11 +11,11 @@ from graphkin.drafting.projective import Homogeneous, along, foot, improper, pla
 from graphkin.geometry import Value, unit
 from graphkin.value import frozen
 
-__all__ = ["Beneath", "Board"]
+__all__ = ["Board", "Underlay"]
 
 
 @frozen
-class Beneath:
+class Underlay:
     """The drawing under the board: points and lines that can be pricked through and traced."""
 
     points: dict[str, Homogeneous] = field(default_factory=dict)
@@ -37,7 +37,7 @@ class Board:
 
     origin: complex = 0j
     size: float = 1.0
-    beneath: Beneath = field(default_factory=Beneath)
+    underlay: Underlay = field(default_factory=Underlay)
     points: dict[str, Homogeneous] = field(default_factory=dict)
     lines: dict[str, Homogeneous] = field(default_factory=dict)
     circles: dict[str, tuple[Value, Value]] = field(default_factory=dict)

@@ -11,10 +11,11 @@ from graphkin.drafting.projective import Homogeneous, along, balanced, improper,
 from graphkin.drafting.rules import RULES
 from graphkin.drafting.steps import (
     Bisector,
-    Carried,
+    CarriedAngle,
+    ChosenPoint,
     CircleAbout,
     CircleThrough,
-    Construction,
+    Drafting,
     Far,
     LayOff,
     LineStep,
@@ -22,9 +23,8 @@ from graphkin.drafting.steps import (
     Measure,
     MeasureAngle,
     Meet,
-    Normal,
     Parallel,
-    Place,
+    Perpendicular,
     Pricked,
     Reckon,
     Slanted,
@@ -39,10 +39,10 @@ from graphkin.geometry import Value, cross, meet_circles, meet_line_circle
 __all__ = ["draw", "replay", "ruled"]
 
 
-def replay(construction: Construction, board: Board | None = None) -> Board:
+def replay(construction: Drafting, board: Board | None = None) -> Board:
     """Do all steps, on a new board or on one that lies over a drawing.
 
-    >>> board = replay(Construction({"r": 1.0}, (Stage("", (Place("A", 0j), LayOff("B", "A", "r"))),)))
+    >>> board = replay(Drafting({"r": 1.0}, (Stage("", (ChosenPoint("A", 0j), LayOff("B", "A", "r"))),)))
     >>> board.at("B")
     (1+0j)
     """
@@ -67,7 +67,7 @@ def _do(step: Step, board: Board) -> None:
         board.lines[step.name] = ruled(step, board)
         return
     match step:
-        case Place() | Pricked() | Far() | LayOff() | MarkOn() | Turned():
+        case ChosenPoint() | Pricked() | Far() | LayOff() | MarkOn() | Turned():
             board.points[step.name] = _point(step, board)
         case Meet():
             _meet(step, board)
@@ -83,12 +83,12 @@ def _do(step: Step, board: Board) -> None:
             assert_never(step)
 
 
-def _point(step: Place | Pricked | Far | LayOff | MarkOn | Turned, board: Board) -> Homogeneous:
+def _point(step: ChosenPoint | Pricked | Far | LayOff | MarkOn | Turned, board: Board) -> Homogeneous:
     match step:
-        case Place(_, at):
+        case ChosenPoint(_, at):
             return board.seen(at)
         case Pricked(_, point):
-            return board.beneath.points[point]
+            return board.underlay.points[point]
         case Far(_, line):
             return improper(1j * along(board.lines[line]))
         case LayOff(_, about, length, toward, angle, sense):
@@ -109,12 +109,12 @@ def ruled(step: LineStep, board: Board) -> Homogeneous:
     """A line, of length 1; NaN where two points to be joined coincide."""
     match step:
         case Traced(_, line):
-            found = board.beneath.lines[line]
+            found = board.underlay.lines[line]
         case Through(_, first, second):
             found = product(balanced(board.points[first]), balanced(board.points[second]))
         case Slanted(_, at, toward, angle, sense):
             found = board.sloping(board.at(at), board.toward(at, toward) * np.exp(1j * sense * board.numbers[angle]))
-        case Normal(_, at, to):
+        case Perpendicular(_, at, to):
             found = product(board.points[at], improper(1j * along(board.lines[to])))
         case Parallel(_, to, distance, side):
             start, way = board.line(to)
@@ -122,7 +122,7 @@ def ruled(step: LineStep, board: Board) -> Homogeneous:
         case Bisector(_, first, second):
             middle = (board.at(first) + board.at(second)) / 2
             found = board.sloping(middle, 1j * board.toward(first, second))
-        case Carried(_, at, line, start, end):
+        case CarriedAngle(_, at, line, start, end):
             turn = along(board.lines[end]) / along(board.lines[start])
             found = product(improper(along(board.lines[line]) * turn), board.points[at])
         case _:

@@ -1,4 +1,4 @@
-"""What ruler, compass and protractor do, as data: the kinds of steps by what they make, stages, the construction.
+"""What ruler, compass and protractor do, as data: the kinds of steps by what they make, stages, a drafting of them.
 
 Every step has a `name`, that of the point, line, circle or number which it makes; its other names are those of what is
 there before. An angle is a number [rad], counted with a `sense`: 1 counter-clockwise, -1 clockwise.
@@ -15,16 +15,40 @@ from graphkin.drafting.projective import Homogeneous
 from graphkin.value import frozen
 
 __all__ = [
-    "Bisector", "Carried", "CircleAbout", "CircleStep", "CircleThrough", "Construction", "Far", "LayOff", "LineStep",
-    "MarkOn", "Measure", "MeasureAngle", "Meet", "Normal", "NumberStep", "Parallel", "Place", "PointStep", "Pricked",
-    "Reckon", "Slanted", "Stage", "Step", "Through", "Traced", "Turned", "drawn_through",
+    "Bisector",
+    "CarriedAngle",
+    "ChosenPoint",
+    "CircleAbout",
+    "CircleStep",
+    "CircleThrough",
+    "Drafting",
+    "Far",
+    "LayOff",
+    "LineStep",
+    "MarkOn",
+    "Measure",
+    "MeasureAngle",
+    "Meet",
+    "NumberStep",
+    "Parallel",
+    "Perpendicular",
+    "PointStep",
+    "Pricked",
+    "Reckon",
+    "Slanted",
+    "Stage",
+    "Step",
+    "Through",
+    "Traced",
+    "Turned",
+    "drawn_through",
 ]  # fmt: skip
 
 # --- points -----------------------------------------------------------------------------------
 
 
 @frozen
-class Place:
+class ChosenPoint:
     """A point that is given, or freely chosen [m]."""
 
     name: str
@@ -124,7 +148,7 @@ class Slanted:
 
 
 @frozen
-class Normal:
+class Perpendicular:
     """A line through a point at right angles to a line."""
 
     name: str
@@ -152,7 +176,7 @@ class Bisector:
 
 
 @frozen
-class Carried:
+class CarriedAngle:
     """An angle carried over: the line through a point that makes with `line` the angle of `end` with `start`."""
 
     name: str
@@ -215,8 +239,8 @@ class MeasureAngle:
     to: str
 
 
-PointStep = Place | Pricked | Far | LayOff | MarkOn | Turned | Meet
-LineStep = Traced | Through | Slanted | Normal | Parallel | Bisector | Carried
+PointStep = ChosenPoint | Pricked | Far | LayOff | MarkOn | Turned | Meet
+LineStep = Traced | Through | Slanted | Perpendicular | Parallel | Bisector | CarriedAngle
 CircleStep = CircleThrough | CircleAbout
 NumberStep = Reckon | Measure | MeasureAngle
 Step = PointStep | LineStep | CircleStep | NumberStep
@@ -225,7 +249,7 @@ Step = PointStep | LineStep | CircleStep | NumberStep
 def drawn_through(step: LineStep) -> tuple[str, ...]:
     """The points that a line is drawn through."""
     match step:
-        case Slanted(at=at) | Normal(at=at) | Carried(at=at):
+        case Slanted(at=at) | Perpendicular(at=at) | CarriedAngle(at=at):
             return (at,)
         case Through(_, first, second):
             return first, second
@@ -257,7 +281,7 @@ class Stage:
 
 
 @frozen
-class Construction:
+class Drafting:
     """Stages, and what is on the board before the first: numbers [m, rad], points (homogeneous [m])."""
 
     given: Mapping[str, float]

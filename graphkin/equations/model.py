@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from graphkin.agreement import held
+from graphkin.agreement import proved
 from graphkin.analytic import Motion
 from graphkin.construction import Plot
 from graphkin.equations.bodies import Bodies
@@ -78,7 +78,7 @@ class Model:
 
 def model_of(method: Method) -> Model:
     """Write the loops of a planned mechanism. Raises where the drawn position is a dead point, or the roads differ."""
-    ledger, found = Ledger(), held(method)
+    ledger, found = Ledger(), proved(method)
     drawn = found.exact
     bodies = Bodies(method.structure, ledger, drawn)
     arrows = Arrows(bodies, ledger)

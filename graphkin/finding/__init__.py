@@ -1,6 +1,6 @@
 """Positions with a property: where a condition holds, extremes, strokes, the slowest point, speeds that are wanted.
 
-    condition --conditions--> what is asked --ground (where it is looked)--> comparing, extremes | points
+    condition --conditions--> what is asked --stretch (where it is looked)--> comparing, extremes | points
         --> Found --data--> JSON
     varying: the same for many values of a dimension
 
@@ -8,11 +8,12 @@
 a quantity changes, so that a greatest value is as exact as a zero.
 """
 
+from graphkin.finding.answers import Found, Interval, Position
 from graphkin.finding.data import as_json
 from graphkin.finding.find import check_limit, find, limit
-from graphkin.finding.found import Found, Interval, Position
-from graphkin.finding.varying import Row, Table, table_json, vary
+from graphkin.finding.varying import VaryingRow, VaryingTable, table_json, vary
 
 __all__ = [
-    "Found", "Interval", "Position", "Row", "Table", "as_json", "check_limit", "find", "limit", "table_json", "vary",
+    "Found", "Interval", "Position", "VaryingRow", "VaryingTable", "as_json", "check_limit", "find", "limit",
+    "table_json", "vary",
 ]  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from graphkin.finding.found import Found, Interval, Phase, Position, SlowPoint, Speeds
+from graphkin.finding.answers import Found, Interval, Phase, Position, SlowPoint, Speeds
 
 __all__ = ["as_json"]
 

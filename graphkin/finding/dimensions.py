@@ -14,7 +14,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.naming import driver_number
 from graphkin.value import frozen
 
-__all__ = ["WHERE", "Place", "dimension", "replaced", "value_at"]
+__all__ = ["WHERE", "DimensionPlace", "dimension", "replaced", "value_at"]
 
 WHERE = Where("--vary")
 Path = tuple[str | int, ...]
@@ -29,7 +29,7 @@ _NUMBER = r"""(?:"[^"\n]*"|'[^'\n]*'|[-+0-9.][-+.\w]*)"""
 
 
 @frozen
-class Place:
+class DimensionPlace:
     """Where a dimension stands: its path in the file, and what it measures; or the number of a driver."""
 
     path: Path
@@ -37,7 +37,7 @@ class Place:
     driver: int | None = None
 
 
-def dimension(mechanism: Mechanism, name: str) -> Place:
+def dimension(mechanism: Mechanism, name: str) -> DimensionPlace:
     """What `AB`, `BDE`, `links.2.AB`, `slide.0.angle`, or a driver's name means. Raises NoDimension.
 
     A length of a link that `AB` names goes before a driver of that name: the angle of AB is swept, not varied.
@@ -45,13 +45,14 @@ def dimension(mechanism: Mechanism, name: str) -> Place:
     name = tidy(name.strip())
     paths = [path for path in mechanism.lines if _named(path, name)]
     document = tomllib.loads(mechanism.text) if mechanism.text else {}
-    found = [Place(path, kind) for path in paths if (kind := _kind(path)) and _is_single(value_at(document, path))]
+    single = [path for path in paths if _is_single(value_at(document, path))]
+    found = [DimensionPlace(path, kind) for path in single if (kind := _kind(path))]
     if len(found) == 1:
         return found[0]
     drivers = [driver.name for driver in mechanism.drivers]
     number = driver_number(mechanism, name)
     if not found and number is not None:
-        return Place((), "length" if mechanism.drivers[number].kind == "slide" else "angle", number)
+        return DimensionPlace((), "length" if mechanism.drivers[number].kind == "slide" else "angle", number)
     raise NoDimension(WHERE, name, tuple(_possible(mechanism, document, ambiguous=bool(found))) + tuple(drivers))
 
 
@@ -95,7 +96,7 @@ def _is_single(value: object) -> bool:
     return isinstance(value, int | float | str) and not isinstance(value, bool)
 
 
-def replaced(mechanism: Mechanism, place: Place, value: float) -> str:
+def replaced(mechanism: Mechanism, place: DimensionPlace, value: float) -> str:
     """The file's text with another value [SI] at a place, in the units of plain numbers."""
     text = mechanism.text
     lines = text.splitlines(keepends=True)

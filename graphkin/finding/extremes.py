@@ -1,4 +1,4 @@
-"""The greatest and the least value of a quantity on a ground, and the stroke between them."""
+"""The greatest and the least value of a quantity on a stretch, and the stroke between them."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
-from graphkin.finding.found import Kind, Phase, Position, Stroke
-from graphkin.finding.ground import TURN, Ground
+from graphkin.finding.answers import Kind, OutputStroke, Phase, Position
 from graphkin.finding.search import Curve, followed, tops
+from graphkin.finding.stretch import TURN, Stretch
 from graphkin.value import frozen
 
 __all__ = ["Extremes", "extremes", "stroke"]
@@ -41,38 +41,38 @@ class Extremes:
         return swing if math.isfinite(swing) else None
 
 
-def extremes(ground: Ground, *, size: bool = False) -> Extremes:
-    """Of the ground's first quantity; `size`: of its size, whatever its sense."""
-    curve = followed(ground.values(size=size), ground.slope(size=size), ground.places)
+def extremes(stretch: Stretch, *, size: bool = False) -> Extremes:
+    """Of the stretch's first quantity; `size`: of its size, whatever its sense."""
+    curve = followed(stretch.values(size=size), stretch.slope(size=size), stretch.places)
     there = curve.values[np.isfinite(curve.values)]
     spread = float(np.ptp(there)) if there.size else 0.0
-    noise = ground.noise(ground.read(ground.places[:1])[0].unit)
+    noise = stretch.noise(stretch.read(stretch.places[:1])[0].unit)
     if spread <= max(1e-10 * float(np.max(np.abs(there), initial=0.0)), noise, 1e-14):
         return Extremes(curve, (), (), True)
-    return Extremes(curve, _best(ground, curve, 1.0, "max"), _best(ground, curve, -1.0, "min"), False)
+    return Extremes(curve, _best(stretch, curve, 1.0, "max"), _best(stretch, curve, -1.0, "min"), False)
 
 
-def _best(ground: Ground, curve: Curve, sign: float, kind: Kind) -> tuple[Position, ...]:
-    inner = ground.within(tops(curve, sign))
+def _best(stretch: Stretch, curve: Curve, sign: float, kind: Kind) -> tuple[Position, ...]:
+    inner = stretch.within(tops(curve, sign))
     found = [(float(v), float(t), kind) for v, t in zip(curve.function(inner), inner)]
-    found = [_pole_or(curve, sign, *entry) for entry in found] + _ends(ground, curve, sign)
+    found = [_pole_or(curve, sign, *entry) for entry in found] + _ends(stretch, curve, sign)
     if not found:
         return ()
     best = max(sign * value for value, _, _ in found)
     near = EQUAL * float(np.ptp(curve.values[np.isfinite(curve.values)])) if math.isfinite(best) else 0.0
     chosen = [entry for entry in found if sign * entry[0] >= best - near]
-    apart = sorted(_apart(ground, chosen), key=lambda entry: entry[1])
-    return tuple(_position(ground, value, t, what) for value, t, what in apart)
+    apart = sorted(_apart(stretch, chosen), key=lambda entry: entry[1])
+    return tuple(_position(stretch, value, t, what) for value, t, what in apart)
 
 
-def _position(ground: Ground, value: float, t: float, kind: Kind) -> Position:
-    others = ground.position(t, kind).values[1:] if kind not in ("stop", "pole") and len(ground.names) > 1 else ()
-    return ground.position(t, kind, (value, *others))
+def _position(stretch: Stretch, value: float, t: float, kind: Kind) -> Position:
+    others = stretch.position(t, kind).values[1:] if kind not in ("stop", "pole") and len(stretch.names) > 1 else ()
+    return stretch.position(t, kind, (value, *others))
 
 
-def _apart(ground: Ground, found: list[tuple[float, float, Kind]]) -> list[tuple[float, float, Kind]]:
+def _apart(stretch: Stretch, found: list[tuple[float, float, Kind]]) -> list[tuple[float, float, Kind]]:
     """An end beside an extreme is the same one."""
-    close = 1e-7 * (ground.high - ground.low)
+    close = 1e-7 * (stretch.high - stretch.low)
     inner = [entry for entry in found if entry[2] not in ("end", "stop")]
     ends = [e for e in found if e[2] in ("end", "stop") and all(abs(e[1] - other[1]) > close for other in inner)]
     return inner + ends
@@ -85,15 +85,15 @@ def _pole_or(curve: Curve, sign: float, value: float, t: float, kind: Kind) -> t
     return value, t, kind
 
 
-def _ends(ground: Ground, curve: Curve, sign: float) -> list[tuple[float, float, Kind]]:
+def _ends(stretch: Stretch, curve: Curve, sign: float) -> list[tuple[float, float, Kind]]:
     """The ends of what is looked at, where they are not one; of an angle that goes round they differ by turns."""
-    if ground.closed and not _goes_round(ground):
+    if stretch.closed and not _goes_round(stretch):
         return []
     found: list[tuple[float, float, Kind]] = []
-    for t, stop, inward in ((ground.low, ground.stopped[0], 1.0), (ground.high, ground.stopped[1], -1.0)):
+    for t, stop, inward in ((stretch.low, stretch.stopped[0], 1.0), (stretch.high, stretch.stopped[1], -1.0)):
         if not stop:
             found.append((float(curve.function(np.array([t]))[0]), t, "end"))
-        elif (value := _limit(curve, t, inward * (ground.high - ground.low))) is not None:
+        elif (value := _limit(curve, t, inward * (stretch.high - stretch.low))) is not None:
             found.append((value, t, "stop" if math.isfinite(value) else "pole"))
     return [entry for entry in found if not math.isnan(entry[0]) and (math.isfinite(entry[0]) or entry[0] * sign > 0)]
 
@@ -111,17 +111,17 @@ def _limit(curve: Curve, t: float, span: float) -> float | None:
 # --- stroke -----------------------------------------------------------------------------------
 
 
-def stroke(ground: Ground, found: Extremes) -> tuple[Stroke | None, tuple[str, ...]]:
+def stroke(stretch: Stretch, found: Extremes) -> tuple[OutputStroke | None, tuple[str, ...]]:
     """Advance and return of an output over a full turn of its driver; why there are none."""
     if found.swing is None:
         return None, ()
-    if not ground.closed:
+    if not stretch.closed:
         return None, ("no turn",)
     if len(found.highest) > 1 or len(found.lowest) > 1:
         return None, ("several strokes",)
-    if _goes_round(ground):
+    if _goes_round(stretch):
         return None, ("goes round",)
-    driver = ground.course.driver
+    driver = stretch.course.driver
     sense = math.copysign(1.0, driver.rate) if driver.rate else 1.0
     up = math.fmod(sense * (found.highest[0].t - found.lowest[0].t) + TURN, TURN)
     steady = driver.rate and not driver.acceleration
@@ -130,10 +130,10 @@ def stroke(ground: Ground, found: Extremes) -> tuple[Stroke | None, tuple[str, .
         time = angle / abs(driver.rate) if steady else None
         phases.append(Phase(rising, angle, time, found.swing / time if time else None))
     advance, retreat = sorted(phases, key=lambda phase: -phase.angle)
-    return Stroke(advance, retreat, advance.angle / retreat.angle), ()
+    return OutputStroke(advance, retreat, advance.angle / retreat.angle), ()
 
 
-def _goes_round(ground: Ground) -> bool:
+def _goes_round(stretch: Stretch) -> bool:
     """Whether an angle is another one, by turns, after a turn of the driver."""
-    ends = ground.read(np.array([ground.low, ground.high]))[0]
+    ends = stretch.read(np.array([stretch.low, stretch.high]))[0]
     return ends.unit == "rad" and abs(float(np.ptp(ends.values))) > 1.0

@@ -10,16 +10,16 @@ import numpy as np
 
 from graphkin.errors import BadCondition, NegativeSize, Where
 from graphkin.finding import conditions
+from graphkin.finding.answers import Found, Position
 from graphkin.finding.comparing import difference, holding, intervals, nearest
 from graphkin.finding.conditions import WHERE, Comparison, Extreme, Scaling, Slowest
 from graphkin.finding.extremes import Extremes, extremes, stroke
-from graphkin.finding.found import Found, Position
-from graphkin.finding.ground import Ground, ground
 from graphkin.finding.points import line_of, scaled, slowest, spots
 from graphkin.finding.quantities import checked
+from graphkin.finding.stretch import Stretch, stretch
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
-from graphkin.sweeps import Course, Road, Series, course, held
+from graphkin.sweeps import Course, Road, Series, course, prove
 
 __all__ = ["check_limit", "find", "limit"]
 
@@ -60,11 +60,11 @@ def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = 
             assert_never(wanted)
 
 
-def _over(method: Method, ranges: Sequence[str], names: tuple[str, ...], by: Road) -> Ground:
+def _over(method: Method, ranges: Sequence[str], names: tuple[str, ...], by: Road) -> Stretch:
     """Where it is looked: only where the two roads agree."""
     moved = course(method, ranges)
-    held(moved)
-    return ground(moved, tuple(ranges), names, by)
+    prove(moved)
+    return stretch(moved, tuple(ranges), names, by)
 
 
 def limit(moved: Course, text: str, ranges: Sequence[str] = (), by: Road = "construction") -> Found:
@@ -72,7 +72,7 @@ def limit(moved: Course, text: str, ranges: Sequence[str] = (), by: Road = "cons
     wanted = conditions.limit(text)
     where = Where("--limit")
     drawn = checked(moved.method.mechanism, wanted.quantities, where)
-    return _compared(moved.method, wanted, drawn, ground(moved, tuple(ranges), wanted.quantities, by), where)
+    return _compared(moved.method, wanted, drawn, stretch(moved, tuple(ranges), wanted.quantities, by), where)
 
 
 def check_limit(mechanism: Mechanism, text: str) -> None:
@@ -92,8 +92,8 @@ def _blank(
     return Found(wanted, method.mechanism, method.drivers, swept, None, False, (False, False), names, units, guided)
 
 
-def _looked(method: Method, wanted: conditions.Condition, drawn: tuple[Series, ...], over: Ground) -> Found:
-    """Nothing found yet on a ground."""
+def _looked(method: Method, wanted: conditions.Condition, drawn: tuple[Series, ...], over: Stretch) -> Found:
+    """Nothing found yet on a stretch."""
     swept = over.course.swept
     blank = _blank(method, wanted, swept, over.names, drawn)
     ends = float(over.course.value(over.low)), float(over.course.value(over.high))
@@ -101,7 +101,7 @@ def _looked(method: Method, wanted: conditions.Condition, drawn: tuple[Series, .
 
 
 def _compared(
-    method: Method, wanted: Comparison, drawn: tuple[Series, ...], over: Ground, where: Where = WHERE
+    method: Method, wanted: Comparison, drawn: tuple[Series, ...], over: Stretch, where: Where = WHERE
 ) -> Found:
     two_sides = difference(over, wanted, drawn, where)
     blank = _looked(method, wanted, drawn, over)
@@ -114,7 +114,7 @@ def _compared(
     return replace(blank, positions=positions, nearest=None if positions else nearest(two_sides))
 
 
-def _extreme(method: Method, wanted: Extreme, drawn: tuple[Series, ...], over: Ground) -> Found:
+def _extreme(method: Method, wanted: Extreme, drawn: tuple[Series, ...], over: Stretch) -> Found:
     found, blank = extremes(over), _looked(method, wanted, drawn, over)
     if found.level:
         zero = float(np.nanmax(np.abs(found.curve.values), initial=0.0)) <= over.noise(drawn[0].unit)
@@ -131,7 +131,7 @@ def _extreme(method: Method, wanted: Extreme, drawn: tuple[Series, ...], over: G
     return replace(blank, stroke=there_and_back, notes=notes)
 
 
-def _larger(over: Ground, found: Extremes, drawn: Series) -> tuple[Position, ...]:
+def _larger(over: Stretch, found: Extremes, drawn: Series) -> tuple[Position, ...]:
     """Where a point on a guide is faster the other way than its greatest value."""
     if drawn.along is None or not found.highest or not found.lowest:
         return ()

@@ -9,8 +9,8 @@ import numpy as np
 
 from graphkin import agreement
 from graphkin.errors import CannotScale, GivenTwice, NegativeSize, NoLineOf, NoSuchDriver, NotScaled, Where
+from graphkin.finding.answers import Position, SlowPoint, Speeds
 from graphkin.finding.conditions import WHERE, Scaling, Slowest, value
-from graphkin.finding.found import Position, SlowPoint, Speeds
 from graphkin.finding.quantities import looked_for
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
@@ -18,7 +18,7 @@ from graphkin.naming import common_link, pair
 from graphkin.planning import Method
 from graphkin.running.path import Path
 from graphkin.running.reaching import reached
-from graphkin.sweeps import Road, course, held
+from graphkin.sweeps import Road, course, prove
 from graphkin.sweeps.quantities import series
 from graphkin.sweeps.roads import moving
 from graphkin.value import frozen
@@ -44,10 +44,10 @@ def spots(method: Method, ranges: Sequence[str], by: Road) -> Spots:
     """The drawn position; with `AB=30` (no steps) that one; with ranges all of theirs."""
     if any(":" in text for text in ranges):
         moved = course(method, ranges)
-        held(moved)
+        prove(moved)
         return Spots(moved.path, moved.swept, moved.t, moving(method, moved.path, moved.t, by))
     values = _values(method, ranges)
-    agreement.held(method, values)
+    agreement.proved(method, values)
     path, t = reached(method, values)
     at = np.array([t])
     return Spots(path, 0, at, moving(method, path, at, by))

@@ -13,10 +13,10 @@ import numpy as np
 from graphkin import loading
 from graphkin.errors import BadRange, GraphkinError, NoDimension, NoSuchDriver
 from graphkin.finding import conditions
+from graphkin.finding.answers import Found
 from graphkin.finding.data import as_json
-from graphkin.finding.dimensions import WHERE, Place, dimension, replaced, value_at
+from graphkin.finding.dimensions import WHERE, DimensionPlace, dimension, replaced, value_at
 from graphkin.finding.find import find
-from graphkin.finding.found import Found
 from graphkin.finding.points import line_of
 from graphkin.finding.quantities import checked
 from graphkin.loading.units import read_quantity
@@ -27,7 +27,7 @@ from graphkin.running import replay_all
 from graphkin.sweeps import Road
 from graphkin.value import frozen
 
-__all__ = ["Row", "Table", "table_json", "vary"]
+__all__ = ["VaryingRow", "VaryingTable", "table_json", "vary"]
 
 MOST = 10_000
 """Values of a dimension, at most."""
@@ -35,7 +35,7 @@ Plan = Callable[[Mechanism], Method]
 
 
 @frozen
-class Row:
+class VaryingRow:
     """What was found with one value of the dimension; `error` says why nothing could be looked for."""
 
     value: float
@@ -44,20 +44,20 @@ class Row:
 
 
 @frozen
-class Table:
+class VaryingTable:
     """A condition over values of a dimension [SI]."""
 
     mechanism: Mechanism
     name: str
-    place: Place
+    place: DimensionPlace
     condition: str
-    rows: tuple[Row, ...]
+    rows: tuple[VaryingRow, ...]
 
 
 def vary(
     mechanism: Mechanism, text: str, condition: str, ranges: Sequence[str] = (), by: Road = "construction",
     plan: Plan = planned,
-) -> Table:  # fmt: skip
+) -> VaryingTable:  # fmt: skip
     """`AB=20:60:1`: the condition for each length AB; `screw=55:125:5`: for each place of a driver at rest.
 
     The assembly is kept: from the value in the file on to both sides, each sketched by the one before. A value with
@@ -74,7 +74,7 @@ def vary(
         rows = list(_driven(plan(mechanism), place.driver, values, condition, ranges, by))
     else:
         rows = _measured(mechanism, place, values, condition, ranges, by, plan)
-    return Table(mechanism, name.strip(), place, condition, tuple(rows))
+    return VaryingTable(mechanism, name.strip(), place, condition, tuple(rows))
 
 
 def _refuse(mechanism: Mechanism, condition: str) -> None:
@@ -88,7 +88,7 @@ def _refuse(mechanism: Mechanism, condition: str) -> None:
             line_of(mechanism, wanted.of)
 
 
-def _values(text: str, span: str, place: Place) -> np.ndarray:
+def _values(text: str, span: str, place: DimensionPlace) -> np.ndarray:
     """FROM, and on by STEP, to TO [SI]. Raises BadRange, and what a wrong unit raises."""
     parts = [part.strip() for part in span.split(":")]
     if len(parts) not in (1, 3):
@@ -111,7 +111,7 @@ def _values(text: str, span: str, place: Place) -> np.ndarray:
 
 def _driven(
     method: Method, number: int, values: np.ndarray, condition: str, ranges: Sequence[str], by: Road
-) -> Iterator[Row]:
+) -> Iterator[VaryingRow]:
     """The other drivers move; this one stands at each value."""
     driver = method.drivers[number]
     unit = "m" if driver.kind == "slide" else "rad"
@@ -126,24 +126,30 @@ def _driven(
         yield _row(value, lambda held=held: find(method, condition, (*ranges, held), by))  # type: ignore[misc]
 
 
-def _row(value: float, look: Callable[[], Found]) -> Row:
+def _row(value: float, look: Callable[[], Found]) -> VaryingRow:
     try:
-        return Row(value, look(), None)
+        return VaryingRow(value, look(), None)
     except GraphkinError as error:
-        return Row(value, None, error)
+        return VaryingRow(value, None, error)
 
 
 # --- a measure of the file --------------------------------------------------------------------
 
 
 def _measured(
-    mechanism: Mechanism, place: Place, values: np.ndarray, condition: str, ranges: Sequence[str], by: Road, plan: Plan
-) -> list[Row]:
+    mechanism: Mechanism,
+    place: DimensionPlace,
+    values: np.ndarray,
+    condition: str,
+    ranges: Sequence[str],
+    by: Road,
+    plan: Plan,
+) -> list[VaryingRow]:
     """From the value nearest to the file's on to both sides, so that the assembly goes over step by step."""
     now = _now(mechanism, place)
     begin = int(np.argmin(np.abs(values - now)))
     start = _positions(plan(mechanism))
-    found: dict[int, Row] = {}
+    found: dict[int, VaryingRow] = {}
     for order in (range(begin, values.size), range(begin - 1, -1, -1)):
         sketch = dict(start)
         for k in order:
@@ -151,7 +157,7 @@ def _measured(
             try:
                 method = plan(_with(mechanism, place, value, sketch))
             except GraphkinError as error:
-                found[k] = Row(value, None, error)
+                found[k] = VaryingRow(value, None, error)
                 continue
             sketch = _positions(method)
             found[k] = _row(value, lambda method=method: find(method, condition, ranges, by))  # type: ignore[misc]
@@ -159,12 +165,12 @@ def _measured(
     return [found[k] for k in sorted(found)]
 
 
-def _now(mechanism: Mechanism, place: Place) -> float:
+def _now(mechanism: Mechanism, place: DimensionPlace) -> float:
     """The value in the file [SI]."""
     return read_quantity(value_at(tomllib.loads(mechanism.text), place.path), place.kind)
 
 
-def _with(mechanism: Mechanism, place: Place, value: float, sketch: dict[str, complex]) -> Mechanism:
+def _with(mechanism: Mechanism, place: DimensionPlace, value: float, sketch: dict[str, complex]) -> Mechanism:
     """The mechanism with another dimension, sketched as it stood before."""
     changed = loading.loads(replaced(mechanism, place, value), name=mechanism.name, file=mechanism.file)
     fixed = changed.links[FRAME].points
@@ -182,7 +188,7 @@ def _positions(method: Method) -> dict[str, complex]:
 # --- for programs -----------------------------------------------------------------------------
 
 
-def table_json(found: Table) -> dict[str, Any]:
+def table_json(found: VaryingTable) -> dict[str, Any]:
     """SI units and radians."""
     rows = [
         {"value": row.value, **({"found": as_json(row.found)} if row.found else {"error": str(row.error)})}

@@ -5,7 +5,7 @@
     linkage               the contract of a kind, `Linkage`, and the values it answers with
     four, slider, guide   a kind each, on `triangles`, `lengths`, `first_position`; `assembled` makes mechanisms of them
     kinds, family         all of them; every one that has a name of its own
-    report                everything there is to say of one; `loops`, `finding`, `chain`: of those in a mechanism
+    report                everything there is to say of one; `loops`, `recognised`, `chain`: of those in a mechanism
     inversion             another link as frame
     writing, data         a mechanism as a file, a report for programs
 """
@@ -13,17 +13,17 @@
 from graphkin.linkages.chain import reported
 from graphkin.linkages.data import as_json
 from graphkin.linkages.family import FAMILY
-from graphkin.linkages.finding import Found, found_in, some_found_in
 from graphkin.linkages.four import FourBar
 from graphkin.linkages.guide import GuideBar
 from graphkin.linkages.inversion import inverted
 from graphkin.linkages.kinds import KINDS, from_lengths
 from graphkin.linkages.linkage import Linkage, Scale
+from graphkin.linkages.recognised import FoundLinkage, found_in, some_found_in
 from graphkin.linkages.report import Advantage, Report, advantage, report
 from graphkin.linkages.slider import SliderCrank
 from graphkin.linkages.writing import filed
 
 __all__ = [
-    "FAMILY", "KINDS", "Advantage", "Found", "FourBar", "GuideBar", "Linkage", "Report", "Scale", "SliderCrank",
+    "FAMILY", "KINDS", "Advantage", "FoundLinkage", "FourBar", "GuideBar", "Linkage", "Report", "Scale", "SliderCrank",
     "advantage", "as_json", "filed", "found_in", "from_lengths", "inverted", "report", "reported", "some_found_in",
 ]  # fmt: skip

@@ -11,15 +11,15 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from graphkin.linkages.finding import Found
-from graphkin.linkages.linkage import SLIDES, Linkage, Position, Range
+from graphkin.linkages.linkage import SLIDES, Linkage, LinkagePosition, Range
+from graphkin.linkages.recognised import FoundLinkage
 from graphkin.linkages.report import Report, report, timed
 from graphkin.linkages.triangles import whole
 
 _SAMPLES = 180
 
 
-def reported(found: Found) -> Report:
+def reported(found: FoundLinkage) -> Report:
     """The report of a linkage as it moves in its mechanism."""
     alone = report(found.linkage)
     if found.before is None:
@@ -55,7 +55,7 @@ def _restricted(alone: Report, first: Report) -> Report:
     return _as_first(found, first, ends)
 
 
-def _end(linkage: Linkage, direction: float) -> Position:
+def _end(linkage: Linkage, direction: float) -> LinkagePosition:
     """Where the first linkage stops the driven link."""
     return replace(linkage.position_at(direction), how="end")
 
@@ -66,7 +66,7 @@ def _near(span: Range, drawn: float) -> float:
     return span.low + turns * math.tau
 
 
-def _reached(linkage: Linkage, end: Position, span: Range) -> bool:
+def _reached(linkage: Linkage, end: LinkagePosition, span: Range) -> bool:
     """Whether a position lies within the driven link's range, in the assembly that is drawn."""
     direction = linkage.direction(end)
     if end.how == "end" or whole(direction - span.low) > span.width:
@@ -76,13 +76,13 @@ def _reached(linkage: Linkage, end: Position, span: Range) -> bool:
     return all(abs(a - b) < 1e-6 * size for a, b in zip(same.places, end.places))
 
 
-def _unwound(linkage: Linkage, span: Range, ends: Sequence[Position]) -> list[tuple[float, Position]]:
+def _unwound(linkage: Linkage, span: Range, ends: Sequence[LinkagePosition]) -> list[tuple[float, LinkagePosition]]:
     """Each position's output counted on from the low end without jumps of a turn."""
     if linkage.output in SLIDES:
         return [(end.output, end) for end in ends]
-    marks: list[tuple[float, Position | None]] = [(0.0, ends[0]), (span.width, ends[1])]
+    marks: list[tuple[float, LinkagePosition | None]] = [(0.0, ends[0]), (span.width, ends[1])]
     marks += [(whole(linkage.direction(end) - span.low), end) for end in ends[2:]]
-    steps: list[tuple[float, Position | None]] = [(span.width * k / _SAMPLES, None) for k in range(_SAMPLES + 1)]
+    steps: list[tuple[float, LinkagePosition | None]] = [(span.width * k / _SAMPLES, None) for k in range(_SAMPLES + 1)]
     count: float | None = None
     found = []
     for along, end in sorted([*marks, *steps], key=lambda pair: pair[0]):
@@ -94,7 +94,7 @@ def _unwound(linkage: Linkage, span: Range, ends: Sequence[Position]) -> list[tu
 
 
 def _dead(
-    alone: Report, first: Report, span: Range, limits: tuple[Position, Position]
+    alone: Report, first: Report, span: Range, limits: tuple[LinkagePosition, LinkagePosition]
 ) -> dict[str, tuple[float, ...]]:
     """Dead points of the driven link that it reaches; the output is dead at all its limits, if a crank makes them."""
     found = dict(alone.dead)
@@ -105,7 +105,7 @@ def _dead(
     return found
 
 
-def _as_first(found: Report, first: Report, ends: tuple[Position, Position]) -> Report:
+def _as_first(found: Report, first: Report, ends: tuple[LinkagePosition, LinkagePosition]) -> Report:
     """theta and K of the first linkage, where the output's limits are those of the first linkage's swing."""
     if first.k is None or first.theta is None or not all(end in ends for end in found.limits):
         return found

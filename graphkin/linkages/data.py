@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from graphkin.linkages.linkage import Position, Range
+from graphkin.linkages.linkage import LinkagePosition, Range
 from graphkin.linkages.report import Report
 
 
@@ -48,7 +48,7 @@ def _range(found: Range) -> list[float] | None:
     return None if found.full else [found.low, found.high]
 
 
-def _position(end: Position) -> dict[str, Any]:
+def _position(end: LinkagePosition) -> dict[str, Any]:
     return {"how": end.how, "driver": end.driver, "output": end.output, "gamma": end.gamma}
 
 

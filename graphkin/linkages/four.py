@@ -17,7 +17,7 @@ from graphkin.linkages.assembled import assembled, turning
 from graphkin.linkages.equal import even
 from graphkin.linkages.first_position import TURNS, sine, well_drawn
 from graphkin.linkages.lengths import check_closing, check_driver, check_links
-from graphkin.linkages.linkage import Angle, Position, Range, Scale, Sums, Turn
+from graphkin.linkages.linkage import LinkagePosition, Range, Scale, Sums, TransmissionAngle, Turn
 from graphkin.linkages.triangles import angles, apex, folded, phase, spanned, whole
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.value import frozen
@@ -80,7 +80,7 @@ class FourBar:
         return False
 
     @property
-    def drawn(self) -> Position:
+    def drawn(self) -> LinkagePosition:
         bar = _from_driver(self)
         return _lettered(self, [_position(bar, bar.places, "")])[0]
 
@@ -126,7 +126,7 @@ class FourBar:
         bar = _swapped(_from_driver(self))
         return _range(bar).turned(_base(bar))
 
-    def limits(self) -> tuple[Position, ...]:
+    def limits(self) -> tuple[LinkagePosition, ...]:
         """The two ends of the output link's swing, the stretched one first; none where it turns fully."""
         seen = _from_driver(self)
         other = _swapped(seen)
@@ -136,15 +136,15 @@ class FourBar:
         ends = [_limit(seen, other, angle) for angle in (found.low, found.high)]
         return _lettered(self, sorted(ends, key=lambda end: end.how != "stretched"))
 
-    def critical(self) -> tuple[Position, ...]:
+    def critical(self) -> tuple[LinkagePosition, ...]:
         """The driver in line with the frame, and its own ends."""
         return _lettered(self, _critical(_from_driver(self)))
 
-    def direction(self, position: Position) -> float:
+    def direction(self, position: LinkagePosition) -> float:
         a, b, c, d = position.places
         return cmath.phase(c - d if self.driver == "rocker" else b - a)
 
-    def position_at(self, direction: float) -> Position:
+    def position_at(self, direction: float) -> LinkagePosition:
         """Of AB, for one driven there, and of DC, for one driven there."""
         bar = _from_driver(self)
         return _lettered(self, [_at(bar, direction - _base(bar), _side(bar), "")])[0]
@@ -162,10 +162,10 @@ class FourBar:
         given, taken = (along.conjugate() * (b - a)).imag, (along.conjugate() * (c - d)).imag
         return given / taken if taken else math.inf
 
-    def seen(self, position: Position) -> Angle:
+    def seen(self, position: LinkagePosition) -> TransmissionAngle:
         """Between the coupler and the output link."""
         a, b, c, d = position.places
-        return Angle(b, b - c, a - b) if self.driver == "rocker" else Angle(c, c - b, d - c)
+        return TransmissionAngle(b, b - c, a - b) if self.driver == "rocker" else TransmissionAngle(c, c - b, d - c)
 
     def mechanism(self, omega: float = 10.0) -> Mechanism:
         (a, b, c, d), (pa, pb, pc, pd) = self.names, self.places
@@ -253,14 +253,14 @@ def _range(bar: FourBar) -> Range:
     return spanned(*angles(bar.crank, bar.frame, bar.coupler, bar.rocker), cmath.phase((b - a) / (d - a)))
 
 
-def _lettered(bar: FourBar, ends: Iterable[Position]) -> tuple[Position, ...]:
+def _lettered(bar: FourBar, ends: Iterable[LinkagePosition]) -> tuple[LinkagePosition, ...]:
     """Places in the order of the linkage's own names."""
     if bar.driver != "rocker":
         return tuple(ends)
     return tuple(replace(end, places=end.places[::-1]) for end in ends)
 
 
-def _limit(bar: FourBar, other: FourBar, angle: float) -> Position:
+def _limit(bar: FourBar, other: FourBar, angle: float) -> LinkagePosition:
     """The output at an angle against D -> A at which AB and BC lie in line."""
     a, d = bar.places[0], bar.places[3]
     c = d + cmath.rect(bar.rocker, _base(other) + angle)
@@ -270,15 +270,15 @@ def _limit(bar: FourBar, other: FourBar, angle: float) -> Position:
     return _position(bar, (a, b, c, d), "stretched" if stretched else "folded")
 
 
-def _position(bar: FourBar, places: tuple[complex, ...], how: str) -> Position:
+def _position(bar: FourBar, places: tuple[complex, ...], how: str) -> LinkagePosition:
     a, b, c, d = places
     turned = phase(b - a)
     value = turned if bar.scale is None else whole(bar.scale(turned))
     gamma = None if bar.driver == "coupler" else folded(b - c, d - c)
-    return Position(places, 0.0, value, phase(c - d), gamma, how)
+    return LinkagePosition(places, 0.0, value, phase(c - d), gamma, how)
 
 
-def _critical(bar: FourBar) -> Iterator[Position]:
+def _critical(bar: FourBar) -> Iterator[LinkagePosition]:
     found, side = _range(bar), _side(bar)
     for angle, how in ((0.0, "inner"), (math.pi, "outer")):
         if found.full or found.low < angle < found.high:
@@ -294,7 +294,7 @@ def _side(bar: FourBar) -> float:
     return 1.0 if ((d - b).conjugate() * (c - b)).imag >= 0 else -1.0
 
 
-def _at(bar: FourBar, angle: float, side: float, how: str) -> Position:
+def _at(bar: FourBar, angle: float, side: float, how: str) -> LinkagePosition:
     a, d = bar.places[0], bar.places[3]
     b = a + cmath.rect(bar.crank, _base(bar) + angle)
     if abs(d - b) < 1e-9 * bar.frame:
@@ -302,6 +302,6 @@ def _at(bar: FourBar, angle: float, side: float, how: str) -> Position:
     return _position(bar, (a, b, apex(b, d, bar.coupler, bar.rocker, side), d), how)
 
 
-def _over_pivot(bar: FourBar, b: complex, how: str) -> Position:
+def _over_pivot(bar: FourBar, b: complex, how: str) -> LinkagePosition:
     """AB lies on AD, BC on DC, the two of one length each: C may be anywhere about D."""
     return replace(_position(bar, (bar.places[0], b, bar.places[2], bar.places[3]), how), gamma=0.0)

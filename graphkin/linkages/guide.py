@@ -16,7 +16,7 @@ from graphkin.linkages.assembled import assembled, drawn_line, free_names, pushi
 from graphkin.linkages.equal import EVEN, even
 from graphkin.linkages.first_position import TURNS, sine, well_drawn
 from graphkin.linkages.lengths import check_closing, check_driver, check_links, check_offset
-from graphkin.linkages.linkage import Position, Range, Scale, Sums, Turn
+from graphkin.linkages.linkage import LinkagePosition, Range, Scale, Sums, Turn
 from graphkin.linkages.triangles import folded, limited, passes, phase, spanned, whole
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Slide
@@ -81,7 +81,7 @@ class GuideBar:
         return "bar" if self.driver == "crank" else "crank"
 
     @property
-    def drawn(self) -> Position:
+    def drawn(self) -> LinkagePosition:
         b, c = ((place - self.places[0]) * cmath.rect(1, -_base(self)) for place in self.places[1:])
         return _position(self, b, c, cmath.rect(1, self.turn - _base(self)), "")
 
@@ -123,7 +123,7 @@ class GuideBar:
     def output_range(self) -> Range:
         return _turned(self, self.output)
 
-    def limits(self) -> tuple[Position, ...]:
+    def limits(self) -> tuple[LinkagePosition, ...]:
         """The ends of the output's swing: of the bar where the crank drives it, else of the crank."""
         if self.output == "bar":
             found = _normal_range(self)
@@ -131,13 +131,13 @@ class GuideBar:
         found = _crank_range(self)
         return () if found.full else tuple(_at(self, angle, "end") for angle in (found.low, found.high))
 
-    def critical(self) -> tuple[Position, ...]:
+    def critical(self) -> tuple[LinkagePosition, ...]:
         return tuple(_by_bar(self) if self.driver == "bar" else _by_crank(self))
 
-    def direction(self, position: Position) -> float:
+    def direction(self, position: LinkagePosition) -> float:
         return position.turn if self.driver == "bar" else cmath.phase(position.places[1] - position.places[0])
 
-    def position_at(self, direction: float) -> Position:
+    def position_at(self, direction: float) -> LinkagePosition:
         """Of the bar where it drives, else of the crank."""
         if self.driver == "bar":
             return _tangent(self, direction + math.pi / 2 - _base(self), "")
@@ -158,7 +158,7 @@ class GuideBar:
         normal = 1j * line / abs(line)
         return (normal.conjugate() * 1j * (b - a)).real / ((normal.conjugate() * 1j * arm).real)
 
-    def seen(self, position: Position) -> None:
+    def seen(self, position: LinkagePosition) -> None:
         return None
 
     def mechanism(self, omega: float = 10.0) -> Mechanism:
@@ -252,7 +252,7 @@ def _turned(bar: GuideBar, link: str) -> Range:
     return _crank_range(bar).turned(base) if link == "crank" else _normal_range(bar).turned(base - math.pi / 2)
 
 
-def _tangent(bar: GuideBar, normal: float, how: str) -> Position:
+def _tangent(bar: GuideBar, normal: float, how: str) -> LinkagePosition:
     """The bar's left normal at an angle against AC, and B on the bar where the crank reaches it, on the side drawn."""
     d = complex(bar.frame)
     n = cmath.rect(1, normal)
@@ -262,7 +262,7 @@ def _tangent(bar: GuideBar, normal: float, how: str) -> Position:
     return _position(bar, n * complex(high, -along), d, -1j * n, how)
 
 
-def _at(bar: GuideBar, angle: float, how: str) -> Position:
+def _at(bar: GuideBar, angle: float, how: str) -> LinkagePosition:
     """The crank at an angle against AC."""
     b, c = cmath.rect(bar.crank, angle), complex(bar.frame)
     far, e = abs(b - c), abs(bar.offset)
@@ -275,7 +275,7 @@ def _at(bar: GuideBar, angle: float, how: str) -> Position:
     return _position(bar, b, c, along_bar / abs(along_bar), how)
 
 
-def _position(bar: GuideBar, b: complex, c: complex, along: complex, how: str) -> Position:
+def _position(bar: GuideBar, b: complex, c: complex, along: complex, how: str) -> LinkagePosition:
     """From the axes of the frame to the drawing's."""
     turn, a = cmath.rect(1, _base(bar)), bar.places[0]
     crank, direction = phase(b * turn), phase(along * turn)
@@ -284,7 +284,7 @@ def _position(bar: GuideBar, b: complex, c: complex, along: complex, how: str) -
     if bar.scale is not None:
         value = bar.scale(value) if bar.driver == "slide" else whole(bar.scale(value))
     output = direction if bar.output == "bar" else crank
-    return Position((a, a + b * turn, a + c * turn), direction, value, output, _gamma(bar, b, c, along), how)
+    return LinkagePosition((a, a + b * turn, a + c * turn), direction, value, output, _gamma(bar, b, c, along), how)
 
 
 def _gamma(bar: GuideBar, b: complex, c: complex, along: complex) -> float:
@@ -297,7 +297,7 @@ def _gamma(bar: GuideBar, b: complex, c: complex, along: complex) -> float:
     return folded(b - c, b)
 
 
-def _by_crank(bar: GuideBar) -> Iterator[Position]:
+def _by_crank(bar: GuideBar) -> Iterator[LinkagePosition]:
     """The crank in line with the frame, and its own ends (for a cylinder those are no dead points)."""
     found = _crank_range(bar)
     for angle, how in ((0.0, "inner"), (math.pi, "outer")):
@@ -308,7 +308,7 @@ def _by_crank(bar: GuideBar) -> Iterator[Position]:
             yield _at(bar, angle, "end")
 
 
-def _by_bar(bar: GuideBar) -> Iterator[Position]:
+def _by_bar(bar: GuideBar) -> Iterator[LinkagePosition]:
     """The bar at right angles to the frame, and its own ends."""
     found = _normal_range(bar)
     angles = ((0.0, "square"), (math.pi, "square")) if found.full else ((found.low, "across"), (found.high, "across"))

@@ -52,7 +52,7 @@ class Range:
 
 
 @frozen
-class Position:
+class LinkagePosition:
     """The linkage at one position that tells something.
 
     places   of its points, in the order of its names [m]
@@ -108,7 +108,7 @@ class Sums:
 
 
 @frozen
-class Angle:
+class TransmissionAngle:
     """Where a transmission angle is seen: between two lines through a point.
 
     at, one, other   the point and a vector along each line [m]
@@ -168,7 +168,7 @@ class Linkage(Protocol):
         """Lengths by what the links are called, the offset of a kind that slides as "e" [m]."""
 
     @property
-    def drawn(self) -> Position:
+    def drawn(self) -> LinkagePosition:
         """The drawn position."""
 
     @property
@@ -194,16 +194,16 @@ class Linkage(Protocol):
     def output_range(self) -> Range:
         """What the output goes through: directions [rad], or the slider's places along its guide [m]."""
 
-    def limits(self) -> tuple[Position, ...]:
+    def limits(self) -> tuple[LinkagePosition, ...]:
         """The two ends of the output's way; none where it turns round and round."""
 
-    def critical(self) -> tuple[Position, ...]:
+    def critical(self) -> tuple[LinkagePosition, ...]:
         """Where the transmission angle can be least, over everything the driver reaches."""
 
-    def direction(self, position: Position) -> float:
+    def direction(self, position: LinkagePosition) -> float:
         """Direction of the driven link at a position [rad]; of the crank where the coupler or a slide drives."""
 
-    def position_at(self, direction: float) -> Position:
+    def position_at(self, direction: float) -> LinkagePosition:
         """The position with the link of `direction` at a direction [rad], assembled as drawn.
 
         Beyond what it reaches the other links lie in line, and no longer meet.
@@ -221,7 +221,7 @@ class Linkage(Protocol):
         Infinite at a dead point.
         """
 
-    def seen(self, position: Position) -> Angle | None:
+    def seen(self, position: LinkagePosition) -> TransmissionAngle | None:
         """Where the transmission angle is seen; None for a bar, on which the force lies square to no link."""
 
     def mechanism(self, omega: float = 10.0) -> Mechanism:

@@ -14,7 +14,7 @@ from graphkin.value import frozen
 
 
 @frozen
-class Pair:
+class LoopPair:
     """Two links joined at a point (a hinge), or by a slide."""
 
     links: tuple[str, str]
@@ -23,11 +23,11 @@ class Pair:
 
 
 @frozen
-class Loop:
+class LinkLoop:
     """Four links round about, the frame first; pair k joins link k and link k + 1."""
 
     links: tuple[str, str, str, str]
-    pairs: tuple[Pair, ...]
+    pairs: tuple[LoopPair, ...]
 
     @property
     def slide(self) -> Slide | None:
@@ -39,7 +39,7 @@ def pin_block(slide: Slide) -> str:
     return f"{slide.name}:pin"
 
 
-def loops(mechanism: Mechanism) -> Iterator[Loop]:
+def loops(mechanism: Mechanism) -> Iterator[LinkLoop]:
     """Every loop of the frame and three other links with four hinges, or with three and a slide."""
     table = _table(mechanism)
     others = sorted({link for links in table for link in links if link != FRAME}, key=_order(mechanism))
@@ -54,11 +54,11 @@ def loops(mechanism: Mechanism) -> Iterator[Loop]:
                 yield from _closed(links, [table[step] for step in steps])
 
 
-def _closed(links: tuple[str, str, str, str], choices: list[list[Pair]]) -> Iterator[Loop]:
+def _closed(links: tuple[str, str, str, str], choices: list[list[LoopPair]]) -> Iterator[LinkLoop]:
     for pairs in product(*choices):
         slides, points = [p for p in pairs if p.slide is not None], [p.point for p in pairs if p.slide is None]
         if len(slides) <= 1 and len(set(points)) == len(points):
-            yield Loop(links, pairs)
+            yield LinkLoop(links, pairs)
 
 
 def _order(mechanism: Mechanism) -> Callable[[str], int]:
@@ -71,14 +71,14 @@ def _key(one: str, other: str) -> tuple[str, str]:
     return (one, other) if one < other else (other, one)
 
 
-def _table(mechanism: Mechanism) -> dict[tuple[str, str], list[Pair]]:
+def _table(mechanism: Mechanism) -> dict[tuple[str, str], list[LoopPair]]:
     """The pairs between each two links."""
-    found: dict[tuple[str, str], list[Pair]] = {}
+    found: dict[tuple[str, str], list[LoopPair]] = {}
 
     def joined(one: str, other: str, point: str = "", slide: Slide | None = None) -> None:
         key = _key(one, other)
         if one != other:
-            found.setdefault(key, []).append(Pair(key, point, slide))
+            found.setdefault(key, []).append(LoopPair(key, point, slide))
 
     for hinge in mechanism.hinges:
         for one, other in combinations(hinge.links, 2):

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 
-from graphkin.linkages.linkage import CRANKS, SLIDES, Linkage, Position, Range, Turn
+from graphkin.linkages.linkage import CRANKS, SLIDES, Linkage, LinkagePosition, Range, Turn
 from graphkin.linkages.triangles import whole
 from graphkin.value import frozen
 
@@ -63,12 +63,12 @@ class Report:
     output: str
     driver_range: Range
     output_range: Range
-    limits: tuple[Position, ...]
+    limits: tuple[LinkagePosition, ...]
     stroke: float | None
     theta: float | None
     k: float | None
     slow: tuple[int, int] | None
-    critical: tuple[Position, ...]
+    critical: tuple[LinkagePosition, ...]
     dead: Mapping[str, tuple[float, ...]]
     timed_by: str = ""
 
@@ -105,7 +105,7 @@ class Report:
         return min(found, default=None)
 
     @property
-    def least(self) -> tuple[Position, ...]:
+    def least(self) -> tuple[LinkagePosition, ...]:
         """Where it is least; none where it is the same everywhere."""
         least = self.gamma_min
         return () if least is None or self.level else tuple(
@@ -156,7 +156,7 @@ def _dead(linkage: Linkage) -> Iterator[tuple[str, tuple[float, ...]]]:
 
 
 def _quick_return(
-    linkage: Linkage, kind: str, driver_range: Range, limits: tuple[Position, ...]
+    linkage: Linkage, kind: str, driver_range: Range, limits: tuple[LinkagePosition, ...]
 ) -> tuple[float | None, float | None, tuple[int, int] | None]:
     """theta, K and the slow way, for a driver that turns round and round while its output swings."""
     if linkage.driver not in CRANKS or not driver_range.full or len(limits) != 2 or kind == "change-point":

@@ -16,7 +16,7 @@ from graphkin.linkages.assembled import Places, assembled, drawn_line, free_name
 from graphkin.linkages.equal import EVEN, even
 from graphkin.linkages.first_position import TURNS, sine, well_drawn
 from graphkin.linkages.lengths import check_closing, check_driver, check_links, check_offset
-from graphkin.linkages.linkage import Angle, Position, Range, Scale, Sums, Turn
+from graphkin.linkages.linkage import LinkagePosition, Range, Scale, Sums, TransmissionAngle, Turn
 from graphkin.linkages.triangles import folded, limited, passes, phase, whole
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.pairs import Slide
@@ -75,7 +75,7 @@ class SliderCrank:
         return "crank" if self.driver == "slider" else "slider"
 
     @property
-    def drawn(self) -> Position:
+    def drawn(self) -> LinkagePosition:
         _, b, c = _own(self)
         return _position(self, b, c, "")
 
@@ -122,23 +122,23 @@ class SliderCrank:
         ends = sorted(_reach(self))
         return Range(ends[0], ends[1])
 
-    def limits(self) -> tuple[Position, ...]:
+    def limits(self) -> tuple[LinkagePosition, ...]:
         """The two ends of the slider's way, or of the crank's where the slider drives."""
         if self.driver != "slider":
             return tuple(_limit(self, along) for along in _reach(self))
         found = _range(self)
         return () if found.full else tuple(_at(self, angle, 0.0, "end") for angle in (found.low, found.high))
 
-    def critical(self) -> tuple[Position, ...]:
+    def critical(self) -> tuple[LinkagePosition, ...]:
         """The crank at right angles to the guide, and its own ends; driven at the slider, its two ends."""
         if self.driver == "slider":
             return tuple(_limit(self, along) for along in _reach(self))
         return tuple(_critical(self))
 
-    def direction(self, position: Position) -> float:
+    def direction(self, position: LinkagePosition) -> float:
         return cmath.phase(position.places[1] - position.places[0])
 
-    def position_at(self, direction: float) -> Position:
+    def position_at(self, direction: float) -> LinkagePosition:
         """Of the crank."""
         _, b, c = _own(self)
         return _at(self, direction - self.way, 1.0 if c.real >= b.real else -1.0, "")
@@ -154,13 +154,14 @@ class SliderCrank:
         taken = (rod.conjugate() * cmath.rect(1, self.way)).real
         return given / taken if taken else math.inf
 
-    def seen(self, position: Position) -> Angle:
+    def seen(self, position: LinkagePosition) -> TransmissionAngle:
         """Between rod and crank where the slider drives, else as pressure angle between rod and guide."""
         a, b, c = position.places
         if self.driver == "slider":
-            return Angle(b, b - a, c - b)
+            return TransmissionAngle(b, b - a, c - b)
         along = cmath.rect(1, self.way)
-        return Angle(c, along if (along.conjugate() * (b - c)).real > 0 else -along, b - c, self.driver == "crank")
+        toward = along if (along.conjugate() * (b - c)).real > 0 else -along
+        return TransmissionAngle(c, toward, b - c, self.driver == "crank")
 
     def mechanism(self, omega: float = 10.0) -> Mechanism:
         """The slider on a guide of the frame; or a bar through a block that stands on the frame, at the foot of A."""
@@ -215,7 +216,7 @@ def _reach(slider: SliderCrank) -> tuple[float, float]:
     return side * far, side * math.sqrt((gap - e) * (gap + e))
 
 
-def _limit(slider: SliderCrank, along: float) -> Position:
+def _limit(slider: SliderCrank, along: float) -> LinkagePosition:
     """The slider at an end: AB and BC in line."""
     c = complex(along, slider.offset)
     far = slider.crank + slider.coupler
@@ -225,17 +226,17 @@ def _limit(slider: SliderCrank, along: float) -> Position:
     return _position(slider, b, c, "stretched" if stretched else "folded")
 
 
-def _position(slider: SliderCrank, b: complex, c: complex, how: str) -> Position:
+def _position(slider: SliderCrank, b: complex, c: complex, how: str) -> LinkagePosition:
     """From the axes of the guide to the drawing's."""
     turn = cmath.rect(1, slider.way)
     a = slider.places[0]
     places = (a, a + b * turn, a + c * turn)
     angle = phase(b * turn)
     if slider.driver == "slider":
-        return Position(places, slider.way, _slid(slider, c.real), angle, folded(b, c - b), how)
+        return LinkagePosition(places, slider.way, _slid(slider, c.real), angle, folded(b, c - b), how)
     gamma = None if slider.driver == "coupler" else folded(c - b, 1j)
     value = angle if slider.scale is None else whole(slider.scale(angle))
-    return Position(places, slider.way, value, c.real, gamma, how)
+    return LinkagePosition(places, slider.way, value, c.real, gamma, how)
 
 
 def _slid(slider: SliderCrank, along: float) -> float:
@@ -243,7 +244,7 @@ def _slid(slider: SliderCrank, along: float) -> float:
     return along if slider.scale is None else slider.scale(along)
 
 
-def _critical(slider: SliderCrank) -> Iterator[Position]:
+def _critical(slider: SliderCrank) -> Iterator[LinkagePosition]:
     found = _range(slider)
     _, b, c = _own(slider)
     side = 1.0 if c.real >= b.real else -1.0
@@ -256,7 +257,7 @@ def _critical(slider: SliderCrank) -> Iterator[Position]:
             yield _at(slider, angle, 0.0, "end")
 
 
-def _at(slider: SliderCrank, angle: float, side: float, how: str) -> Position:
+def _at(slider: SliderCrank, angle: float, side: float, how: str) -> LinkagePosition:
     """The crank at an angle against the guide, the slider ahead of B (side 1), behind it (-1), or level with it (0)."""
     b = cmath.rect(slider.crank, angle)
     high = abs(slider.offset - b.imag)

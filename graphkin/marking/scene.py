@@ -150,7 +150,8 @@ class Scene:
 
     def points(self, link: str) -> tuple[str, ...]:
         """Points of a link that people named."""
-        return tuple(point for point in self.method.structure.shapes.get(link, ()) if point[0].isupper())
+        structure = self.method.structure
+        return structure.named(link) if link in structure.bodies else ()
 
     def node(self, point: str, link: str, plane: Plane) -> str | None:
         return self.arrows.node(Site(point, link), plane)

@@ -74,8 +74,8 @@ def _elsewhere(mechanism: Mechanism, quantity: Moving) -> Iterator[Quantity]:
     of, seen_from = quantity.site, quantity.seen_from
     if seen_from is None or of.point != seen_from.point:
         return
-    named = [*mechanism.links[of.link].points, *mechanism.links[seen_from.link].points]
-    for point in dict.fromkeys(name for name in named if name[0].isupper() and name != of.point):
+    named = dict.fromkeys((*mechanism.named(of.link), *mechanism.named(seen_from.link)))
+    for point in (name for name in named if name != of.point):
         yield from _named(mechanism, quantity, Seen(point, of.link, True), Seen(point, seen_from.link, True))
 
 

@@ -8,8 +8,6 @@ from dataclasses import replace
 from graphkin.outputs.svg import svg
 from graphkin.sheet import Sheet
 
-__all__ = ["animation"]
-
 SECONDS = 8.0
 
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from graphkin.outputs.svg import svg
 from graphkin.sheet import Sheet
 
-__all__ = ["Shown", "shown"]
-
 
 class Shown(Sheet):
     """A sheet that a notebook shows as its SVG."""

@@ -16,7 +16,7 @@ import numpy as np
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs.files import beside
 from graphkin.quantities import EDGE
-from graphkin.sweeps import Course, Road, Series, Sweep, parts
+from graphkin.sweeps import Course, Road, Series, Sweep, in_parts
 
 __all__ = ["FORMATS", "NoParquet", "columns", "csv_lines", "json_text", "told", "write"]
 
@@ -43,7 +43,7 @@ def write(
 
     Raises FileInTheWay, NoFolder, CannotWrite, NoParquet.
     """
-    found = told(parts(course, names, by), seen)
+    found = told(in_parts(course, names, by), seen)
     if path.suffix == ".parquet":
         _write_parquet(path, course, found, force)
         return

@@ -13,7 +13,8 @@ How to add a pair kind; `tests/test_pairs.py` names the table in which it is sti
     analytic  its rule in `rules.RULES`; `replaced` where its lower-pair equivalent is all there is to it
     planning  nothing, where it has a lower-pair equivalent or rolls as wheels do: those are data
     words     its line in `structure.KINDS`; its sentence in `equivalents.EQUIVALENTS`, where it has an equivalent; its
-              normal in `centre_steps.NORMALS`, where its links slide on each other; its name in `errors.motion.PAIRS`
+              normal in `centre_steps.NORMALS`, where its links slide on each other; the phrases of all these in
+              `phrases`; its name in messages in `errors.motion.PAIRS`
     sheet     its sign in `mechanism_figure.BEFORE_LINKS` or `OVER_LINKS`, or its wheels in `wheels.UNDER_LINKS`; a new
               form of line that a ruler is to hold: its rule in `check.links`
     library   a mechanism with it; `tests/gallery.py` and `tests/golden.py` draw and write it

@@ -12,7 +12,7 @@ from graphkin.errors import NotReached
 from graphkin.geometry import Value
 from graphkin.planning.method import Method
 from graphkin.quantities import EDGE, driven
-from graphkin.running.many import along_in_parts
+from graphkin.running.many_positions import along_in_parts
 from graphkin.running.path import STEP_DEG, STEP_PART, Path, along, stride, turned
 from graphkin.running.tracing import trace
 

@@ -23,7 +23,7 @@ def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
     if values is None:
         return _finished(method, replay(method.position, Plot(method.facts(), method.near)))
     # loaded where a mechanism is moved: the sheet of the drawn position starts sooner without
-    from graphkin.running.many import by_program
+    from graphkin.running.many_positions import by_program
     from graphkin.running.reaching import moved_to
 
     return by_program(method, values) or _finished(method, moved_to(method, values))

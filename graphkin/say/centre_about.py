@@ -6,9 +6,9 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from graphkin.centres.about import About, Carried, Circle
+from graphkin.centres.about import About, CarriedPoint, Circle
 from graphkin.centres.about_bobillier import Bobillier, Guided
-from graphkin.centres.ways import TwoVelocities
+from graphkin.centres.two_velocities import TwoVelocities
 from graphkin.drafting import Stage
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
@@ -54,7 +54,7 @@ def _circles(seen: About, lang: Lang) -> Iterator[str]:
     yield say("about.return", lang, place=_place(returning.centre))
 
 
-def _point(name: str, carried: Carried, lang: Lang) -> str:
+def _point(name: str, carried: CarriedPoint, lang: Lang) -> str:
     known = {"name": name, "v": abs(carried.velocity), "a": abs(carried.acceleration)}
     if cmath.isnan(carried.centre):
         return say("about.still", lang, **known)

@@ -10,14 +10,14 @@ from typing import assert_never
 import numpy as np
 
 from graphkin.centres import Centres
-from graphkin.centres.beneath import CommonNormal
+from graphkin.centres.underlay import CommonNormal
 from graphkin.drafting import (
+    ChosenPoint,
     Far,
     LayOff,
     LineStep,
     MarkOn,
     Meet,
-    Place,
     PointStep,
     Pricked,
     Stage,
@@ -112,7 +112,7 @@ class CentreReader:
             case Meet():
                 first, second = (self._line(step, line) for line in stage.lines)
                 return {"first": first, "second": second, "met": self._met(stage)}
-            case Far() | Place() | LayOff() | MarkOn() | Turned():
+            case Far() | ChosenPoint() | LayOff() | MarkOn() | Turned():
                 return self._links(self.found.centring.links[step.name])
             case _:
                 assert_never(step)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphkin.check import Measured, Report
+from graphkin.check import Measured, RulerReport
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
 from graphkin.say.text_table import table
 
 
-def check_lines(report: Report, tolerance_mm: float, lang: Lang) -> Iterator[str]:
+def check_lines(report: RulerReport, tolerance_mm: float, lang: Lang) -> Iterator[str]:
     """Each vector and point as drawn, as it should be, and the difference on paper and in its unit."""
     yield report.file
     heads = ("name", "drawn", "exact", "off", "value", "unit")

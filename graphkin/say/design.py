@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from graphkin.design import Design, Family, Reason, Solution, linkage_of, proof
-from graphkin.drafting import Board, Construction
+from graphkin.drafting import Board, Drafting
 from graphkin.errors import GraphkinError, Lang, NoDesign
 from graphkin.linkages import filed
 from graphkin.mechanism import Mechanism
@@ -17,7 +17,7 @@ from graphkin.say.linkages import kind_name
 from graphkin.say.numbers import Figure
 
 
-def sentences(construction: Construction, board: Board, lang: Lang) -> list[str]:
+def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
     """One sentence a stage, with the numbers of the board."""
     numbers: dict[str, Any] = {name: Figure(value) for name, value in board.numbers.items()}
     for name, place in board.places.items():

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphkin.errors import Lang
+from graphkin.finding.answers import Found, Interval, Phase, Position, SlowPoint, Speeds
 from graphkin.finding.conditions import Comparison, Scaling, Slowest
-from graphkin.finding.found import Found, Interval, Phase, Position, SlowPoint, Speeds
 from graphkin.mechanism import Driver
 from graphkin.quantities import driven
 from graphkin.say.catalogue import say

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphkin.errors import Lang
+from graphkin.finding.answers import Found
 from graphkin.finding.conditions import Comparison, Extreme, Scaling, Slowest
-from graphkin.finding.dimensions import Place
-from graphkin.finding.found import Found
-from graphkin.finding.varying import Table
+from graphkin.finding.dimensions import DimensionPlace
+from graphkin.finding.varying import VaryingTable
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
 from graphkin.say.numbers import quantity
 from graphkin.say.text_table import table
 
 
-def table_lines(found: Table, lang: Lang = "en") -> Iterator[str]:
+def table_lines(found: VaryingTable, lang: Lang = "en") -> Iterator[str]:
     """A row for each value."""
     yield f"{found.condition}"
     unit = {"length": "mm", "angle": "deg"}.get(found.place.kind)
@@ -31,7 +31,7 @@ def table_lines(found: Table, lang: Lang = "en") -> Iterator[str]:
         yield line if row.error is None else f"{line}  {row.error.message(lang)}"
 
 
-def _shown(value: float, place: Place) -> str:
+def _shown(value: float, place: DimensionPlace) -> str:
     unit = {"length": "m", "angle": "rad"}.get(place.kind, "1")
     return f"{value * EDGE[unit].factor:.6g}"
 

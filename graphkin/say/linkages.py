@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from graphkin.errors import Lang
-from graphkin.linkages import FAMILY, Found, Linkage, Report, filed, inverted, report
+from graphkin.linkages import FAMILY, FoundLinkage, Linkage, Report, filed, inverted, report
 from graphkin.linkages.equal import EVEN
-from graphkin.linkages.linkage import Position
+from graphkin.linkages.linkage import LinkagePosition
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.say.numbers import angle, millimetres
@@ -30,7 +30,7 @@ def kind_name(report: Report, lang: Lang) -> str:
     return f"{kind}{say('common.colon', lang)}{family}"
 
 
-def found_lines(found: Found, report: Report, lang: Lang) -> Iterator[str]:
+def found_lines(found: FoundLinkage, report: Report, lang: Lang) -> Iterator[str]:
     """Lines of a linkage found in a mechanism: which links it is made of first."""
     links = ", ".join(found.links)
     yield say("linkages.links", lang, links=links)
@@ -110,7 +110,7 @@ def _turns(report: Report, lang: Lang) -> Iterator[str]:
         yield say("linkages.full" if full else "linkages.rocks", lang, pairs=joined)
 
 
-def _how(report: Report, end: Position, lang: Lang) -> str:
+def _how(report: Report, end: LinkagePosition, lang: Lang) -> str:
     """What is in line, or at right angles, in words."""
     called = report.linkage.called
     driver = called["crank"] if report.slide else report.driver

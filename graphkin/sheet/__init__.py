@@ -4,9 +4,9 @@
     Figure -- fit, layout --> Panel                                  which paper, which scale, where on it
     Panels, Strip -- page --> Sheet                                  labels settled, title and results, single steps
 
-`sheet(method, plot)` is the sheet of a mechanism with its polygons (`composition`); each other one is a small file of
-its own, `.._sheet`. A mechanism is drawn by `mechanism_figure` with the signs of `symbols`, for all of them. What file
-a sheet goes into is `graphkin.outputs`' business.
+`sheet(method, plot)` is the sheet of a mechanism with its polygons (`mechanism_sheet`); each other one is a small file
+of its own, `.._sheet`. A mechanism is drawn by `mechanism_figure` with the signs of `symbols`, for all of them. What
+file a sheet goes into is `graphkin.outputs`' business.
 
 How to add a sheet:
  1. the figure: a function from a `Window` to a `Figure`, and the places it is to show [SI units];
@@ -20,9 +20,9 @@ How to add a sheet:
 
 from __future__ import annotations
 
-from graphkin.sheet.composition import mechanism_sheet as sheet
-from graphkin.sheet.composition import mechanism_step_sheets as step_sheets
-from graphkin.sheet.composition import scales_of
+from graphkin.sheet.mechanism_sheet import mechanism_sheet as sheet
+from graphkin.sheet.mechanism_sheet import mechanism_step_sheets as step_sheets
+from graphkin.sheet.mechanism_sheet import scales_of
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PAPERS, Paper
 from graphkin.sheet.scales import TooLargeForPaper, UnknownPaper

@@ -21,8 +21,6 @@ from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
 
-__all__ = ["bobillier_sheet", "bobillier_step_sheets"]
-
 _MOST = 2.6
 """So many times larger the figure may become for what the construction gives."""
 _BEYOND = 7.0

@@ -8,7 +8,7 @@ from itertools import chain
 
 import numpy as np
 
-from graphkin.centres.about import About, Circle, Line
+from graphkin.centres.about import About, Circle, InflectionLine
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
@@ -25,8 +25,6 @@ from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
-
-__all__ = ["about_sheet"]
 
 _POLE, _MOST = 2.6, 1.5
 """So many times larger the figure may become for the pole; and then for circles and centres of curvature."""
@@ -96,7 +94,7 @@ class _Drawing:
     def circles(self) -> Iterator[Entry]:
         """Inflection and return circle; the inflection pole W."""
         seen, window, room = self.seen, self.on.window, self.on.room
-        if isinstance(seen.inflection, Line):
+        if isinstance(seen.inflection, InflectionLine):
             foot, along = window(seen.inflection.through), window.turned(seen.inflection.direction)
             reach = abs(room.size) + abs(foot - room.middle)
             yield from self._named([foot - reach * along, foot + reach * along], "thin", INFLECTION_LINE)

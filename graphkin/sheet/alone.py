@@ -18,8 +18,6 @@ from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
-__all__ = ["Alone", "place_for"]
-
 _LABELS = 20
 """How much lettering the choice between upright paper and paper on its side reckons with."""
 

@@ -17,8 +17,6 @@ from graphkin.sheet.specials import specials
 from graphkin.sheet.symbols import HINGE
 from graphkin.sheet.window import Figure, Window
 
-__all__ = ["bare_mechanism", "centre_figure"]
-
 _CIRCLE, _DOT = 1.0, 0.5
 """Radius of the circle and of the dot that mark a centre [mm]."""
 _BETWEEN = ", "

@@ -20,8 +20,6 @@ from graphkin.sheet.titleblock import strip_height
 from graphkin.sheet.window import Window
 from graphkin.value import frozen
 
-__all__ = ["CentreLayout", "Measures", "layouts"]
-
 _TRIAL = 80.0
 """Size of the mechanism when it is drawn to see how far its signs reach [mm]."""
 _LETTERS = 7.0

@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from graphkin.centres import Centres
-from graphkin.centres.beneath import CommonNormal
+from graphkin.centres.underlay import CommonNormal
 from graphkin.drafting import LineStep, Stage, drawn_through
 from graphkin.pairs import Cam, Pair, Rod
 from graphkin.sheet.lettering import Label, quantity_label

@@ -18,8 +18,6 @@ from graphkin.sheet.marks import Stroke
 from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
 from graphkin.sheet.titleblock import Strip
 
-__all__ = ["centre_sheet", "centre_step_sheets"]
-
 _HEADING: dict[Lang, str] = {"en": "Mechanism and instant centres", "zh": "机构的速度瞬心"}
 _CROWDED = 10
 """With more labels at the end of leaders than this, another layout is tried."""

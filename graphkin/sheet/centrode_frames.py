@@ -14,8 +14,6 @@ from graphkin.sheet.marks import Disc
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.window import Figure
 
-__all__ = ["centrode_frames"]
-
 FRAMES = 48
 
 

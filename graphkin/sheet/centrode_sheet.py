@@ -22,8 +22,6 @@ from graphkin.sheet.paper import PenName
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.window import Figure
 
-__all__ = ["centre_at", "centrode_marks", "centrode_page", "centrode_sheet", "heading", "plot_at"]
-
 _ROUND = 0.75
 """Curves are shown so far around the mechanism, as part of its size."""
 _CENTRE = 2.0

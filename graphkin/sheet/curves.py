@@ -11,8 +11,6 @@ import numpy as np
 from graphkin.sheet.marks import Place, Stroke
 from graphkin.sheet.paper import PenName, Room
 
-__all__ = ["circle", "clipped"]
-
 _FINE = 0.01
 """How far a drawn curve may stand off from the true one [mm]."""
 

@@ -16,9 +16,10 @@ from graphkin.design import Family, Solution
 from graphkin.drafting import (
     Bisector,
     Board,
+    ChosenPoint,
     CircleAbout,
     CircleThrough,
-    Construction,
+    Drafting,
     Far,
     LayOff,
     LineStep,
@@ -26,7 +27,6 @@ from graphkin.drafting import (
     Measure,
     MeasureAngle,
     Meet,
-    Place,
     Pricked,
     Reckon,
     Step,
@@ -41,8 +41,6 @@ from graphkin.sheet.marks import Arc, Disc, Stroke
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
-
-__all__ = ["DesignFigure"]
 
 _BEYOND = 5.0
 """How far a construction line goes on past its points [mm]."""
@@ -65,7 +63,7 @@ class DesignFigure:
     families: tuple[Family, ...] = ()
 
     @property
-    def construction(self) -> Construction:
+    def construction(self) -> Drafting:
         return self.solution.construction
 
     @cached_property
@@ -106,7 +104,7 @@ class DesignFigure:
                 yield from self._turned(point, of, about, stage)
             case Measure(_, first, second):
                 yield from self._line([first, second], "construction", stage)
-            case Place() | Pricked() | Far() | Reckon() | MarkOn() | Meet() | MeasureAngle():
+            case ChosenPoint() | Pricked() | Far() | Reckon() | MarkOn() | Meet() | MeasureAngle():
                 pass
             case _:
                 assert_never(step)
@@ -139,7 +137,7 @@ class DesignFigure:
         if not isinstance(step, Bisector):
             return []
         start, along = self.board.line(step.name)
-        placed = (one.name for one in self.construction.steps if isinstance(one, Place))
+        placed = (one.name for one in self.construction.steps if isinstance(one, ChosenPoint))
         return [p for p in placed if abs((along.conjugate() * (self.places[p] - start)).imag) < 1e-6 * self._size]
 
     def _locus(self, stage: int) -> Iterator[Entry]:

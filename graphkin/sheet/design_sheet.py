@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from graphkin import planning
-from graphkin.agreement import held
+from graphkin.agreement import proved
 from graphkin.construction import Plot
 from graphkin.design import Design, Solution
 from graphkin.errors import Lang
@@ -26,8 +26,6 @@ from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import LABEL
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.value import frozen
-
-__all__ = ["design_sheet", "design_step_sheets"]
 
 _COLUMN, _LINE = 42.0, 6.2
 """Between sizes in the strip [mm]."""
@@ -47,7 +45,7 @@ class _Drawn:
     @classmethod
     def of(cls, design: Design, solution: Solution) -> _Drawn:
         method = planning.plan(mechanism_of(solution, design.kind))
-        return cls(solution, method, held(method).plot)
+        return cls(solution, method, proved(method).plot)
 
 
 def design_sheet(

@@ -14,8 +14,6 @@ from graphkin.sheet.scales import finest, finest_each
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
-__all__ = ["Extent", "corners", "cut_out", "enlarged"]
-
 _TRIAL = 100.0
 """Size of a figure when it is drawn to see how far its signs reach [mm]."""
 _LETTERS = 6.5

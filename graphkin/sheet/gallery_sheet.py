@@ -22,8 +22,6 @@ from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
-__all__ = ["MOST", "side_by_side"]
-
 MOST = 12
 """Positions on one sheet, at most."""
 _TRIAL = 60.0

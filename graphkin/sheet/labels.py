@@ -9,18 +9,16 @@ make way for one another, and at last those that say nothing new are left out.
 
 from __future__ import annotations
 
-import cmath
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphkin.sheet.lettering import Label, box, width
-from graphkin.sheet.marks import Mark, Place, Stroke, Text
+from graphkin.sheet.lettering import box
+from graphkin.sheet.marks import Mark, Stroke
 from graphkin.sheet.obstacles import Tree, tree
-from graphkin.sheet.paper import LABEL, Room
-from graphkin.value import frozen
+from graphkin.sheet.paper import Room
+from graphkin.sheet.wanted import Candidate, Wanted
 
 __all__ = ["Settled", "Wanted", "settle"]
 
@@ -28,47 +26,10 @@ _CLEAR, _EASY = 0.45, 1.3
 """What a label keeps from lines at least, and likes to keep [mm]."""
 _TOUCH = 0.05
 """Closer than this to a box's edge is not yet on it [mm]."""
-_RINGS = (0.0, 1.0, 2.2, 4.0, 6.5, 9.5, 13.0)
-_LED = 4.0
-"""From this ring on a leader is drawn."""
-_TURNS = tuple(cmath.rect(1, math.tau * k / 16) for k in range(16))
-_FAR_RINGS = (17.0, 21.5, 26.5, 32.0, 38.0, 44.5, 51.5, 59.0)
-"""Where labels of a crowd go when nothing nearer is free [mm]."""
-_FAR_TURNS = tuple(cmath.rect(1, math.tau * k / 32) for k in range(32))
-_ANCHORS = (0.5, 0.3, 0.7)
-"""Where along a line a far leader may end."""
 _ROUNDS = 8
 """How often labels of a crowd may make way for one another."""
 _NEIGHBOUR = 15.0
 """So near to a label without a place, others that say nothing new are left out [mm]."""
-_ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
-
-
-@frozen
-class Wanted:
-    """A label and what it names: a point (`start` only) or a line from start to end.
-
-    gap   how far the symbol at the point, or the line's width, reaches [mm]
-    away  the side it likes (any length; 0 for none)
-    spare  what it says can be read from other labels too
-    parts  the label in parts that come with steps of their own; else it is one
-    """
-
-    label: Label
-    start: Place
-    end: Place | None = None
-    gap: float = 0.75
-    away: complex = 0j
-    size: float = LABEL
-    step: int | None = None
-    spare: bool = False
-    parts: tuple[tuple[Label, int | None], ...] = ()
-
-    def texts(self, at: Place) -> Iterator[Text]:
-        """Its letters, from the left end of the base line."""
-        for label, step in self.parts or ((self.label, self.step),):
-            yield Text(label, at, self.size, step)
-            at += width(label, self.size)
 
 
 class Settled(NamedTuple):
@@ -97,14 +58,6 @@ _THROUGH = 1.5
 """What a far leader pays for each line it crosses."""
 
 
-class _Spot(NamedTuple):
-    """A candidate: the middle of the label's box, what it costs, and where a leader would go."""
-
-    middle: Place
-    cost: float
-    anchor: Place | None
-
-
 def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: bool = False) -> Settled:
     """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
     if not wanted:
@@ -123,7 +76,7 @@ def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: boo
             break
         left = [want for k, want in enumerate(left) if k not in out]
     marks: list[Mark] = []
-    for want, spot in zip(left, (table.spots[row] for row in chosen), strict=True):
+    for want, spot in zip(left, (table.candidates[row] for row in chosen), strict=True):
         wide, up, down = box(want.label, want.size)
         corner = spot.middle + complex(-wide / 2, (up - down) / 2)
         marks += want.texts(corner)
@@ -135,7 +88,7 @@ def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: boo
 def _left_out(wanted: Sequence[Wanted], clashing: Sequence[int]) -> set[int]:
     """The spare ones of labels without a place, else the spare ones next to them."""
     own = {k for k in clashing if wanted[k].spare}
-    places = [_place(want) for want in wanted]
+    places = [want.place for want in wanted]
     close = {
         k
         for k, want in enumerate(wanted)
@@ -144,12 +97,7 @@ def _left_out(wanted: Sequence[Wanted], clashing: Sequence[int]) -> set[int]:
     return own or close
 
 
-def _place(want: Wanted) -> Place:
-    """What a label names, as one point."""
-    return want.start if want.end is None else (want.start + want.end) / 2
-
-
-def _leader(spot: _Spot, half: complex, want: Wanted) -> Mark:
+def _leader(spot: Candidate, half: complex, want: Wanted) -> Mark:
     """A thin line from the near side of a label's box to what it names."""
     assert spot.anchor is not None
     off = spot.anchor - spot.middle
@@ -157,59 +105,6 @@ def _leader(spot: _Spot, half: complex, want: Wanted) -> Mark:
     way = off - edge
     begin = spot.middle + edge + way / abs(way) * 0.5 if abs(way) > 1 else spot.middle + edge
     return Stroke((begin, spot.anchor), "leader", step=want.step)
-
-
-# --- candidates -------------------------------------------------------------------------------
-
-
-def _spots(want: Wanted, half: complex) -> Iterator[_Spot]:
-    if want.end is not None and abs(want.end - want.start) > 1.5:
-        yield from _beside(want.start, want.end, half, want)
-        yield from _around((want.start + want.end) / 2, half, want, first=3)
-    else:
-        yield from _around(want.start, half, want)
-
-
-def _around(point: Place, half: complex, want: Wanted, first: int = 0) -> Iterator[_Spot]:
-    """Rings about a point; a box touches the ring with its near side or corner."""
-    away = want.away.conjugate() / abs(want.away) if want.away else 0j
-    likings = [0.8 * (1 - (turn * away).real) if away else 0.05 * ((k - 14) % 16) for k, turn in enumerate(_TURNS)]
-    sides = [complex(_held(turn.real) * half.real, _held(turn.imag) * half.imag) for turn in _TURNS]
-    for ring in _RINGS[first:]:
-        reach = want.gap + 0.6 + ring
-        price, anchor = (1.6 * ring + 6, point) if ring >= _LED else (1.6 * ring, None)
-        for turn, side, liking in zip(_TURNS, sides, likings):
-            yield _Spot(point + reach * turn + side, price + liking, anchor)
-
-
-def _far(want: Wanted, half: complex, crowd: Place) -> Iterator[_Spot]:
-    """Wide rings, away from the middle of the crowd first."""
-    ends = (want.start, want.start if want.end is None else want.end)
-    for anchor in dict.fromkeys(ends[0] + (ends[1] - ends[0]) * t for t in _ANCHORS):
-        away = (anchor - crowd).conjugate() / max(abs(anchor - crowd), 1e-9)
-        for turn in _FAR_TURNS:
-            side = complex(_held(turn.real) * half.real, _held(turn.imag) * half.imag)
-            liking = 5.0 * (1 - (turn * away).real)
-            for ring in _FAR_RINGS:
-                yield _Spot(anchor + (want.gap + 0.6 + ring) * turn + side, 1.6 * ring + 6 + liking, anchor)
-
-
-def _held(x: float) -> float:
-    """Cosine or sine of a direction, so that four of eight directions put the box's corners to the ring."""
-    return max(-1.0, min(1.0, x * 1.6))
-
-
-def _beside(start: Place, end: Place, half: complex, want: Wanted) -> Iterator[_Spot]:
-    """Both sides of a line, at several places along it."""
-    along = (end - start) / abs(end - start)
-    away = want.away / abs(want.away) if want.away else 0j
-    for normal in (along * -1j, along * 1j):
-        support = abs(normal.real) * half.real + abs(normal.imag) * half.imag
-        liking = 0.6 * (1 - (normal * away.conjugate()).real) if away else (0.0 if normal.imag <= 0 else 0.1)
-        for more in (0.0, 0.75, 1.65):
-            for t in _ALONG:
-                middle = start + (end - start) * t + normal * (support + want.gap + more)
-                yield _Spot(middle, 1.2 * more + 2.5 * abs(t - 0.5) + liking, None)
 
 
 # --- the choice -------------------------------------------------------------------------------
@@ -227,28 +122,28 @@ class _Table:
 
     def __init__(self, wanted: Sequence[Wanted], known: Tree, room: Room, far: bool = False) -> None:
         self.known, self.prices = known, _CROWD if far else _NEAR
-        self.spots: list[_Spot] = []
+        self.candidates: list[Candidate] = []
         owners: list[int] = []
         sizes: list[tuple[float, float]] = []
-        places = [_place(want) for want in wanted]
+        places = [want.place for want in wanted]
         crowd = complex(_middle([place.real for place in places]), _middle([place.imag for place in places]))
         for k, want in enumerate(wanted):
             wide, up, down = box(want.label, want.size)
-            found = list(_spots(want, complex(wide, up + down) / 2))
+            found = list(want.candidates(complex(wide, up + down) / 2))
             if far:
-                found += _far(want, complex(wide, up + down) / 2, crowd)
-            self.spots += found
+                found += want.far_candidates(complex(wide, up + down) / 2, crowd)
+            self.candidates += found
             owners += [k] * len(found)
             sizes += [(wide / 2, (up + down) / 2)] * len(found)
         self.owner = np.array(owners)
-        middle = np.array([(spot.middle.real, spot.middle.imag) for spot in self.spots])
+        middle = np.array([(spot.middle.real, spot.middle.imag) for spot in self.candidates])
         half = np.array(sizes)
         self.low, self.high = middle - half, middle + half
-        anchors = [spot.middle if spot.anchor is None else spot.anchor for spot in self.spots]
+        anchors = [spot.middle if spot.anchor is None else spot.anchor for spot in self.candidates]
         self.anchor = np.array([(anchor.real, anchor.imag) for anchor in anchors])
         self.begin = np.clip(self.anchor, self.low, self.high)
-        self.led = np.array([spot.anchor is not None for spot in self.spots])
-        self.cost = np.array([spot.cost for spot in self.spots])
+        self.led = np.array([spot.anchor is not None for spot in self.candidates])
+        self.cost = np.array([spot.cost for spot in self.candidates])
         self.free = self._judge(room)
         if far:
             led = np.flatnonzero(self.led)
@@ -258,8 +153,8 @@ class _Table:
     def _judge(self, room: Room) -> Any:
         """Which candidates touch nothing drawn; near misses and bad places are written into the cost."""
         known = self.known
-        hits = np.bincount(known.touched(self.low - _CLEAR, self.high + _CLEAR), minlength=len(self.spots))
-        near = np.bincount(known.touched(self.low - _EASY, self.high + _EASY), minlength=len(self.spots))
+        hits = np.bincount(known.touched(self.low - _CLEAR, self.high + _CLEAR), minlength=len(self.candidates))
+        near = np.bincount(known.touched(self.low - _EASY, self.high + _EASY), minlength=len(self.candidates))
         self.cost += 0.45 * np.minimum(near, 6) + self.prices.line * np.minimum(hits, 5)
         inside = np.all(self.low >= (room.left, room.top), axis=1)
         inside &= np.all(self.high <= (room.right, room.bottom), axis=1)

@@ -23,8 +23,6 @@ from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, f
 from graphkin.sheet.window import Window
 from graphkin.value import frozen
 
-__all__ = ["HEAD", "Layout", "alone", "divided", "lay_out", "papers_for"]
-
 HEAD = 7.5
 """Height of a figure's heading [mm]."""
 HEAD_WIDTH = 76.0

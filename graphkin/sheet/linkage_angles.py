@@ -6,7 +6,7 @@ import cmath
 import math
 
 from graphkin.linkages import Report
-from graphkin.linkages.linkage import Position
+from graphkin.linkages.linkage import LinkagePosition
 from graphkin.sheet import symbols
 from graphkin.sheet.grounds import away_from
 from graphkin.sheet.labels import Wanted
@@ -116,12 +116,12 @@ def _stroke(report: Report, length: float, window: Window) -> Figure:
 # --- transmission -------------------------------------------------------------------------------
 
 
-def dimensioned_transmission(report: Report, positions: tuple[Position, ...], window: Window) -> Figure:
+def dimensioned_transmission(report: Report, positions: tuple[LinkagePosition, ...], window: Window) -> Figure:
     """gamma at each position; for a slider the pressure angle alpha, which is seen against the guide."""
     return sum((_gamma(report, end, window, number) for number, end in enumerate(positions, start=1)), Figure())
 
 
-def _gamma(report: Report, end: Position, window: Window, number: int) -> Figure:
+def _gamma(report: Report, end: LinkagePosition, window: Window, number: int) -> Figure:
     seen, gamma = report.linkage.seen(end), end.gamma or 0.0
     if seen is None:
         return Figure()

@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from graphkin.linkages import Linkage
-from graphkin.linkages.linkage import Position
-from graphkin.linkages.posed import posed
+from graphkin.linkages.linkage import LinkagePosition
+from graphkin.linkages.placement import posed
 from graphkin.mechanism import FRAME
 from graphkin.sheet import symbols
 from graphkin.sheet.fit import Extent
@@ -23,7 +23,7 @@ from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure, Window
 
-Row = Sequence[Position]
+Row = Sequence[LinkagePosition]
 """Positions drawn over each other."""
 
 
@@ -41,7 +41,7 @@ def _places(positions: Row) -> list[complex]:
     return [place for position in positions for place in position.places]
 
 
-def on_paper(position: Position, window: Window) -> list[Place]:
+def on_paper(position: LinkagePosition, window: Window) -> list[Place]:
     return [window(place) for place in position.places]
 
 

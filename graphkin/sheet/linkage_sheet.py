@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from graphkin.errors import Lang
 from graphkin.linkages import Report
-from graphkin.linkages.linkage import Position
+from graphkin.linkages.linkage import LinkagePosition
 from graphkin.mechanism import Mechanism
 from graphkin.say.linkages import amount, kind_name, titled
 from graphkin.say.numbers import angle as degrees
@@ -91,7 +91,7 @@ def _over(linkage: Figure, angles: Figure) -> Figure:
     return Figure(angles.marks + linkage.marks, linkage.wanted + angles.wanted)
 
 
-def _shown(report: Report) -> tuple[Position, ...]:
+def _shown(report: Report) -> tuple[LinkagePosition, ...]:
     """The position of the least transmission angle first, and one to compare it with."""
     least = report.least[0]
     others = [end for end in report.critical if end is not least]

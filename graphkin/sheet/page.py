@@ -25,8 +25,6 @@ from graphkin.sheet.titleblock import Strip, strip
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
-__all__ = ["Lettered", "Page", "Panel", "Sheet", "heading", "step_sheets"]
-
 
 @frozen
 class Sheet:

@@ -7,8 +7,6 @@ from typing import Literal
 
 from graphkin.value import frozen
 
-__all__ = ["BODY", "LABEL", "LARGE", "LEAST", "PAPERS", "PENS", "TITLE", "Paper", "Pen", "PenName", "Room"]
-
 
 @frozen
 class Room:

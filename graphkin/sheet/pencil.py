@@ -12,8 +12,6 @@ from graphkin.sheet.marks import Mark, Place, Stroke
 from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Window
 
-__all__ = ["pencil_lines"]
-
 _BEYOND = 9.0
 """How far a direction line goes on past its points [mm]."""
 _SWING, _STROKE = math.radians(22), 12.0

@@ -13,8 +13,6 @@ from graphkin.sheet.titleblock import broken
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
-__all__ = ["Caption", "Picture"]
-
 
 @frozen
 class Caption:

@@ -11,8 +11,6 @@ from graphkin.sheet.specials import named_specials
 from graphkin.sheet.wheels import rims
 from graphkin.sheet.window import Figure, Window, births, first_steps
 
-__all__ = ["mechanism_places", "plain_mechanism", "plainly", "shown_places"]
-
 
 def mechanism_places(method: Method, plot: Plot) -> list[complex]:
     """The places that the mechanism itself takes up [m]."""

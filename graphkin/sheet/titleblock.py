@@ -15,8 +15,6 @@ from graphkin.sheet.results import Table, arranged, drawn_tables, height_of
 from graphkin.sheet.scales import written
 from graphkin.value import frozen
 
-__all__ = ["Strip", "broken", "frame", "strip", "strip_height"]
-
 _WIDE = 64.0
 """Width of the title block [mm]."""
 _LEAST_HEIGHT = 33.0

@@ -28,8 +28,6 @@ from graphkin.sheet.labels import Wanted
 from graphkin.sheet.marks import Mark, Place
 from graphkin.value import frozen
 
-__all__ = ["PLANES", "Entry", "Figure", "Window", "births", "first_steps", "step_count"]
-
 Entry = Mark | Wanted
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 

@@ -2,11 +2,12 @@
 
 from graphkin.quantities import split
 from graphkin.sweeps.course import Course, course
-from graphkin.sweeps.held import held
+from graphkin.sweeps.proof import prove
 from graphkin.sweeps.quantities import Series, asked
 from graphkin.sweeps.roads import Road
-from graphkin.sweeps.sweep import Sweep, at, parts, sweep, sweep_over
+from graphkin.sweeps.sweep import Sweep, in_parts, quantities_at, sweep, sweep_over
 
 __all__ = [
-    "Course", "Road", "Series", "Sweep", "asked", "at", "course", "held", "parts", "split", "sweep", "sweep_over",
+    "Course", "Road", "Series", "Sweep", "asked", "course", "in_parts", "prove", "quantities_at", "split", "sweep",
+    "sweep_over",
 ]  # fmt: skip

@@ -19,7 +19,7 @@ from graphkin.motions import Motions
 from graphkin.planning import Method, with_other_points
 from graphkin.readings import readings
 from graphkin.running import replay_all
-from graphkin.running.many import replay_along
+from graphkin.running.many_positions import replay_along
 from graphkin.running.path import Path, along, stride
 from graphkin.value import Lazy, frozen
 

@@ -13,12 +13,12 @@ from graphkin.planning import Method
 from graphkin.quantities import Centre, Quantity, Quotient, named
 from graphkin.running.path import stride
 from graphkin.sweeps.course import Course, course
-from graphkin.sweeps.held import held
+from graphkin.sweeps.proof import prove
 from graphkin.sweeps.quantities import Series, asked, series
 from graphkin.sweeps.roads import Road, centre_path, moving
 from graphkin.value import frozen
 
-__all__ = ["Sweep", "parts", "sweep", "sweep_over"]
+__all__ = ["Sweep", "in_parts", "sweep", "sweep_over"]
 
 Wanted = Mapping[str, Quantity]
 """Quantities, by what they were asked for as."""
@@ -59,16 +59,16 @@ def sweep(method: Method, ranges: Sequence[str] = (), of: Sequence[str] = (), by
     where the two roads do not agree.
     """
     found, names = course(method, ranges), asked(method.mechanism, of)
-    held(found)
+    prove(found)
     return sweep_over(found, names, by)
 
 
 def sweep_over(course: Course, names: Sequence[str], by: Road = "construction") -> Sweep:
     """The same over a course."""
-    return _joined(list(parts(course, names, by)))
+    return _joined(list(in_parts(course, names, by)))
 
 
-def parts(course: Course, names: Sequence[str], by: Road = "construction", size: int = PART) -> Iterator[Sweep]:
+def in_parts(course: Course, names: Sequence[str], by: Road = "construction", size: int = PART) -> Iterator[Sweep]:
     """The same, some positions at a time: a sweep of any length needs no more memory."""
     wanted = _read(course, names)
     turned = _Turned(course, wanted, by)
@@ -90,7 +90,7 @@ def _defined(found: Sweep) -> Sweep:
     return replace(found, t=found.t[good], values=found.values[good], series=series, undefined=found.values[~good])
 
 
-def at(course: Course, names: Sequence[str], t: np.ndarray, by: Road = "construction") -> Sweep:
+def quantities_at(course: Course, names: Sequence[str], t: np.ndarray, by: Road = "construction") -> Sweep:
     """Quantities at positions t (n,) of the course."""
     wanted = _read(course, names)
     return _at(course, wanted, t, by, _Turned(course, wanted, by))

@@ -177,7 +177,7 @@ class Curves:
         rows = np.arange(len(brackets))
         for _ in range(ROUNDS):
             t = np.linspace(low, high, PLACES, axis=1)
-            found = sweeps.at(self.course, names, t.ravel(), self.by).series
+            found = sweeps.quantities_at(self.course, names, t.ravel(), self.by).series
             values = np.array([found[k].signed.reshape(t.shape)[row] for row, k in enumerate(owner)])
             heights = np.where(np.isfinite(values), sign[:, None] * values, -np.inf)
             best = heights.argmax(axis=1)
@@ -195,12 +195,12 @@ def curves(course: Course, names: Sequence[str], by: Road = "construction") -> C
     low, high = span(course)
     t = _first_positions(course, low, high)
     for _ in range(4):
-        series = sweeps.at(course, names, t, by).series
+        series = sweeps.quantities_at(course, names, t, by).series
         more = _where_bent(Curves(course, by, low, high, t, series))
         if not more.size or t.size + more.size > max(MOST, 2 * t.size):
             break
         t = np.union1d(t, more)
-    return Curves(course, by, low, high, t, sweeps.at(course, names, t, by).series)
+    return Curves(course, by, low, high, t, sweeps.quantities_at(course, names, t, by).series)
 
 
 def span(course: Course) -> tuple[float, float]:

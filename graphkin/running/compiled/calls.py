@@ -20,7 +20,7 @@ Watch = Callable[[np.ndarray], None]
 
 
 @frozen
-class Line:
+class Instruction:
     """One call, and the register or row that it writes into."""
 
     call: str
@@ -38,7 +38,7 @@ class Calls:
     given, registers  how many there are
     """
 
-    lines: tuple[Line, ...]
+    lines: tuple[Instruction, ...]
     constants: Mapping[str, np.ndarray]
     rows: Mapping[int, int]
     sines: int
@@ -114,7 +114,7 @@ class _Writer:
         self.constants: dict[str, np.ndarray] = {"one": np.array(1.0)}
         self.last = {of: place for place in _needed(tape, rows) for of in _to_do(self.operations, place).of}
         self.names: dict[int, str] = {}
-        self.lines: list[Line] = []
+        self.lines: list[Instruction] = []
         self.free: list[str] = []
         self.registers = 0
 
@@ -125,7 +125,7 @@ class _Writer:
         into = self.names[place] = f"y{self.rows[place]}" if place in self.rows else self._register()
         if place not in self.last and into[0] == "r":
             self.free.append(into)
-        self.lines.append(Line(_call(operation, operands, into), into, operation.does in RISKY))
+        self.lines.append(Instruction(_call(operation, operands, into), into, operation.does in RISKY))
 
     def _name(self, place: int) -> str:
         operation = self.operations[place]

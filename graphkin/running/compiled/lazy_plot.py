@@ -61,7 +61,7 @@ class Numbers:
         return column.number if column.given is None else self.given[column.given][()]
 
 
-class Table(MutableMapping[Any, Value]):
+class LazyQuantities(MutableMapping[Any, Value]):
     """Quantities by name, each made when it is first read."""
 
     def __init__(self, columns: Mapping[Any, Column | Vector], numbers: Numbers) -> None:
@@ -119,5 +119,5 @@ class LazyPlot(Plot):
             standing: Facts = known["_standing"]
             found = replace(standing, values=tuple(value[()] for value in numbers.given[: len(standing.values)]))
         else:
-            found = Table(known["_columns"][name], numbers)
+            found = LazyQuantities(known["_columns"][name], numbers)
         return known.setdefault(name, found)

@@ -10,7 +10,7 @@ from graphkin.running.path import stride
 from graphkin.sweeps.course import Course
 from graphkin.sweeps.roads import moving
 
-__all__ = ["PLACES", "held"]
+__all__ = ["PLACES", "prove"]
 
 PLACES = 12
 """Positions at which they are held: both ends, and ten between."""
@@ -20,7 +20,7 @@ BESIDE = 4
 """So many times as far from a change point, where what the neighbours lead to is told."""
 
 
-def held(course: Course) -> float:
+def prove(course: Course) -> float:
     """The worst relative difference of the two roads at twelve places of a course. Raises RoadsDiffer."""
     t = _places(course)
     if not t.size:

@@ -14,7 +14,7 @@ import numpy as np
 
 from graphkin.construction import AcrossGuide, Along, Plot, Ray, Touch
 from graphkin.construction.pencil import touch
-from graphkin.drafting import Beneath, Board, Homogeneous
+from graphkin.drafting import Board, Homogeneous, Underlay
 from graphkin.drafting.projective import balanced
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
@@ -56,7 +56,7 @@ def board_over(method: Method, plot: Plot) -> Board:
     lines = {name: board.sloping(board.origin, plot.guide_direction(name)) for name in plot.facts.lines}
     for one in normals(method.mechanism):
         lines[one.name] = board.sloping(plot.position[one.line.through], plot.direction(one.line.direction))
-    board.beneath = Beneath(points, lines)
+    board.underlay = Underlay(points, lines)
     return board
 
 

@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.finding.found import Kind, Position
+from graphkin.finding.answers import Kind, Position
 from graphkin.finding.quantities import Reader
 from graphkin.finding.rates import pace_of, rate
 from graphkin.finding.search import Function, differences
@@ -19,7 +19,7 @@ from graphkin.running.tracing import trace
 from graphkin.sweeps import Course, Road, Series
 from graphkin.value import frozen
 
-__all__ = ["Ground", "ground"]
+__all__ = ["Stretch", "stretch"]
 
 TURN = 2 * math.pi
 LEAST, MOST = 1441, 40_001
@@ -37,7 +37,7 @@ BEYOND = 4
 
 
 @frozen
-class Ground:
+class Stretch:
     """A part of a course.
 
     low, high   its ends; stopped: whether each is a dead point, which is not reached itself
@@ -173,7 +173,7 @@ def _greatest(values: Iterable[Value]) -> float:
     return max((float(np.percentile(size, 75)) for size in finite if size.size), default=0.0)
 
 
-def ground(course: Course, ranges: tuple[str, ...], names: tuple[str, ...], by: Road) -> Ground:
+def stretch(course: Course, ranges: tuple[str, ...], names: tuple[str, ...], by: Road) -> Stretch:
     """What a course asks for: from the first to the last position, and on to a dead point that is close behind."""
     t = np.unique(course.t)
     low, high = float(t[0]), float(t[-1])
@@ -189,7 +189,7 @@ def ground(course: Course, ranges: tuple[str, ...], names: tuple[str, ...], by: 
     turn = course.angular and not course.path.stops and sum(map(bool, course.path.pace)) == 1
     if turn and not course.method.structure.contacts and high - low > TURN:
         high = low + TURN
-    return Ground(course, by, names, low, high, (before, after))
+    return Stretch(course, by, names, low, high, (before, after))
 
 
 def _looked_far_enough(course: Course, low: float, high: float) -> Course:

@@ -8,7 +8,7 @@ from graphkin.finding.conditions import Condition
 from graphkin.mechanism import Driver, Mechanism
 from graphkin.value import frozen
 
-__all__ = ["Found", "Interval", "Kind", "Phase", "Position", "SlowPoint", "Speeds", "Stroke"]
+__all__ = ["Found", "Interval", "Kind", "OutputStroke", "Phase", "Position", "SlowPoint", "Speeds"]
 
 Kind = Literal["zero", "touch", "max", "min", "largest", "end", "stop", "pole", "nearest", "here"]
 """zero: the condition holds there, and the difference changes its sign; touch: it comes to hold and turns back;
@@ -57,7 +57,7 @@ class Phase:
 
 
 @frozen
-class Stroke:
+class OutputStroke:
     """Advance (the slower one) and return of an output, and the coefficient of travel speed variation K."""
 
     advance: Phase
@@ -126,7 +126,7 @@ class Found:
     everywhere: bool = False
     zero: bool = False
     swing: float | None = None
-    stroke: Stroke | None = None
+    stroke: OutputStroke | None = None
     slow: tuple[SlowPoint, ...] = ()
     speeds: tuple[Speeds, ...] = ()
     notes: tuple[str, ...] = ()

@@ -29,8 +29,6 @@ from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import PLANES, Figure, Window, births, constructions, first_steps, step_count
 from graphkin.value import frozen
 
-__all__ = ["mechanism_sheet", "mechanism_step_sheets", "scales_of"]
-
 _CROWDED, _EASED = 8, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
 _MORE = (2, 4)
@@ -66,7 +64,7 @@ def mechanism_sheet(
     if upto is not None:
         return _staged(work, paper).upto(upto)
     best = _divided(work, paper)
-    return (work.on(best.layout, far=True) if best.lost else best).sheet
+    return (work.on(best.layout, far=True) if best.lettered.lost else best).lettered.sheet
 
 
 def mechanism_step_sheets(
@@ -138,22 +136,10 @@ class _Composed:
     layout: Layout
     lettered: Lettered
 
-    @property
-    def lost(self) -> int:
-        return self.lettered.lost
-
-    @property
-    def crowded(self) -> int:
-        return self.lettered.crowded
-
-    @property
-    def sheet(self) -> Sheet:
-        return self.lettered.sheet
-
 
 def _staged(work: _Work, paper: str | None) -> Sheet:
     """The pencil's own lines are there too, and no results; the paper is that of the sheet without them."""
-    return work.on(_divided(work, paper).layout, stages=True, far=True).sheet
+    return work.on(_divided(work, paper).layout, stages=True, far=True).lettered.sheet
 
 
 def _divided(work: _Work, paper: str | None) -> _Composed:
@@ -162,12 +148,13 @@ def _divided(work: _Work, paper: str | None) -> _Composed:
         layout = work.layout(papers_for(paper))
     except TooLargeForPaper as error:
         raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
-    composed = work.roomier(work.on(layout), papers_for(paper))
-    if paper is None and composed.layout.paper not in LARGE and (composed.crowded > _CROWDED or composed.lost):
+    best = work.roomier(work.on(layout), papers_for(paper))
+    now = best.lettered
+    if paper is None and layout.paper not in LARGE and (now.crowded > _CROWDED or now.lost):
         larger = work.roomier(work.on(work.layout(LARGE)), LARGE)
-        eased = larger.crowded <= composed.crowded - _EASED
-        composed = larger if (larger.lost, not eased) < (composed.lost, True) else composed
-    return composed
+        eased = larger.lettered.crowded <= now.crowded - _EASED
+        return larger if (larger.lettered.lost, not eased) < (now.lost, True) else best
+    return best
 
 
 @frozen
@@ -202,7 +189,7 @@ class _Work:
 
     def roomier(self, composed: _Composed, papers: Sequence[Paper]) -> _Composed:
         """The same size of paper divided for the planes where labels found no place, if there are and that helps."""
-        if not composed.lost:
+        if not composed.lettered.lost:
             return composed
         area = composed.layout.paper.width * composed.layout.paper.height
         same = [paper for paper in papers if paper.width * paper.height == area]
@@ -210,7 +197,7 @@ class _Work:
         for more in _MORE:
             if (layout := self.layout(same, crowded, more)) != composed.layout:
                 other = self.on(layout)
-                composed = other if other.lost < composed.lost else composed
+                composed = other if other.lettered.lost < composed.lettered.lost else composed
         return composed
 
     def on(self, layout: Layout, stages: bool = False, far: bool = False) -> _Composed:

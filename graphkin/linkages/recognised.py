@@ -12,7 +12,7 @@ from graphkin.linkages.equal import even
 from graphkin.linkages.four import FourBar
 from graphkin.linkages.guide import GuideBar
 from graphkin.linkages.linkage import Linkage, Scale
-from graphkin.linkages.loops import Loop, loops, pin_block
+from graphkin.linkages.loops import LinkLoop, loops, pin_block
 from graphkin.linkages.slider import SliderCrank
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.pairs import Slide
@@ -20,7 +20,7 @@ from graphkin.value import frozen
 
 
 @frozen
-class Found:
+class FoundLinkage:
     """A linkage of a mechanism.
 
     links    names of its links in the order of its lengths, the frame (by the name people call it) last:
@@ -34,7 +34,7 @@ class Found:
     linkage: Linkage
     links: tuple[str, ...]
     driven: str
-    before: Found | None = None
+    before: FoundLinkage | None = None
 
     @property
     def output(self) -> str:
@@ -44,7 +44,7 @@ class Found:
         return {"crank": self.links[0], "rocker": self.links[2], "bar": self.links[2]}.get(self.linkage.output, "")
 
 
-def found_in(mechanism: Mechanism) -> list[Found]:
+def found_in(mechanism: Mechanism) -> list[FoundLinkage]:
     """Every four-bar, slider-crank and guide bar that stands on the frame, in the order in which motion reaches them.
 
     Empty where there is none. Raises what the analysis raises for a mechanism that has no drawn position.
@@ -55,7 +55,7 @@ def found_in(mechanism: Mechanism) -> list[Found]:
     now = motion(mechanism)
     moved = {driver.link for driver in mechanism.drivers if driver.from_link == FRAME and driver.kind != "slide"}
     moved |= {_slid(mechanism, driver) for driver in mechanism.drivers if driver.kind == "slide"} - {""}
-    found: list[Found] = []
+    found: list[FoundLinkage] = []
     while waiting:
         loop = next((loop for loop in waiting if _entry(loop, moved) or _inner(mechanism, loop)), waiting[0])
         waiting.remove(loop)
@@ -66,7 +66,7 @@ def found_in(mechanism: Mechanism) -> list[Found]:
     return found
 
 
-def _behind(one: Found, found: list[Found], entry: str) -> Found:
+def _behind(one: FoundLinkage, found: list[FoundLinkage], entry: str) -> FoundLinkage:
     """With the linkage that turns its driven link, where there is one."""
     before = next((other for other in found if entry and other.output == entry), None)
     if before is None or one.driven != "link" or one.linkage.driver not in ("crank", "bar"):
@@ -74,7 +74,7 @@ def _behind(one: Found, found: list[Found], entry: str) -> Found:
     return replace(one, before=before)
 
 
-def some_found_in(mechanism: Mechanism) -> list[Found]:
+def some_found_in(mechanism: Mechanism) -> list[FoundLinkage]:
     """The same; raises NoLinkage where there is none."""
     if found := found_in(mechanism):
         return found
@@ -90,13 +90,13 @@ def _slid(mechanism: Mechanism, driver: Driver) -> str:
     return block if slide.guide == FRAME else slide.guide if block == FRAME else ""
 
 
-def _entry(loop: Loop, moved: set[str]) -> str:
+def _entry(loop: LinkLoop, moved: set[str]) -> str:
     """The link of the loop beside the frame that is moved from elsewhere; none where both or neither are."""
     beside = [link for link in (loop.links[1], loop.links[3]) if link in moved]
     return beside[0] if len(beside) == 1 else ""
 
 
-def _inner(mechanism: Mechanism, loop: Loop) -> bool:
+def _inner(mechanism: Mechanism, loop: LinkLoop) -> bool:
     """Whether a driver acts inside the loop: on its coupler, or between two of its links."""
     return any(
         driver.link in loop.links[1:] or (loop.slide is not None and driver.link == loop.slide.name)
@@ -110,13 +110,13 @@ class _Ring:
 
     machine: Mechanism
     now: Motion
-    loop: Loop
+    loop: LinkLoop
     entry: str
 
     def turned(self) -> _Ring:
         """The same the other way round."""
         frame, first, middle, last = self.loop.links
-        return replace(self, loop=Loop((frame, last, middle, first), self.loop.pairs[::-1]))
+        return replace(self, loop=LinkLoop((frame, last, middle, first), self.loop.pairs[::-1]))
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -157,7 +157,7 @@ class _Ring:
         return Scale(slide.name, float(self.now.s[slide.name]) - sense * ours, sense)
 
 
-def _found(ring: _Ring) -> Found | None:
+def _found(ring: _Ring) -> FoundLinkage | None:
     """The linkage of a loop, lettered from the link that drives it; None where a link of it has no length."""
     slide = ring.loop.slide
     if slide is None:
@@ -172,7 +172,7 @@ def _found(ring: _Ring) -> Found | None:
         return None
     pins = {pin_block(slide): slide.point for slide in ring.machine.slides}
     links = (*(pins.get(link, link) for link in ring.loop.links[1:]), ring.machine.frame)
-    return Found(linkage, links, _how(ring, linkage.driver in ("coupler", "slide")))
+    return FoundLinkage(linkage, links, _how(ring, linkage.driver in ("coupler", "slide")))
 
 
 def _real(*sizes: float) -> bool:

@@ -5,20 +5,20 @@ from __future__ import annotations
 import cmath
 from collections.abc import Mapping
 
-from graphkin.linkages.linkage import Linkage, Position
+from graphkin.linkages.linkage import Linkage, LinkagePosition
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.value import frozen
 
 
 @frozen
-class Pose:
+class Placement:
     """Points [m] and angles of links [rad] at one position; points that only end a line are left out."""
 
     position: Mapping[str, complex]
     theta: Mapping[str, float]
 
 
-def posed(linkage: Linkage, machine: Mechanism, position: Position) -> Pose:
+def posed(linkage: Linkage, machine: Mechanism, position: LinkagePosition) -> Placement:
     """`machine`, which `linkage.mechanism` made, at a position; a dead point is one like any other."""
     drawn = {**machine.sketch, **dict(zip(linkage.names, linkage.places))}
     there = dict(zip(linkage.names, position.places))
@@ -34,4 +34,4 @@ def posed(linkage: Linkage, machine: Mechanism, position: Position) -> Pose:
         points = machine.links[line.link].points
         hinge = next(point for point in points if point in there)
         there[line.origin] = there[hinge] + (points[line.origin] - points[hinge]) * cmath.rect(1, theta[line.link])
-    return Pose(there, theta)
+    return Placement(there, theta)
