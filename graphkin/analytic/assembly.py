@@ -22,8 +22,6 @@ from graphkin.errors import NoAssembly
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.tolerances import ROUNDED
 
-__all__ = ["Assembled", "DrawnPosition", "assemble", "drawn", "held", "idle"]
-
 _STARTS = 128
 _MANY = 32
 """Unknowns with which fewer starts are tried, all loops at once; an assembly is rarely found so, only the gap."""

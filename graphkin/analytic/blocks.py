@@ -16,8 +16,6 @@ from graphkin.analytic.elimination import Elimination
 from graphkin.analytic.newton import EquationSystem
 from graphkin.analytic.vectors import Complex, Real, Vectors
 
-__all__ = ["Block", "blocks_of", "moved_by"]
-
 _NOTHING = 1e-12
 """Coefficients below this are rounding, in units of size."""
 

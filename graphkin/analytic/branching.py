@@ -17,8 +17,6 @@ from graphkin.analytic.newton import EquationSystem, close, inverse, search
 from graphkin.analytic.vectors import Complex, Real
 from graphkin.tolerances import ROUNDED
 
-__all__ = ["SAME", "Judge", "branched"]
-
 _WIDTHS = (1, 8, 64)
 """Branches kept."""
 _STARTS = 24

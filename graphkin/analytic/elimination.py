@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 
 from graphkin.analytic.vectors import Real
 
-__all__ = ["Elimination", "eliminate"]
-
 _ZERO = 1e-9
 """A row whose entries all fall below this is a repetition of others."""
 

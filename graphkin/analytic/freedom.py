@@ -18,8 +18,6 @@ from graphkin.analytic.vectors import Real
 from graphkin.mechanism import Mechanism
 from graphkin.tolerances import RANK
 
-__all__ = ["Mobility", "mobility"]
-
 _NUDGES = 6
 _NUDGE = 0.05
 """How far the mechanism is moved to see its general rank [rad, size]."""

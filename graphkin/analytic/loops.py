@@ -20,8 +20,6 @@ from graphkin.errors import NotJoined
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Rod
 
-__all__ = ["Loops", "loops_of"]
-
 
 @dataclass(frozen=True)
 class Loops:

@@ -19,8 +19,6 @@ from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
 from graphkin.value import frozen
 
-__all__ = ["Motion", "conditioning", "motion"]
-
 _SINGULAR = 1e-5
 """Reciprocal condition below which velocities count as not determined.
 

@@ -18,8 +18,6 @@ from graphkin.analytic.path import Path, RightSides, path_along
 from graphkin.analytic.rates import tangent
 from graphkin.analytic.vectors import Real
 
-__all__ = ["Limit", "moved"]
-
 _SAME = 1e-12
 """Right sides that differ by less are the same [rad, m]."""
 _STRIDE = 0.0517

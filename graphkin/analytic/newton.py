@@ -17,8 +17,6 @@ from graphkin.analytic.loops import Loops
 from graphkin.analytic.rules import Relation
 from graphkin.analytic.vectors import Real
 
-__all__ = ["Closed", "EquationSystem", "close", "inverse", "search"]
-
 _SETTLED = 1e-13
 """Newton steps below this are rounding."""
 _CLOSED = 1e-20

@@ -21,8 +21,6 @@ from graphkin.analytic.rates import tangent
 from graphkin.analytic.vectors import Real
 from graphkin.tolerances import TOUCH
 
-__all__ = ["Path", "PathNode", "RightSides", "path_along"]
-
 STRIDE = 0.12
 """Longest step of a driver [rad]: 4.7 deg."""
 LENGTH_STRIDE = 0.03

@@ -14,8 +14,6 @@ from graphkin.analytic.loops import parts
 from graphkin.analytic.newton import EquationSystem, inverse
 from graphkin.analytic.vectors import Real
 
-__all__ = ["Rates", "rates", "tangent"]
-
 
 @dataclass(frozen=True, slots=True)
 class Rates:

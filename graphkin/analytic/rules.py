@@ -18,9 +18,6 @@ from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
 from graphkin.tolerances import ROUNDED
 
-__all__ = ["RULES", "Joint", "Relation", "Share", "Unknown", "driven", "placing", "shares", "theta"]
-
-
 
 class Unknown(NamedTuple):
     """The angle of a link (kind "theta") or the displacement along a line (kind "s")."""

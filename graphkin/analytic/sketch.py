@@ -14,8 +14,6 @@ from graphkin.analytic.vectors import Real
 from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
 from graphkin.pairs import Slide
 
-__all__ = ["guess"]
-
 
 def guess(mechanism: Mechanism, loops: Loops) -> Real:
     """The unknowns (n,) as far as the sketch and the drivers show them, in internal units; nan elsewhere."""

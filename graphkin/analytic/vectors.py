@@ -15,8 +15,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Complex", "Real", "Vectors"]
-
 Real = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

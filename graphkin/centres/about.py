@@ -27,8 +27,6 @@ from graphkin.readings import readings
 from graphkin.tolerances import STILL
 from graphkin.value import frozen
 
-__all__ = ["INFINITY", "About", "CarriedPoint", "Circle", "InflectionLine", "about", "euler_savary", "link_of"]
-
 INFINITY = complex(math.inf)
 NOWHERE = complex(math.nan, math.nan)
 WHERE = Where("--about")

@@ -23,9 +23,6 @@ from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.value import frozen
 
-__all__ = ["Bobillier", "Guided", "bobillier", "guided"]
-
-
 
 @frozen
 class Guided:

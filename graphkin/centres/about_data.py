@@ -10,8 +10,6 @@ import numpy as np
 from graphkin.centres.about import About, CarriedPoint, Circle
 from graphkin.centres.centrodes import Centrodes
 
-__all__ = ["about_json", "centrodes_json"]
-
 Json = dict[str, Any]
 
 

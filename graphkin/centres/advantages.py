@@ -8,8 +8,6 @@ from graphkin.centres.instant_centres import Centres
 from graphkin.centres.levers import Levers
 from graphkin.mechanism import FRAME
 
-__all__ = ["advantages", "carried_through"]
-
 
 def carried_through(found: Centres, scale: float = 0.0) -> Levers:
     """The motions of all links that levers reach, from the first driver that moves. scale: as of `Levers`."""

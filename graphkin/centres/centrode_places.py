@@ -20,8 +20,6 @@ from graphkin.motions import Motions
 from graphkin.readings import readings
 from graphkin.running.path import Path, along, stride
 
-__all__ = ["carried_to", "over"]
-
 LEAN = 0.02
 """Two lines that are less than this far from being one do not tell where they meet."""
 BESIDE = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])

@@ -12,8 +12,6 @@ import numpy as np
 
 from graphkin.value import frozen
 
-__all__ = ["Piece", "Sample", "arc_length", "pieces"]
-
 FIRST, DEEPEST = 90, 9
 """Cells to begin with; how often a cell may be halved."""
 BEND, FLAT = 0.08, 2e-4

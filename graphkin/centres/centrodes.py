@@ -22,8 +22,6 @@ from graphkin.quantities import centre_of
 from graphkin.running.path import Path, along
 from graphkin.value import frozen
 
-__all__ = ["Centrodes", "Coursed", "centrodes", "path", "whole"]
-
 FAR = 25.0
 """A centre is followed so many times the mechanism's size away."""
 MARGIN = 1e-6

@@ -10,8 +10,6 @@ from graphkin.centres.instant_centres import Centres
 from graphkin.centres.search import Centring
 from graphkin.drafting import LineStep, Stage, drawn_through
 
-__all__ = ["as_json", "found_by", "place"]
-
 Json = dict[str, Any]
 
 

@@ -14,8 +14,6 @@ from graphkin.geometry import Value
 from graphkin.planning import Method
 from graphkin.value import frozen
 
-__all__ = ["Centres", "centres"]
-
 
 @frozen
 class Centres:

@@ -18,8 +18,6 @@ from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
 from graphkin.value import Lazy, frozen
 
-__all__ = ["NEAR", "SCALE", "Lever", "LeverBoard", "Number", "Sense", "printed"]
-
 NEAR = 1e-6
 """Lengths below this part of the mechanism's size are none on paper."""
 SCALE = "scale"

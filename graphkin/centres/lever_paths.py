@@ -11,8 +11,6 @@ from graphkin.centres.instant_centres import Centres
 from graphkin.mechanism import FRAME
 from graphkin.value import frozen
 
-__all__ = ["LeverPaths"]
-
 
 @frozen
 class LeverPaths:

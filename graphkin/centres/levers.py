@@ -16,8 +16,6 @@ from graphkin.centres.lever_paths import LeverPaths
 from graphkin.drafting import Far, Reckon, Stage, Traced
 from graphkin.mechanism import FRAME, Driver, Mechanism
 
-__all__ = ["Levers", "driven_point"]
-
 
 def driven_point(mechanism: Mechanism, driver: Driver) -> tuple[str, str, str]:
     """The point that a driver slides, the link it is driven with, and the link that carries its way."""

@@ -35,8 +35,6 @@ from graphkin.planning import Method
 from graphkin.readings import readings
 from graphkin.value import frozen
 
-__all__ = ["Centring", "centre_name", "search"]
-
 CLEAR = 1e-3
 """Two lines that are less than this far from being one give no centre."""
 WELL_APART = 0.05

@@ -16,8 +16,6 @@ from graphkin.geometry import cross, dot
 from graphkin.loading.units import read_quantity
 from graphkin.value import frozen
 
-__all__ = ["Case", "TwoVelocities", "from_text", "pole_of"]
-
 Case = Literal["meet", "infinity", "similar", "point", "rest"]
 
 WHERE = Where("--velocities")

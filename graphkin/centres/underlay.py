@@ -25,8 +25,6 @@ from graphkin.planning.equivalent import Contact
 from graphkin.tolerances import STILL
 from graphkin.value import frozen
 
-__all__ = ["CommonNormal", "board_over", "contact_name", "from_velocities", "normals", "pole_name"]
-
 
 def contact_name(contact: Contact) -> str:
     """What the point is called in which wheels touch; no point of a mechanism has a name of two words."""

@@ -20,8 +20,6 @@ from graphkin.quantities import centre_of
 from graphkin.tolerances import STILL
 from graphkin.value import frozen
 
-__all__ = ["CENTRES", "SeenCentre", "parted", "pole_of", "seen_arrows", "seen_centres", "ways_to_move"]
-
 CENTRES: Literal["centres"] = "centres"
 """What the marks of centres give as their plane."""
 

@@ -19,8 +19,6 @@ from graphkin.construction import Plane
 from graphkin.mechanism import Mechanism
 from graphkin.seal import seal
 
-__all__ = ["changed", "unjudged"]
-
 WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+|[−-][0-9]+)?)")
 """A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm; 2×10⁻⁵ and 10⁻⁵ with their exponents raised."""
 Letters = tuple[str, complex]

@@ -18,8 +18,6 @@ from graphkin.errors import BadDrawing, NoDrawing, Where
 from graphkin.mechanism import Mechanism
 from graphkin.value import frozen
 
-__all__ = ["UNITS", "DrawingFile", "Fault", "mechanism_of", "numbers", "plane_of", "read", "scales_of", "stated"]
-
 LIMIT = 16 << 20
 """Larger drawings are not ours [bytes]."""
 FORMAT = 2

@@ -13,8 +13,6 @@ from graphkin.mechanism import Mechanism
 from graphkin.naming import seen
 from graphkin.pairs import pin_name
 
-__all__ = ["is_called_so", "is_named_so", "point_value", "vector_value"]
-
 
 def vector_value(exact: Widened, plane: Plane, attributes: Mapping[str, str]) -> complex | None:
     """The motion of `data-of` seen from `data-seen-from`, or its part; with `data-over` that of it, and `data-of` seen

@@ -12,8 +12,6 @@ from graphkin.check.shown import Shown
 from graphkin.check.styles import Style, styled
 from graphkin.check.transforms import Affine, length, numbers_in, transform
 
-__all__ = ["wrong_heads"]
-
 _NO_LENGTH = 0.05
 """A vector shorter than this has no head [mm]."""
 _ENDS = ("marker-start", "marker-mid", "marker-end")

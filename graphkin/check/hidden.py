@@ -14,8 +14,6 @@ from graphkin.check.shown import Shown, Sight
 from graphkin.check.styles import dashed_away
 from graphkin.value import frozen
 
-__all__ = ["Layers", "name_of"]
-
 _MARKS = ("vector", "point", "link")
 _FAINT = 0.3
 """Ink fainter than this is none."""

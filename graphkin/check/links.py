@@ -15,8 +15,6 @@ from graphkin.check.widened import Widened, lines_of
 from graphkin.mechanism import Mechanism
 from graphkin.pairs import Rod
 
-__all__ = ["link_name", "worst_place"]
-
 Pair = tuple[complex, complex]
 """Where something is drawn, and where it should be."""
 

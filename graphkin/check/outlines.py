@@ -10,8 +10,6 @@ from itertools import pairwise
 
 from graphkin.check.transforms import NUMBER, Unread, length, numbers_in
 
-__all__ = ["SHAPES", "is_plain", "outline"]
-
 SHAPES = ("line", "polyline", "polygon", "rect", "circle", "ellipse", "path", "image")
 _PIECE = re.compile("([MmLlHhVvCcSsQqTtAaZz])([^MmLlHhVvCcSsQqTtAaZz]*)")
 _TAKES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}

@@ -21,8 +21,6 @@ from graphkin.errors import BadDrawing, Where
 from graphkin.mechanism import Mechanism
 from graphkin.value import frozen
 
-__all__ = ["Measured", "RulerReport", "measure", "measured"]
-
 
 @frozen
 class Measured:

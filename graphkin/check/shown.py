@@ -14,8 +14,6 @@ from graphkin.check.styles import Style, harmless_sheet, styled
 from graphkin.check.transforms import Affine, Unread, length, paper, transform
 from graphkin.value import frozen
 
-__all__ = ["Shown", "Sight", "seen_in"]
-
 SVG = "{http://www.w3.org/2000/svg}"
 _ALIVE = ("script", "animate", "animateTransform", "animateMotion", "animateColor", "set", "discard", "handler")
 _COPIES = ("use", "switch", "foreignObject", "svg", "iframe", "object", "video", "canvas")

@@ -9,8 +9,6 @@ from functools import lru_cache
 from graphkin.check.transforms import Unread, length, numbers_in
 from graphkin.value import frozen
 
-__all__ = ["Style", "brightness", "dashed_away", "harmless_sheet", "styled"]
-
 _PAINTED = (
     "fill", "stroke", "stroke-width", "stroke-opacity", "fill-opacity", "stroke-dasharray", "visibility",
     "marker-start", "marker-mid", "marker-end", "font-size", "color",

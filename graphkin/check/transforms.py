@@ -8,8 +8,6 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import NamedTuple
 
-__all__ = ["NUMBER", "Affine", "Unread", "length", "numbers_in", "paper", "transform"]
-
 NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 """As SVG writes numbers: ASCII digits alone."""
 _LENGTH = re.compile(rf"\s*({NUMBER})(\s*)(px|mm|cm|in|pt|pc|Q)?\s*")

@@ -16,8 +16,6 @@ from graphkin.pairs import Line, Rod, Slot, pin_name, rod_name
 from graphkin.planning import plan
 from graphkin.value import Lazy, frozen
 
-__all__ = ["Widened", "added_point", "lines_of", "widened"]
-
 
 @frozen
 class Body:

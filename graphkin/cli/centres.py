@@ -30,8 +30,6 @@ if TYPE_CHECKING:
     from graphkin.centres.centrodes import Centrodes
     from graphkin.sheet import Sheet
 
-__all__ = ["centres"]
-
 
 @click.command()
 @click.argument("mechanisms", metavar="MECHANISM...", nargs=-1)

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from graphkin.design import Design
     from graphkin.loading.units import Dimension
 
-__all__ = ["design"]
-
 
 def _quantity(dimension: Dimension, option: str, text: str) -> float:
     """A number in mm or deg, or with a unit, as SI."""

@@ -31,8 +31,6 @@ from graphkin.errors import GraphkinError, Lang
 if TYPE_CHECKING:
     from graphkin.construction import Plane
 
-__all__ = ["check", "draw", "explain", "solve"]
-
 
 @click.command()
 @mechanism_argument

@@ -9,8 +9,6 @@ import click
 from graphkin.cli.shared import force_option, lang_option, mechanism_argument, read, speaking, svg_option
 from graphkin.errors import Lang
 
-__all__ = ["list_", "schema", "show", "structure"]
-
 
 @click.command("list")
 @click.option("--kinds", is_flag=True, help="The kinds of four-bar, slider-crank and guide-bar linkages.")

@@ -15,8 +15,6 @@ from graphkin.errors import GraphkinError, Lang, OutOfRange, Where
 if TYPE_CHECKING:
     from graphkin.linkages import Report
 
-__all__ = ["linkage"]
-
 LEAST_PART = 1e-9
 """Beside the longest link, one shorter than this part of it is none."""
 

@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from graphkin.sheet import Sheet
     from graphkin.sweeps import Course, Road, Sweep
 
-__all__ = ["find", "sweep"]
-
 PRINTED, IN_ONE = 100_000, 1_000_000
 """Rows that are printed as a table, and written as one JSON object, at most."""
 WRITTEN = (".csv", ".json", ".parquet", ".svg", ".png", ".pdf")

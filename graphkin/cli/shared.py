@@ -23,13 +23,6 @@ if TYPE_CHECKING:
     from graphkin.mechanism import Mechanism
     from graphkin.planning import Method
 
-__all__ = [
-    "PAPERS", "angle_option", "at_option", "at_values", "by_option", "coincident_option", "drawn", "force_option",
-    "json_line", "lang_option", "mechanism_argument", "method_option", "plain", "ranges_option", "read", "said",
-    "speaking", "svg_option", "told_each",
-    "user_language",
-]  # fmt: skip
-
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
 PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape")

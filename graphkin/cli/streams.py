@@ -13,8 +13,6 @@ import click
 
 from graphkin.errors import CannotWrite, Lang
 
-__all__ = ["ended", "flushed", "prepare", "written"]
-
 NO_READER = (errno.EPIPE, errno.EINVAL) if sys.platform == "win32" else (errno.EPIPE,)
 """What writing into a pipe says that nobody reads any more."""
 

@@ -10,8 +10,6 @@ import click
 from graphkin.cli.shared import force_option, lang_option, mechanism_argument, read, speaking
 from graphkin.errors import Lang
 
-__all__ = ["equations"]
-
 
 @click.command()
 @mechanism_argument

@@ -9,8 +9,6 @@ from graphkin.construction.kinds import LayOff, Step
 from graphkin.construction.terms import Plane, Site, Term
 from graphkin.value import frozen
 
-__all__ = ["BrokenChain", "Construction", "Equation", "Node", "NotClosable", "span_of"]
-
 
 class BrokenChain(ValueError):
     """Two sides of a vector equation that do not start and end at the same points."""

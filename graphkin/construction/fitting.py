@@ -15,8 +15,6 @@ from graphkin.construction.plot import Plot, slide_key
 from graphkin.construction.terms import Arm, Plane, Slid
 from graphkin.geometry import Value
 
-__all__ = ["fit", "roll", "solve_together", "unknowns_of"]
-
 Row = tuple[Value, Mapping[str, Value]]
 
 ROUNDS = 30

@@ -5,26 +5,6 @@ from __future__ import annotations
 from graphkin.construction.terms import Arm, Direction, Size, Slid, Span, Term
 from graphkin.value import frozen
 
-__all__ = [
-    "Arc",
-    "Chain",
-    "Closure",
-    "Fit",
-    "Given",
-    "Image",
-    "InStep",
-    "LayOff",
-    "Measure",
-    "Meet",
-    "Ray",
-    "Roll",
-    "Simultaneous",
-    "Step",
-    "Swing",
-    "Touch",
-    "Unknown",
-]
-
 
 @frozen
 class Given:

@@ -28,8 +28,6 @@ from graphkin.construction.terms import Plane, Slid
 from graphkin.geometry import Leg, Value, cross, dot, leg, meet_circles, meet_line_circle, meet_lines
 from graphkin.value import frozen
 
-__all__ = ["COMPASS", "FIXED", "Compass", "replay", "touch"]
-
 FIXED = complex(0.0)
 """What a fixed point of the mechanism is in a polygon: on the pole, wherever that is found."""
 

@@ -30,8 +30,6 @@ from graphkin.construction.terms import (
 from graphkin.geometry import Value, unit
 from graphkin.value import frozen
 
-__all__ = ["Facts", "Plot", "TurnOf", "slide_key"]
-
 
 def slide_key(slide: str) -> str:
     """A slide in tables that hold displacements beside angles by link: a file may call a link and a slide alike."""

@@ -7,30 +7,6 @@ from typing import Literal
 
 from graphkin.value import frozen
 
-__all__ = [
-    "LETTER",
-    "Across",
-    "AcrossGuide",
-    "Along",
-    "AlongGuide",
-    "Arm",
-    "Coriolis",
-    "Direction",
-    "Drawn",
-    "Driven",
-    "Normal",
-    "Plane",
-    "Quarter",
-    "Relative",
-    "Site",
-    "Size",
-    "Slid",
-    "Span",
-    "Tangential",
-    "Term",
-    "Turning",
-]
-
 Plane = Literal["position", "velocity", "acceleration"]
 LETTER: Mapping[Plane, str] = {"position": "r", "velocity": "v", "acceleration": "a"}
 

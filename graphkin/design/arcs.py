@@ -18,8 +18,6 @@ import numpy as np
 from graphkin.design.model import Arc, Family
 from graphkin.value import frozen
 
-__all__ = ["Chord", "family", "found_at", "highest", "roots"]
-
 _COUNT = 721
 """Directions looked at on an arc."""
 _HALVINGS = 80

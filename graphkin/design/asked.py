@@ -7,8 +7,6 @@ from collections.abc import Mapping
 
 from graphkin.errors import OneCondition, WantedRange
 
-__all__ = ["angle_within", "one_of", "positive", "ratio_within"]
-
 
 def positive(**lengths: float | None) -> None:
     """Raises WantedRange for a length that is none [m]."""

@@ -23,8 +23,6 @@ from graphkin.drafting import (
     Through,
 )
 
-__all__ = ["circle_stages", "on_circle", "ranged"]
-
 Found = tuple[float, tuple[Stage, ...]]
 
 

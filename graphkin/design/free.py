@@ -10,8 +10,6 @@ import numpy as np
 from graphkin.design.model import gamma_four
 from graphkin.geometry import cross, unit
 
-__all__ = ["chosen"]
-
 _COUNT = 161
 _REACH = 2.5
 """How far from C1C2 and B1B2 pivots are looked for, in lengths of coupler and moves together."""

@@ -27,8 +27,6 @@ from graphkin.drafting import (
     replay,
 )
 
-__all__ = ["guide_bar"]
-
 
 def guide_bar(k: float, *, frame: float | None = None, crank: float | None = None) -> Design:
     """The oscillating guide bar that returns k times as fast; the length of the frame or of the crank is given [m].

@@ -14,8 +14,6 @@ from graphkin.design.model import Reason, Solution, gamma_four, gamma_slider
 from graphkin.drafting import Board, Drafting
 from graphkin.geometry import cross, meet_circles
 
-__all__ = ["LOW", "angle_between", "quick_four", "quick_slider"]
-
 LOW = math.radians(40)
 """A least transmission angle below this is said to be small (教材：一般 gamma_min >= 40 deg)."""
 CHANGE = 1e-4

@@ -14,8 +14,6 @@ import numpy as np
 from graphkin.drafting import Board, Drafting, replay
 from graphkin.value import frozen
 
-__all__ = ["Arc", "Design", "Family", "Kind", "Reason", "Solution", "folded_least", "gamma_four", "gamma_slider"]
-
 Kind = Literal["rocker", "slider", "guide-bar", "coupler", "angles"]
 Shape = Literal["four-bar", "slider-crank", "guide-bar"]
 

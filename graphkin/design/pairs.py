@@ -37,8 +37,6 @@ from graphkin.drafting import (
 )
 from graphkin.errors import SameWanted, WantedRange, WrongNumber
 
-__all__ = ["angle_pairs"]
-
 _SINGULAR = 1e-10
 
 

@@ -17,8 +17,6 @@ from graphkin.geometry import cross, meet_circles
 from graphkin.linkages import FourBar, Report, report
 from graphkin.value import frozen
 
-__all__ = ["Passing", "passing", "shown"]
-
 _LINE = 1e-7
 """Sine of an angle that counts as none."""
 _EDGE = 1e-7

@@ -20,9 +20,6 @@ from graphkin.errors import CouplerChanges, NotOnBisector, SameWanted, WrongNumb
 from graphkin.geometry import dot, unit
 from graphkin.tolerances import ROUNDED
 
-__all__ = ["coupler_positions", "hinges"]
-
-
 
 def hinges(places: Sequence[complex], turns: Sequence[float], length: float) -> list[tuple[complex, complex]]:
     """B and C from B, the direction of BC [rad], and its length [m], position by position."""

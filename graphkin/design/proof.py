@@ -5,8 +5,6 @@ from __future__ import annotations
 from graphkin.design.model import Solution
 from graphkin.linkages import FourBar, GuideBar, Linkage, Report, SliderCrank, report
 
-__all__ = ["linkage_of", "proof"]
-
 
 def linkage_of(solution: Solution) -> Linkage:
     """The linkage of a solution, as it stands in the construction.

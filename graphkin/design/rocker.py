@@ -21,8 +21,6 @@ from graphkin.design.model import Design, Solution, gamma_four
 from graphkin.drafting import ChosenPoint, Drafting, LayOff, Measure, Reckon, Stage, Step, replay, theta_of
 from graphkin.geometry import cross
 
-__all__ = ["rocker"]
-
 
 def rocker(
     length: float, swing: float, k: float, *, frame: float | None = None, crank: float | None = None,

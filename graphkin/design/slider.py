@@ -19,8 +19,6 @@ from graphkin.design.judging import quick_slider
 from graphkin.design.model import Design, Solution, gamma_slider
 from graphkin.drafting import ChosenPoint, Drafting, LayOff, Measure, Reckon, Stage, Step, replay, theta_of
 
-__all__ = ["slider"]
-
 
 def slider(
     stroke: float, k: float, *, offset: float | None = None, crank: float | None = None, rod: float | None = None,

@@ -11,8 +11,6 @@ from graphkin.drafting.projective import Homogeneous, along, foot, improper, pla
 from graphkin.geometry import Value, unit
 from graphkin.value import frozen
 
-__all__ = ["Board", "Underlay"]
-
 
 @frozen
 class Underlay:

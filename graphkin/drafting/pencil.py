@@ -36,8 +36,6 @@ from graphkin.drafting.steps import (
 )
 from graphkin.geometry import Value, cross, meet_circles, meet_line_circle
 
-__all__ = ["draw", "replay", "ruled"]
-
 
 def replay(construction: Drafting, board: Board | None = None) -> Board:
     """Do all steps, on a new board or on one that lies over a drawing.

@@ -12,8 +12,6 @@ import numpy as np
 
 from graphkin.geometry import Value
 
-__all__ = ["INFINITE", "Homogeneous", "along", "balanced", "foot", "improper", "place", "product", "proper", "scalar"]
-
 Homogeneous = Any
 """Three coordinates (3,) or (3, n)."""
 

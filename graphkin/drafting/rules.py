@@ -9,8 +9,6 @@ import numpy as np
 
 from graphkin.geometry import Value
 
-__all__ = ["RULES", "theta_of"]
-
 ROUNDING = 1e-9
 """Sines below this are none."""
 

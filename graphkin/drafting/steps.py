@@ -14,36 +14,6 @@ from typing import assert_never
 from graphkin.drafting.projective import Homogeneous
 from graphkin.value import frozen
 
-__all__ = [
-    "Bisector",
-    "CarriedAngle",
-    "ChosenPoint",
-    "CircleAbout",
-    "CircleStep",
-    "CircleThrough",
-    "Drafting",
-    "Far",
-    "LayOff",
-    "LineStep",
-    "MarkOn",
-    "Measure",
-    "MeasureAngle",
-    "Meet",
-    "NumberStep",
-    "Parallel",
-    "Perpendicular",
-    "PointStep",
-    "Pricked",
-    "Reckon",
-    "Slanted",
-    "Stage",
-    "Step",
-    "Through",
-    "Traced",
-    "Turned",
-    "drawn_through",
-]  # fmt: skip
-
 # --- points -----------------------------------------------------------------------------------
 
 

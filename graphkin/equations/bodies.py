@@ -22,8 +22,6 @@ from graphkin.pairs import Slide
 from graphkin.planning.structure import Structure
 from graphkin.say.catalogue import Meaning, meaning
 
-__all__ = ["Bodies", "quarters"]
-
 _PLACES = 12
 """Decimals of a metre to which points of a link at one place agree."""
 _STRAIGHT = 1e-9

@@ -19,8 +19,6 @@ from graphkin.quantities import parts
 from graphkin.say.catalogue import meaning
 from graphkin.value import frozen
 
-__all__ = ["Chain", "asked_points", "chain", "vectors"]
-
 
 @frozen
 class Chain:

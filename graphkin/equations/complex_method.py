@@ -17,8 +17,6 @@ from graphkin.equations.pretty import Pretty, bracketed
 from graphkin.equations.rates import quotients
 from graphkin.equations.symbols import Symbol
 
-__all__ = ["complex_sides", "listed", "ring", "sides", "write_complex"]
-
 
 def write_complex(model: Model, page: Page) -> None:
     """All polygons in the order of solution, then the points asked for."""

@@ -9,8 +9,6 @@ from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.value import frozen
 
-__all__ = ["Block", "By", "Display", "Document", "Heading", "Sentence", "Table"]
-
 By = Literal["complex", "matrix"]
 Words = tuple[str | Node, ...]
 

@@ -12,8 +12,6 @@ from graphkin.equations.expressions import Sum, Term, number, phasor
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.value import frozen
 
-__all__ = ["Split", "single", "unit"]
-
 
 @frozen
 class Split:

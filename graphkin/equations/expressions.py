@@ -16,8 +16,6 @@ from graphkin.equations.symbols import NO_ANGLE, Angle, Symbol
 from graphkin.geometry import Value
 from graphkin.value import frozen
 
-__all__ = ["Sum", "Term", "Values", "Wave", "angle_value", "cross", "dot", "number", "one", "phasor", "squared", "wave"]
-
 Values = Mapping[Symbol, Value]
 WaveKind = Literal["cos", "sin", "exp"]
 

@@ -26,8 +26,6 @@ from graphkin.sheet.scales import finest
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure, Window
 
-__all__ = ["figure"]
-
 _ROOM = complex(130.0, 95.0)
 """The largest the mechanism's points may reach [mm]."""
 _MARGIN = 9.0

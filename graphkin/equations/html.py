@@ -11,8 +11,6 @@ from graphkin.equations.mathml import mathml
 from graphkin.outputs.svg import inline
 from graphkin.sheet import Sheet
 
-__all__ = ["write_html"]
-
 _STYLE = """
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font-family: "Times New Roman", "Liberation Serif",
   "Noto Serif CJK SC", "Songti SC", SimSun, serif; line-height: 1.5; color: #000; background: #fff; }

@@ -23,8 +23,6 @@ from graphkin.equations.layout import (
 )
 from graphkin.equations.symbols import Symbol
 
-__all__ = ["latex", "symbol_latex", "words"]
-
 _GREEK = {
     "α": r"\alpha", "β": r"\beta", "γ": r"\gamma", "δ": r"\delta", "θ": r"\theta", "φ": r"\varphi", "ω": r"\omega",
     "μ": r"\mu", "π": r"\pi",

@@ -5,8 +5,6 @@ from __future__ import annotations
 from graphkin.equations.symbols import Symbol
 from graphkin.value import frozen
 
-__all__ = ["Call", "Exp", "Frac", "Grid", "Letter", "Minus", "Node", "Num", "Op", "Paren", "Pow", "Root", "Row", "Word"]
-
 
 @frozen
 class Letter:

@@ -14,8 +14,6 @@ from graphkin.geometry import Value
 from graphkin.say.catalogue import Meaning
 from graphkin.value import frozen
 
-__all__ = ["Entry", "Ledger", "Reader", "Unit", "settled", "values"]
-
 Unit = Literal["mm", "deg", "rad/s", "rad/s^2", "m/s", "m/s^2", "mm rad", "1"]
 _NOTHING = 1e-12
 """Beside the largest of its unit."""

@@ -23,8 +23,6 @@ from graphkin.equations.layout import (
     Word,
 )
 
-__all__ = ["mathml", "row"]
-
 _DOTS = {1: "˙", 2: "¨"}
 
 

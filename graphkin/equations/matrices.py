@@ -19,8 +19,6 @@ from graphkin.equations.pretty import ZERO, Pretty
 from graphkin.equations.symbols import Symbol
 from graphkin.value import frozen
 
-__all__ = ["System", "matrices"]
-
 _JOINED = 4
 """So many unknowns still make one equation that fits a line."""
 _DIGITS = 6

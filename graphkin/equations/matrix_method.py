@@ -16,8 +16,6 @@ from graphkin.equations.pretty import ZERO, Pretty
 from graphkin.equations.symbols import Symbol
 from graphkin.say.catalogue import meaning
 
-__all__ = ["write_matrix"]
-
 
 def write_matrix(model: Model, page: Page) -> None:
     """The polygons in complex form, their components with the unknowns left, the matrices, the points asked for."""

@@ -21,8 +21,6 @@ from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.planning.structure import Hinge
 from graphkin.value import frozen
 
-__all__ = ["Model", "Task", "model_of"]
-
 
 @frozen
 class Task:

@@ -11,8 +11,6 @@ from graphkin.equations.layout import Node
 from graphkin.errors import Lang
 from graphkin.say.catalogue import phrase, say
 
-__all__ = ["Page"]
-
 
 @dataclass
 class Page:

@@ -22,8 +22,6 @@ from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
 from graphkin.say.catalogue import meaning
 from graphkin.value import frozen
 
-__all__ = ["Arrow", "Arrows", "Polygon", "Site", "closed", "way"]
-
 Site = tuple[str, str]
 """A point and the body it is taken on."""
 

@@ -16,8 +16,6 @@ from graphkin.equations.symbols import Angle, Symbol
 from graphkin.geometry import Value
 from graphkin.value import frozen
 
-__all__ = ["Solver"]
-
 Values = Mapping[Symbol, Value]
 
 

@@ -10,8 +10,6 @@ from graphkin.equations.layout import Call, Exp, Frac, Letter, Minus, Node, Num,
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.value import frozen
 
-__all__ = ["ZERO", "Pretty", "added", "bracketed"]
-
 ZERO = Num("0")
 
 

@@ -7,8 +7,6 @@ from graphkin.equations.expressions import Sum, Term, cross, dot, number
 from graphkin.equations.symbols import Symbol
 from graphkin.value import frozen
 
-__all__ = ["Quotient", "quotients"]
-
 
 @frozen
 class Quotient:

@@ -17,8 +17,6 @@ from graphkin.mechanism import FRAME
 from graphkin.pairs import Slide
 from graphkin.planning.structure import Structure
 
-__all__ = ["angle_readers", "difference", "place", "slide_readers", "turned"]
-
 Three = tuple[Reader, Reader, Reader]
 
 

@@ -11,8 +11,6 @@ from graphkin.planning.equivalent import Contact
 from graphkin.say.catalogue import meaning
 from graphkin.value import frozen
 
-__all__ = ["Rolling", "rolling"]
-
 
 @frozen
 class Rolling:

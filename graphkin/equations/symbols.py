@@ -11,8 +11,6 @@ from typing import Literal
 
 from graphkin.value import frozen
 
-__all__ = ["NO_ANGLE", "Angle", "Kind", "Symbol"]
-
 Kind = Literal["constant", "angle", "displacement", "rate", "push"]
 _RANKS: dict[Kind, int] = {"constant": 0, "displacement": 1, "angle": 2, "rate": 3, "push": 4}
 

@@ -10,8 +10,6 @@ from graphkin.equations.layout import Grid, Node, Row
 from graphkin.equations.tikz import tikz
 from graphkin.sheet import Sheet
 
-__all__ = ["write_tex"]
-
 _PREAMBLE = r"""\usepackage[margin=20mm]{geometry}
 \usepackage{amsmath}
 \usepackage{graphicx}

@@ -28,8 +28,6 @@ from graphkin.equations.symbols import Symbol
 from graphkin.say.text_table import aligned, padded, width
 from graphkin.sheet import Sheet
 
-__all__ = ["inline", "symbol_text", "write_text"]
-
 _DOTS = {0: "", 1: "\u0307", 2: "\u0308"}
 _POWERS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 _NUMBERED_AT = 88

@@ -11,8 +11,6 @@ from graphkin.sheet.lettering import SMALL, scripts
 from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
 
-__all__ = ["tikz"]
-
 _FILLS: dict[Fill, str] = {"none": "", "paper": ", fill=white", "ink": ", fill=black", "grey": ", fill=black!13"}
 _POINTS_PER_MM = 72.27 / 25.4
 

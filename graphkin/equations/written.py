@@ -21,8 +21,6 @@ from graphkin.planning import Method
 from graphkin.quantities import EDGE, Unit
 from graphkin.say.catalogue import say
 
-__all__ = ["document"]
-
 
 def document(method: Method, by: By = "complex", lang: Lang = "en") -> Document:
     """The equations of a planned mechanism by one of the two methods.

@@ -8,8 +8,6 @@ from graphkin.finding.conditions import Condition
 from graphkin.mechanism import Driver, Mechanism
 from graphkin.value import frozen
 
-__all__ = ["Found", "Interval", "Kind", "OutputStroke", "Phase", "Position", "SlowPoint", "Speeds"]
-
 Kind = Literal["zero", "touch", "max", "min", "largest", "end", "stop", "pole", "nearest", "here"]
 """zero: the condition holds there, and the difference changes its sign; touch: it comes to hold and turns back;
 max, min: an extreme; largest: the greatest size, against the sense that counts as positive; end: of what was asked

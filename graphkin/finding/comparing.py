@@ -16,9 +16,6 @@ from graphkin.finding.stretch import ROUNDING, TURN, Stretch
 from graphkin.sweeps import Series
 from graphkin.value import frozen
 
-__all__ = ["Difference", "difference", "holding", "intervals", "nearest"]
-
-
 
 @frozen
 class Difference:

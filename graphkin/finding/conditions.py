@@ -12,11 +12,6 @@ from graphkin.mechanism import Mechanism
 from graphkin.quantities import GRAVITY, SHAPE
 from graphkin.value import frozen
 
-__all__ = [
-    "DIMENSIONS", "WHERE", "Comparison", "Condition", "Extreme", "Scaling", "Slowest", "limit", "plain",
-    "read", "value",
-]  # fmt: skip
-
 WHERE = Where("find")
 
 DIMENSIONS: dict[str, Dimension] = {

@@ -7,8 +7,6 @@ from typing import Any
 
 from graphkin.finding.answers import Found, Interval, Phase, Position, SlowPoint, Speeds
 
-__all__ = ["as_json"]
-
 Json = dict[str, Any]
 
 

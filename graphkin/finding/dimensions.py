@@ -14,8 +14,6 @@ from graphkin.mechanism import Mechanism
 from graphkin.naming import driver_number
 from graphkin.value import frozen
 
-__all__ = ["WHERE", "DimensionPlace", "dimension", "replaced", "value_at"]
-
 WHERE = Where("--vary")
 Path = tuple[str | int, ...]
 

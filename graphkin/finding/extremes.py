@@ -11,8 +11,6 @@ from graphkin.finding.search import Curve, followed, tops
 from graphkin.finding.stretch import TURN, Stretch
 from graphkin.value import frozen
 
-__all__ = ["Extremes", "extremes", "stroke"]
-
 EQUAL = 1e-9
 """Extremes that differ by less than this part of what the quantity changes are equal."""
 BOUNDLESS = 1e5

@@ -21,8 +21,6 @@ from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.sweeps import Course, Road, Series, course, prove
 
-__all__ = ["check_limit", "find", "limit"]
-
 
 def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = "construction") -> Found:
     """All positions with a property.

@@ -23,8 +23,6 @@ from graphkin.sweeps.quantities import series
 from graphkin.sweeps.roads import moving
 from graphkin.value import frozen
 
-__all__ = ["Spots", "line_of", "scaled", "slowest", "spots"]
-
 
 @frozen
 class Spots:

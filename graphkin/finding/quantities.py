@@ -21,8 +21,6 @@ from graphkin.sweeps import Course, Road, Series
 from graphkin.sweeps.quantities import series
 from graphkin.sweeps.roads import moving
 
-__all__ = ["Reader", "checked", "looked_for"]
-
 
 def checked(mechanism: Mechanism, names: Sequence[str], where: Where = WHERE) -> tuple[Series, ...]:
     """The quantities at the drawn position.

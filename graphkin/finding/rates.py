@@ -17,8 +17,6 @@ from graphkin.quantities import Component, Displacement, Moving, Place, Rotation
 from graphkin.sweeps import Course, Series
 from graphkin.value import frozen
 
-__all__ = ["Pace", "pace_of", "rate"]
-
 
 @frozen
 class Pace:

@@ -12,8 +12,6 @@ import numpy as np
 
 from graphkin.value import frozen
 
-__all__ = ["Curve", "bisected", "crossings", "differences", "followed", "tops", "touches", "vanishing"]
-
 Function = Callable[[np.ndarray], np.ndarray]
 
 ROUNDS = 70

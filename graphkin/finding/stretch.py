@@ -19,8 +19,6 @@ from graphkin.running.tracing import trace
 from graphkin.sweeps import Course, Road, Series
 from graphkin.value import frozen
 
-__all__ = ["Stretch", "stretch"]
-
 TURN = 2 * math.pi
 LEAST, MOST = 1441, 40_001
 """Positions looked at, at least and at most."""

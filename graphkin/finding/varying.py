@@ -27,8 +27,6 @@ from graphkin.running import replay_all
 from graphkin.sweeps import Road
 from graphkin.value import frozen
 
-__all__ = ["VaryingRow", "VaryingTable", "table_json", "vary"]
-
 MOST = 10_000
 """Values of a dimension, at most."""
 Plan = Callable[[Mechanism], Method]

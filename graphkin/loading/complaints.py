@@ -23,8 +23,6 @@ from graphkin.loading.schema import (
 )
 from graphkin.loading.values import shown
 
-__all__ = ["complaints"]
-
 TABLES: Mapping[tuple[str, ...], type] = {
     (): File,
     ("title",): Titles,

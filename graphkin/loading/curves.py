@@ -12,8 +12,6 @@ from collections.abc import Mapping
 
 from graphkin.value import frozen
 
-__all__ = ["Angle", "Circle", "Curve", "Length", "Measure", "Places", "StraightLine", "Triple", "crossings", "gap"]
-
 TOUCHES = 1e-9
 """Two curves closer than this part of their size touch."""
 

@@ -12,8 +12,6 @@ from graphkin.loading.names import tidy
 from graphkin.loading.positions import Path
 from graphkin.mechanism import FRAME, Link
 
-__all__ = ["MOST_PROBLEMS", "Draft"]
-
 MOST_PROBLEMS = 100
 """Nobody reads more of them at a time."""
 

@@ -21,8 +21,6 @@ from graphkin.loading.positions import Path
 from graphkin.loading.schema import DriverTable, PoseTable
 from graphkin.mechanism import FRAME, Driver, Pose
 
-__all__ = ["read_drivers", "read_poses"]
-
 Vector = tuple[str, str]
 
 

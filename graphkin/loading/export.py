@@ -9,8 +9,6 @@ from __future__ import annotations
 import json
 from typing import Any
 
-__all__ = ["json_schema", "json_schema_text"]
-
 
 def json_schema() -> dict[str, Any]:
     """The schema, as plain as possible: defaults are not an editor's business."""

@@ -19,13 +19,6 @@ from graphkin.loading.units import UNITS, Dimension
 from graphkin.loading.values import above_zero, formed, quantity, scale, shown, titles, triples, vector, zero_or_more
 from graphkin.value import frozen
 
-__all__ = [
-    "ALSO", "ANCHOR", "ANGLE", "EDGE_RADIUS", "FLAG", "LENGTH", "LINK_KEY", "MEASURE_PATTERN", "NAME", "NEW_NAME",
-    "NUMBER", "PLACE", "POINT_NAME", "POINT_PATTERN", "RADIUS", "SCALE", "SIDE", "TEXT", "TRIPLES", "VECTOR", "Kind",
-    "anything", "described", "entry", "further", "key", "keys", "kind_of", "list_of", "mapping", "one_table",
-    "quantity_of", "table", "tables", "title", "two",
-]  # fmt: skip
-
 MEASURE_PATTERN = r"^([A-Z][0-9]*'*){2,3}$"
 POINT_PATTERN = r"^[A-Z][0-9]*'*$"
 NUMBER: dict[str, Any] = {"type": ["number", "string"]}

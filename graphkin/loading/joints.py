@@ -11,8 +11,6 @@ from graphkin.loading.positions import Path
 from graphkin.mechanism import FRAME, Link
 from graphkin.pairs import Pair
 
-__all__ = ["check_joints", "check_sizes", "check_sketch"]
-
 UNEVEN = 1e9
 """No length is so many times another one."""
 

@@ -12,8 +12,6 @@ from graphkin.loading.schema import LineTable
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Line
 
-__all__ = ["has_line", "read_line"]
-
 
 def has_line(table: LineTable) -> bool:
     """Whether any key of a line is there."""

@@ -14,8 +14,6 @@ from graphkin.loading.schema import File, LinkTable
 from graphkin.loading.shapes import Measures, check_round, own_axes, solve_shape
 from graphkin.mechanism import FRAME, Link
 
-__all__ = ["read_links"]
-
 
 def read_links(draft: Draft, file: File, raw: Mapping[str, Any], measures: Mapping[str, Sequence[Measure]]) -> None:
     """Put the frame and all links into the draft. `raw` is the file's own data: it keeps the order of the keys."""

@@ -15,8 +15,6 @@ from graphkin.mechanism import Mechanism
 if TYPE_CHECKING:
     from graphkin.loading.schema import File
 
-__all__ = ["load", "load_stream", "loads"]
-
 
 def load(source: str | FilePath) -> Mechanism:
     """The mechanism a file describes.

@@ -11,8 +11,6 @@ from graphkin.loading.curves import Angle, Length, Measure
 from graphkin.loading.names import POINT, split_points, tidy
 from graphkin.loading.values import above_zero, quantity, shown
 
-__all__ = ["OWN_KEYS", "frame_problems", "link_points", "read_measures"]
-
 OWN_KEYS = ("points", "ccw", "shape")
 """The keys of a link that are not measures."""
 

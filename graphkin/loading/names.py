@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["LINK", "POINT", "SLIDE", "split_points", "tidy"]
-
 _POINT = r"[A-Z][0-9]*'*"
 POINT = re.compile(_POINT)
 LINK = re.compile(r"[\w']+")

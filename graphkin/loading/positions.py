@@ -11,8 +11,6 @@ import tomllib
 from bisect import bisect_right
 from collections.abc import Callable
 
-__all__ = ["Path", "positions"]
-
 Path = tuple[str | int, ...]
 """A key's way from the top: `("slide", 0, "angle")`."""
 

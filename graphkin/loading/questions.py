@@ -9,8 +9,6 @@ from graphkin.loading.draft import Draft
 from graphkin.mechanism import Mechanism
 from graphkin.quantities import meant, read
 
-__all__ = ["check_questions", "remarks"]
-
 
 def check_questions(draft: Draft, mechanism: Mechanism) -> None:
     """Note every question about something that is not there."""

@@ -48,24 +48,6 @@ from graphkin.loading.fields import (
     two,
 )
 
-__all__ = [
-    "DEFINED",
-    "CamTable",
-    "DriverTable",
-    "File",
-    "FrameTable",
-    "GearTable",
-    "LineTable",
-    "LinkTable",
-    "PoseTable",
-    "ProfileTable",
-    "RollTable",
-    "ScalesTable",
-    "SlideTable",
-    "Titles",
-    "read_tables",
-]
-
 Place = Sequence[float]
 Vector = tuple[str, str]
 Side = Literal["left", "right"]

@@ -28,9 +28,6 @@ from graphkin.loading.curves import Length, Measure, Places, Triple, crossings, 
 from graphkin.tolerances import ROUNDED
 from graphkin.value import frozen
 
-__all__ = ["Measures", "check_round", "own_axes", "solve_shape"]
-
-
 MOST_POINTS = 50
 """Links of more points than this need coordinates."""
 

@@ -24,8 +24,6 @@ from graphkin.errors import (
 from graphkin.loading.names import tidy
 from graphkin.loading.positions import Path, positions
 
-__all__ = ["LARGEST_FILE", "decoded", "named", "read_bytes", "read_text", "read_toml"]
-
 LARGEST_FILE = 1_000_000
 """Mechanism files have some hundred bytes; more than this many are refused."""
 

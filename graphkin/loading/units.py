@@ -12,8 +12,6 @@ from typing import Literal
 
 from graphkin.errors import NOWHERE, NotANumber, NoUnit, OtherDimension, OutOfRange, UnknownUnit
 
-__all__ = ["LARGEST", "UNITS", "Dimension", "read_quantity"]
-
 Dimension = Literal["length", "angle", "angular velocity", "angular acceleration", "velocity", "acceleration"]
 
 _LENGTH = {"mm": (1, 1000), "cm": (1, 100), "m": (1, 1), "in": (254, 10000), "ft": (3048, 10000)}

@@ -13,18 +13,6 @@ from graphkin.errors import NOWHERE, BadName, Negative, OutOfRange, TooSmall, Wr
 from graphkin.loading.names import split_points, tidy
 from graphkin.loading.units import LARGEST, Dimension, read_quantity, short_number
 
-__all__ = [
-    "above_zero",
-    "formed",
-    "quantity",
-    "scale",
-    "shown",
-    "titles",
-    "triples",
-    "vector",
-    "zero_or_more",
-]
-
 SMALLEST_LENGTH = 1e-9
 """Lengths and radii are at least this [m]."""
 

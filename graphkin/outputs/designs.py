@@ -8,8 +8,6 @@ from typing import Any
 from graphkin.design import Design, Family, Solution
 from graphkin.say.design import said
 
-__all__ = ["as_json"]
-
 
 def as_json(design: Design) -> dict[str, Any]:
     """`{"format": 1, "solutions": [{"a": .., "b": .., ..}]}` in metres and radians; null where there is no such size.

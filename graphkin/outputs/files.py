@@ -10,8 +10,6 @@ from typing import ClassVar
 
 from graphkin.errors import CannotWrite, GraphkinError, Lang, NoFolder
 
-__all__ = ["FileInTheWay", "beside", "refuse"]
-
 GLANCE = 4096
 """How much of a file's beginning and end is looked at for a mark of graphkin."""
 

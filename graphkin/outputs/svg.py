@@ -26,8 +26,6 @@ from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Shows,
 from graphkin.sheet.paper import PENS, PenName
 from graphkin.sheet.scales import KEYS
 
-__all__ = ["NAMESPACE", "Unwritable", "inline", "refuse", "svg", "write"]
-
 NAMESPACE = "https://graphkin.invalid/sheet/1"
 MARKS = (NAMESPACE.encode(),)
 _LATIN = "Times New Roman, Liberation Serif, Tinos, serif"

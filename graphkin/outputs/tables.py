@@ -18,8 +18,6 @@ from graphkin.outputs.files import beside
 from graphkin.quantities import EDGE
 from graphkin.sweeps import Course, Road, Series, Sweep, in_parts
 
-__all__ = ["FORMATS", "NoParquet", "columns", "csv_lines", "json_text", "told", "write"]
-
 FORMATS = (".csv", ".json", ".parquet")
 MARKS = (b" [deg]", b" [mm]", b'"format": 1', b"graphkin")
 Seen = Callable[[Sweep], None]

@@ -7,8 +7,6 @@ from typing import ClassVar
 from graphkin.pairs.pair import Pair, Rod
 from graphkin.value import frozen
 
-__all__ = ["CircularSlot"]
-
 
 @frozen
 class CircularSlot(Pair):

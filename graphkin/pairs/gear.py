@@ -7,8 +7,6 @@ from typing import ClassVar
 from graphkin.pairs.pair import Circle, Pair, Rod, Rolling, centre_distance
 from graphkin.value import frozen
 
-__all__ = ["Gear"]
-
 
 @frozen
 class Gear(Pair):

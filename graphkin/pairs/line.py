@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from graphkin.value import frozen
 
-__all__ = ["Line"]
-
 
 @frozen
 class Line:

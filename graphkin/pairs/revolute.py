@@ -7,8 +7,6 @@ from typing import ClassVar
 from graphkin.pairs.pair import Pair
 from graphkin.value import frozen
 
-__all__ = ["Revolute"]
-
 
 @frozen
 class Revolute(Pair):

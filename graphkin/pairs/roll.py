@@ -8,8 +8,6 @@ from graphkin.pairs.line import Line
 from graphkin.pairs.pair import Circle, Pair, Rod, Rolling, Slot, centre_distance
 from graphkin.value import frozen
 
-__all__ = ["Roll"]
-
 
 @frozen
 class Roll(Pair):

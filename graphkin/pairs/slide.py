@@ -13,8 +13,6 @@ from graphkin.pairs.line import Line
 from graphkin.pairs.pair import Pair, Slot
 from graphkin.value import frozen
 
-__all__ = ["Slide"]
-
 
 @frozen
 class Slide(Pair):

@@ -21,8 +21,6 @@ from graphkin.planning.structure import Structure
 from graphkin.tolerances import CLOSED
 from graphkin.value import frozen
 
-__all__ = ["DEAD_SINE", "Assembly", "assemble", "extent", "links_of", "refuse_bad_positions", "refuse_open"]
-
 DEAD_DEG = 0.5
 """Lines that meet under less than this give no usable drawing [deg]."""
 DEAD_SINE = float(np.sin(np.radians(DEAD_DEG)))

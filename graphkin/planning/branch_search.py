@@ -23,8 +23,6 @@ from graphkin.planning.branches import Branches
 from graphkin.planning.starts import Starts
 from graphkin.planning.structure import Structure
 
-__all__ = ["BETWEEN", "Block", "DeadEnd", "blocks_of", "branches", "told_slides"]
-
 WIDTHS = (1, 8, 64)
 """Branches kept while a first assembly is looked for."""
 WIDEST = 1024

@@ -9,8 +9,6 @@ import numpy as np
 from graphkin.construction import Plot
 from graphkin.geometry import Value
 
-__all__ = ["Branches"]
-
 TABLES = ("near", "position", "theta", "s", "sines", "misses", "senses")
 
 

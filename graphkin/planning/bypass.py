@@ -14,8 +14,6 @@ from graphkin.pairs import Slide
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Structure
 
-__all__ = ["with_ways"]
-
 Way = tuple[tuple[str, float], ...]
 
 

@@ -16,8 +16,6 @@ from graphkin.planning.structure import Structure
 from graphkin.tolerances import RANK
 from graphkin.value import frozen
 
-__all__ = ["Candidates", "SetAside", "over"]
-
 
 @frozen
 class SetAside:

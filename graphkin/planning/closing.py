@@ -12,8 +12,6 @@ from collections.abc import Callable, Iterable
 from graphkin.construction import Arc, Drawn, Equation, Given, LayOff, Meet, Ray, Span, Step, Term
 from graphkin.value import frozen
 
-__all__ = ["Aside", "close", "known_sum"]
-
 Aside = Callable[[], str]
 """Names a point that only helps the drawing."""
 

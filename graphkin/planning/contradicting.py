@@ -14,8 +14,6 @@ from graphkin.planning.ranks import beside, drawn_place, open_by, rank
 from graphkin.planning.restraints import Array, Restraints, Rows
 from graphkin.tolerances import CLOSED, RANK
 
-__all__ = ["Contradictions"]
-
 _MISSED = 1e-8
 """A gap of more than this contradicts [size, rad]."""
 _LEAST = 1e-6

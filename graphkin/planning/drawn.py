@@ -16,9 +16,6 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Structure
 from graphkin.tolerances import ROUNDED
 
-__all__ = ["facts_of", "refuse_contacts_apart", "with_sides"]
-
-
 
 def refuse_contacts_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot: Plot) -> None:
     """Centres that other pairs hold must stand as the radii want: apart as far, or as far beside the track.

@@ -14,8 +14,6 @@ from graphkin.mechanism import FRAME, Link, Mechanism
 from graphkin.pairs import Line, Pair, Rod, Rolling, Slide, Slot, rod_name, start_name
 from graphkin.value import frozen
 
-__all__ = ["Contact", "contacts", "lower_pairs"]
-
 
 def lower_pairs(mechanism: Mechanism) -> Mechanism:
     """The mechanism with hinges and slides alone. Points and slides that stand for contacts have small letters."""

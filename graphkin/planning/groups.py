@@ -22,8 +22,6 @@ from graphkin.planning.rolling import train
 from graphkin.planning.special import Leg, Ternary
 from graphkin.planning.stages import Group, Loop
 
-__all__ = ["chain", "group", "walk"]
-
 Known = tuple[tuple[Site, ...], str, Size, Direction | None]
 """A known arrow: the sites it lies between, its part, its size, its direction."""
 

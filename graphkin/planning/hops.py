@@ -13,8 +13,6 @@ from graphkin.planning.stages import Loop
 from graphkin.planning.structure import Hinge, Sliding, Structure
 from graphkin.value import frozen
 
-__all__ = ["Hop", "Lever", "Slip", "Twist", "halves", "outward", "way_round"]
-
 
 @frozen
 class Lever:

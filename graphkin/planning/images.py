@@ -9,8 +9,6 @@ from graphkin.planning.closing import known_sum
 from graphkin.planning.hops import Lever, Slip
 from graphkin.planning.polygon import Polygon
 
-__all__ = ["add_up", "base_of", "drive", "fill", "reach"]
-
 
 def fill(polygon: Polygon, body: str) -> None:
     """Every named point of a link."""

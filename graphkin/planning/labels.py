@@ -11,8 +11,6 @@ from graphkin.planning.hops import Slip, Twist, way_round
 from graphkin.planning.stages import Carry, Group, Loop, Stage
 from graphkin.planning.structure import Sliding, Structure
 
-__all__ = ["Labels", "coincident_points"]
-
 
 @dataclass
 class Labels:

@@ -15,8 +15,6 @@ from graphkin.planning.stages import Bridge, Group, Stage
 from graphkin.planning.structure import Structure
 from graphkin.value import frozen
 
-__all__ = ["Method"]
-
 
 @frozen
 class Method:

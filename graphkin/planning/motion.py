@@ -22,8 +22,6 @@ from graphkin.planning.special import Ternary
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.planning.structure import Hinge, Structure
 
-__all__ = ["motion"]
-
 
 def motion(
     structure: Structure,

@@ -11,8 +11,6 @@ from collections.abc import Sequence
 from graphkin.errors import AlongOwnAxis
 from graphkin.mechanism import Mechanism
 
-__all__ = ["along_own_axis"]
-
 
 def along_own_axis(mechanism: Mechanism, links: Sequence[str], angle_deg: float) -> AlongOwnAxis | None:
     """The error that says so of one of these links; None where it is another dead point."""

@@ -23,8 +23,6 @@ from graphkin.planning.stages import Group, Loop, Mesh, Stage, stages
 from graphkin.planning.standing import as_drawn
 from graphkin.planning.structure import Structure
 
-__all__ = ["plan", "with_other_points"]
-
 
 def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> Method:
     """Plan the constructions of a mechanism, and pick its assembly by the sketch.

@@ -33,8 +33,6 @@ from graphkin.planning.hops import Hop, Lever, Slip, Twist
 from graphkin.planning.labels import Labels
 from graphkin.planning.structure import Structure
 
-__all__ = ["Polygon"]
-
 Piece = tuple[str, Size | None, Direction | None]
 """The part (`n`, `t`, `k`, `r`), size and direction of one arrow of a hop."""
 

@@ -37,8 +37,6 @@ from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
 from graphkin.value import frozen
 
-__all__ = ["in_step", "position", "touching"]
-
 
 @frozen
 class _Piece:

@@ -9,8 +9,6 @@ import numpy as np
 from graphkin.planning.restraints import Array, Restraints, Row, Rows, settled
 from graphkin.tolerances import CLOSED, RANK
 
-__all__ = ["beside", "drawn_place", "open_by", "rank"]
-
 _STARTS = 12
 
 

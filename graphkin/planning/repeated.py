@@ -21,8 +21,6 @@ from graphkin.planning.restraints import Array, Restraints, Row, Rows, settled
 from graphkin.planning.structure import Aside, Structure
 from graphkin.tolerances import CLOSED
 
-__all__ = ["as_aside", "repeated", "still_repeated"]
-
 _NUDGE = 0.05
 """How far bodies are moved to see the general rank [size, rad]."""
 _NUDGES = 4

@@ -8,8 +8,6 @@ from graphkin.planning.hops import Slip
 from graphkin.planning.images import reach
 from graphkin.planning.polygon import Polygon
 
-__all__ = ["measure_all_slides", "measure_slide"]
-
 
 def measure_all_slides(polygon: Polygon) -> None:
     """Every sliding pair and every wheel on a line whose motion along it no step has given yet."""

@@ -20,8 +20,6 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Structure
 from graphkin.value import frozen
 
-__all__ = ["Restraints", "Row", "Rows", "settled"]
-
 Array = NDArray[np.float64]
 Gradient = NDArray[np.complex128]
 _DAMPED = 1e-12

@@ -12,8 +12,6 @@ from graphkin.planning.position import in_step, touching
 from graphkin.planning.repeating import measure_slide
 from graphkin.planning.stages import Group, Mesh
 
-__all__ = ["mesh", "train"]
-
 
 def mesh(polygon: Polygon, stage: Mesh) -> None:
     """Pure rolling gives the contact of the one wheel the velocity of the other's; a rack follows its pinion."""

@@ -33,8 +33,6 @@ from graphkin.planning.stages import Group, Stage
 from graphkin.planning.structure import Structure
 from graphkin.value import frozen
 
-__all__ = ["Leg", "Ternary", "special_points", "ternary", "with_special_points"]
-
 APART = 0.1
 """Least sine of the angle under which two legs' lines may meet, where another pair is better."""
 

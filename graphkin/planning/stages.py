@@ -22,8 +22,6 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
 from graphkin.value import frozen
 
-__all__ = ["Bridge", "Carry", "Group", "Loop", "Mesh", "Stage", "stages"]
-
 MOST = 8
 """Unknown scalars of one loop of a group."""
 FEW = 8

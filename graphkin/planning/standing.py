@@ -25,8 +25,6 @@ from graphkin.quantities import EDGE, driven
 from graphkin.tolerances import ROUNDED
 from graphkin.value import frozen
 
-__all__ = ["as_drawn"]
-
 Repeats = tuple[SetAside, ...]
 
 TRIES = 64

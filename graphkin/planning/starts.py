@@ -17,8 +17,6 @@ from graphkin.mechanism import FRAME
 from graphkin.planning.branches import Branches
 from graphkin.planning.structure import Structure
 
-__all__ = ["Starts"]
-
 STARTS = 96
 """Places where fitting starts, for each branch."""
 AT_ONCE = 64

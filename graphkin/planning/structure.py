@@ -18,8 +18,6 @@ from graphkin.pairs import Rod, Slide, pin_name
 from graphkin.planning.equivalent import Contact
 from graphkin.value import frozen
 
-__all__ = ["NOTHING", "Aside", "Hinge", "Joint", "Sliding", "Structure"]
-
 
 @frozen
 class Hinge:

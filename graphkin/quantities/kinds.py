@@ -13,11 +13,6 @@ from graphkin.quantities.relative import absolute, relative
 from graphkin.tolerances import STILL
 from graphkin.value import frozen
 
-__all__ = [
-    "Answer", "Centre", "Component", "Displacement", "Moving", "Place", "Quantity", "Quotient", "Rotation",
-    "on_axis",
-]  # fmt: skip
-
 Axis = Literal["x", "y"]
 
 _TURNING = {"theta": ("rad", "θ"), "omega": ("rad/s", "ω"), "alpha": ("rad/s^2", "α")}

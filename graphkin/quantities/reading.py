@@ -24,8 +24,6 @@ from graphkin.pairs import Roll, Slide
 from graphkin.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation
 from graphkin.quantities.relative import has_part
 
-__all__ = ["SHAPE", "WORDS", "centre_of", "meant", "named", "parts", "read", "split"]
-
 WORDS = (
     "theta", "omega", "alpha", "s", "v", "a", "a_n", "a_t", "a_k", "a_r", "x", "y", "v_x", "v_y", "a_x", "a_y"
 )  # fmt: skip

@@ -12,8 +12,6 @@ from graphkin.motions import Motions
 from graphkin.naming import Seen, common_link
 from graphkin.pairs import Rod
 
-__all__ = ["absolute", "has_part", "relative"]
-
 Plane = Literal["velocity", "acceleration"]
 
 

@@ -6,8 +6,6 @@ import math
 
 from graphkin.value import frozen
 
-__all__ = ["EDGE", "GRAVITY", "IN_GRAVITY", "Unit", "driven"]
-
 GRAVITY = 9.80665
 """Standard acceleration of gravity [m/s^2]."""
 

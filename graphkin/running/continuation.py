@@ -20,8 +20,6 @@ from graphkin.running.path import STEP_DEG, STEP_PART, Event, Path, along, by_sl
 from graphkin.running.singularities import Crossing, choice_of, crossings, event_at, key_of, touching
 from graphkin.value import frozen
 
-__all__ = ["continued"]
-
 FIRST = 1 / 32
 """The first step, of which nothing is foretold but its direction, as part of the longest."""
 FARTHEST = 0.2

@@ -13,8 +13,6 @@ from graphkin.planning.method import Method
 from graphkin.running.compiled import TABLES, CannotRecord, Program, compiled_program
 from graphkin.running.path import Path, along
 
-__all__ = ["MANY", "PART", "along_in_parts", "by_program", "program_of", "replay_along"]
-
 MANY = 64
 """From so many positions on a program is worth being made: a few such sweeps take as long as making it."""
 PART = 4096

@@ -17,8 +17,6 @@ from graphkin.geometry import Value
 from graphkin.planning.method import Method
 from graphkin.value import frozen
 
-__all__ = ["STEP_DEG", "STEP_PART", "Event", "Path", "along", "by_slide_key", "stride", "turned", "with_nodes"]
-
 STEP_DEG, STEP_PART = 3.0, 0.02
 """The longest step from one position to the next that is found from it [deg, of the mechanism's size]."""
 

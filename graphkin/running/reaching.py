@@ -16,8 +16,6 @@ from graphkin.running.many_positions import along_in_parts
 from graphkin.running.path import STEP_DEG, STEP_PART, Path, along, stride, turned
 from graphkin.running.tracing import trace
 
-__all__ = ["moved_to", "reached"]
-
 SURPRISE = 0.02
 """How far a link may turn beside what its turning so far foretold [rad]; more, and the step is halved."""
 SHORTEST = 1 / 256

@@ -10,8 +10,6 @@ from graphkin.planning.assembly import refuse_bad_positions
 from graphkin.planning.drawn import refuse_contacts_apart
 from graphkin.planning.method import Method
 
-__all__ = ["replay_all"]
-
 
 def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
     """All three constructions at the drawn position, or at `values`: one entry a driver, scalar or (n,) [rad, m].

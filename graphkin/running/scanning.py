@@ -11,8 +11,6 @@ from graphkin.planning.method import Method
 from graphkin.running.path import Event, Path, along, stride, turned, with_nodes
 from graphkin.running.singularities import LOOK_DEG, LOOK_PART, Crossing, choice_of, crossings, event_at, first_touching
 
-__all__ = ["scanned"]
-
 FAST, HALVINGS = 0.5, 6
 """Where a link turns more between two positions [rad], those between are looked at, too; so often."""
 

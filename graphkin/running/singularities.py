@@ -17,18 +17,6 @@ from graphkin.planning.method import Method
 from graphkin.running.path import Event, Path, along, stride
 from graphkin.tolerances import TOUCH
 
-__all__ = [
-    "LOOK_DEG",
-    "LOOK_PART",
-    "Crossing",
-    "choice_of",
-    "crossings",
-    "event_at",
-    "first_touching",
-    "key_of",
-    "touching",
-]
-
 LOOK_DEG, LOOK_PART = 0.5, 0.002
 """How closely the path is looked at [deg, of the mechanism's size]."""
 TOUCHING_SINE = 3e-6

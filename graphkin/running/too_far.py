@@ -9,8 +9,6 @@ from graphkin.planning.method import Method
 from graphkin.quantities import EDGE, driven
 from graphkin.running.path import Path, stride
 
-__all__ = ["refuse_far"]
-
 MOST = 1e7
 """Points looked at on a path, at most: some 0.3 GB."""
 FITTING = 30

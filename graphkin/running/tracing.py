@@ -14,8 +14,6 @@ from graphkin.running.scanning import scanned
 from graphkin.running.singularities import LOOK_DEG, LOOK_PART
 from graphkin.running.too_far import refuse_far
 
-__all__ = ["trace"]
-
 
 def trace(
     method: Method, pace: Sequence[float], low: float, high: float, after: tuple[Path, float] | None = None

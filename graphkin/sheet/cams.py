@@ -11,8 +11,6 @@ from graphkin.sheet.marks import Disc, Mark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wheels import straight
 
-__all__ = ["equivalents", "follower", "profiles"]
-
 _REACH = 14.0
 """How far a slot of the equivalent goes to both sides of its block [mm]."""
 _ROD, _BUSH = 34.0, (15.0, 27.0)

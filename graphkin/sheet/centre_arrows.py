@@ -18,8 +18,6 @@ from graphkin.sheet.obstacles import tree
 from graphkin.sheet.symbols import BLOCK
 from graphkin.sheet.window import Figure
 
-__all__ = ["INFINITY", "centre_arrows", "coordinates"]
-
 INFINITY: Label = plain(" → ∞ ")
 """The room after the sign is because it is wider than what letters count as."""
 _LONG, _SHORT = 13.0, 8.0

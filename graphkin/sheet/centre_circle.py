@@ -17,8 +17,6 @@ from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import LABEL, LEAST, PenName, Room
 from graphkin.value import frozen
 
-__all__ = ["circle_diagram", "circle_size"]
-
 _PENS: dict[str, PenName] = {
     "hinge": "thin", "contact": "thin", "slide": "thin", "two lines": "dashed", "velocities": "centre",
 }  # fmt: skip

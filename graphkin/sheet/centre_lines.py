@@ -12,8 +12,6 @@ from graphkin.sheet.marks import Stroke
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.window import Figure
 
-__all__ = ["centre_lines", "reach_of"]
-
 _BEYOND = 4.0
 """How far a line goes on past the centres on it [mm]."""
 _NORMAL = 12.0

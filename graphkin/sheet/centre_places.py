@@ -21,8 +21,6 @@ from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Window
 from graphkin.value import frozen
 
-__all__ = ["Laid", "Line", "OnPaper", "Spot", "centre_label", "clipped", "spots"]
-
 SAME = 0.05
 """Places closer than this are one on paper [mm]."""
 

@@ -15,8 +15,6 @@ from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.results import PITCH, SIZE, Table, height_of
 from graphkin.value import frozen
 
-__all__ = ["CentreTable", "centre_table"]
-
 _GAP, _BETWEEN = 2.6, 6.0
 _WORDS: dict[Lang, dict[str, str]] = {
     "en": {

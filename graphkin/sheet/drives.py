@@ -16,8 +16,6 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wheels import circles, wheels_of
 from graphkin.sheet.window import Figure
 
-__all__ = ["drives"]
-
 
 def drives(skeleton: Skeleton) -> Figure:
     """Arrows of all drivers that move."""

@@ -16,8 +16,6 @@ from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window, first_steps
 from graphkin.value import frozen
 
-__all__ = ["GearImage", "circles", "gear_images", "points"]
-
 _LEAST = 0.4
 """A circle smaller than this is a point [mm]."""
 

@@ -14,8 +14,6 @@ from graphkin.sheet.marks import Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure
 
-__all__ = ["away_from", "ground_way", "grounds"]
-
 _REACH = 13.0
 """How far a fixed guide is drawn to each side of its block [mm]."""
 

@@ -14,11 +14,6 @@ from typing import Literal
 
 from graphkin.value import frozen
 
-__all__ = [
-    "SMALL", "Label", "Run", "between", "box", "joined", "link_label", "number", "plain", "point_label",
-    "quantity_label", "scripts", "vector_label", "width",
-]  # fmt: skip
-
 SMALL = 0.68
 """Size of sub- and superscripts, against the letters they belong to."""
 _DROP, _RISE = 0.22, -0.40

@@ -14,10 +14,6 @@ from graphkin.sheet.lettering import Label
 from graphkin.sheet.paper import PenName
 from graphkin.value import frozen
 
-__all__ = [
-    "Arc", "Disc", "Fill", "Form", "Layer", "Mark", "Place", "PointMark", "Shows", "Stroke", "Text", "VectorMark",
-]  # fmt: skip
-
 Place = complex
 Fill = Literal["none", "paper", "ink", "grey"]
 Layer = Plane | Literal["centres"]

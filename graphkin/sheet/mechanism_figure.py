@@ -23,8 +23,6 @@ from graphkin.sheet.specials import contacts, specials
 from graphkin.sheet.wheels import wheels, wheels_of
 from graphkin.sheet.window import Figure
 
-__all__ = ["mechanism_figure", "moving_links"]
-
 Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
 
 

@@ -15,8 +15,6 @@ from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Tree", "arc_places", "bounds", "tree"]
-
 _TIP, _TIP_HALF = 2.8, 0.5
 """Length and half width of an arrow head [mm]."""
 

@@ -17,8 +17,6 @@ from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
-__all__ = ["Polygon", "named_site", "polygon_figure"]
-
 _SAME = 0.15
 """Closer than this two points are one on paper [mm]."""
 

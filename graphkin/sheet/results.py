@@ -22,8 +22,6 @@ from graphkin.sheet.lettering import (
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.value import frozen
 
-__all__ = ["PITCH", "Table", "arranged", "drawn_tables", "height_of", "tables"]
-
 PITCH = 4.1
 """From base line to base line [mm]."""
 SIZE = 2.8

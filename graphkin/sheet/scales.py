@@ -14,8 +14,6 @@ from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, Lang, Where
 from graphkin.sheet.lettering import Label, Run, number, quantity_label
 
-__all__ = ["KEYS", "LETTERS", "UNITS", "TooLargeForPaper", "UnknownPaper", "finer", "finest", "finest_each", "written"]
-
 LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
 UNITS: dict[Plane, str] = {"position": "m/mm", "velocity": "(m/s)/mm", "acceleration": "(m/s²)/mm"}
 KEYS: dict[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}

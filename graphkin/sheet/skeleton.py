@@ -14,8 +14,6 @@ from graphkin.sheet.marks import Place
 from graphkin.sheet.window import Window
 from graphkin.value import frozen
 
-__all__ = ["Skeleton", "hull", "in_line"]
-
 OVERRUN = 9.0
 """How far a bar goes on beyond its block [mm]."""
 

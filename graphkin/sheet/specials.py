@@ -16,8 +16,6 @@ from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.window import Figure, first_steps
 from graphkin.value import frozen
 
-__all__ = ["contacts", "named_specials", "specials"]
-
 _BEYOND = 6.0
 """How far a leg's line goes on past the special point [mm]."""
 _CUT = 34.0

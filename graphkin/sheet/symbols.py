@@ -13,12 +13,6 @@ from itertools import pairwise
 from graphkin.sheet.marks import Arc, Mark, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName
 
-__all__ = [
-    "BLOCK", "HINGE", "PIVOT_DEPTH", "SWEEP", "TUBE", "arc_ground", "arc_places", "arc_slot", "arrow_head", "bar",
-    "block", "centre_mark", "corner", "cylinder", "guide", "hatch", "pivot", "plate", "push", "rim_hatch", "slot",
-    "spin",
-]  # fmt: skip
-
 HINGE = 1.3
 """Radius of a hinge [mm]."""
 PIVOT_DEPTH = 4.6

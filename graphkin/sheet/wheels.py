@@ -17,8 +17,6 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure
 from graphkin.value import frozen
 
-__all__ = ["Wheel", "circles", "rims", "straight", "wheels", "wheels_of"]
-
 _RIM = 3.0
 """Thickness of a ring's rim, and of the edge that is hatched in a fixed wheel [mm]."""
 _CROSS = 4.4

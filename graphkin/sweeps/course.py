@@ -20,8 +20,6 @@ from graphkin.running.reaching import reached
 from graphkin.running.tracing import trace
 from graphkin.value import frozen
 
-__all__ = ["Course", "course"]
-
 TURN = 2 * math.pi
 WHERE = Where("--driver")
 MOST_TURNS, MOST_STEPS = 1000, 1e7

@@ -10,8 +10,6 @@ from graphkin.running.path import stride
 from graphkin.sweeps.course import Course
 from graphkin.sweeps.roads import moving
 
-__all__ = ["PLACES", "prove"]
-
 PLACES = 12
 """Positions at which they are held: both ends, and ten between."""
 ASIDE_DEG, ASIDE_PART = 0.5, 0.005

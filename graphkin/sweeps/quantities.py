@@ -13,8 +13,6 @@ from graphkin.motions import Motions
 from graphkin.quantities import Centre, Quantity, named, read
 from graphkin.value import frozen
 
-__all__ = ["Series", "asked", "series"]
-
 
 @frozen
 class Series:

@@ -23,8 +23,6 @@ from graphkin.running.many_positions import replay_along
 from graphkin.running.path import Path, along, stride
 from graphkin.value import Lazy, frozen
 
-__all__ = ["Road", "centre_path", "moving"]
-
 Road = Literal["construction", "analysis"]
 
 ASIDE_DEG, ASIDE_PART = 1.2, 0.02

@@ -18,8 +18,6 @@ from graphkin.sweeps.quantities import Series, asked, series
 from graphkin.sweeps.roads import Road, centre_path, moving
 from graphkin.value import frozen
 
-__all__ = ["Sweep", "in_parts", "sweep", "sweep_over"]
-
 Wanted = Mapping[str, Quantity]
 """Quantities, by what they were asked for as."""
 

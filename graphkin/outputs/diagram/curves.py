@@ -15,8 +15,6 @@ from graphkin.running.path import Event
 from graphkin.sweeps import Course, Road, Series
 from graphkin.value import frozen
 
-__all__ = ["Curves", "Peak", "curves", "span"]
-
 TURN = 2 * np.pi
 POSITIONS = 721
 NEAR = 10.0 ** np.linspace(-8, -2.6, 55)

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["draw"]
-
 MM = 1 / 25.4
 POINT = 25.4 / 72
 """Inches in a millimetre, millimetres in a point."""

@@ -9,8 +9,6 @@ from typing import ClassVar
 from graphkin.errors import GraphkinError, Lang
 from graphkin.sheet.lettering import Label
 
-__all__ = ["LATIN", "NoChineseFont", "chinese_font", "has_chinese", "letters", "plain", "typeset", "writable"]
-
 LATIN = "STIXGeneral"
 _CHINESE = (
     "Noto Serif CJK SC", "Source Han Serif SC", "Source Han Serif CN", "Noto Serif SC", "Songti SC", "STSong", "SimSun",

@@ -21,8 +21,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.transforms import Bbox
 
-__all__ = ["Drawn", "note_peaks"]
-
 SIZE = 7.5
 THIN_PT = 0.18 * 72 / 25.4
 

@@ -10,8 +10,6 @@ from graphkin.quantities import EDGE, Displacement, Quantity, Quotient, Rotation
 from graphkin.sheet.lettering import Label, joined, quantity_label, vector_label
 from graphkin.value import frozen
 
-__all__ = ["LETTERS", "Axis", "Panel", "division", "label_of", "labels_of", "limits", "panels"]
-
 MOST = 6
 """More curves than these do not stand together."""
 KINDS = ("position", "velocity", "acceleration", "ratio")

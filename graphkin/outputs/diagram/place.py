@@ -14,8 +14,6 @@ if TYPE_CHECKING:
     from matplotlib.path import Path
     from matplotlib.transforms import Bbox
 
-__all__ = ["Note", "arrange", "paths_of"]
-
 ON_A_CURVE, ON_A_NOTE = 60.0, 1000.0
 """What standing on a curve, or on another text, costs, in points of distance."""
 WRONG_SIDE = 8.0

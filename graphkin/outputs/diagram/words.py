@@ -15,8 +15,6 @@ from graphkin.say.sweeps import told
 from graphkin.sheet.lettering import link_label, number
 from graphkin.sweeps import Course
 
-__all__ = ["about_drivers", "across", "event_line", "event_mark", "figure_of", "place_of", "upright_label"]
-
 _RATES = {"slide": ("v", "m/s", "a", "m/s²")}
 
 

@@ -13,8 +13,6 @@ from graphkin.running.compiled.operations import GIVEN, NUMBER, RISKY, SIDE, Ope
 from graphkin.running.compiled.tape import Tape
 from graphkin.value import frozen
 
-__all__ = ["Calls", "Watch", "written_out"]
-
 Watch = Callable[[np.ndarray], None]
 """Is shown what each risky operation gives."""
 

@@ -12,8 +12,6 @@ from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.value import frozen
 
-__all__ = ["TABLES", "Column", "LazyPlot", "Numbers", "Vector"]
-
 TABLES = tuple(field.name for field in fields(Plot) if field.name not in ("facts", "near", "follows"))
 
 

@@ -6,8 +6,6 @@ import math
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
-__all__ = ["GIVEN", "NUMBER", "RISKY", "SIDE", "CannotRecord", "Operation", "Operations"]
-
 NUMBER, GIVEN, SIDE = "number", "given", "side"
 RISKY = ("reciprocal", "sqrt")
 """What has no finite value for some numbers."""

@@ -29,8 +29,6 @@ from graphkin.running.compiled.recorder import Written, record
 from graphkin.running.compiled.tape import Tape
 from graphkin.value import frozen
 
-__all__ = ["Program", "compiled_program"]
-
 CHUNK = 8192
 """Positions done at once."""
 FLAT_SINE = 1e-5

@@ -22,8 +22,6 @@ from graphkin.running.compiled.operations import CannotRecord
 from graphkin.running.compiled.tape import Tape
 from graphkin.value import frozen
 
-__all__ = ["Recording", "Written", "record"]
-
 
 @frozen
 class Recording:

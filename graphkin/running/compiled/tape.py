@@ -9,8 +9,6 @@ from __future__ import annotations
 
 from graphkin.running.compiled.operations import SIDE, Operation, Operations
 
-__all__ = ["Tape"]
-
 
 class Tape(Operations):
     """Each method enters an operation, and gives the place of its result."""
