@@ -139,9 +139,11 @@ class _Drawing:
             if here:
                 yield from clipped([at, window(seen.pole)], room, "construction")
             elif abs(way) > 0:
-                last = at + way / abs(way) * _TOWARDS, way / abs(way)
-                yield Stroke((at, last[0]), "construction")
-                yield arrow_head(*last, None)
+                way /= abs(way)
+                for ray in clipped([at, at + way * _TOWARDS], room, "construction"):
+                    last = ray.places[-1], way
+                    yield ray
+                    yield arrow_head(*last, None)
         if last is not None:
             label = (*self.name, *plain(" → ∞" if cmath.isinf(seen.pole) else self._far(seen.pole)))
             yield Wanted(label, last[0], gap=1.0, away=last[1])
