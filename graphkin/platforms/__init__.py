@@ -1,0 +1,29 @@
+"""Formats of teaching platforms, one file a format: problem sets out, results out.
+
+    ProblemSet of Questions --SETS[format]--> moodle, moodle-numerical, qti, csv, xuexitong: one file
+    Results --RESULTS[format]--> json, csv, xlsx, moodle, gradescope, prairielearn, canvas: files in a folder
+    Results --class_report--> ClassReport --write_class_figure--> SVG, PNG, PDF
+
+A set has one value, `alternatives`: numbers, tolerances and shares of the points, rounded once; every format writes
+these. Results have one value, `Result`: points rounded once; every format's totals are its totals. Texts, names and ids
+are hostile; files are written beside, then renamed; the same input gives the same bytes.
+
+To add a format: a file with one function, and its line in `writing`.
+"""
+
+from graphkin.platforms.alternatives import Alternative, alternatives
+from graphkin.platforms.class_figure import write_class_figure
+from graphkin.platforms.class_report import ClassReport, class_report, report_record, report_text
+from graphkin.platforms.complaints import NotAnOverride, NotAResult, NotForPlatform
+from graphkin.platforms.json_lines import Stored
+from graphkin.platforms.overrides import Overrides, overridden, read_overrides
+from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
+from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record, to_record
+from graphkin.platforms.writing import RESULTS, SETS, Reveal, Written, write_results, write_set
+
+__all__ = [
+    "RESULTS", "SETS", "Alternative", "ClassReport", "Line", "NotAResult", "NotAnOverride", "NotForPlatform",
+    "Overrides", "Part", "Picture", "ProblemSet", "Question", "Result", "Reveal", "Stored", "Suspicion", "Written",
+    "Wrong", "alternatives", "class_report", "from_record", "overridden", "read_overrides", "report_record",
+    "report_text", "to_record", "write_class_figure", "write_results", "write_set",
+]  # fmt: skip
