@@ -14,7 +14,7 @@ To add a format: a file with one function, and its line in `writing`.
 from graphkin.platforms.alternatives import Alternative, alternatives
 from graphkin.platforms.class_figure import write_class_figure
 from graphkin.platforms.class_report import ClassReport, class_report, report_record, report_text
-from graphkin.platforms.complaints import NotAnOverride, NotAResult, NotForPlatform
+from graphkin.platforms.complaints import NoRightNumber, NotAnOverride, NotAResult, NotForPlatform
 from graphkin.platforms.json_lines import Stored
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
@@ -22,8 +22,8 @@ from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_rec
 from graphkin.platforms.writing import RESULTS, SETS, Reveal, Written, write_results, write_set
 
 __all__ = [
-    "RESULTS", "SETS", "Alternative", "ClassReport", "Line", "NotAResult", "NotAnOverride", "NotForPlatform",
-    "Overrides", "Part", "Picture", "ProblemSet", "Question", "Result", "Reveal", "Stored", "Suspicion", "Written",
-    "Wrong", "alternatives", "class_report", "from_record", "overridden", "read_overrides", "report_record",
-    "report_text", "to_record", "write_class_figure", "write_results", "write_set",
+    "RESULTS", "SETS", "Alternative", "ClassReport", "Line", "NoRightNumber", "NotAResult", "NotAnOverride",
+    "NotForPlatform", "Overrides", "Part", "Picture", "ProblemSet", "Question", "Result", "Reveal", "Stored",
+    "Suspicion", "Written", "Wrong", "alternatives", "class_report", "from_record", "overridden", "read_overrides",
+    "report_record", "report_text", "to_record", "write_class_figure", "write_results", "write_set",
 ]  # fmt: skip

@@ -12,13 +12,13 @@ from collections.abc import Iterable, Sequence
 from decimal import ROUND_DOWN, Decimal
 
 from graphkin.errors import Lang
-from graphkin.platforms.complaints import EmptySet
+from graphkin.platforms.complaints import NoRightNumber
 from graphkin.platforms.numbers import points, rounded, tolerated
 from graphkin.platforms.phrases import say
 from graphkin.platforms.question import Part, Question, Text, Wrong
 from graphkin.value import frozen
 
-__all__ = ["RING", "Alternative", "alternatives", "most", "sentence"]
+__all__ = ["RING", "Alternative", "alternatives", "most", "refuse", "sentence"]
 
 RING = Decimal("2.5")
 """Half of the points are given within so many tolerances."""
@@ -43,8 +43,8 @@ class Alternative:
 
 
 def alternatives(question: Question, part: Part) -> tuple[Alternative, ...]:
-    """All that a number can be, in order. Raises EmptySet where the key has no right number."""
-    _refuse(question, part)
+    """All that a number can be, in order. Raises NoRightNumber where the key has no right number."""
+    refuse(question, part)
     right = [_alternative(number, part.tolerance, 100) for number in (part.number, *part.also)]
     wrongs = _told_apart(right, _mistakes(part.wrongs))
     rings = [ring for one in right if (ring := _ring(one, wrongs)) is not None]
@@ -64,10 +64,11 @@ def sentence(alternative: Alternative, lang: Lang) -> str:
     return texts[0] if len(texts) == 1 else say("one of", lang, mistakes=say("or", lang).join(texts))
 
 
-def _refuse(question: Question, part: Part) -> None:
+def refuse(question: Question, part: Part) -> None:
+    """Whether a part has a right number, a tolerance and points. Raises NoRightNumber."""
     finite = all(map(math.isfinite, (part.number, part.tolerance, part.points, *part.also)))
     if not finite or part.tolerance < 0 or part.points < 0:
-        raise EmptySet(question.id, part.name)
+        raise NoRightNumber(question.id, part.name)
 
 
 def _alternative(number: float, tolerance: float, percent: int) -> Alternative:

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from graphkin.errors import GraphkinError, Lang, Where
 
-__all__ = ["EmptySet", "NotAResult", "NotAnOverride", "NotForPlatform"]
+__all__ = ["NoRightNumber", "NotAResult", "NotAnOverride", "NotForPlatform"]
 
 
 class NotForPlatform(GraphkinError):
@@ -24,14 +24,15 @@ class NotForPlatform(GraphkinError):
     }
 
 
-class EmptySet(GraphkinError):
-    """A number of a key that is none, or a set without problems."""
+class NoRightNumber(GraphkinError):
+    """A right number, a tolerance or points that are no number."""
 
     question: str
     part: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "Problem {question}: the right value of {part} is no finite number with a tolerance. Make the key anew.",
-        "zh": "题目 {question}：{part} 的正确值或容差不是有限数，请重新生成答案。",
+        "en": "Problem {question}: the right value, the tolerance or the points of {part} are no finite number. "
+        "Make the key anew.",
+        "zh": "题目 {question}：{part} 的正确值、容差或分值不是有限数，请重新生成答案。",
     }
 
 

@@ -23,8 +23,8 @@ def one_line(text: str) -> str:
 
 
 def in_html(text: str) -> str:
-    """A plain text as HTML."""
-    return _BREAKS.sub("<br>", html.escape(clean(text)))
+    """A plain text as HTML that stands between tags."""
+    return _BREAKS.sub("<br>", html.escape(clean(text), quote=False))
 
 
 def element(tag: str, *content: str | ET.Element, **attributes: str) -> ET.Element:

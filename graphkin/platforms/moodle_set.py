@@ -10,7 +10,6 @@ from __future__ import annotations
 import html
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
-from decimal import Decimal
 from math import gcd
 
 from graphkin.errors import Lang
@@ -89,14 +88,10 @@ def _numerical(problems: ProblemSet, question: Question, part: Part, lang: Lang)
     title = say("problem title", lang, set=problems.name, id=question.id)
     text = f"<p>{in_html(question.text[lang])}</p>\n<p>{in_html(part.heading)} = ?</p>"
     made = _question("numerical", f"{title}, {part.name}", text)
-    made.append(element("defaultgrade", _grade(points(part.points))))
-    made.extend(_answer(one, lang) for one in alternatives(question, part))
+    made.append(element("defaultgrade", exponentless(points(part.points))))
+    made.extend([_answer(one, lang) for one in alternatives(question, part)])
     made.extend((element("unitgradingtype", "0"), element("unitpenalty", "0"), element("showunits", "3")))
     return made
-
-
-def _grade(worth: Decimal) -> str:
-    return exponentless(worth)
 
 
 def _answer(one: Alternative, lang: Lang) -> ET.Element:

@@ -92,7 +92,7 @@ def _item(name: str, question: Question, part: Part, lang: Lang) -> ET.Element:
     )  # fmt: skip
     score = element("decvar", maxvalue="100", minvalue="0", varname="SCORE", vartype="Decimal")
     judged = element("resprocessing", element("outcomes", score))
-    judged.extend(_condition(one) for one in _right(question, part))
+    judged.extend([_condition(one) for one in _right(question, part)])
     ident = f"{name}q{question.parts.index(part) + 1}"
     return element("item", about, presentation, judged, ident=ident, title=one_line(part.name))
 

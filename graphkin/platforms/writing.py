@@ -22,6 +22,7 @@ from graphkin.platforms import (
     xlsx,
     xuexitong,
 )
+from graphkin.platforms.alternatives import refuse
 from graphkin.platforms.archive import COMMENT, pack
 from graphkin.platforms.cells import BOM, Cell, line
 from graphkin.platforms.feedback import Reveal
@@ -86,7 +87,10 @@ SETS: Mapping[str, SetFormat] = {
 
 
 def write_set(path: Path, problems: ProblemSet, kind: str, lang: Lang = "en", force: bool = False) -> None:
-    """A set into a file. Raises EmptySet, NotForPlatform, FileInTheWay, NoFolder, CannotWrite."""
+    """A set into a file. Raises NoRightNumber, NotForPlatform, FileInTheWay, NoFolder, CannotWrite."""
+    for question in problems.questions:
+        for part in question.parts:
+            refuse(question, part)
     how = SETS[kind]
     with beside(path, force, how.marks) as draft:
         how.write(draft, problems, lang)
