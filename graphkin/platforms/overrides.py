@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from decimal import Decimal, InvalidOperation
+from decimal import ROUND_HALF_UP, Decimal, InvalidOperation
 from pathlib import Path
 
 from graphkin.errors import Unreadable, Where
@@ -99,12 +99,12 @@ def _cell(row: list[str], column: int | None) -> str:
 
 def _points(given: str, where: Where) -> Decimal:
     try:
-        found = Decimal(given.replace(",", ".")).quantize(HUNDREDTH)
+        found = Decimal(given.replace(",", "."))
+        if 0 <= found <= _LARGEST:
+            return found.quantize(HUNDREDTH, ROUND_HALF_UP)
     except InvalidOperation:
-        raise NotAnOverride(where, given) from None
-    if not 0 <= found <= _LARGEST:
-        raise NotAnOverride(where, given)
-    return found
+        pass
+    raise NotAnOverride(where, given)
 
 
 def _alone(pairs: Iterable[tuple[str, Kept]]) -> dict[str, Kept]:
