@@ -32,7 +32,7 @@ class Carried:
     """What follows for each student and quantity (students, n); NaN where no own value enters it.
 
     agrees      whether the handed-in value does; sense_only: whether it would, with the other sense
-    given       what was handed in; used: which own values are carried on; enters (own, students, n): into which others
+    given       what was handed in; unused: own wrong values that are not carried on; enters: by own quantity, what it moves
     """
 
     texts: tuple[str, ...]
@@ -45,7 +45,7 @@ class Carried:
 
     def own(self, k: int, n: int) -> dict[str, float]:
         """The own values of student k that enter quantity n."""
-        return {self.texts[j]: float(self.given[k, j]) for j, into in self.enters.items() if into[k, n]}
+        return {self.texts[j]: float(self.given[k, j]) for j, into in self.enters.items() if into[k, n] and j != n}
 
     def refused(self, k: int, n: int) -> tuple[str, ...]:
         """The own values of student k that are not carried on."""
@@ -84,7 +84,7 @@ class Problem:
         moved, tolerance = self._moved(whole, self.table.right), self._tolerance(whole)
         values = np.where(moved, whole, np.nan)
         enters = {
-            int(j): self._moved(self._values(given, used & (np.arange(used.shape[1]) != j)), whole) & used[:, [j]]
+            int(j): self._moved(self._values(given, used & (np.arange(used.shape[1]) == j)), self.table.right) & moved
             for j in np.flatnonzero(used.any(axis=0))
         }
         texts = tuple(entry.text for entry in self.key.entries)
