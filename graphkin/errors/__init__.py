@@ -101,6 +101,7 @@ from graphkin.errors.keys import (
     WrongType,
 )
 from graphkin.errors.linkages import CannotClose, CannotDriveBy, NoFixing, NoLinkage, NotALength, OnlyStretched
+from graphkin.errors.marking import BadKey, BadPencil, NothingToMark
 from graphkin.errors.motion import (
     AlongOwnAxis,
     AmbiguousSketch,
@@ -177,6 +178,9 @@ from graphkin.errors.submissions import (
 )
 
 __all__ = [
+    "BadKey",
+    "BadPencil",
+    "NothingToMark",
     "NOWHERE",
     "AlongOwnAxis",
     "AmbiguousSketch",

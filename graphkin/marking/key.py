@@ -10,7 +10,7 @@ import numpy as np
 
 from graphkin.value import frozen
 
-__all__ = ["Entry", "Hypotheses", "Key", "Marking", "Name", "Sort"]
+__all__ = ["Entry", "Hypotheses", "Key", "Marking", "Name", "Sort", "Step"]
 
 Sort = Literal["sense", "size", "angle"]
 Name = tuple[str, str, str]
@@ -68,6 +68,16 @@ class Hypotheses:
 
 
 @frozen
+class Step:
+    """One vector equation: the arrows of both sides as they are named, and the rotations that are read off it."""
+
+    plane: str
+    left: tuple[str, ...]
+    right: tuple[str, ...]
+    gives: tuple[str, ...]
+
+
+@frozen
 class Key:
     """A problem's key.
 
@@ -85,6 +95,7 @@ class Key:
     together: np.ndarray
     singles: Hypotheses
     title: Mapping[str, str] = field(default_factory=dict)
+    steps: tuple[Step, ...] = ()
 
     def number(self, text: str) -> int | None:
         """The column of a quantity."""

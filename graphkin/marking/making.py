@@ -7,11 +7,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from graphkin.construction import Plot
+from graphkin.construction import Measure, Plot
 from graphkin.geometry import Value
 from graphkin.marking.consequences import combined, rewrites
 from graphkin.marking.handed import asked_of, on_the_way, sort_of
-from graphkin.marking.key import Entry, Hypotheses, Key, Marking, Name
+from graphkin.marking.key import Entry, Hypotheses, Key, Marking, Name, Step
 from graphkin.marking.pencil import Pencil
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.scatter import Drawings, spread
@@ -20,7 +20,7 @@ from graphkin.planning import Method
 from graphkin.quantities import EDGE, Quantity
 from graphkin.running import replay_all
 
-__all__ = ["DRAWINGS", "drawings_of", "half_digit", "make_key", "pencil_of"]
+__all__ = ["DRAWINGS", "drawings_of", "half_digit", "make_key", "pencil_of", "steps_of"]
 
 DRAWINGS = 2000
 """How often the right construction is drawn; each mistaken one is drawn `_FEWER` times."""
@@ -52,8 +52,20 @@ def make_key(
     )
     return Key(
         mechanism.name, mechanism.text, method.structure.coincident, marking, entries, _given(method),
-        _together(drawn), _singles(method, plot, every, entries, marking), dict(mechanism.title),
+        _together(drawn), _singles(method, plot, every, entries, marking), dict(mechanism.title), steps_of(method),
     )  # fmt: skip
+
+
+def steps_of(method: Method) -> tuple[Step, ...]:
+    """The vector equations of both polygons with what is read off them."""
+    found = []
+    for construction in (method.velocity, method.acceleration):
+        for equation in construction.equations:
+            left, right = (tuple(term.name(construction.plane) for term in side) for side in (equation.left, equation.right))
+            measured = [step for step in equation.steps if isinstance(step, Measure)]
+            gives = tuple(f"{step.quantity} {step.of}" for step in measured if step.quantity in ("omega", "alpha"))
+            found.append(Step(construction.plane, left, right, gives))
+    return tuple(found)
 
 
 def pencil_of(marking: Marking) -> Pencil:
