@@ -16,7 +16,7 @@ from graphkin.quantities import Answer, Component, Moving, Quantity, Quotient, o
 from graphkin.readings import readings
 from graphkin.value import frozen
 
-__all__ = ["Arrows", "arrows_of", "asked"]
+__all__ = ["Arrows", "arrows_of", "asked", "size_of"]
 
 Ends = tuple[Plane, str, str]
 """Plane, tail and head of an arrow."""
@@ -91,8 +91,7 @@ def asked(method: Method, plot: Redrawing, quantity: Quantity, arrows: Arrows, b
     """
     if isinstance(quantity, Moving):
         vector = _vector(method, plot, quantity, arrows, before)
-        value = np.abs(vector) if quantity.along is None else dot(quantity.along, vector)
-        return Answer(value, quantity.unit, vector)
+        return Answer(size_of(quantity, vector), quantity.unit, vector)
     if isinstance(quantity, Component):
         return Answer(on_axis(_vector(method, plot, quantity.whole, arrows, before), quantity.axis), quantity.unit)
     if isinstance(quantity, Quotient):
@@ -100,6 +99,13 @@ def asked(method: Method, plot: Redrawing, quantity: Quantity, arrows: Arrows, b
         with np.errstate(divide="ignore", invalid="ignore"):
             return Answer(np.divide(top, bottom), "1")
     return quantity.answer(readings(method, plot))
+
+
+def size_of(quantity: Quantity, vector: Value) -> Value:
+    """The size of a vector; of one along a guide with its sign, the whole of it though a mistake has it beside."""
+    if quantity.along is None:
+        return np.abs(vector)
+    return np.where(dot(quantity.along, vector) < 0, -1.0, 1.0)[()] * np.abs(vector)
 
 
 def _vector(method: Method, plot: Redrawing, quantity: Moving, arrows: Arrows, before: bool) -> Value:

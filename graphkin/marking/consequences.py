@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 
 import numpy as np
 
 from graphkin.construction import Plot
 from graphkin.geometry import Value
 from graphkin.marking import mistakes as _entered  # noqa: F401  (enters them)
-from graphkin.marking.asked import arrows_of, asked
+from graphkin.marking.asked import arrows_of, asked, size_of
 from graphkin.marking.redrawing import Redrawing, redraw
 from graphkin.marking.rewrite import Mistaken, Rewrite
 from graphkin.marking.scene import MISTAKES, Scene
 from graphkin.planning import Method
-from graphkin.quantities import Answer, Quantity
+from graphkin.quantities import Answer, Centre, Quantity
 from graphkin.value import frozen
 
 __all__ = ["Consequences", "combined", "consequences", "rewrites"]
+
+SAME = 1e-9
+"""Values that differ by less, as part of their size, are one."""
 
 
 @frozen
@@ -31,6 +35,7 @@ class Consequences:
                 mistake leaves nothing to be judged
     vectors     (columns, quantities), complex; NaN for scalars
     plot        the drawings, one column a mistake
+    moves       (columns,): whether a mistake changes anything that is asked here, or leaves nothing of it to be judged
     """
 
     quantities: tuple[Quantity, ...]
@@ -39,6 +44,36 @@ class Consequences:
     values: np.ndarray
     vectors: np.ndarray
     plot: Redrawing
+
+    @cached_property
+    def moves(self) -> np.ndarray:
+        return ~np.array([self._same(row, self._right) for row in range(len(self.columns))], dtype=bool)
+
+    def alike(self) -> list[list[int]]:
+        """Groups of columns that cannot be told apart by what is asked; those that change nothing left out."""
+        groups: list[list[int]] = []
+        for row in map(int, np.flatnonzero(self.moves)):
+            group = next((g for g in groups if self._same(row, self._of(g[0]))), None)
+            groups.append([row]) if group is None else group.append(row)
+        return groups
+
+    @property
+    def _right(self) -> tuple[np.ndarray, np.ndarray]:
+        vectors = [np.nan if answer.vector is None else answer.vector for answer in self.right]
+        return np.array([answer.value for answer in self.right], dtype=float), np.array(vectors, dtype=complex)
+
+    def _of(self, row: int) -> tuple[np.ndarray, np.ndarray]:
+        return self.values[row], self.vectors[row]
+
+    def _same(self, row: int, other: tuple[np.ndarray, np.ndarray]) -> bool:
+        return all(_equal(mine, its, other[0]) for mine, its in zip(self._of(row), other, strict=True))
+
+
+def _equal(one: np.ndarray, other: np.ndarray, sizes: np.ndarray) -> bool:
+    """Equal but for rounding, nowhere judged counting as a value."""
+    with np.errstate(invalid="ignore"):
+        near = np.abs(one - other) <= SAME * np.maximum(np.abs(one), np.abs(other)) + SAME * np.abs(sizes)
+    return bool(np.all(near | (one == other) | (np.isnan(one) & np.isnan(other))))
 
 
 def rewrites(
@@ -60,12 +95,13 @@ def consequences(
 def combined(
     method: Method, plot: Plot, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]]
 ) -> Consequences:
-    """What follows from mistakes, those of a column made together."""
+    """What follows from mistakes, those of a column made together. Instant centres come from the mechanism's drawing
+    alone: no polygon moves them."""
     arrows = arrows_of(method)
     hand = Mistaken(columns)
-    drawn = redraw(method, plot, hand, hand.shape)
-    right = redraw(method, plot)
-    answers = [asked(method, drawn, quantity, arrows) for quantity in quantities]
+    placed = hand.placed(method, plot)
+    drawn, right, still = redraw(method, placed, hand, hand.shape), redraw(method, plot), redraw(method, placed)
+    answers = [asked(method, still if isinstance(q, Centre) else drawn, q, arrows) for q in quantities]
     values = _table([answer.value for answer in answers], len(columns), float)
     vectors = _table([np.nan if a.vector is None else a.vector for a in answers], len(columns), complex)
     _write_otherwise(columns, quantities, values, vectors)
@@ -87,6 +123,10 @@ def _write_otherwise(
     """Handed-in values that were drawn right and written otherwise."""
     place = {quantity.text: k for k, quantity in enumerate(quantities)}
     for row, rewrites in enumerate(columns):
-        for text, factor in (pair for rewrite in rewrites for pair in rewrite.asked):
-            values[row, place[text]] *= factor
-            vectors[row, place[text]] *= factor
+        for one in (one for rewrite in rewrites for one in rewrite.asked):
+            k = place[one.quantity]
+            if np.isfinite(vectors[row, k]):
+                vectors[row, k] = one.factor * (vectors[row, k] if one.instead is None else one.instead)
+                values[row, k] = size_of(quantities[k], vectors[row, k])
+            else:
+                values[row, k] = (one.factor * (values[row, k] if one.instead is None else one.instead)).real

@@ -134,4 +134,5 @@ class Own(Hand):
 
 
 def _where_given(own: Value, right: Value) -> Value:
-    return np.where(np.isfinite(own), own, right)[()]
+    found: Value = np.where(np.isfinite(own), own, right)
+    return found[()]

@@ -36,6 +36,10 @@ class Hand:
         """The direction of a ray, of length 1; `number` is that of the crossing's step in its construction."""
         return right
 
+    def through(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
+        """Where a ray is drawn through."""
+        return right
+
     def met(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
         """Where two rays cross."""
         return right
@@ -76,6 +80,11 @@ class Hands(Hand):
     def line(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
         for hand in self.hands:
             right = hand.line(plot, plane, number, ray, right)
+        return right
+
+    def through(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
+        for hand in self.hands:
+            right = hand.through(plot, plane, number, ray, right)
         return right
 
     def met(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:

@@ -68,7 +68,7 @@ class Redrawing(Plot):
 
 
 def redraw(method: Method, right: Plot, hand: Hand = RIGHT, shape: tuple[int, ...] = ()) -> Redrawing:
-    """Velocities and accelerations by a hand, at the positions of a plot.
+    """Velocities and accelerations by a hand, at the positions of a plot, from the rates of that.
 
     shape  of the values, where the hand gives arrays: it broadcasts with that of the positions
     """
@@ -149,8 +149,12 @@ def _meet(step: Meet, number: int, plot: Redrawing, plane: Plane, hand: Hand) ->
     first, second = step.first, step.second
     assert isinstance(first, Ray)
     assert isinstance(second, Ray)
-    lines = [hand.line(plot, plane, number, ray, plot.direction(ray.direction)) for ray in (first, second)]
-    point, plot.sines[plane, step.point] = meet_lines(points[first.through], lines[0], points[second.through], lines[1])
+    (p, u), (q, w) = (
+        (hand.through(plot, plane, number, ray, points[ray.through]),
+         hand.line(plot, plane, number, ray, plot.direction(ray.direction)))
+        for ray in (first, second)
+    )  # fmt: skip
+    point, plot.sines[plane, step.point] = meet_lines(p, u, q, w)
     return point
 
 
