@@ -13,8 +13,8 @@ from graphkin.value import frozen
 __all__ = ["Entry", "Hypotheses", "Key", "Marking", "Name", "Sort", "Step"]
 
 Sort = Literal["sense", "size", "angle"]
-Name = tuple[str, str, str]
-"""A mistake as it is made at one place: its id, what it was made with, and which form of it."""
+Name = tuple[str, str, str, str]
+"""A mistake as it is made at one place: its id, which way of it, what it was made with, and with what instead."""
 
 
 @frozen

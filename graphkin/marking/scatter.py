@@ -8,11 +8,11 @@ import numpy as np
 
 from graphkin.construction import Plot
 from graphkin.geometry import Value
-from graphkin.marking.asked import Arrows, arrows_of, asked
+from graphkin.marking.asked import Arrows, arrows_of, asked, size_of
 from graphkin.marking.hand import Hands
 from graphkin.marking.pencil import Pencil, PencilHand, drawn_positions
 from graphkin.marking.redrawing import Redrawing, redraw
-from graphkin.marking.rewrite import Mistaken, Rewrite
+from graphkin.marking.rewrite import Mistaken, Rewrite, Written
 from graphkin.marking.slips import Mark, Slips
 from graphkin.planning import Method
 from graphkin.quantities import Component, Displacement, Moving, Place, Quantity, Quotient, Rotation
@@ -50,12 +50,13 @@ class Drawings:
         mistaken = Mistaken(columns, (self.slips.count,))
         hand = Hands(mistaken, PencilHand(self.pencil, self.slips, self.method.facts()))
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-            plot = redraw(self.method, self.positions, hand, mistaken.shape)
+            plot = redraw(self.method, mistaken.placed(self.method, self.positions), hand, mistaken.shape)
             found = [np.broadcast_to(self._read(plot, quantity), mistaken.shape) for quantity in quantities]
         values = np.stack(found, axis=-1).astype(float) if found else np.empty((*mistaken.shape, 0))
         for row, rewrites in enumerate(columns):
-            for text, factor in (pair for rewrite in rewrites for pair in rewrite.asked):
-                values[row, :, [q.text for q in quantities].index(text)] *= factor
+            for written in (one for rewrite in rewrites for one in rewrite.asked):
+                k = [q.text for q in quantities].index(written.quantity)
+                values[row, :, k] = _written(quantities[k], written, values[row, :, k])
         return values
 
     def _read(self, plot: Redrawing, quantity: Quantity) -> Value:
@@ -80,6 +81,14 @@ class Drawings:
                 return lengths[plane] * slips.of(Mark(plane, "reading", of))  # type: ignore[index, arg-type]
             case Quotient() | _:
                 return 0.0
+
+
+def _written(quantity: Quantity, written: Written, values: np.ndarray) -> np.ndarray:
+    """What is handed in for values that were read: so many times them, or another value that scatters as they do."""
+    if written.instead is not None:
+        other = complex(written.factor * written.instead)
+        return values - np.nanmean(values) + (size_of(quantity, other) if isinstance(quantity, Moving) else other.real)
+    return values * (abs(written.factor) if isinstance(quantity, Moving) else complex(written.factor).real)
 
 
 def spread(values: np.ndarray) -> np.ndarray:

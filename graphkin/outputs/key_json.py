@@ -136,7 +136,7 @@ class _Reader:
         names, values, scatters = [], [], []
         for item in items:
             name = tuple(cast(Name, tuple(str(part) for part in one)) for one in item["names"])
-            self._require(bool(name) and all(len(one) == 3 for one in name), "mistakes")
+            self._require(bool(name) and all(len(one) == 4 for one in name), "mistakes")
             names.append(name)
             values.append(item["values"])
             scatters.append(item["scatters"])
