@@ -74,12 +74,12 @@ class Problem:
         """Of the right values: those of sizes along a guide, too."""
         return np.where(combined(self.method, self.plot, self.quantities, [()]).values[0] < 0, -1.0, 1.0)
 
-    def carried(self, given: np.ndarray, wrong: np.ndarray) -> Carried:
-        """For values (students, n) of which some are wrong."""
+    def carried(self, given: np.ndarray, known: np.ndarray, wrong: np.ndarray) -> Carried:
+        """For values (students, n) of which some are wrong; `known`: those of them that can be carried on."""
         carries = np.array([isinstance(q, Moving) or (isinstance(q, Rotation) and q.word != "theta")
                             for q in self.quantities], dtype=bool)  # fmt: skip
         allowed = usable(self.key, self.table, given)
-        used = wrong & allowed & carries
+        used = known & allowed & carries
         whole = self._values(given, used)
         moved, tolerance = self._moved(whole, self.table.right), self._tolerance(whole)
         values = np.where(moved, whole, np.nan)

@@ -81,13 +81,18 @@ class Marker:
         given = np.array([[_value(work, entry) for entry in self.key.entries] for work in works]).reshape(
             len(works), len(self.key.entries)
         )
-        right = agrees(self.table, given, self.table.right, self.table.tolerance)
-        wrong = np.isfinite(given) & ~right
-        carried = self.problem.carried(given, wrong)
-        found = self._diagnoses(given, wrong)
+        strange = np.array([[_strange(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
+        right, wrong = self.judged(given)
+        carried = self.problem.carried(given, wrong & ~strange.reshape(given.shape), wrong)
+        found = self.diagnoses(given, wrong)
         return [self._marked(work, k, given[k], right[k], carried, found[k]) for k, work in enumerate(works)]
 
-    def _diagnoses(self, given: np.ndarray, wrong: np.ndarray) -> list[Diagnosis]:
+    def judged(self, given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Which values (students, n) are right, and which are not; neither where there is none."""
+        right = agrees(self.table, given, self.table.right, self.table.tolerance)
+        return right, np.isfinite(given) & ~right
+
+    def diagnoses(self, given: np.ndarray, wrong: np.ndarray) -> list[Diagnosis]:
         """Of those who have something wrong, together where they have handed in the same quantities."""
         found = [Diagnosis()] * len(given)
         off = np.flatnonzero(wrong.any(axis=1))
@@ -143,6 +148,12 @@ class Marker:
 def _value(work: Work, entry: Entry) -> float:
     number = work.numbers.get(entry.text)
     return np.nan if number is None else number.value
+
+
+def _strange(work: Work, entry: Entry) -> bool:
+    """Whether a number stands there with a unit of another kind: nothing is carried on from it."""
+    number = work.numbers.get(entry.text)
+    return number is not None and not number.unit_right
 
 
 def _widened(key: Key, method: Method, further: Sequence[Quantity]) -> Key:

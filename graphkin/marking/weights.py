@@ -15,7 +15,7 @@ from graphkin.marking.key import Hypotheses, Key, Name
 from graphkin.marking.verdicts import Columns, columns_of, differences
 from graphkin.value import frozen
 
-__all__ = ["MOVED", "ONE", "TWO", "Weighed", "visible", "weigh"]
+__all__ = ["MOVED", "ONE", "TWO", "Weighed", "shifts", "visible", "weigh"]
 
 _RIGHT, ONE, TWO, _NONE = np.log((0.3, 0.4, 0.05, 0.25))
 """How often right work, one mistake, two mistakes and other work are met."""
@@ -71,9 +71,13 @@ def weigh(key: Key, table: Columns, given: np.ndarray, hypotheses: Hypotheses, m
 
 def visible(table: Columns, values: np.ndarray) -> np.ndarray:
     """Which rows of values (m, n) move one by more than a pencil might."""
-    moved = np.abs(differences(table, values, table.right))
     with np.errstate(invalid="ignore"):
-        return np.any(moved > MOVED * table.scatter, axis=1)
+        return np.any(shifts(table, values) > MOVED, axis=1)
+
+
+def shifts(table: Columns, values: np.ndarray) -> np.ndarray:
+    """By how many standard deviations values (.., n) are off the right ones; NaN where there is none."""
+    return np.abs(differences(table, values, table.right)) / table.scatter
 
 
 def _shares(names: list[tuple[Name, ...]]) -> np.ndarray:
