@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphkin.cli.shared import force_option, json_line, lang_option, read, speaking
+from graphkin.cli.shared import force_option, json_line, lang_option, mechanism_argument, read, speaking
 from graphkin.errors import BadPencil, Lang, Where
 
 if TYPE_CHECKING:
@@ -35,7 +35,8 @@ relative_option = click.option(
 @click.argument("key", metavar="KEY")
 @click.argument("submissions", nargs=-1, required=True, metavar="SUBMISSION...")
 @click.option("--json", "as_json", is_flag=True, help="One JSON line a student's submission; SI units and radians.")
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Write all records into a .json file.")
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
+              help="Write all records into a .json file.")  # fmt: skip
 @pencil_option
 @sigmas_option
 @relative_option
@@ -70,6 +71,50 @@ def grade(
 
     marks_file.write(output, made, _printed(records, as_json, lang) if as_json else records, lang, force)
     click.echo(str(output), err=as_json)
+
+
+@click.command()
+@mechanism_argument
+@pencil_option
+@sigmas_option
+@relative_option
+@click.option("--power", is_flag=True, help="Draw up students who make each mistake, and tell how many are named.")
+@click.option("--asked", is_flag=True, help="With --power: they hand in what is asked, and nothing on the way.")
+@click.option("--trials", type=click.IntRange(1, 100_000), default=200, show_default=True, help="Students a mistake.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object; SI units and radians.")
+@lang_option
+@speaking
+def tolerance(
+    mechanism: str, pencil: str, sigmas: float, relative: float, power: bool, asked: bool, trials: int, as_json: bool,
+    lang: Lang,
+) -> None:  # fmt: skip
+    """Print what accuracy paper allows: the construction is drawn many times with a pencil that errs.
+
+    For each quantity its scatter, its tolerance and the step that costs it most; * marks what is asked. With --power
+    also which mistakes can be told apart by the numbers that are handed in.
+
+    \b
+    Example:
+      graphkin tolerance ex3-1
+      graphkin tolerance ex3-1 --pencil 0.1,0.1 --power --lang zh
+    """
+    from graphkin import grading
+    from graphkin.marking.marker import Marker
+    from graphkin.marking.power import power as told_apart
+    from graphkin.marking.tolerances import tolerances
+    from graphkin.outputs import tolerance_text as text
+
+    marker = Marker(grading.key_for(read(mechanism), _pencils(pencil, sigmas, relative)))
+    found = tolerances(marker.key, marker.method)
+    texts = [entry.text for entry in marker.key.entries if entry.points] if asked else None
+    tried = told_apart(marker, trials, texts) if power else None
+    if as_json:
+        more = {} if tried is None else {"power": text.power_data(tried)}
+        click.echo(json_line({**text.tolerance_data(found), **more}))
+        return
+    click.echo("\n".join(text.tolerance_lines(found, lang)))
+    if tried is not None:
+        click.echo("\n" + "\n".join(text.power_lines(tried, lang)))
 
 
 def _print(records: Iterable[Graded], as_json: bool, lang: Lang) -> None:

@@ -178,9 +178,6 @@ from graphkin.errors.submissions import (
 )
 
 __all__ = [
-    "BadKey",
-    "BadPencil",
-    "NothingToMark",
     "NOWHERE",
     "AlongOwnAxis",
     "AmbiguousSketch",
@@ -188,8 +185,10 @@ __all__ = [
     "AnsweredTwice",
     "BadCondition",
     "BadDrawing",
+    "BadKey",
     "BadName",
     "BadPair",
+    "BadPencil",
     "BadRange",
     "BadVelocities",
     "BlockOrPin",
@@ -274,6 +273,7 @@ __all__ = [
     "NotRepeated",
     "NotScaled",
     "NotUtf8",
+    "NothingToMark",
     "OffTrack",
     "OneCondition",
     "OnePlace",

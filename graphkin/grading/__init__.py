@@ -6,8 +6,8 @@
 `outputs` writes what comes out: JSON lines, text.
 """
 
-from graphkin.marking.graded import Graded
-from graphkin.grading.keys import USUAL, Pencils, key_from, key_for, marking_of
+from graphkin.grading.keys import USUAL, Pencils, key_for, key_from, marking_of
 from graphkin.grading.running import grade
+from graphkin.marking.graded import Graded
 
 __all__ = ["USUAL", "Graded", "Pencils", "grade", "key_for", "key_from", "marking_of"]

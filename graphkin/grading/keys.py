@@ -64,7 +64,7 @@ def key_for(
 def marking_of(method: Method, pencils: Pencils = USUAL) -> Marking:
     """A pencil's errors at the scales of the mechanism's sheet."""
     scales = _scales(method)
-    lengths = {plane: pencils.length_mm * scales[key] for plane, key in KEYS.items()}
+    lengths: dict[str, float] = {plane: pencils.length_mm * scales[key] for plane, key in KEYS.items()}
     return Marking(lengths, math.radians(pencils.angle_deg), scales, pencils.sigmas, pencils.relative)
 
 

@@ -21,14 +21,14 @@ _BATCH = 256
 
 
 def grade(
-    key: Key, paths: Iterable[str | Path], limits: Limits | None = None, *, workers: int = 0, marker: Marker | None = None
+    key: Key, paths: Iterable[str | Path], limits: Limits | None = None, *, workers: int = 0
 ) -> Iterator[Graded]:
     """A record for every submission in these files, in order.
 
     workers  processes that read them; 0: this one. A submission that cannot be read or marked is a record with its
              reason.
     """
-    marker = marker or Marker(key)
+    marker = Marker(key)
     asked = Asked(marker.method.mechanism, tuple(entry.text for entry in key.entries))
     submissions = read(paths, asked, limits or Limits(), workers=workers)
     while batch := list(islice(submissions, _BATCH)):

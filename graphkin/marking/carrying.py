@@ -32,7 +32,8 @@ class Carried:
     """What follows for each student and quantity (students, n); NaN where no own value enters it.
 
     agrees      whether the handed-in value does; sense_only: whether it would, with the other sense
-    given       what was handed in; unused: own wrong values that are not carried on; enters: by own quantity, what it moves
+    given       what was handed in; unused: own wrong values that are not carried on
+    enters      by own quantity, what it moves (students, n)
     """
 
     texts: tuple[str, ...]
@@ -119,9 +120,11 @@ class Problem:
     def _tolerance(self, values: np.ndarray) -> np.ndarray:
         with np.errstate(divide="ignore", invalid="ignore"):
             larger = np.abs(values) / np.abs(self.table.right)
-        return self.table.tolerance * np.clip(np.nan_to_num(larger, nan=1.0, posinf=1.0), 1.0, _STRETCH)
+        found: np.ndarray = self.table.tolerance * np.clip(np.nan_to_num(larger, nan=1.0, posinf=1.0), 1.0, _STRETCH)
+        return found
 
     def _moved(self, values: np.ndarray, others: np.ndarray) -> np.ndarray:
         """Where values differ by more than counts; where they cannot be drawn, nowhere."""
         with np.errstate(invalid="ignore"):
-            return np.abs(values - others) > _MOVES * self.table.tolerance
+            found: np.ndarray = np.abs(values - others) > _MOVES * self.table.tolerance
+            return found

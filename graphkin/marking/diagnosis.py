@@ -7,7 +7,7 @@ given with it, as one set.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import field
 
 import numpy as np
@@ -73,13 +73,16 @@ def diagnoses(
     if not len(given) or not there.any():
         return [Diagnosis() for _ in given]
     one = weigh(key, table, given, key.singles, ONE)
-    found = [_diagnosis(key, table, given[k], wrong[k], one, k, key.singles) for k in range(len(given))]
+    ids, evidence = _evidence(one, key.singles)
+    found = []
+    for k in range(len(given)):
+        explanations = _explanations(key, table, given[k], wrong[k], one, k, key.singles)
+        found.append(Diagnosis(explanations, dict(zip(ids, evidence[k].tolist(), strict=True))))
     rest = np.array([k for k, one in enumerate(found) if not one.explanations], dtype=int)
     if rest.size and independent(key, there) >= _PAIRS_FROM and (two := pairs()) is not None:
         weighed = weigh(key, table, given[rest], two, TWO)
         for row, k in enumerate(rest):
-            both = _diagnosis(key, table, given[k], wrong[k], weighed, row, two)
-            found[k] = Diagnosis(both.explanations, found[k].evidence)
+            found[k] = Diagnosis(_explanations(key, table, given[k], wrong[k], weighed, row, two), found[k].evidence)
     return found
 
 
@@ -90,38 +93,36 @@ def independent(key: Key, there: np.ndarray) -> int:
     return int(np.sum(np.linalg.eigvalsh(key.together[np.ix_(there, there)]) > 1e-3))
 
 
-def _diagnosis(
+def _explanations(
     key: Key, table: Columns, given: np.ndarray, wrong: np.ndarray, weighed: Weighed, k: int, hypotheses: Hypotheses
-) -> Diagnosis:
-    """Of one student, whose weights are in row k."""
+) -> tuple[Explanation, ...]:
+    """Of one student, whose weights are in row k: one explanation, or none."""
     weights = weighed.weights[k]
     if not weights.size:
-        return Diagnosis()
+        return ()
     others = np.logaddexp(weighed.right[k], weighed.none[k])
-    evidence = _evidence(weights - weighed.none[k], [hypotheses.names[row] for row in weighed.rows])
     fits = (weighed.worst[k] <= _FITS) & (weighed.chance[k] <= _CHANCE)
     if not fits.any():
-        return Diagnosis((), evidence)
+        return ()
     best = float(weights[fits].max())
     same = fits & (weights > best - MARGIN)
     total = np.logaddexp(np.logaddexp.reduce(weights), others)
     probability = float(np.exp(np.logaddexp.reduce(weights[same]) - total))
-    margin = best - max(weighed.right[k], weighed.none[k], *weights[~same])
+    margin = best - max(weighed.right[k], weighed.none[k], weights[~same].max(initial=-np.inf))
     if probability < _LIKELY or best < weighed.right[k] + MARGIN:
-        return Diagnosis((), evidence)
+        return ()
     order = np.flatnonzero(same)[np.argsort(-weights[same], kind="stable")]
     explains = _explained(key, table, given, wrong, hypotheses, int(weighed.rows[order[0]]))
     names = tuple(hypotheses.names[weighed.rows[row]] for row in order)
-    return Diagnosis((Explanation(names, probability, float(margin), explains),), evidence)
+    return (Explanation(names, probability, float(margin), explains),)
 
 
-def _evidence(weights: np.ndarray, names: Sequence[tuple[Name, ...]]) -> dict[str, float]:
-    """The best of each single mistake's forms."""
-    found: dict[str, float] = {}
-    for weight, row in zip(weights, names, strict=True):
-        if len(row) == 1:
-            found[row[0][0]] = max(float(weight), found.get(row[0][0], -np.inf))
-    return found
+def _evidence(weighed: Weighed, hypotheses: Hypotheses) -> tuple[list[str], np.ndarray]:
+    """Ids of single mistakes, and by how much the best of each one's forms outweighs "none" (students, ids)."""
+    of = np.array([hypotheses.names[row][0][0] for row in weighed.rows], dtype=object)
+    ids = list(dict.fromkeys(of))
+    found = [weighed.weights[:, of == id].max(axis=1) - weighed.none for id in ids]
+    return ids, np.stack(found, axis=1) if found else np.empty((len(weighed.none), 0))
 
 
 def _explained(

@@ -50,9 +50,10 @@ def make_key(
         _entry(q, value, deviation, naturals[q.unit], marking, worth.get(q.text, 0.0))
         for q, value, deviation in zip(every, right, spread(drawn), strict=True)
     )
+    title = {str(lang): text for lang, text in mechanism.title.items()}
     return Key(
         mechanism.name, mechanism.text, method.structure.coincident, marking, entries, _given(method),
-        _together(drawn), _singles(method, plot, every, entries, marking), dict(mechanism.title), steps_of(method),
+        _together(drawn), _singles(method, plot, every, entries, marking), title, steps_of(method),
     )  # fmt: skip
 
 
@@ -61,7 +62,7 @@ def steps_of(method: Method) -> tuple[Step, ...]:
     found = []
     for construction in (method.velocity, method.acceleration):
         for equation in construction.equations:
-            left, right = (tuple(term.name(construction.plane) for term in side) for side in (equation.left, equation.right))
+            left, right = (tuple(t.name(construction.plane) for t in side) for side in (equation.left, equation.right))
             measured = [step for step in equation.steps if isinstance(step, Measure)]
             gives = tuple(f"{step.quantity} {step.of}" for step in measured if step.quantity in ("omega", "alpha"))
             found.append(Step(construction.plane, left, right, gives))
@@ -141,7 +142,8 @@ def _together(drawn: np.ndarray) -> np.ndarray:
         found = np.atleast_2d(np.corrcoef(ranks, rowvar=False))
     found[still, :], found[:, still] = 0.0, 0.0
     np.fill_diagonal(found, 1.0)
-    return np.round(np.nan_to_num(found), 6)
+    rounded: np.ndarray = np.round(np.nan_to_num(found), 6)
+    return rounded
 
 
 # --- mistakes ---------------------------------------------------------------------------------

@@ -23,7 +23,6 @@ from graphkin.construction import (
     Driven,
     Facts,
     Image,
-    LayOff,
     Measure,
     Normal,
     Plane,
@@ -44,7 +43,7 @@ from graphkin.marking.slips import Mark, Slips
 from graphkin.planning import Method
 from graphkin.value import frozen
 
-__all__ = ["Pencil", "PencilHand", "drawn_positions"]
+__all__ = ["Pencil", "PencilHand", "called", "drawn_positions"]
 
 _NO_ARROW = 1e-6
 """An arrow shorter than this part of what the pencil errs by is not drawn."""
@@ -73,7 +72,7 @@ def drawn_positions(method: Method, pencil: Pencil, slips: Slips) -> Plot:
 def _on_paper(method: Method, pencil: Pencil, slips: Slips) -> Facts:
     """Dimensions and drivers as they get onto the paper."""
     facts, length = method.facts(), pencil.lengths["position"]
-    lines = {}
+    lines: dict[str, tuple[str, str, Value]] = {}
     for slide, (guide, origin, direction) in facts.lines.items():
         turned = pencil.angle * slips.of(Mark("position", "guide", (slide,)))
         lines[slide] = guide, origin, direction * np.exp(1j * turned)
@@ -88,8 +87,9 @@ def _on_paper(method: Method, pencil: Pencil, slips: Slips) -> Facts:
 def _shape(facts: Facts, link: str, length: float, slips: Slips) -> dict[str, Value]:
     """A link as drawn, in its axes: from its first point the second at a length, every other at two."""
     shape: dict[str, Value] = dict(facts.shapes[link])
-    on_axis = None if link == facts.frame else (list(shape)[1:2] or [None])[0]
-    for point in list(shape)[1:]:
+    points = list(shape)
+    on_axis = points[1] if link != facts.frame and len(points) > 1 else ""
+    for point in points[1:]:
         mark = Mark("position", "point", (link, point))
         across = 0.0 if point == on_axis else slips.of(mark, 1)
         shape[point] = shape[point] + length * (slips.of(mark) + 1j * across)
@@ -120,7 +120,7 @@ class PencilHand(Hand):
                 read = right * self._given(plot, link, tail, head)
             case Driven() | Span():
                 read = right
-        return self._laid(plane, "arrow", _called(size), read)
+        return self._laid(plane, "arrow", called(size), read)
 
     def line(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
         mark = Mark(plane, "line", (ray.through, *_pointing(ray.direction)))
@@ -164,7 +164,7 @@ class PencilHand(Hand):
         return abs(shape[head] - shape[tail]) / np.abs(plot.arm(tail, head))
 
 
-def _called(size: Size) -> tuple[str, ...]:
+def called(size: Size) -> tuple[str, ...]:
     """An arrow as marks name it: its kind with the points or slides it is made of."""
     match size:
         case Span(parts):

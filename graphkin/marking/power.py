@@ -65,10 +65,9 @@ def power(marker: Marker, trials: int = 200, texts: Sequence[str] | None = None)
     drawings = Drawings.of(
         marker.method, pencil_of(marker.key.marking), Slips(seed_of(marker.method.mechanism) ^ 0x5EED, trials)
     )
-    return Power(
-        tuple(entry.text for entry, there in zip(marker.key.entries, handed, strict=True) if there), trials,
-        tuple(_found(marker, drawings, handed)), _alarms(marker, handed, 10 * trials), _random(marker, handed, 5 * trials),
-    )  # fmt: skip
+    found = tuple(_found(marker, drawings, handed))
+    kept = tuple(entry.text for entry, there in zip(marker.key.entries, handed, strict=True) if there)
+    return Power(kept, trials, found, _alarms(marker, handed, 10 * trials), _random(marker, handed, 5 * trials))
 
 
 def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[Found]:

@@ -87,8 +87,10 @@ def _written(quantity: Quantity, written: Written, values: np.ndarray) -> np.nda
     """What is handed in for values that were read: so many times them, or another value that scatters as they do."""
     if written.instead is not None:
         other = complex(written.factor * written.instead)
-        return values - np.nanmean(values) + (size_of(quantity, other) if isinstance(quantity, Moving) else other.real)
-    return values * (abs(written.factor) if isinstance(quantity, Moving) else complex(written.factor).real)
+        around: float = size_of(quantity, other) if isinstance(quantity, Moving) else other.real
+        return values + (around - float(np.nanmean(values)))
+    factor = complex(written.factor)
+    return values * (abs(factor) if isinstance(quantity, Moving) else factor.real)
 
 
 def spread(values: np.ndarray) -> np.ndarray:

@@ -35,11 +35,11 @@ class Columns:
 
 def columns(entries: Sequence[Entry]) -> Columns:
     """Entries as arrays."""
-    return Columns(
-        *(np.array([getattr(entry, name) for entry in entries]) for name in ("right", "scatter", "tolerance")),
-        *(np.array([entry.sort == sort for entry in entries], dtype=bool) for sort in ("angle", "size")),
-        np.array([entry.points for entry in entries]),
+    right, scatter, tolerance, points = (
+        np.array([getattr(entry, name) for entry in entries]) for name in ("right", "scatter", "tolerance", "points")
     )
+    angle, size = (np.array([entry.sort == sort for entry in entries], dtype=bool) for sort in ("angle", "size"))
+    return Columns(right, scatter, tolerance, angle, size, points)
 
 
 def columns_of(table: Columns, which: np.ndarray) -> Columns:
@@ -49,7 +49,7 @@ def columns_of(table: Columns, which: np.ndarray) -> Columns:
 
 def differences(table: Columns, given: np.ndarray, value: np.ndarray) -> np.ndarray:
     """By how much given values are off (.., n): sizes without sign, angles modulo a turn; NaN where either is."""
-    plain = given - value
+    plain: np.ndarray = given - value
     if table.size.any():
         plain = np.where(table.size, np.abs(given) - np.abs(value), plain)
     if table.angle.any():
@@ -60,13 +60,15 @@ def differences(table: Columns, given: np.ndarray, value: np.ndarray) -> np.ndar
 def agrees(table: Columns, given: np.ndarray, value: np.ndarray, tolerance: np.ndarray) -> np.ndarray:
     """Whether given values are the right ones but for the tolerance, half of its last digit included."""
     with np.errstate(invalid="ignore"):
-        return np.abs(differences(table, given, value)) <= tolerance * (1 + 1e-9)
+        found: np.ndarray = np.abs(differences(table, given, value)) <= tolerance * (1 + 1e-9)
+        return found
 
 
 def sense_only(table: Columns, given: np.ndarray, value: np.ndarray, tolerance: np.ndarray) -> np.ndarray:
     """Whether a value would be right with the other sense."""
     signed = ~table.angle & ~table.size & (np.abs(value) > tolerance)
-    return signed & agrees(table, -given, value, tolerance) & ~agrees(table, given, value, tolerance)
+    found: np.ndarray = signed & agrees(table, -given, value, tolerance) & ~agrees(table, given, value, tolerance)
+    return found
 
 
 def usable(key: Key, table: Columns, given: np.ndarray) -> np.ndarray:
@@ -78,4 +80,5 @@ def usable(key: Key, table: Columns, given: np.ndarray) -> np.ndarray:
     for number in key.given:
         copied |= np.abs(size - abs(number)) <= _SAME * abs(number)
     angles = table.angle & np.isfinite(given)
-    return np.isfinite(given) & (angles | bounded & (right > 0)) & ~copied
+    found: np.ndarray = np.isfinite(given) & (angles | bounded & (right > 0)) & ~copied
+    return found

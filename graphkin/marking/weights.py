@@ -6,6 +6,7 @@ right or anything. Weights are logarithms of likelihoods times how often such wo
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from math import lgamma
 
@@ -72,18 +73,20 @@ def weigh(key: Key, table: Columns, given: np.ndarray, hypotheses: Hypotheses, m
 def visible(table: Columns, values: np.ndarray) -> np.ndarray:
     """Which rows of values (m, n) move one by more than a pencil might."""
     with np.errstate(invalid="ignore"):
-        return np.any(shifts(table, values) > MOVED, axis=1)
+        found: np.ndarray = np.any(shifts(table, values) > MOVED, axis=1)
+        return found
 
 
 def shifts(table: Columns, values: np.ndarray) -> np.ndarray:
     """By how many standard deviations values (.., n) are off the right ones; NaN where there is none."""
-    return np.abs(differences(table, values, table.right)) / table.scatter
+    found: np.ndarray = np.abs(differences(table, values, table.right)) / table.scatter
+    return found
 
 
 def _shares(names: list[tuple[Name, ...]]) -> np.ndarray:
     """Logarithms of the rows' shares: the same for each mistake, divided among its places and forms."""
     kinds = [tuple(name[0] for name in row) for row in names]
-    count = {kind: kinds.count(kind) for kind in set(kinds)}
+    count = Counter(kinds)
     return -np.log([len(count) * count[kind] for kind in kinds])
 
 
@@ -100,14 +103,16 @@ def _alike(judged: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
 def _broad(table: Columns, values: np.ndarray) -> np.ndarray:
     """Logarithm of the density of a value of which nothing is known: about as large as the right one, or far off."""
     size = np.maximum(np.abs(table.right), 10 * table.scatter)
-    return -np.log(np.pi * size) - np.log1p((values / size) ** 2)
+    found: np.ndarray = -np.log(np.pi * size) - np.log1p((values / size) ** 2)
+    return found
 
 
 def _nothing(table: Columns, given: np.ndarray) -> np.ndarray:
     """The same of a value that is right in half of the cases."""
     z = differences(table, given, table.right) / table.scatter
     right = -0.5 * z**2 - np.log(table.scatter * np.sqrt(2 * np.pi))
-    return np.logaddexp(right, _broad(table, given)) - np.log(2)
+    found: np.ndarray = np.logaddexp(right, _broad(table, given)) - np.log(2)
+    return found
 
 
 class _Found:

@@ -126,7 +126,8 @@ class _Reader:
         return Entry(item["text"], item["unit"], cast(Sort, item["sort"]), right, scatter, tolerance, points)
 
     def _marking(self, item: Json) -> Marking:
-        lengths = {plane: self._number(item["lengths"][plane], plane) for plane in ("position", "velocity", "acceleration")}
+        planes = ("position", "velocity", "acceleration")
+        lengths = {plane: self._number(item["lengths"][plane], plane) for plane in planes}
         scales = {str(name): self._number(x, "scales") for name, x in item["scales"].items()}
         angle, sigmas, relative = (self._number(item[name], name) for name in ("angle", "sigmas", "relative"))
         self._require(min(*lengths.values(), angle, relative) >= 0 and sigmas > 0, "marking")

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from graphkin.errors import Lang
-from graphkin.marking.graded import Graded
 from graphkin.marking.diagnosis import Explanation
+from graphkin.marking.graded import Graded
 from graphkin.marking.marked import Judged, Marked
 
 __all__ = ["FORMAT", "line", "record"]

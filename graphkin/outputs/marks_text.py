@@ -63,7 +63,8 @@ def _row(one: Judged, lang: Lang) -> list[str]:
     if not one.unit_right:
         verdict = say("unit wrong", lang)
     given = "" if one.given is None else shown(one.given, one.unit)
-    return [one.text, given, shown(one.right, one.unit), f"±{shown(one.tolerance, one.unit)}", EDGE[one.unit].sign, verdict]
+    right, tolerance = shown(one.right, one.unit), f"±{shown(one.tolerance, one.unit)}"
+    return [one.text, given, right, tolerance, EDGE[one.unit].sign, verdict]
 
 
 def _arithmetic(marked: Marked, lang: Lang) -> Iterator[str]:
