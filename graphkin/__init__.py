@@ -28,8 +28,8 @@ __version__ = "0.1.0"
 ORDER = (
     "value", "errors", "geometry", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
-    "agreement", "centres", "linkages", "words", "design", "sweeps", "check", "results", "reports", "sheet",
-    "outputs", "equations", "finding", "api", "batches", "platforms", "cli",
+    "agreement", "centres", "linkages", "words", "design", "sweeps", "marking", "check", "results", "reports", "sheet",
+    "outputs", "equations", "finding", "api", "batches", "submissions", "grading", "platforms", "cli",
 )  # fmt: skip
 
 _WHERE = {

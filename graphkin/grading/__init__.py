@@ -1,0 +1,13 @@
+"""Grading: keys made or read, files that students hand in marked against them, one record a submission.
+
+    KEY --key_from--> Key --Marker--+
+    files --submissions.read--> Submission --> `grade` --> Graded, one after another
+
+`outputs` writes what comes out: JSON lines, text.
+"""
+
+from graphkin.grading.keys import USUAL, Pencils, key_for, key_from, marking_of
+from graphkin.grading.running import grade
+from graphkin.marking.graded import Graded
+
+__all__ = ["USUAL", "Graded", "Pencils", "grade", "key_for", "key_from", "marking_of"]

@@ -1,0 +1,20 @@
+"""Marking: what a student's own values, and mistakes, lead to.
+
+A `Hand` draws the polygons (`redraw`): `replay_with` with a student's own values in their place, `consequences` with
+every mistake that can be made, each a `Rewrite` of one place of the construction, all at once on arrays.
+"""
+
+from __future__ import annotations
+
+from graphkin.marking.asked import Arrows, arrows_of, asked
+from graphkin.marking.consequences import Consequences, combined, consequences, rewrites
+from graphkin.marking.follow import Followed, Own, replay_with
+from graphkin.marking.hand import Hand, Hands
+from graphkin.marking.redrawing import Redrawing, redraw
+from graphkin.marking.rewrite import Edit, Mistaken, Rewrite
+from graphkin.marking.scene import MISTAKES, Mistake
+
+__all__ = [
+    "MISTAKES", "Arrows", "Consequences", "Edit", "Followed", "Hand", "Hands", "Mistake", "Mistaken", "Own",
+    "Redrawing", "Rewrite", "arrows_of", "asked", "combined", "consequences", "redraw", "replay_with", "rewrites",
+]  # fmt: skip

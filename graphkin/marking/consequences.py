@@ -1,0 +1,132 @@
+"""What every mistake that can be made leads to, all drawn at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+
+import numpy as np
+
+from graphkin.construction import Plot
+from graphkin.geometry import Value
+from graphkin.marking import mistakes as _entered  # noqa: F401  (enters them)
+from graphkin.marking.asked import arrows_of, asked, size_of
+from graphkin.marking.redrawing import Redrawing, redraw
+from graphkin.marking.rewrite import Mistaken, Rewrite
+from graphkin.marking.scene import MISTAKES, Scene
+from graphkin.planning import Method
+from graphkin.quantities import Answer, Centre, Quantity
+from graphkin.value import frozen
+
+__all__ = ["Consequences", "combined", "consequences", "rewrites"]
+
+SAME = 1e-9
+"""Values that differ by less, as part of their size, are one."""
+
+
+@frozen
+class Consequences:
+    """What follows from mistakes.
+
+    quantities  what is asked
+    right       the right answers
+    columns     the mistakes: one of them each, or several made together
+    values      (columns, quantities): sizes, rotations with their sense, along a guide with their sign; NaN where the
+                mistake leaves nothing to be judged
+    vectors     (columns, quantities), complex; NaN for scalars
+    plot        the drawings, one column a mistake
+    moves       (columns,): whether a mistake changes anything that is asked here, or leaves nothing of it to be judged
+    """
+
+    quantities: tuple[Quantity, ...]
+    right: tuple[Answer, ...]
+    columns: tuple[tuple[Rewrite, ...], ...]
+    values: np.ndarray
+    vectors: np.ndarray
+    plot: Redrawing
+
+    @cached_property
+    def moves(self) -> np.ndarray:
+        return ~np.array([self._same(row, self._right) for row in range(len(self.columns))], dtype=bool)
+
+    def alike(self) -> list[list[int]]:
+        """Groups of columns that cannot be told apart by what is asked; those that change nothing left out."""
+        groups: list[list[int]] = []
+        for row in map(int, np.flatnonzero(self.moves)):
+            group = next((g for g in groups if self._same(row, self._of(g[0]))), None)
+            groups.append([row]) if group is None else group.append(row)
+        return groups
+
+    @property
+    def _right(self) -> tuple[np.ndarray, np.ndarray]:
+        vectors = [np.nan if answer.vector is None else answer.vector for answer in self.right]
+        return np.array([answer.value for answer in self.right], dtype=float), np.array(vectors, dtype=complex)
+
+    def _of(self, row: int) -> tuple[np.ndarray, np.ndarray]:
+        return self.values[row], self.vectors[row]
+
+    def _same(self, row: int, other: tuple[np.ndarray, np.ndarray]) -> bool:
+        return all(_equal(mine, its, other[0]) for mine, its in zip(self._of(row), other, strict=True))
+
+
+def _equal(one: np.ndarray, other: np.ndarray, sizes: np.ndarray) -> bool:
+    """Equal but for rounding, nowhere judged counting as a value."""
+    with np.errstate(invalid="ignore"):
+        near = np.abs(one - other) <= SAME * np.maximum(np.abs(one), np.abs(other)) + SAME * np.abs(sizes)
+    return bool(np.all(near | (one == other) | (np.isnan(one) & np.isnan(other))))
+
+
+def rewrites(
+    method: Method, plot: Plot, quantities: Sequence[Quantity] = (), scales: Mapping[str, float] | None = None
+) -> tuple[Rewrite, ...]:
+    """Every mistake that can be made in a construction, once for each place and form."""
+    scene = Scene(method, plot, tuple(quantities), scales or {})
+    return tuple(found for one in MISTAKES.values() for found in one.find(scene))
+
+
+def consequences(
+    method: Method, plot: Plot, quantities: Sequence[Quantity], scales: Mapping[str, float] | None = None
+) -> Consequences:
+    """All single mistakes at the position of a plot; quantities that are no numbers there must be left out."""
+    found = rewrites(method, plot, quantities, scales)
+    return combined(method, plot, quantities, [(one,) for one in found])
+
+
+def combined(
+    method: Method, plot: Plot, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]]
+) -> Consequences:
+    """What follows from mistakes, those of a column made together. Instant centres come from the mechanism's drawing
+    alone: no polygon moves them."""
+    arrows = arrows_of(method)
+    hand = Mistaken(columns)
+    placed = hand.placed(method, plot)
+    drawn, right, still = redraw(method, placed, hand, hand.shape), redraw(method, plot), redraw(method, placed)
+    answers = [asked(method, still if isinstance(q, Centre) else drawn, q, arrows) for q in quantities]
+    values = _table([answer.value for answer in answers], len(columns), float)
+    vectors = _table([np.nan if a.vector is None else a.vector for a in answers], len(columns), complex)
+    _write_otherwise(columns, quantities, values, vectors)
+    return Consequences(
+        tuple(quantities), tuple(asked(method, right, quantity, arrows) for quantity in quantities),
+        tuple(map(tuple, columns)), values, vectors, drawn,
+    )  # fmt: skip
+
+
+def _table(columns: Sequence[Value], count: int, kind: type) -> np.ndarray:
+    if not columns:
+        return np.zeros((count, 0), dtype=kind)
+    return np.stack([np.broadcast_to(np.asarray(value, dtype=kind), (count,)) for value in columns], axis=1)
+
+
+def _write_otherwise(
+    columns: Sequence[Sequence[Rewrite]], quantities: Sequence[Quantity], values: np.ndarray, vectors: np.ndarray
+) -> None:
+    """Handed-in values that were drawn right and written otherwise."""
+    place = {quantity.text: k for k, quantity in enumerate(quantities)}
+    for row, rewrites in enumerate(columns):
+        for one in (one for rewrite in rewrites for one in rewrite.asked):
+            k = place[one.quantity]
+            if np.isfinite(vectors[row, k]):
+                vectors[row, k] = one.factor * (vectors[row, k] if one.instead is None else one.instead)
+                values[row, k] = size_of(quantities[k], vectors[row, k])
+            else:
+                values[row, k] = (one.factor * (values[row, k] if one.instead is None else one.instead)).real

@@ -1,0 +1,107 @@
+"""Who draws: the hand that does each step as it should be done, and what another may do differently.
+
+A step comes to the hand with what is right at this place of the drawing as it stands; what the hand gives is drawn, and
+everything after follows from it. Mistakes, a student's own values and a pencil that errs are hands.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from graphkin.construction import Facts, Image, LayOff, Measure, Plane, Ray, Size
+from graphkin.geometry import Value
+
+if TYPE_CHECKING:
+    from graphkin.marking.redrawing import Redrawing
+
+__all__ = ["Hand", "Hands"]
+
+
+class Hand:
+    """Does everything right. Values are scalars or arrays that broadcast with the positions."""
+
+    def facts(self, facts: Facts) -> Facts:
+        """The drivers' rates and accelerations that it starts from."""
+        return facts
+
+    def arrow(self, plot: Redrawing, plane: Plane, size: Size, right: Value) -> Value:
+        """A known arrow, before it is laid off or put into equations that are solved together."""
+        return right
+
+    def laid(self, plot: Redrawing, plane: Plane, step: LayOff, right: Value) -> Value:
+        """Where the pencil comes to when an arrow is laid off."""
+        return right
+
+    def line(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
+        """The direction of a ray, of length 1; `number` is that of the crossing's step in its construction."""
+        return right
+
+    def through(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
+        """Where a ray is drawn through."""
+        return right
+
+    def met(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
+        """Where two rays cross."""
+        return right
+
+    def image(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+        """A further point of a link."""
+        return right
+
+    def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Value) -> Value:
+        """What ruler and protractor give: omega or alpha of the link, or a slide's rate, with its sense."""
+        return right
+
+    def settled(self, plot: Redrawing, quantity: str, links: tuple[str, ...], of: str) -> None:
+        """After a group of links that turn together has got its omega or alpha; `of`: the link it was read for."""
+
+
+class Hands(Hand):
+    """Several hands, each working on what the one before gives."""
+
+    def __init__(self, *hands: Hand) -> None:
+        self.hands = hands
+
+    def facts(self, facts: Facts) -> Facts:
+        for hand in self.hands:
+            facts = hand.facts(facts)
+        return facts
+
+    def arrow(self, plot: Redrawing, plane: Plane, size: Size, right: Value) -> Value:
+        for hand in self.hands:
+            right = hand.arrow(plot, plane, size, right)
+        return right
+
+    def laid(self, plot: Redrawing, plane: Plane, step: LayOff, right: Value) -> Value:
+        for hand in self.hands:
+            right = hand.laid(plot, plane, step, right)
+        return right
+
+    def line(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
+        for hand in self.hands:
+            right = hand.line(plot, plane, number, ray, right)
+        return right
+
+    def through(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
+        for hand in self.hands:
+            right = hand.through(plot, plane, number, ray, right)
+        return right
+
+    def met(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
+        for hand in self.hands:
+            right = hand.met(plot, plane, point, right)
+        return right
+
+    def image(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+        for hand in self.hands:
+            right = hand.image(plot, plane, step, right)
+        return right
+
+    def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Value) -> Value:
+        for hand in self.hands:
+            right = hand.read(plot, plane, step, right)
+        return right
+
+    def settled(self, plot: Redrawing, quantity: str, links: tuple[str, ...], of: str) -> None:
+        for hand in self.hands:
+            hand.settled(plot, quantity, links, of)

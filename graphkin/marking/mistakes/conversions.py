@@ -1,0 +1,80 @@
+"""Mistakes of units and scales: exact factors, of one value, of all of a kind, of what is given, or carried on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from math import pi
+
+from graphkin.marking.mistakes.rotations import measured, reading
+from graphkin.marking.rewrite import Edit, Rewrite, Written, times
+from graphkin.marking.scene import Scene, mistake
+from graphkin.quantities import Moving, Quantity, Rotation
+
+__all__: list[str] = []
+
+TURNS = {"30/π": 30 / pi, "60": 60.0, "1/60": 1 / 60, "2π": 2 * pi, "1/2π": 1 / (2 * pi), "180/π": 180 / pi}
+THOUSANDS = {"10³": 1e3, "10⁻³": 1e-3}
+GIVEN = {"30/π": 30 / pi, "60": 60.0, "1/2π": 1 / (2 * pi)}
+"""Turns per minute taken for rad/s; made into rad with the minute left; turns per second taken for rad/s."""
+
+
+def factors(unit: str, scales: Mapping[str, float]) -> dict[str, float]:
+    """The factors of a unit, by how they are written."""
+    found = dict(THOUSANDS)
+    if unit in ("rad/s", "rad/s^2"):
+        found |= TURNS
+    length, velocity, acceleration = (scales.get(key) for key in ("length", "velocity", "acceleration"))
+    own, other = (acceleration, velocity) if unit.endswith("^2") else (velocity, acceleration)
+    mine, its = ("μ_a", "μ_v") if unit.endswith("^2") else ("μ_v", "μ_a")
+    if own:
+        found[f"1/{mine}"] = 1 / own
+        if other:
+            found[f"{its}/{mine}"] = other / own
+    if length and unit.startswith("rad"):
+        found["μ_l"] = length
+        found["1/μ_l"] = 1 / length
+        if own:
+            found[f"μ_l/{mine}"] = length / own
+    return {text: factor for text, factor in found.items() if abs(factor - 1) > 1e-9}
+
+
+def _convertible(quantity: Quantity) -> bool:
+    return isinstance(quantity, Moving) or (isinstance(quantity, Rotation) and quantity.word != "theta")
+
+
+@mistake("conversion", "unit", "1-2")
+def conversion(scene: Scene) -> Iterator[Rewrite]:
+    asked = [quantity for quantity in scene.quantities if _convertible(quantity)]
+    yield from _written(scene, asked)
+    yield from _carried(scene)
+    yield from _given(scene)
+
+
+def _written(scene: Scene, asked: list[Quantity]) -> Iterator[Rewrite]:
+    """Handed-in values alone; all of one unit, each of them, and rotations with the other sense."""
+    for unit in dict.fromkeys(quantity.unit for quantity in asked):
+        kind = [quantity.text for quantity in asked if quantity.unit == unit]
+        for form, factor in factors(unit, scene.scales).items():
+            if len(kind) > 1:
+                values = tuple(Written(text, factor) for text in kind)
+                yield Rewrite("conversion", unit, form, asked=values, way="kind")
+            for text in kind:
+                yield Rewrite("conversion", text, form, asked=(Written(text, factor),))
+    for quantity in asked:
+        if isinstance(quantity, Rotation) and quantity.word == "alpha":
+            yield Rewrite("conversion", quantity.text, asked=(Written(quantity.text, -1.0),), way="sense")
+
+
+def _carried(scene: Scene) -> Iterator[Rewrite]:
+    """A rotation read so, and all that follows from it."""
+    for step, name in measured(scene, "velocity"):
+        for form, factor in factors("rad/s", scene.scales).items():
+            yield Rewrite("conversion", name, form, reading("velocity", step, times(factor)), way="carried")
+
+
+def _given(scene: Scene) -> Iterator[Rewrite]:
+    """The speed that drives: revolutions per minute taken for rad/s, and the like."""
+    for k, driver in enumerate(scene.method.drivers):
+        for form, factor in (THOUSANDS if driver.kind == "slide" else GIVEN).items():
+            if driver.rate:
+                yield Rewrite("conversion", driver.name, form, (Edit(("rate", k), times(factor)),), way="given")

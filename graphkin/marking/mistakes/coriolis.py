@@ -1,0 +1,134 @@
+"""Mistakes with the Coriolis acceleration: a^k = 2 omega v_r, v_r turned by 90 deg in the sense of omega; (3-4)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from graphkin.construction import Coriolis
+from graphkin.geometry import Value, unit
+from graphkin.marking.redrawing import Redrawing
+from graphkin.marking.rewrite import Change, Edit, Rewrite, times
+from graphkin.marking.scene import Scene, mistake
+
+__all__: list[str] = []
+
+RULE = "3-2.1 (3-4)"
+
+
+def terms(scene: Scene) -> Iterator[tuple[Coriolis, str]]:
+    """Each Coriolis term with its name."""
+    for size, name in scene.sized("acceleration", Coriolis).items():
+        yield size, name or f"a^k {scene.method.mechanism.called(size.link)}"
+
+
+def slip(plot: Redrawing, size: Coriolis) -> Value:
+    return plot.velocity[size.head] - plot.velocity[size.tail]
+
+
+def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
+    for size, name in terms(scene):
+        yield Rewrite(id, name, edits=(Edit(("arrow", "acceleration", size), change),))
+
+
+@mistake("coriolis-omitted", "coriolis", RULE)
+def omitted(scene: Scene) -> Iterator[Rewrite]:
+    return _each(scene, "coriolis-omitted", times(0.0))
+
+
+@mistake("coriolis-reversed", "coriolis", RULE)
+def reversed_(scene: Scene) -> Iterator[Rewrite]:
+    return _each(scene, "coriolis-reversed", times(-1.0))
+
+
+@mistake("coriolis-half", "coriolis", RULE)
+def half(scene: Scene) -> Iterator[Rewrite]:
+    return _each(scene, "coriolis-half", times(0.5))
+
+
+@mistake("coriolis-not-turned", "coriolis", RULE)
+def not_turned(scene: Scene) -> Iterator[Rewrite]:
+    """In the direction of v_r."""
+    for size, name in terms(scene):
+
+        def change(plot: Redrawing, right: Value, size: Coriolis = size) -> Value:
+            return np.abs(right) * unit(slip(plot, size))
+
+        yield Rewrite("coriolis-not-turned", name, edits=(Edit(("arrow", "acceleration", size), change),))
+
+
+@mistake("coriolis-crank-omega", "coriolis", RULE)
+def crank_omega(scene: Scene) -> Iterator[Rewrite]:
+    """With a driver's omega, in the sense of the right one or in its own."""
+    for size, name in terms(scene):
+        for link in scene.cranks:
+            if link == size.link:
+                continue
+            for way, change in _by_crank(scene, size, link):
+                edits = (Edit(("arrow", "acceleration", size), change),)
+                form = f"ω{scene.method.mechanism.called(link)}"
+                yield Rewrite("coriolis-crank-omega", name, form, edits, way=way)
+
+
+def _by_crank(scene: Scene, size: Coriolis, link: str) -> Iterator[tuple[str, Change]]:
+    def in_right_sense(plot: Redrawing, right: Value) -> Value:
+        return 2j * np.copysign(plot.omega[link], plot.omega[size.link]) * slip(plot, size)
+
+    def in_its_sense(plot: Redrawing, right: Value) -> Value:
+        return 2j * plot.omega[link] * slip(plot, size)
+
+    yield "sense", in_right_sense
+    if scene.plot.omega[link] * scene.plot.omega.get(size.link, 0.0) < 0:
+        yield "", in_its_sense
+
+
+@mistake("coriolis-absolute-velocity", "coriolis", RULE)
+def absolute_velocity(scene: Scene) -> Iterator[Rewrite]:
+    """With the velocity of either coincident point for that of the one against the other."""
+    for size, name in terms(scene):
+        for end in (size.tail, size.head):
+
+            def change(plot: Redrawing, right: Value, size: Coriolis = size, end: str = end) -> Value:
+                return 2 * np.abs(plot.omega[size.link] * plot.velocity[end]) * unit(right)
+
+            form = scene.velocity_name(end)
+            yield Rewrite("coriolis-absolute-velocity", name, form, (Edit(("arrow", "acceleration", size), change),))
+
+
+@mistake("block-omega", "coriolis", RULE)
+def block_omega(scene: Scene) -> Iterator[Rewrite]:
+    """The block taken as not turning, as turning with a driver, or about the guide's pivot with its own velocity."""
+    for size, name in terms(scene):
+        if scene.is_block(size.link):
+            for form, change in _of_block(scene, size).items():
+                yield Rewrite("block-omega", name, form, (Edit(("settled", "omega", size.link), change),))
+
+
+def _of_block(scene: Scene, size: Coriolis) -> dict[str, Change]:
+    """What may be taken for the block's rotation, by how it is written; ± where only its size is taken."""
+    found: dict[str, Change] = {"0": times(0.0)}
+    for link in scene.cranks:
+        text = f"ω{scene.method.mechanism.called(link)}"
+        found |= {text: _crank(link, False), f"±{text}": _crank(link, True)}
+    for step in scene.measures("velocity"):
+        if step.head in (size.tail, size.head) and scene.turns_with(step.of, size.link):
+            text = f"{scene.velocity_name(size.tail)}/{scene.length_name(*step.lever)}"
+            found[text] = _about(size.tail, scene.length(*step.lever))
+    return found
+
+
+def _crank(link: str, in_right_sense: bool) -> Change:
+    def change(plot: Redrawing, right: Value) -> Value:
+        return np.copysign(plot.omega[link], right) if in_right_sense else plot.omega[link]
+
+    return change
+
+
+def _about(node: str, length: float) -> Change:
+    """The velocity of the block's point over a length, in the right sense."""
+
+    def change(plot: Redrawing, right: Value) -> Value:
+        return np.copysign(np.abs(plot.velocity[node]) / length, right)
+
+    return change

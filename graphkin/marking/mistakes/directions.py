@@ -1,0 +1,158 @@
+"""Mistakes with directions of what is sought: along for across, across for along, across the wrong line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from graphkin.construction import Across, AlongGuide, Equation, Measure, Meet, Normal, Plane, Ray
+from graphkin.geometry import Value, cross, dot
+from graphkin.marking.redrawing import Redrawing
+from graphkin.marking.rewrite import Change, Edit, Rewrite, times
+from graphkin.marking.scene import Scene, mistake
+
+__all__: list[str] = []
+
+NOTHING = 1e-6
+"""Sine of an angle under which two directions count as one."""
+
+
+def rays(scene: Scene, plane: Plane) -> Iterator[tuple[int, Meet, Ray, str]]:
+    """Every direction line of an equation's unknown arrow, with the arrow's name."""
+    for number, meet, equation in scene.meets(plane):
+        for ray in (meet.first, meet.second):
+            if isinstance(ray, Ray):
+                yield number, meet, ray, _named(equation, ray, plane) or f"{plane[0]} {meet.point}"
+
+
+def _named(equation: Equation | None, ray: Ray, plane: Plane) -> str:
+    """The unknown arrow that lies on a line."""
+    terms = () if equation is None else equation.left + equation.right
+    return next((t.name(plane) for t in terms if t.size is None and t.direction == ray.direction), "")
+
+
+def measured_over(scene: Scene, plane: Plane, across: Across) -> Measure | None:
+    """What is read off an arrow across a lever."""
+    ends = {across.tail, across.head}
+    return next((step for step in scene.measures(plane) if set(step.lever) == ends), None)
+
+
+def unread(scene: Scene, plane: Plane, across: Across) -> tuple[Edit, ...]:
+    """The rotation over a lever has no sense to be read, where its arrow lies along the lever."""
+    step = measured_over(scene, plane, across)
+    return () if step is None else (Edit(("read", plane, step.quantity, step.of), times(np.nan)),)
+
+
+def _along(scene: Scene, plane: Plane, id: str) -> Iterator[Rewrite]:
+    for number, _, ray, name in rays(scene, plane):
+        if isinstance(ray.direction, Across):
+            edits = (Edit(("line", plane, number, ray), times(-1j)), *unread(scene, plane, ray.direction))
+            yield Rewrite(id, name, edits=edits)
+
+
+@mistake("velocity-along-link", "velocity-direction", "3-2.1 (3-1)")
+def velocity_along_link(scene: Scene) -> Iterator[Rewrite]:
+    """What is read of that link's rotation has no sense, so that it and all that follows from it is not judged."""
+    return _along(scene, "velocity", "velocity-along-link")
+
+
+@mistake("tangential-along", "acceleration", "3-2.1 (3-2)")
+def tangential_along(scene: Scene) -> Iterator[Rewrite]:
+    """Of unknown arrows; and a crank's normal one laid along its velocity."""
+    yield from _along(scene, "acceleration", "tangential-along")
+    for size, name in scene.sized("acceleration", Normal).items():
+        if scene.driven(size.link):
+
+            def change(plot: Redrawing, right: Value, size: Normal = size) -> Value:
+                return -1j * np.sign(plot.omega[size.link]) * right
+
+            yield Rewrite("tangential-along", name, "", (Edit(("arrow", "acceleration", size), change),), way="crank")
+
+
+@mistake("sliding-across", "velocity-direction", "3-2.1 (3-3)")
+def sliding_across(scene: Scene) -> Iterator[Rewrite]:
+    for number, _, ray, name in rays(scene, "velocity"):
+        if isinstance(ray.direction, AlongGuide):
+            yield Rewrite("sliding-across", name, edits=(Edit(("line", "velocity", number, ray), times(1j)),))
+
+
+def with_its_sense(step: Measure, length: float | None = None) -> Change:
+    """A rotation as a ruler reads it: the whole arrow over a length, in the sense of its part across the lever."""
+
+    def change(plot: Redrawing, right: Value) -> Value:
+        arrow, arm = plot.velocity[step.head] - plot.velocity[step.tail], plot.arm(*step.lever)
+        return np.copysign(np.abs(arrow) / (np.abs(arm) if length is None else length), cross(arm, arrow))
+
+    return change
+
+
+@mistake("wrong-radius", "velocity-direction", "3-2.1 (3-1)")
+def wrong_radius(scene: Scene) -> Iterator[Rewrite]:
+    """A rocker's point drawn across another line through it or through the pivot."""
+    for number, _, ray, name in rays(scene, "velocity"):
+        if not isinstance(ray.direction, Across):
+            continue
+        step = measured_over(scene, "velocity", ray.direction)
+        if step is None or not any(map(scene.fixed, step.lever)):
+            continue
+        for tail, head in _radii(scene, step, ray.direction):
+
+            def change(plot: Redrawing, right: Value, tail: str = tail, head: str = head) -> Value:
+                return plot.direction(Across(tail, head))
+
+            edits = (
+                Edit(("line", "velocity", number, ray), change),
+                Edit(("read", "velocity", "omega", step.of), with_its_sense(step)),
+            )
+            yield Rewrite("wrong-radius", name, "⊥" + "".join(sorted((tail, head))), edits)
+
+
+def _radii(scene: Scene, step: Measure, right: Across) -> Iterator[tuple[str, str]]:
+    """Other lines of the link through either end of the lever, each direction once."""
+    known = [scene.plot.direction(right)]
+    for end in (right.head, right.tail):
+        for point in scene.points(step.of):
+            if point in (right.head, right.tail) or scene.length(end, point) == 0:
+                continue
+            direction = scene.plot.direction(Across(end, point))
+            if all(abs(cross(direction, other)) > NOTHING for other in known):
+                known.append(direction)
+                yield end, point
+
+
+@mistake("orthogonal-split", "velocity-direction", "3-2.1 (3-3)")
+def orthogonal_split(scene: Scene) -> Iterator[Rewrite]:
+    """The known velocity split along a guide and across it, though the guide passes beside the pivot."""
+    for number, meet, ray, name in rays(scene, "velocity"):
+        slide = next((r.direction for r in (meet.first, meet.second)
+                      if isinstance(r, Ray) and isinstance(r.direction, AlongGuide)), None)  # fmt: skip
+        if slide is None or not isinstance(ray.direction, Across):
+            continue
+        step = measured_over(scene, "velocity", ray.direction)
+        across, along = scene.plot.direction(ray.direction), scene.plot.direction(slide)
+        if step is None or not any(map(scene.fixed, step.lever)) or abs(dot(across, along)) < NOTHING:
+            continue
+        for form, length in {"": None, **guide_lengths(scene, slide.slide, step.lever)}.items():
+
+            def change(plot: Redrawing, right: Value, slide: AlongGuide = slide) -> Value:
+                return 1j * plot.direction(slide)
+
+            edits = (
+                Edit(("line", "velocity", number, ray), change),
+                Edit(("read", "velocity", "omega", step.of), with_its_sense(step, length)),
+            )
+            yield Rewrite("orthogonal-split", name, form, edits, way="length" if form else "")
+
+
+def guide_lengths(scene: Scene, slide: str, lever: tuple[str, str]) -> dict[str, float]:
+    """How far named points of a guide's line are from the sliding point [m], by name."""
+    guide = scene.plot.facts.lines[slide][0]
+    point, along = scene.method.structure.slides[slide].point, scene.plot.guide_direction(slide)
+    found: dict[str, float] = {}
+    for other in scene.points(guide):
+        arm = scene.plot.arm(other, point)
+        on_it = abs(cross(along, arm)) <= NOTHING * abs(arm)
+        if on_it and abs(arm) > 0 and {other, point} != set(lever):
+            found[scene.length_name(other, point)] = float(abs(arm))
+    return found

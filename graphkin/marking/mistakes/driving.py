@@ -1,0 +1,84 @@
+"""Mistakes with what is given: the drivers' senses, directions, rates and accelerations, and where they stand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from graphkin.construction import Meet, Relative, Swing, Turning
+from graphkin.geometry import Value
+from graphkin.marking.redrawing import Redrawing
+from graphkin.marking.rewrite import Change, Edit, Rewrite, times
+from graphkin.marking.scene import Scene, mistake
+from graphkin.mechanism import FRAME
+
+__all__: list[str] = []
+
+
+@mistake("driver-reversed", "driver", "3-2.1 (3-1)")
+def reversed_(scene: Scene) -> Iterator[Rewrite]:
+    """Every driver alone, and all together."""
+    edits = {k: Edit(("rate", k), times(-1.0)) for k, driver in enumerate(scene.method.drivers) if driver.rate}
+    for k, edit in edits.items():
+        yield Rewrite("driver-reversed", scene.method.drivers[k].name, edits=(edit,))
+    if len(edits) > 1:
+        yield Rewrite("driver-reversed", "", edits=tuple(edits.values()), way="all")
+
+
+@mistake("driver-along-crank", "driver", "3-2.1 (3-1)")
+def along_crank(scene: Scene) -> Iterator[Rewrite]:
+    for size, name in scene.sized("velocity", Turning).items():
+        if scene.driven(size.link) and name:
+            yield Rewrite("driver-along-crank", name, edits=(Edit(("arrow", "velocity", size), times(-1j)),))
+    for turn, name in scene.sized("velocity", Relative).items():
+        if turn.part == "" and name:
+            yield Rewrite("driver-along-crank", name, edits=(Edit(("arrow", "velocity", turn), times(-1j)),))
+
+
+@mistake("driver-acceleration-dropped", "driver", "3-2.1 (3-2)")
+def acceleration_dropped(scene: Scene) -> Iterator[Rewrite]:
+    for k, driver in enumerate(scene.method.drivers):
+        if driver.acceleration:
+            yield Rewrite("driver-acceleration-dropped", driver.name, edits=(Edit(("acceleration", k), times(0.0)),))
+
+
+@mistake("relative-as-absolute", "driver", "3-2.1 (3-3)")
+def relative_as_absolute(scene: Scene) -> Iterator[Rewrite]:
+    """The rotation of a link against a moving one taken for its rotation."""
+    for k, driver in enumerate(scene.method.drivers):
+        if driver.kind != "angle" or driver.from_link == FRAME:
+            continue
+        edits = tuple(Edit(("settled", word, driver.link), _alone(word, k)) for word in ("omega", "alpha"))
+        yield Rewrite("relative-as-absolute", driver.name, edits=edits)
+
+
+def _alone(word: str, k: int) -> Change:
+    """What a driver alone gives its link."""
+
+    def change(plot: Redrawing, right: Value) -> Value:
+        return (plot.facts.rates if word == "omega" else plot.facts.accelerations)[k]
+
+    return change
+
+
+# --- where the mechanism stands ---------------------------------------------------------------
+
+
+@mistake("angle-clockwise", "position", "3-2.1")
+def angle_clockwise(scene: Scene) -> Iterator[Rewrite]:
+    if scene.method.fits:
+        return
+    for k, driver in enumerate(scene.method.drivers):
+        if driver.kind == "angle" and abs(np.sin(scene.plot.facts.values[k])) > 1e-9:
+            yield Rewrite("angle-clockwise", driver.name, edits=(Edit(("value", k), times(-1.0)),))
+
+
+@mistake("other-assembly", "position", "3-2.1")
+def other_assembly(scene: Scene) -> Iterator[Rewrite]:
+    if scene.method.fits:
+        return
+    for step in scene.method.position.steps:
+        if isinstance(step, Meet | Swing) and step.choice is not None:
+            of = step.point if isinstance(step, Meet) else step.link
+            yield Rewrite("other-assembly", of, edits=(Edit(("side", step.choice), times(-1.0)),))

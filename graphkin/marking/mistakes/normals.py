@@ -1,0 +1,137 @@
+"""Mistakes with normal accelerations: a^n = omega^2 l, towards the point from which it is seen; (3-2)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from graphkin.construction import AlongGuide, Normal, Ray, Relative, Size
+from graphkin.geometry import Value, unit
+from graphkin.marking.mistakes.directions import rays
+from graphkin.marking.redrawing import Redrawing
+from graphkin.marking.rewrite import Change, Edit, Rewrite, times
+from graphkin.marking.scene import Scene, mistake
+
+__all__: list[str] = []
+
+RULE = "3-2.1 (3-2)"
+
+
+def _normals(scene: Scene) -> Iterator[tuple[Size, str]]:
+    """Every normal term, the crank's and those of driven rotations too."""
+    for size, name in scene.sized("acceleration", Normal).items():
+        yield size, name or f"a^n_{size.head}{size.tail}"
+    for turn, name in scene.sized("acceleration", Relative).items():
+        if turn.part == "n":
+            yield turn, name or f"a^n_{turn.head}{turn.tail}"
+
+
+def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
+    for size, name in _normals(scene):
+        yield Rewrite(id, name, edits=(Edit(("arrow", "acceleration", size), change),))
+
+
+@mistake("normal-omitted", "normal", RULE)
+def omitted(scene: Scene) -> Iterator[Rewrite]:
+    return _each(scene, "normal-omitted", times(0.0))
+
+
+@mistake("normal-outward", "normal", RULE)
+def outward(scene: Scene) -> Iterator[Rewrite]:
+    return _each(scene, "normal-outward", times(-1.0))
+
+
+@mistake("normal-size", "normal", RULE)
+def size(scene: Scene) -> Iterator[Rewrite]:
+    """In the right direction: omega l; omega^2; v^2 / l with an absolute v, or that of sliding; another l."""
+    for normal, name in scene.sized("acceleration", Normal).items():
+        length = scene.length(normal.tail, normal.head)
+        right = length * abs(scene.plot.omega[normal.link]) ** 2
+        if right == 0:
+            continue
+        for form, change in _sizes(scene, normal, length):
+            edits = (Edit(("arrow", "acceleration", normal), change),)
+            yield Rewrite("normal-size", name or f"a^n_{normal.head}{normal.tail}", form, edits)
+
+
+def _sizes(scene: Scene, normal: Normal, length: float) -> Iterator[tuple[str, Change]]:
+    link, ends = normal.link, (normal.tail, normal.head)
+    omega = f"ω{scene.method.mechanism.called(scene.method.structure.home(link))}"
+    yield f"{omega} {scene.length_name(*ends)}", lambda plot, right: np.abs(plot.omega[link]) * length * unit(right)
+    yield f"{omega}²", times(1.0 / length)
+    pole = scene.method.velocity.pole
+    for point in ends:
+        node = scene.node(point, link, "velocity")
+        other = ends[0] if point == ends[1] else ends[1]
+        if node is not None and not scene.fixed(point) and not scene.fixed(other):
+            yield f"{scene.velocity_name(node)}²/{scene.length_name(*ends)}", _squared(pole, node, length)
+    for tail, head, slip in _slips(scene, normal):
+        yield f"{slip}²/{scene.length_name(*ends)}", _squared(tail, head, length)
+    for other, l_other in scene.other_lengths(link, ends).items():
+        yield f"{omega}² {other}", times(l_other / length)
+
+
+def _squared(tail: str, head: str, length: float) -> Change:
+    """v^2 / l of an arrow of the velocity polygon."""
+
+    def change(plot: Redrawing, right: Value) -> Value:
+        return np.abs(plot.velocity[head] - plot.velocity[tail]) ** 2 / length * unit(right)
+
+    return change
+
+
+def _slips(scene: Scene, normal: Normal) -> Iterator[tuple[str, str, str]]:
+    """Velocities of sliding at either end of a normal term's lever."""
+    if scene.driven(normal.link):
+        return
+    ends = {scene.node(point, normal.link, "velocity") for point in (normal.tail, normal.head)}
+    for term in scene.terms("velocity"):
+        if term.seen_from and isinstance(term.direction, AlongGuide) and {term.tail, term.head} & ends:
+            yield term.tail, term.head, term.name("velocity")
+
+
+@mistake("slider-normal-term", "normal", RULE)
+def slider_normal_term(scene: Scene) -> Iterator[Rewrite]:
+    """The connecting rod's omega^2 l laid off at the slider, towards the crank's pivot, as if it turned about that."""
+    for number, meet, ray, name in rays(scene, "acceleration"):
+        others = {meet.first, meet.second} - {ray}
+        if not _on_frame(scene, ray) or any(not isinstance(other, Ray) for other in others):
+            continue
+        for rod, point, pivot in _rods(scene, ray):
+            edits = (Edit(("through", "acceleration", number, ray), _shifted(rod, point, pivot)),)
+            yield Rewrite("slider-normal-term", name, scene.length_name(rod.tail, rod.head), edits)
+
+
+def _on_frame(scene: Scene, ray: Ray) -> bool:
+    direction = ray.direction
+    return isinstance(direction, AlongGuide) and scene.plot.facts.lines[direction.slide][0] == scene.plot.facts.frame
+
+
+def _rods(scene: Scene, ray: Ray) -> Iterator[tuple[Normal, str, str]]:
+    """The normal term of a rod that ends at the sliding point of a ray's guide, that point, and the crank's pivot."""
+    assert isinstance(ray.direction, AlongGuide)
+    point = scene.method.structure.slides[ray.direction.slide].point
+    for rod in scene.sized("acceleration", Normal):
+        ends = (rod.tail, rod.head)
+        if point in ends and not any(map(scene.fixed, ends)):
+            pivot = _pivot(scene, ends[0] if point == ends[1] else ends[1], rod.link)
+            if pivot is not None:
+                yield rod, point, pivot
+
+
+def _shifted(rod: Normal, point: str, pivot: str) -> Change:
+    def change(plot: Redrawing, right: Value) -> Value:
+        size = plot.omega[rod.link] ** 2 * np.abs(plot.arm(rod.tail, rod.head))
+        return right + size * unit(plot.arm(point, pivot))
+
+    return change
+
+
+def _pivot(scene: Scene, point: str, rod: str) -> str | None:
+    """The fixed point about which another link carries a point."""
+    for link in scene.method.structure.owners.get(point, ()):
+        for other in scene.points(link):
+            if link != rod and other != point and scene.fixed(other):
+                return other
+    return None

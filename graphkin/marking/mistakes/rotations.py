@@ -1,0 +1,188 @@
+"""Mistakes in reading rotations: of omega = v / l the wrong v, the wrong l, the wrong sense; alpha alike."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from graphkin.construction import AlongGuide, Image, Measure, Plane, Roll, Simultaneous
+from graphkin.geometry import Value
+from graphkin.marking.mistakes.directions import guide_lengths
+from graphkin.marking.redrawing import Redrawing
+from graphkin.marking.rewrite import Change, Edit, Rewrite, times
+from graphkin.marking.scene import Scene, mistake
+
+__all__: list[str] = []
+
+
+def measured(scene: Scene, plane: Plane) -> Iterator[tuple[Measure, str]]:
+    """Every rotation read off a polygon, with its name."""
+    for step in scene.measures(plane):
+        yield step, scene.rotation_name(step.quantity, step.of)
+
+
+def reading(plane: Plane, step: Measure, change: Change) -> tuple[Edit, ...]:
+    return (Edit(("read", plane, step.quantity, step.of), change),)
+
+
+def over(plane: Plane, tail: str, head: str, length: float) -> Change:
+    """Another arrow over a length, in the sense that is right."""
+
+    def change(plot: Redrawing, right: Value) -> Value:
+        points = plot.points(plane)
+        return np.copysign(np.abs(points[head] - points[tail]) / length, right)
+
+    return change
+
+
+@mistake("omega-sense", "rotation", "3-2.1 (3-1)")
+def omega_sense(scene: Scene) -> Iterator[Rewrite]:
+    """Read the wrong way round, and carried on."""
+    for step, name in measured(scene, "velocity"):
+        yield Rewrite("omega-sense", name, edits=reading("velocity", step, times(-1.0)))
+    for base in _calculated(scene):
+        links = [link for link, turn in scene.plot.facts.turns.items() if turn.base == base]
+        edits = tuple(Edit(("settled", "omega", link), times(-1.0)) for link in links)
+        yield Rewrite("omega-sense", scene.rotation_name("omega", base), edits=edits)
+
+
+def _calculated(scene: Scene) -> Iterator[str]:
+    """Base links whose rotation a rolling contact or several equations together give."""
+    for _, step in scene.steps("velocity"):
+        if isinstance(step, Simultaneous):
+            yield from step.angles
+        elif isinstance(step, Roll) and step.angle:
+            yield step.angle
+
+
+@mistake("absolute-for-relative", "rotation", "3-2.1 (3-1)")
+def absolute_for_relative(scene: Scene) -> Iterator[Rewrite]:
+    """omega = v_C / l_BC of a link whose other point moves too."""
+    pole = scene.method.velocity.pole
+    for step, name in measured(scene, "velocity"):
+        if any(_at_rest(scene, node) for node in (step.tail, step.head)):
+            continue
+        for node in (step.head, step.tail):
+            form = f"{scene.velocity_name(node)}/{scene.length_name(*step.lever)}"
+            change = over("velocity", pole, node, scene.length(*step.lever))
+            yield Rewrite("absolute-for-relative", name, form, reading("velocity", step, change))
+
+
+def _at_rest(scene: Scene, node: str) -> bool:
+    site = scene.method.velocity.nodes[node].site
+    return node == scene.method.velocity.pole or (site is not None and scene.fixed(site.point))
+
+
+@mistake("wrong-length", "rotation", "3-2.1 (3-1)")
+def wrong_length(scene: Scene) -> Iterator[Rewrite]:
+    for step, name in measured(scene, "velocity"):
+        for form, length in scene.other_lengths(step.of, step.lever).items():
+            edits = reading("velocity", step, times(scene.length(*step.lever) / length))
+            yield Rewrite("wrong-length", name, form, edits)
+
+
+@mistake("sliding-as-turning", "rotation", "3-2.1 (3-3)")
+def sliding_as_turning(scene: Scene) -> Iterator[Rewrite]:
+    """omega = v_B3B2 / l: the velocity of sliding over a length of the guide, or over the lever."""
+    for _, _, equation in scene.meets("velocity"):
+        for term in () if equation is None else equation.left + equation.right:
+            if term.size is not None or not isinstance(term.direction, AlongGuide) or not term.seen_from:
+                continue
+            slide = term.direction.slide
+            for step, name in measured(scene, "velocity"):
+                if term.head not in (step.head, step.tail) and term.tail not in (step.head, step.tail):
+                    continue
+                lengths = guide_lengths(scene, slide, ("", "")) or {
+                    scene.length_name(*step.lever): scene.length(*step.lever)
+                }
+                for length_name, length in lengths.items():
+                    form = f"{term.name('velocity')}/{length_name}"
+                    edits = reading("velocity", step, over("velocity", term.tail, term.head, length))
+                    yield Rewrite("sliding-as-turning", name, form, edits)
+
+
+# --- segments of the acceleration polygon -----------------------------------------------------
+
+
+@mistake("wrong-tail", "acceleration", "3-2.1 (3-2)")
+def wrong_tail(scene: Scene) -> Iterator[Rewrite]:
+    """A known arrow laid off from the pole, so that those before it are lost; alpha or an image from other corners."""
+    for construction in scene.polygons:
+        yield from _from_pole(scene, construction.plane)
+    yield from _whole_arrow(scene)
+    yield from _image_on_normal(scene)
+
+
+def _from_pole(scene: Scene, plane: Plane) -> Iterator[Rewrite]:
+    construction = scene.construction(plane)
+    resting = {construction.pole, *_fixed(scene, plane)}
+    for step in scene.laid_off(plane):
+        if step.start in resting or step.backwards or "*" in step.start + step.tip:
+            continue
+
+        def change(plot: Redrawing, right: Value, start: str = step.start, plane: Plane = plane) -> Value:
+            return right - plot.points(plane)[start]
+
+        edits = (Edit(("laid", plane, step.tip), change),)
+        yield Rewrite("wrong-tail", step.term.name(plane), construction.pole, edits)
+
+
+def _fixed(scene: Scene, plane: Plane) -> Iterator[str]:
+    """Corners at rest."""
+    for name, node in scene.construction(plane).nodes.items():
+        if node.site is not None and scene.fixed(node.site.point):
+            yield name
+
+
+def _whole_arrow(scene: Scene) -> Iterator[Rewrite]:
+    """alpha = a_B3 / l or a_CB / l for a^t / l."""
+    pole = scene.method.acceleration.pole
+    for step, name in measured(scene, "acceleration"):
+        ends = scene.ends(step)
+        if ends is None:
+            continue
+        tail, head = ends
+        length = scene.length(*step.lever)
+        for start in dict.fromkeys((pole if scene.fixed(step.lever[0]) else tail, pole)):
+            if {start, head} == {step.tail, step.head}:
+                continue
+            edits = reading("acceleration", step, over("acceleration", start, head, length))
+            yield Rewrite("wrong-tail", name, start + head, edits, way="segment")
+
+
+def _image_on_normal(scene: Scene) -> Iterator[Rewrite]:
+    """The image of a link on n'c' for b'c'."""
+    corners: dict[tuple[str | None, str | None], str] = {}
+    for term in scene.terms("acceleration"):
+        if term.part == "t" and len(term.sites) == 2:
+            head, tail = (scene.arrows.node(site, "acceleration") for site in term.sites)
+            corners[tail, head] = term.tail
+    for images in scene.images("acceleration").values():
+        for base in dict.fromkeys(step.base for step in images):
+            for there in _on_corner(base, corners):
+                edits = tuple(image_edit("acceleration", step, *there) for step in images if step.base == base)
+                yield Rewrite("wrong-tail", scene.image_name(images), "".join(there), edits, way="image")
+
+
+def _on_corner(
+    base: tuple[str, str], corners: dict[tuple[str | None, str | None], str]
+) -> Iterator[tuple[str, str]]:
+    """A base with the end of the normal arrow for the point from which the other is seen."""
+    first, second = base
+    if (corner := corners.get((first, second), first)) != first:
+        yield corner, second
+    if (corner := corners.get((second, first), second)) != second:
+        yield first, corner
+
+
+def image_edit(plane: Plane, step: Image, tail: str, head: str, mirrored: bool = False) -> Edit:
+    """An image on other corners, or lettered the other way round."""
+
+    def change(plot: Redrawing, right: Value) -> Value:
+        points = plot.points(plane)
+        first, second, third = step.corners
+        ratio = plot.arm(first, third) / plot.arm(first, second)
+        return points[tail] + (points[head] - points[tail]) * (np.conj(ratio) if mirrored else ratio)
+
+    return Edit(("image", plane, step.point), change)

@@ -1,0 +1,158 @@
+"""A mistake as a rewrite: one place of a construction done otherwise; and the hand that makes many of them at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import field, replace
+from typing import Any
+
+import numpy as np
+
+from graphkin.construction import Facts, Image, LayOff, Measure, Meet, Plane, Plot, Ray, Size, Swing, replay
+from graphkin.geometry import Value
+from graphkin.marking.hand import Hand
+from graphkin.marking.redrawing import Redrawing
+from graphkin.planning import Method
+from graphkin.value import frozen
+
+__all__ = ["Change", "Edit", "Mistaken", "Rewrite", "Spot", "Written", "times"]
+
+PARALLEL = np.sin(np.radians(0.5))
+"""Sine of the angle under which lines are not taken to cross."""
+
+Spot = tuple[Hashable, ...]
+"""What a hand is asked: ("arrow", plane, size), ("laid", plane, tip), ("line", plane, step number, ray),
+("through", plane, step number, ray), ("met", plane, point), ("image", plane, point), ("read", plane, quantity, of),
+("settled", quantity, link), ("rate" or "acceleration" or "value", driver number), ("side", number of the choice)."""
+
+Change = Callable[[Any, Value], Value]
+"""What is drawn or read instead, from the drawing so far (a `Redrawing`; None for what is given before it begins) and
+what would be right there."""
+
+
+@frozen
+class Edit:
+    """One place done otherwise."""
+
+    spot: Spot
+    change: Change = field(default=lambda plot, right: right)
+
+
+@frozen
+class Written:
+    """A handed-in value that is not what was read: so many times it, or another value instead.
+
+    quantity  its text
+    """
+
+    quantity: str
+    factor: complex = 1.0
+    instead: complex | None = None
+
+
+@frozen
+class Rewrite:
+    """A mistake made at one place.
+
+    id     of the mistake, as in every output: `coriolis-omitted`
+    of     what it was made with, as written: `a^k_B3B2`, `omega 3`
+    form   with what, where there is a choice: the quantity taken instead, the factor, as written
+    way    which way of making it, where a mistake has several that take other words
+    edits  the places done otherwise
+    asked  handed-in values that were written otherwise though all was drawn right
+    """
+
+    id: str
+    of: str
+    form: str = ""
+    edits: tuple[Edit, ...] = ()
+    asked: tuple[Written, ...] = ()
+    way: str = ""
+
+    @property
+    def name(self) -> tuple[str, str, str, str]:
+        """What tells it from all others of a construction."""
+        return self.id, self.way, self.of, self.form
+
+
+def times(factor: complex) -> Change:
+    """So many times what is right; 1j turns it by 90 degrees counter-clockwise."""
+    return lambda plot, right: factor * right
+
+
+class Mistaken(Hand):
+    """Draws many columns at once, in each of them the mistakes named for it; (n,), or (n, ..) over positions."""
+
+    def __init__(self, columns: Sequence[Sequence[Rewrite]], positions: tuple[int, ...] = ()) -> None:
+        self.shape = (len(columns), *positions)
+        found: dict[Spot, dict[int, tuple[Change, list[int]]]] = {}
+        for k, rewrites in enumerate(columns):
+            for edit in (edit for rewrite in rewrites for edit in rewrite.edits):
+                found.setdefault(edit.spot, {}).setdefault(id(edit), (edit.change, []))[1].append(k)
+        self.changes = {
+            spot: [(change, np.array(which)) for change, which in edits.values()] for spot, edits in found.items()
+        }
+
+    def _done(self, spot: Spot, plot: Redrawing | None, right: Value) -> Value:
+        """What is right, but otherwise in the columns that have a mistake there."""
+        if spot not in self.changes:
+            return right
+        value = np.array(np.broadcast_to(right, self.shape))
+        for change, which in self.changes[spot]:
+            value[which] = np.broadcast_to(change(plot, value), self.shape)[which]
+        return value
+
+    @property
+    def elsewhere(self) -> bool:
+        """Whether the mechanism itself is drawn otherwise."""
+        return any(spot[0] in ("value", "side") for spot in self.changes)
+
+    def facts(self, facts: Facts) -> Facts:
+        rates, accelerations = self._given("rate", facts.rates), self._given("acceleration", facts.accelerations)
+        return replace(facts, rates=rates, accelerations=accelerations)
+
+    def _given(self, word: str, values: tuple[Value, ...]) -> tuple[Value, ...]:
+        return tuple(self._done((word, k), None, value) for k, value in enumerate(values))
+
+    def placed(self, method: Method, right: Plot) -> Plot:
+        """The mechanism, where its drawing has mistakes too: by other driver values, on the other side."""
+        if not self.elsewhere:
+            return right
+        sides = {
+            step.choice: self._done(("side", step.choice), None, step.side)
+            for step in method.position.steps if isinstance(step, Meet | Swing) and step.choice is not None
+        }  # fmt: skip
+        facts = replace(right.facts, values=self._given("value", right.facts.values))
+        return replay(method.position, Plot(facts, right.near), sides)
+
+    def arrow(self, plot: Redrawing, plane: Plane, size: Size, right: Value) -> Value:
+        return self._done(("arrow", plane, size), plot, right)
+
+    def laid(self, plot: Redrawing, plane: Plane, step: LayOff, right: Value) -> Value:
+        return self._done(("laid", plane, step.tip), plot, right)
+
+    def line(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
+        return self._done(("line", plane, number, ray), plot, right)
+
+    def through(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
+        return self._done(("through", plane, number, ray), plot, right)
+
+    def met(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
+        """Nowhere, where lines drawn otherwise hardly cross: nothing that follows is judged."""
+        sine = plot.sines[plane, point]
+        if np.ndim(sine) and np.any(sine < PARALLEL):
+            right = np.where(sine < PARALLEL, np.nan, right)
+        return self._done(("met", plane, point), plot, right)
+
+    def image(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+        return self._done(("image", plane, step.point), plot, right)
+
+    def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Value) -> Value:
+        return self._done(("read", plane, step.quantity, step.of), plot, right)
+
+    def settled(self, plot: Redrawing, quantity: str, links: tuple[str, ...], of: str) -> None:
+        table: dict[str, Value] = getattr(plot, quantity)
+        for link in links:
+            if ("settled", quantity, link) in self.changes:
+                plot.before[quantity, link] = table[link]
+                table[link] = self._done(("settled", quantity, link), plot, table[link])

@@ -1,0 +1,234 @@
+"""What a mistake is looked for in: a method with its drawing, and its arrows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import field
+from functools import cached_property
+from itertools import combinations
+from typing import TypeVar
+
+import numpy as np
+
+from graphkin.construction import (
+    Construction,
+    Equation,
+    Image,
+    LayOff,
+    Measure,
+    Meet,
+    Plane,
+    Plot,
+    Simultaneous,
+    Site,
+    Size,
+    Step,
+    Term,
+)
+from graphkin.marking.asked import Arrows, arrows_of
+from graphkin.marking.rewrite import Rewrite
+from graphkin.mechanism import FRAME
+from graphkin.motions import Motions
+from graphkin.naming import Seen
+from graphkin.planning import Method
+from graphkin.quantities import Quantity
+from graphkin.readings import readings
+from graphkin.value import frozen
+
+__all__ = ["MISTAKES", "Mistake", "Scene", "mistake"]
+
+Known = TypeVar("Known", bound=Size)
+
+
+@frozen
+class Scene:
+    """A method at its drawing, and what is asked of it.
+
+    scales  of the paper, where they are known: "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s^2)/mm]
+    """
+
+    method: Method
+    plot: Plot
+    quantities: tuple[Quantity, ...] = ()
+    scales: Mapping[str, float] = field(default_factory=dict)
+
+    @cached_property
+    def arrows(self) -> Arrows:
+        return arrows_of(self.method)
+
+    @cached_property
+    def motions(self) -> Motions:
+        """The right ones."""
+        return readings(self.method, self.plot)
+
+    @property
+    def polygons(self) -> tuple[Construction, Construction]:
+        return self.method.velocity, self.method.acceleration
+
+    def construction(self, plane: Plane) -> Construction:
+        return self.method.velocity if plane == "velocity" else self.method.acceleration
+
+    def steps(self, plane: Plane) -> Iterator[tuple[int, Step]]:
+        """Every step with its number."""
+        return enumerate(self.construction(plane).steps)
+
+    def measures(self, plane: Plane) -> Iterator[Measure]:
+        """Every rotation read off."""
+        return (s for _, s in self.steps(plane) if isinstance(s, Measure) and s.quantity in ("omega", "alpha"))
+
+    def sized(self, plane: Plane, kind: type[Known]) -> dict[Known, str]:
+        """Known sizes of a kind, with the name of the arrow: those laid off, then those solved together."""
+        found: dict[Known, str] = {}
+        for _, step in self.steps(plane):
+            if isinstance(step, LayOff) and isinstance(step.term.size, kind):
+                found.setdefault(step.term.size, step.term.name(plane))
+        for _, step in self.steps(plane):
+            if isinstance(step, Simultaneous):
+                for chain in step.chains:
+                    found = {size: "" for size, _ in chain.known if isinstance(size, kind)} | found
+        return found
+
+    def laid_off(self, plane: Plane) -> Iterator[LayOff]:
+        return (step for _, step in self.steps(plane) if isinstance(step, LayOff))
+
+    def images(self, plane: Plane) -> dict[str, list[Image]]:
+        """Further points by image, by link."""
+        found: dict[str, list[Image]] = {}
+        for _, step in self.steps(plane):
+            if isinstance(step, Image):
+                found.setdefault(step.link, []).append(step)
+        return found
+
+    def meets(self, plane: Plane) -> Iterator[tuple[int, Meet, Equation | None]]:
+        """Every crossing with its step's number and the equation it closes."""
+        number = 0
+        for part in self.construction(plane).parts:
+            steps = part.steps if isinstance(part, Equation) else (part,)
+            for step in steps:
+                if isinstance(step, Meet):
+                    yield number, step, part if isinstance(part, Equation) else None
+                number += 1
+
+    def terms(self, plane: Plane) -> Iterator[Term]:
+        """Every arrow of the equations, and those laid off alone."""
+        return iter(self.construction(plane).vectors().values())
+
+    # --- links --------------------------------------------------------------------------------
+
+    def driven(self, link: str) -> bool:
+        """Whether a link turns as drivers say."""
+        turns = self.plot.facts.turns
+        return turns[link].base == turns[self.plot.facts.frame].base
+
+    @cached_property
+    def cranks(self) -> tuple[str, ...]:
+        """Links that drivers turn."""
+        return tuple(
+            link for link in self.method.mechanism.moving
+            if link in self.plot.facts.turns and self.driven(link) and self.plot.facts.turns[link].drivers
+            and np.any(self.plot.omega[link])
+        )  # fmt: skip
+
+    def turns_with(self, link: str, other: str) -> bool:
+        turns = self.plot.facts.turns
+        return turns[link].base == turns[other].base
+
+    def is_block(self, link: str) -> bool:
+        """Whether a link slides on another as its block, which is no guide itself."""
+        slides = self.method.structure.slides.values()
+        blocks = {self.method.structure.block(slide) for slide in slides}
+        return link in blocks and all(slide.guide != link for slide in slides)
+
+    def links_of(self, site: Seen) -> tuple[str, ...]:
+        """Moving links to which a point that is asked for belongs."""
+        own = (site.link,) if site.explicit else self.method.mechanism.owners.get(site.point, ())
+        return tuple(link for link in own if link != FRAME)
+
+    def fixed(self, point: str) -> bool:
+        return point in self.method.structure.bodies[FRAME]
+
+    def points(self, link: str) -> tuple[str, ...]:
+        """Points of a link that people named."""
+        return tuple(point for point in self.method.structure.shapes.get(link, ()) if point[0].isupper())
+
+    def node(self, point: str, link: str, plane: Plane) -> str | None:
+        return self.arrows.node(Site(point, link), plane)
+
+    def ends(self, step: Measure) -> tuple[str, str] | None:
+        """The acceleration polygon's points of a lever: between them lies all of what one is seen from the other."""
+        tail, head = (self.node(point, step.of, "acceleration") or self._at_rest(point) for point in step.lever)
+        return None if tail is None or head is None else (tail, head)
+
+    def _at_rest(self, point: str) -> str | None:
+        return self.method.acceleration.pole if self.fixed(point) else None
+
+    # --- lengths ------------------------------------------------------------------------------
+
+    def length(self, first: str, second: str) -> float:
+        return float(abs(self.plot.arm(first, second)))
+
+    def other_lengths(self, link: str, lever: tuple[str, str]) -> dict[str, float]:
+        """Lengths that may be taken for that of a lever [m], by name: of its link, of the links it is hinged to."""
+        own = dict.fromkeys((*self.points(link), *lever))
+        pairs = dict.fromkeys(combinations(own, 2))
+        for hinge in self.points(link):
+            for other in self.method.structure.owners.get(hinge, ()):
+                if other != link:
+                    pairs |= dict.fromkeys((hinge, point) for point in self.points(other) if point != hinge)
+        right, found = self.length(*lever), dict[str, float]()
+        for pair in pairs:
+            length = self.length(*pair)
+            if length > 1e-9 * right and not _near(length, (right, *found.values())):
+                found[self.length_name(*pair)] = length
+        return found
+
+    def length_name(self, first: str, second: str) -> str:
+        return "l_" + "".join(sorted((first, second)))
+
+    # --- names --------------------------------------------------------------------------------
+
+    def velocity_name(self, node: str) -> str:
+        """v_B2 of b2."""
+        return f"v_{self.method.velocity.nodes[node].of}"
+
+    def rotation_name(self, quantity: str, link: str) -> str:
+        return f"{quantity} {self.method.mechanism.called(self.method.structure.home(link))}"
+
+    def image_name(self, images: list[Image]) -> str:
+        """△BCE: the corners of a link's image."""
+        return "△" + "".join(dict.fromkeys("".join(point for step in images for point in step.corners)))
+
+
+def _near(length: float, others: Iterable[float]) -> bool:
+    return any(abs(length - other) <= 1e-6 * other for other in others)
+
+
+Finder = Callable[[Scene], Iterator[Rewrite]]
+
+
+@frozen
+class Mistake:
+    """A mistake there is: where it can be made in a scene.
+
+    topic what it is about, as hints have it
+    rule  the source's rule that it breaks, by section and equation of Sun Huan, 机械原理
+    """
+
+    id: str
+    topic: str
+    rule: str
+    find: Finder
+
+
+MISTAKES: dict[str, Mistake] = {}
+"""Every mistake by its id."""
+
+
+def mistake(id: str, topic: str, rule: str) -> Callable[[Finder], Finder]:
+    """Enters a mistake's function under its id."""
+
+    def enter(find: Finder) -> Finder:
+        MISTAKES[id] = Mistake(id, topic, rule, find)
+        return find
+
+    return enter
