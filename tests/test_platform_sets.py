@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 import re
 import zipfile
 from decimal import Decimal
@@ -14,13 +15,26 @@ import pytest
 from defusedxml.ElementTree import fromstring
 from moodle_rules import imported, shown
 
+import graphkin
+from graphkin import grading
 from graphkin.errors import GraphkinError
 from graphkin.outputs.files import FileInTheWay
-from graphkin.platforms import SETS, NotForPlatform, Part, ProblemSet, Question, Wrong, alternatives, write_set
+from graphkin.platforms import (
+    SETS,
+    NotForPlatform,
+    Part,
+    ProblemSet,
+    Question,
+    Wrong,
+    alternatives,
+    question_of,
+    write_set,
+)
 from graphkin.platforms.alternatives import most
 from graphkin.platforms.cells import read_table
 from graphkin.platforms.moodle_set import weights
 from graphkin.platforms.numbers import points
+from graphkin.quantities import EDGE, read
 
 HOSTILE = (
     "plain", "a\"b'c", "x~y#z}w{v\\u", "\\", "~", "#", "}", "}~=1:1#", "{1:NUMERICAL:=1:9}", "{#1}", "<b>&amp;</b>",
@@ -136,7 +150,9 @@ def test_moodle_grades(kind, lang, tmp_path: Path):
         assert said
         for wrong in part.wrongs:
             if wrong.ids != ("too-near",):
-                assert field.grade(wrong.number) == (0, wrong.sentence[lang])
+                share, said = field.grade(wrong.number)
+                assert share == 0
+                assert wrong.mistake[lang].rstrip(".。") in shown(said)
         assert field.grade(1e6) == (0, "")
 
 
@@ -150,14 +166,14 @@ def test_moodle_takes_hostile_texts(kind, tmp_path: Path):
         wrong = question.parts[0].wrongs[0]
         share, said = own.grade(wrong.number)
         assert share == 0
-        assert " ".join(shown(said).split()) == visible(wrong.sentence["en"])
+        assert " ".join(shown(said).split()) == visible(f"This number is consistent with: {wrong.mistake['en']}.")
         assert own.grade(question.parts[0].number)[0] == other.grade(-1.25)[0] == 1
         text = next(one.text for one in found if own in one.fields)
         assert visible(question.text["en"]) in " ".join(shown(re.sub("</?p>", " ", text)).split())
 
 
 def test_moodle_tells_the_mistakes_of_random_problems(tmp_path: Path):
-    """Right -> full, each mistake -> its own sentence at 0 %, whatever the numbers are."""
+    """Right -> full, each mistake -> its own words at 0 %, whatever the numbers are."""
     random = Random(12)
     questions = [Question(str(k), {"en": "?", "zh": "?"}, (_random_part(random),)) for k in range(60)]
     for question, got in zip(questions, imported(written(tmp_path, "moodle", ProblemSet("r", questions))), strict=True):
@@ -172,21 +188,17 @@ def test_moodle_tells_the_mistakes_of_random_problems(tmp_path: Path):
             assert (wrong.ids[0] in kept) >= apart
             if apart:
                 assert share == 0
-                assert wrong.sentence["en"] in said
+                assert wrong.mistake["en"] in said
 
 
 def _random_part(random: Random) -> Part:
     size = 10 ** random.uniform(-6, 6)
     number, tolerance = random.uniform(-1, 1) * size, size * 10 ** random.uniform(-4, -1)
-    wrongs = tuple(
-        Wrong((f"m{k}",), random.uniform(-1.2, 1.2) * size, tolerance * random.uniform(0.3, 3), {"en": f"<m{k}>", "zh": ""})
+    wrongs = (
+        Wrong((f"m{k}",), random.uniform(-1.2, 1.2) * size, tolerance * random.uniform(0.3, 3), {"en": f"(m{k})", "zh": ""})
         for k in range(12)
     )
-    return Part("v E", number, tolerance, "m/s", 1.0, tuple(_escaped(one) for one in wrongs))
-
-
-def _escaped(one: Wrong) -> Wrong:
-    return Wrong(one.ids, one.number, one.tolerance, {"en": f"It is {one.ids[0]}.", "zh": ""})
+    return Part("v E", number, tolerance, "m/s", 1.0, tuple(wrongs))
 
 
 @pytest.mark.parametrize(
@@ -195,6 +207,36 @@ def _escaped(one: Wrong) -> Wrong:
 )
 def test_weights_are_whole_and_in_proportion(worth, whole):
     assert weights([Part("v", 1.0, 0.1, "", each) for each in worth]) == whole
+
+
+@pytest.mark.parametrize("name", ["ex3-1", "ex3-5", "p3-14"])
+def test_moodle_tells_the_mistakes_of_a_key(name, tmp_path: Path):
+    """A library mechanism's own key: what tells its mistakes is there, and the right values are right."""
+    mechanism = graphkin.load(name)
+    asked = [read(mechanism, text) for text in (*mechanism.ask, f"theta {mechanism.moving[-1]}")]
+    key = grading.key_for(mechanism, quantities=asked, points={quantity.text: 1.0 for quantity in asked})
+    question = question_of("s1", key, {"en": "?", "zh": "?"})
+    asked = [entry for entry in key.entries if entry.points]
+    (found,) = imported(written(tmp_path, "moodle", ProblemSet("r", [question])))
+    for part, field, entry in zip(question.parts, found.fields, asked, strict=True):
+        factor = EDGE[entry.unit].factor
+        for off in (0.0, 0.99, -0.99):
+            assert field.grade((entry.right + off * entry.tolerance) * factor)[0] == 1
+        there = alternatives(question, part)
+        ids = {id for one in there for id in one.ids}
+        assert ids or entry.sort == "angle"
+        for wrong in part.wrongs:
+            first = next((one for one in there if one.holds(Decimal(repr(wrong.number)))), None)
+            if first is not None and first.percent == 0:
+                share, said = field.grade(wrong.number)
+                assert share == 0
+                assert "consistent with" in said
+                assert wrong.ids[0] in first.ids
+            else:
+                off = abs(wrong.number - part.number) - part.tolerance - wrong.tolerance
+                assert off <= 0.004 * (part.tolerance + wrong.tolerance)
+        if entry.sort == "angle":
+            assert field.grade(entry.right * factor - math.copysign(360, entry.right))[0] == 1
 
 
 # --- QTI --------------------------------------------------------------------------------------

@@ -1,7 +1,9 @@
 """Formats of teaching platforms, one file a format: problem sets out, results out.
 
+    Key --question_of--> Question
     ProblemSet of Questions --SETS[format]--> moodle, moodle-numerical, qti, csv, xuexitong: one file
-    Results --RESULTS[format]--> json, csv, xlsx, moodle, gradescope, prairielearn, canvas: files in a folder
+    file of marks --Stored--> Results
+    Results --RESULTS[format]--> csv, xlsx, moodle, gradescope, prairielearn, canvas: files in a folder
     Results --class_report--> ClassReport --write_class_figure--> SVG, PNG, PDF
 
 A set has one value, `alternatives`: numbers, tolerances and shares of the points, rounded once; every format writes
@@ -15,15 +17,16 @@ from graphkin.platforms.alternatives import Alternative, alternatives
 from graphkin.platforms.class_figure import write_class_figure
 from graphkin.platforms.class_report import ClassReport, class_report, report_record, report_text
 from graphkin.platforms.complaints import NoRightNumber, NotAnOverride, NotAResult, NotForPlatform
-from graphkin.platforms.json_lines import Stored
+from graphkin.platforms.from_key import question_of
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
-from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record, to_record
+from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record
+from graphkin.platforms.stored import Stored
 from graphkin.platforms.writing import RESULTS, SETS, Reveal, Written, write_results, write_set
 
 __all__ = [
     "RESULTS", "SETS", "Alternative", "ClassReport", "Line", "NoRightNumber", "NotAResult", "NotAnOverride",
     "NotForPlatform", "Overrides", "Part", "Picture", "ProblemSet", "Question", "Result", "Reveal", "Stored",
-    "Suspicion", "Written", "Wrong", "alternatives", "class_report", "from_record", "overridden", "read_overrides",
-    "report_record", "report_text", "to_record", "write_class_figure", "write_results", "write_set",
+    "Suspicion", "Written", "Wrong", "alternatives", "class_report", "from_record", "overridden", "question_of",
+    "read_overrides", "report_record", "report_text", "write_class_figure", "write_results", "write_set",
 ]  # fmt: skip

@@ -1,7 +1,7 @@
 """What is answered to a number, in the order in which it is asked: the one value that every format of a set writes.
 
 The first alternative within its tolerance counts, as in Moodle: right ones first, then a ring of half credit, then
-mistakes, the narrowest first. The ring ends where a mistake begins, so that a mistake's number finds its sentence; a
+mistakes, the narrowest first. The ring ends where a mistake begins, so that a mistake's number finds its words; a
 mistake that cannot be told from the right value is left out.
 """
 
@@ -13,9 +13,11 @@ from decimal import ROUND_DOWN, Decimal
 
 from graphkin.errors import Lang
 from graphkin.platforms.complaints import NoRightNumber
+from graphkin.platforms.feedback import joined
 from graphkin.platforms.numbers import points, rounded, tolerated
 from graphkin.platforms.phrases import say
 from graphkin.platforms.question import Part, Question, Text, Wrong
+from graphkin.platforms.result import texts_in
 from graphkin.value import frozen
 
 __all__ = ["RING", "Alternative", "alternatives", "most", "refuse", "sentence"]
@@ -28,14 +30,14 @@ RING = Decimal("2.5")
 class Alternative:
     """A number, what it is off by at most, its share of the points, and what is said to it.
 
-    sentences  of mistakes, where it is one; more than one cannot be told apart at this number
+    mistakes  in words, where it is one; more than one cannot be told apart at this number
     """
 
     number: Decimal
     tolerance: Decimal
     percent: int
     ids: tuple[str, ...] = ()
-    sentences: tuple[Text, ...] = ()
+    mistakes: tuple[Text, ...] = ()
 
     def holds(self, number: Decimal) -> bool:
         """Whether a number counts as this one."""
@@ -60,8 +62,8 @@ def sentence(alternative: Alternative, lang: Lang) -> str:
     """What is said to a number."""
     if not alternative.ids:
         return say("right" if alternative.percent == 100 else "ring", lang)
-    texts = list(dict.fromkeys(text.get(lang) or next(iter(text.values()), "") for text in alternative.sentences))
-    return texts[0] if len(texts) == 1 else say("one of", lang, mistakes=say("or", lang).join(texts))
+    told = joined(texts_in(alternative.mistakes, lang), lang)
+    return say("stop", lang, text=say("number consistent", lang, mistake=told))
 
 
 def refuse(question: Question, part: Part) -> None:
@@ -81,16 +83,19 @@ def _mistakes(wrongs: Iterable[Wrong]) -> list[Alternative]:
     for wrong in wrongs:
         if math.isfinite(wrong.number) and math.isfinite(wrong.tolerance) and wrong.tolerance >= 0:
             plain = _alternative(wrong.number, wrong.tolerance, wrong.percent)
-            found.append(Alternative(plain.number, plain.tolerance, wrong.percent, wrong.ids, (wrong.sentence,)))
+            found.append(Alternative(plain.number, plain.tolerance, wrong.percent, wrong.ids, (wrong.mistake,)))
     return sorted(found, key=lambda one: one.tolerance)
 
 
 def _told_apart(right: Sequence[Alternative], mistakes: Sequence[Alternative]) -> tuple[Alternative, ...]:
-    """Mistakes that do not touch the right value; one that holds another's number says that one's sentence, too."""
-    apart = [one for one in mistakes if all(_gap(one, good) > 0 for good in right)]
+    """Mistakes that do not touch the right value; one that holds another's number names that one, too."""
+    apart: list[Alternative] = []
+    near: list[Alternative] = []
+    for one in mistakes:
+        (apart if all(_gap(one, good) > 0 for good in right) else near).append(one)
     found: list[Alternative] = []
     for k, one in enumerate(apart):
-        alike = [other for other in apart[k:] if one.holds(other.number)]
+        alike = [other for other in (*apart[k:], *near) if one.holds(other.number)]
         if not any(before.number == one.number and before.tolerance == one.tolerance for before in found):
             found.append(_joined(one, alike))
     return tuple(found)
@@ -98,7 +103,7 @@ def _told_apart(right: Sequence[Alternative], mistakes: Sequence[Alternative]) -
 
 def _joined(one: Alternative, alike: Sequence[Alternative]) -> Alternative:
     ids = tuple(dict.fromkeys(name for other in alike for name in other.ids))
-    texts = tuple(text for other in alike for text in other.sentences)
+    texts = tuple(text for other in alike for text in other.mistakes)
     return Alternative(one.number, one.tolerance, max(other.percent for other in alike), ids, texts)
 
 

@@ -19,8 +19,8 @@ __all__ = ["results_json"]
 
 def results_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
     """The file."""
-    tests = [_test(line, lang, reveal) for line in result.lines]
-    if reveal != "hint" and (told := " ".join(diagnosis(result, lang))):
+    tests = [_test(result, line, lang, reveal) for line in result.lines]
+    if told := " ".join(diagnosis(result, lang, reveal)):
         tests.append(_told(say("diagnosis", lang), told, "failed"))
     if result.status == "not marked":
         tests.append(_told(say("not marked", lang), reason(result, lang), "failed"))
@@ -39,9 +39,9 @@ def _output(result: Result, lang: Lang) -> str:
     return "\n".join(text for text in (override(result, lang), total(result, lang)) if text)
 
 
-def _test(line: Line, lang: Lang, reveal: Reveal) -> dict[str, Any]:
+def _test(result: Result, line: Line, lang: Lang, reveal: Reveal) -> dict[str, Any]:
     good = line.verdict in ("right", "carried") and line.points >= line.most
-    told = _told(line.name, quantity(line, lang, reveal), "passed" if good else "failed")
+    told = _told(line.name, quantity(result, line, lang, reveal), "passed" if good else "failed")
     return {**told, "score": float(line.points), "max_score": float(line.most)} if line.most else told
 
 

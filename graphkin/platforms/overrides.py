@@ -30,13 +30,9 @@ class Kept:
 
 
 class Overrides:
-    """Overrides by student and file. A spreadsheet may have spoilt an id (`007`): then by the file alone.
+    """Overrides by student and file. A spreadsheet may have spoilt an id (`007`): then by the file alone."""
 
-    there  whether there is a table: what it does not say is then no override, whatever a record says
-    """
-
-    def __init__(self, kept: Sequence[Kept] = (), there: bool = False) -> None:
-        self.there = there
+    def __init__(self, kept: Sequence[Kept] = ()) -> None:
         self.kept = tuple(kept)
         self._exact = {(each.student, each.file): each for each in kept}
         self._by_file = _alone((each.file, each) for each in kept)
@@ -44,11 +40,11 @@ class Overrides:
         self._met: set[Kept] = set()
 
     def of(self, result: Result) -> Decimal | None:
-        """The points that a teacher has given, in this table or in the record."""
+        """The points that a teacher has given."""
         student, file = one_line(result.student), one_line(result.file)
         found = self._exact.get((student, file)) or self._by_student.get(student) or self._by_file.get(file)
         if found is None:
-            return None if self.there else result.override
+            return None
         self._met.add(found)
         return found.points
 
@@ -73,7 +69,7 @@ def read_overrides(path: Path) -> Overrides:
         return Overrides()
     except OSError as error:
         raise Unreadable(Where(str(path)), error.strerror or str(error)) from None
-    return Overrides(tuple(_rows(path, read_table(data))), there=True)
+    return Overrides(tuple(_rows(path, read_table(data))))
 
 
 def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Kept]:

@@ -48,13 +48,13 @@ def _file(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[Picture
 
 def _tests(result: Result, lang: Lang, reveal: Reveal) -> Iterator[dict[str, Any]]:
     for line in result.lines:
-        yield _test(line, lang, reveal)
-    if reveal != "hint" and (told := " ".join(diagnosis(result, lang))):
+        yield _test(result, line, lang, reveal)
+    if told := " ".join(diagnosis(result, lang, reveal)):
         yield _shown(say("diagnosis", lang), 0.0, 0.0, told)
 
 
-def _test(line: Line, lang: Lang, reveal: Reveal) -> dict[str, Any]:
-    return _shown(line.name, float(line.points), float(line.most), quantity(line, lang, reveal))
+def _test(result: Result, line: Line, lang: Lang, reveal: Reveal) -> dict[str, Any]:
+    return _shown(line.name, float(line.points), float(line.most), quantity(result, line, lang, reveal))
 
 
 def _shown(name: str, earned: float, most: float, message: str) -> dict[str, Any]:

@@ -17,14 +17,14 @@ Text = Mapping[Lang, str]
 class Wrong:
     """A number that follows from a known mistake.
 
-    ids      of mistakes that all give it
+    ids      of mistakes that all give it; mistake: in words, to stand after `is consistent with`
     percent  of the points that it is still worth
     """
 
     ids: tuple[str, ...]
     number: float
     tolerance: float
-    sentence: Text
+    mistake: Text
     percent: int = 0
 
 

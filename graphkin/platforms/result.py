@@ -1,4 +1,4 @@
-"""A marked submission: the contract's record as a value, with points that are rounded once."""
+"""A marked submission: graphkin's own record as a value, with points that are rounded once."""
 
 from __future__ import annotations
 
@@ -9,15 +9,16 @@ from decimal import Decimal
 from typing import Any, Literal, get_args
 
 from graphkin.errors import Lang, Where
+from graphkin.marking.key import Name
 from graphkin.platforms.complaints import NotAResult
 from graphkin.platforms.numbers import points
 from graphkin.platforms.question import Text
 from graphkin.value import frozen
 
-__all__ = ["FORMAT", "Line", "Picture", "Result", "Suspicion", "Verdict", "from_record", "to_record"]
+__all__ = ["FORMAT", "Line", "Picture", "Result", "Suspicion", "Verdict", "from_record", "texts_in"]
 
 FORMAT = 1
-Verdict = Literal["right", "carried", "wrong", "missing", "not marked"]
+Verdict = Literal["right", "carried", "wrong", "missing"]
 Status = Literal["marked", "not marked"]
 
 
@@ -25,42 +26,41 @@ Status = Literal["marked", "not marked"]
 class Line:
     """One quantity of a submission; numbers in SI, `unit` the SI unit.
 
-    carried   what follows from the student's own earlier values, where it was judged by that
-    sense     whether the sense was right, where it was judged by itself
-    points    earned, of `most`
-    feedback  what was written about it, where the marking wrote something
+    carried     what follows from the student's own earlier values (`own`, by quantity), where it was judged by these
+    sense       whether the sense was right, where it was judged by itself; `unit_right`: the same of its unit
+    credit      what it is worth, of 1; points: of `most`
     """
 
     name: str
     given: float | None
-    right: float | None
+    right: float
     carried: float | None
-    tolerance: float | None
+    tolerance: float
     verdict: Verdict
     sense: Literal["right", "wrong"] | None = None
     unit: str = ""
+    unit_right: bool = True
+    credit: float = 0.0
+    own: Mapping[str, float] = field(default_factory=dict)
     points: Decimal = Decimal(0)
     most: Decimal = Decimal(0)
-    feedback: Text = field(default_factory=dict)
 
 
 @frozen
 class Suspicion:
     """Mistakes that the numbers are consistent with and that cannot be told apart.
 
-    sentences  one for each, as far as they are known
+    names  one mistake, or two made together, for each way in which they give the numbers
     """
 
     ids: tuple[str, ...]
-    probability: float
-    margin: float
     explains: tuple[str, ...]
-    sentences: tuple[Text, ...] = ()
+    names: tuple[tuple[Name, ...], ...] = ()
 
 
 @frozen
 class Picture:
-    """A picture for a platform that shows one: PNG, JPEG or GIF as `kind` "image/png" says."""
+    """A picture for a platform that shows one: PNG, JPEG or GIF, as `kind` ("image/png") says."""
 
     label: str
     kind: str
@@ -72,8 +72,8 @@ class Result:
     """One student's submission, marked or not.
 
     most      points there are
+    notes     what was passed over in it
     override  the teacher's own points, which count instead
-    extra     what else the record holds; it is kept
     """
 
     student: str
@@ -83,8 +83,8 @@ class Result:
     lines: tuple[Line, ...] = ()
     suspicions: tuple[Suspicion, ...] = ()
     most: Decimal = Decimal(0)
+    notes: tuple[str, ...] = ()
     override: Decimal | None = None
-    extra: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def earned(self) -> Decimal:
@@ -106,110 +106,77 @@ class Result:
         return min(Decimal(1), self.total / self.most).quantize(Decimal("0.000001"))
 
 
+def texts_in(texts: Sequence[Text], lang: Lang) -> list[str]:
+    """Texts in a language, or in the other where that is all there is; each once."""
+    return list(dict.fromkeys(text.get(lang) or next(iter(text.values()), "") for text in texts))
+
+
 # --- records ----------------------------------------------------------------------------------
 
 
-def from_record(record: Mapping[str, Any], where: Where) -> Result:
-    """A result from its JSON object. Raises NotAResult."""
+def from_record(record: Mapping[str, Any], where: Where, most: Decimal = Decimal(0)) -> Result:
+    """A result from its record, as `outputs.marks_json` writes it. Raises NotAResult.
+
+    most  points there are, for one that was not marked
+    """
     try:
-        return _read(record)
+        return _read(record, most)
     except (KeyError, TypeError, ValueError, ArithmeticError, AttributeError) as error:
-        raise NotAResult(where, f"{type(error).__name__}: {error}") from None
+        raise NotAResult(where, f"{type(error).__name__}: {error}"[:200]) from None
 
 
-def to_record(result: Result) -> dict[str, Any]:
-    """The JSON object: the contract's keys, then points, units and texts."""
-    quantities = {line.name: _line_record(line) for line in result.lines}
-    plain: dict[str, Any] = {
-        "format": FORMAT, "student": result.student, "file": result.file, "status": result.status,
-        "reason": texts_in([result.reason], "en")[0] or None, "score": _number(result.score),
-        "points": _number(result.total), "max_points": _number(result.most), "override": _number(result.override),
-        "quantities": quantities, "mistakes": [_suspicion_record(one) for one in result.suspicions],
-    }  # fmt: skip
-    if len(set(result.reason.values())) > 1:
-        plain["reasons"] = dict(result.reason)
-    return {**plain, **{key: value for key, value in result.extra.items() if key not in plain}}
-
-
-_KNOWN = {
-    "format", "student", "file", "status", "reason", "score", "points", "max_points", "override", "quantities",
-    "mistakes", "reasons",
-}  # fmt: skip
-
-
-def _read(record: Mapping[str, Any]) -> Result:
+def _read(record: Mapping[str, Any], most: Decimal) -> Result:
     if record["format"] != FORMAT or record["status"] not in get_args(Status):
         raise ValueError(f"format {record['format']!r}, status {record['status']!r}")
-    lines = tuple(_line(str(name), each) for name, each in (record.get("quantities") or {}).items())
-    there = sum((line.most for line in lines), Decimal(0))
-    override, reason = record.get("override"), record.get("reasons") or record.get("reason")
+    lines = tuple(_line(str(name), each) for name, each in record["quantities"].items())
     return Result(
-        str(record["student"]), str(record["file"]), record["status"], _text(reason), lines,
-        tuple(_suspicion(each) for each in record.get("mistakes") or ()),
-        there if lines else points(_finite(record.get("max_points")) or 0.0),
-        None if override is None else points(_finite(override) or 0.0),
-        {key: value for key, value in record.items() if key not in _KNOWN},
+        _string(record["student"]), _string(record["file"]), record["status"], _text(record.get("reason")), lines,
+        tuple(_suspicion(each) for each in record["mistakes"]),
+        sum((line.most for line in lines), Decimal(0)) if lines else most,
+        tuple(_string(note) for note in record.get("notes", ())),
     )  # fmt: skip
 
 
 def _line(name: str, each: Mapping[str, Any]) -> Line:
-    if each["verdict"] not in get_args(Verdict) or each.get("sense") not in (None, "right", "wrong"):
-        raise ValueError(f"{name}: verdict {each['verdict']!r}, sense {each.get('sense')!r}")
-    given, right, carried, tolerance = (_finite(each.get(key)) for key in ("given", "right", "carried", "tolerance"))
-    earned, most = (points(_finite(each.get(key)) or 0.0) for key in ("points", "max_points"))
+    if each["verdict"] not in get_args(Verdict) or each["sense"] not in (None, "right", "wrong"):
+        raise ValueError(f"{name}: verdict {each['verdict']!r}, sense {each['sense']!r}")
+    worth, credit = _finite(each["points"]), _finite(each["credit"])
+    if worth < 0 or not 0 <= credit <= 1:
+        raise ValueError(f"{name}: points {worth}, credit {credit}")
+    own = {str(text): _finite(value) for text, value in each["own"].items()}
     return Line(
-        name, given, right, carried, tolerance, each["verdict"], each.get("sense"), str(each.get("unit") or ""),
-        earned, most, _text(each.get("feedback")),
+        name, _number(each["given"]), _finite(each["right"]), _number(each["carried"]), _finite(each["tolerance"]),
+        each["verdict"], each["sense"], _string(each["unit"]), bool(each["unit_right"]), credit, own,
+        points(worth * credit), points(worth),
     )  # fmt: skip
 
 
 def _suspicion(each: Mapping[str, Any]) -> Suspicion:
-    return Suspicion(
-        tuple(map(str, each["ids"])), float(each.get("probability") or 0.0), float(each.get("margin") or 0.0),
-        tuple(map(str, each.get("explains") or ())), tuple(_text(one) for one in each.get("sentences") or ()),
-    )  # fmt: skip
+    names = tuple(tuple(_name(name) for name in together) for together in each.get("names", ()))
+    return Suspicion(tuple(map(_string, each["ids"])), tuple(map(_string, each["explains"])), names)
 
 
-def _finite(value: object) -> float | None:
-    """A number that is one. Raises ValueError."""
-    if value is None:
-        return None
+def _name(name: Mapping[str, Any]) -> Name:
+    id, way, of, form = (_string(name[key]) for key in ("id", "way", "of", "form"))
+    return id, way, of, form
+
+
+def _number(value: object) -> float | None:
+    return None if value is None else _finite(value)
+
+
+def _finite(value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
         raise ValueError(f"{value!r} is no number")
     return float(value)
 
 
-def _text(value: object) -> Text:
-    """A text in both languages, or one that is the same in both."""
-    if value is None or value == "":
-        return {}
-    if isinstance(value, str):
-        return {"en": value, "zh": value}
-    if not isinstance(value, Mapping):
+def _string(value: object) -> str:
+    if not isinstance(value, str):
         raise ValueError(f"{value!r} is no text")
-    return {lang: str(value[lang]) for lang in get_args(Lang) if lang in value}
+    return value
 
 
-def _number(value: Decimal | None) -> float | None:
-    return None if value is None else float(value)
-
-
-def _line_record(line: Line) -> dict[str, Any]:
-    told: dict[str, Any] = {
-        "given": line.given, "right": line.right, "carried": line.carried, "tolerance": line.tolerance,
-        "verdict": line.verdict, "sense": line.sense, "unit": line.unit, "points": float(line.points),
-        "max_points": float(line.most),
-    }  # fmt: skip
-    return {**told, "feedback": dict(line.feedback)} if line.feedback else told
-
-
-def _suspicion_record(one: Suspicion) -> dict[str, Any]:
-    told: dict[str, Any] = {
-        "ids": list(one.ids), "probability": one.probability, "margin": one.margin, "explains": list(one.explains)
-    }  # fmt: skip
-    return {**told, "sentences": [dict(text) for text in one.sentences]} if one.sentences else told
-
-
-def texts_in(texts: Sequence[Text], lang: Lang) -> list[str]:
-    """Texts in a language, or in the other where that is all there is; each once."""
-    return list(dict.fromkeys(text.get(lang) or next(iter(text.values()), "") for text in texts))
+def _text(value: object) -> Text:
+    """A reason, which is written in one language."""
+    return {} if value is None or value == "" else {"en": _string(value), "zh": _string(value)}

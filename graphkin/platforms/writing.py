@@ -14,7 +14,6 @@ from graphkin.platforms import (
     class_table,
     csv_set,
     gradescope,
-    json_lines,
     moodle_results,
     moodle_set,
     prairielearn,
@@ -26,20 +25,20 @@ from graphkin.platforms.alternatives import refuse
 from graphkin.platforms.archive import COMMENT, pack
 from graphkin.platforms.cells import BOM, Cell, line
 from graphkin.platforms.feedback import Reveal
-from graphkin.platforms.folder_name import folder_name
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.pages import Page, html
 from graphkin.platforms.phrases import say
 from graphkin.platforms.platform_names import canvas, moodle
 from graphkin.platforms.question import ProblemSet
 from graphkin.platforms.result import Picture, Result
+from graphkin.submissions import safe_name
 from graphkin.value import frozen
 
 __all__ = ["CLASS_TABLE", "RESULTS", "SETS", "Reveal", "Written", "write_results", "write_set"]
 
 CLASS_TABLE = "class.csv"
 """In this table of a results folder teachers write their overrides."""
-_JSON, _ZIP, _TABLE = (b'"graphkin"', b'"format": 1'), (COMMENT,), (b"override",)
+_JSON, _ZIP, _TABLE = (b'"graphkin"',), (COMMENT,), (b"override",)
 
 
 # --- sets -------------------------------------------------------------------------------------
@@ -165,10 +164,6 @@ def write_results(
     return RESULTS[kind](Order(folder, results, lang, reveal, assignment, page, pictures, force, overrides))
 
 
-def _json(order: Order) -> Written:
-    return Written((order.lines("results.jsonl", map(json_lines.line, order), _JSON),))
-
-
 def _table(order: Order) -> Iterator[Sequence[Cell]]:
     """The class table; those with an override who are not here come last, known when all others are through."""
     names = class_table.quantities(order.results)
@@ -236,8 +231,8 @@ def _each(order: Order, made: Callable[[Result], bytes]) -> Written:
     alone, written = len([*islice(order.results, 2)]) == 1, []
     taken: set[str] = set()
     for result in order:
-        name = folder_name(result.student)
-        name = folder_name(f"{result.student}\0{result.file}") if name in taken else name
+        name = safe_name(result.student)
+        name = safe_name(f"{result.student}\0{result.file}") if name in taken else name
         taken.add(name)
         folder = order.folder if alone else order.folder / name
         folder.mkdir(exist_ok=True)
@@ -249,7 +244,7 @@ def _each(order: Order, made: Callable[[Result], bytes]) -> Written:
 
 
 RESULTS: Mapping[str, Callable[[Order], Written]] = {
-    "json": _json, "csv": _csv, "xlsx": _xlsx, "moodle": _moodle, "gradescope": _gradescope,
+    "csv": _csv, "xlsx": _xlsx, "moodle": _moodle, "gradescope": _gradescope,
     "prairielearn": _prairielearn, "canvas": _canvas,
 }  # fmt: skip
 """By name, as `graphkin grade --format` has them."""
