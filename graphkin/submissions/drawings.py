@@ -49,7 +49,7 @@ def measured(
     """The vectors of a drawing's polygons, and what else is written on it. Raises what `picture_of` does, NoLetters."""
     picture = picture_of(name, content, where, limits)
     shapes = polygons(asked.mechanism, questions)
-    found = find_letters(picture, shapes, limits.names)
+    found = find_letters(picture, shapes, asked.mechanism.points, limits.names)
     told, written = _told(picture, where, questions, limits)
     known = {**scales.stated_by(asked.mechanism), **_calibrated(found.points, shapes)}
     known |= {**picture.scales, **written, **stated}

@@ -7,8 +7,9 @@ crossings near a letter the one counts that is nearest, a drawn vector making up
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import combinations
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import combinations, permutations
 
 from graphkin.construction import Plane
 from graphkin.submissions.picture import Dot, Picture, Text
@@ -24,7 +25,11 @@ _JOINED = 4.0
 """What a vector that is drawn makes up for [mm]."""
 _SAME = 0.2
 """Closer than this, marks of one point are one [mm]."""
-_CLEAR = 0.5
+_END, _LEADER, _CROSSING = 1.5, 2.5, 3.0
+"""A dot is meant before a line's end, that before where a leader from the letter leads to or a crossing [mm]."""
+_TOUCHES = 3.0
+"""A leader begins so near its letter [mm]."""
+_CLEAR = 1.5
 """By so much the best point must be better than the next [mm]."""
 _CANDIDATES = 12
 _LINES_NEAR = 40
@@ -42,14 +47,17 @@ class Found:
     doubtful: tuple[str, ...]
 
 
-def find_letters(picture: Picture, polygons: Sequence[Polygon], names: Sequence[str] = ()) -> Found:
-    """`names`: letters of the dots in the file's order, instead of those that stand beside them."""
-    spelled = _spelled(polygons)
+def find_letters(
+    picture: Picture, polygons: Sequence[Polygon], others: Collection[str] = (), names: Sequence[str] = ()
+) -> Found:
+    """Where each letter of each polygon is.
+
+    others  what letters something else: the points of the mechanism
+    names   letters of the dots in the file's order, instead of those that stand beside them
+    """
+    spelled = {name: key for name, key in _spelled(polygons).items() if name not in others}
     sure = _by_name(picture.dots, names, spelled)
-    written: dict[tuple[Plane, str], list[Text]] = {}
-    for text in picture.texts:
-        for key in _keys(text.text, spelled):
-            written.setdefault(key, []).append(text)
+    written = _written(picture.texts, spelled)
     points, doubtful = dict(sure), []
     for polygon in polygons:
         wanted = {key: texts for key, texts in written.items() if key[0] == polygon.plane and key not in sure}
@@ -67,18 +75,41 @@ def find_letters(picture: Picture, polygons: Sequence[Polygon], names: Sequence[
 # --- what letters are written -----------------------------------------------------------------
 
 
+def _written(
+    texts: Sequence[Text], spelled: Mapping[str, tuple[Plane, str]]
+) -> dict[tuple[Plane, str], list[Text]]:
+    """The texts of each letter; those with the letter itself where there are any, else those spelled otherwise."""
+    exact: dict[tuple[Plane, str], list[Text]] = {}
+    other: dict[tuple[Plane, str], list[Text]] = {}
+    for text in texts:
+        pieces = _pieces(text.text)
+        for key in _keys(text.text, spelled):
+            (exact if key[1] in pieces else other).setdefault(key, []).append(text)
+    return other | exact
+
+
 def _spelled(polygons: Sequence[Polygon]) -> dict[str, tuple[Plane, str]]:
-    """By every spelling the point it means; one without its prime is the acceleration's where no other is so called."""
+    """By every spelling the point it means.
+
+    One without its prime is the acceleration's where no other is so called. One with a capital letter is a polygon's
+    where a number or a prime stands with it.
+    """
     found: dict[str, tuple[Plane, str]] = {}
     more: dict[str, tuple[Plane, str]] = {}
     for polygon in polygons:
         for letter, alike in polygon.letters.items():
+            found.setdefault(letter, (polygon.plane, letter))
             for name in alike:
-                found.setdefault(name, (polygon.plane, letter))
+                more.setdefault(name, (polygon.plane, letter))
+    for polygon in polygons:
+        for letter, alike in polygon.letters.items():
+            for name in alike:
                 more.setdefault(name.replace("'", ""), (polygon.plane, letter))
         for short, letter in _without_numbers(polygon).items():
             more.setdefault(short, (polygon.plane, letter))
-    return more | found
+    found = more | found
+    large = {name[0].upper() + name[1:]: key for name, key in found.items() if len(name) > 1 or name in ("p", "o")}
+    return large | found
 
 
 def _without_numbers(polygon: Polygon) -> dict[str, str]:
@@ -92,21 +123,20 @@ def _without_numbers(polygon: Polygon) -> dict[str, str]:
 
 def _keys(text: str, spelled: Mapping[str, tuple[Plane, str]]) -> list[tuple[Plane, str]]:
     """What a text letters: `b₃`, `b_{3}'`, `p, a, d`, `p′(a′, d′)`; nothing where it says anything else."""
-    if len(text) > 60:
-        return []
-    made = re.sub(r"[_{}$\\^ ]", "", plain(re.sub(r"[,;/()、]|\s{2,}", " , ", text)))
-    pieces = [piece for piece in made.split(",") if piece]
+    pieces = _pieces(text)
     keys = [_key(piece, spelled) for piece in pieces]
     return [key for key in dict.fromkeys(keys) if key is not None] if keys and all(keys) else []
 
 
+def _pieces(text: str) -> list[str]:
+    if len(text) > 60:
+        return []
+    made = re.sub(r"[_{}$\\^ ]", "", plain(re.sub(r"[,;/()、]|\s{2,}", " , ", text)))
+    return [piece for piece in made.split(",") if piece]
+
+
 def _key(piece: str, spelled: Mapping[str, tuple[Plane, str]]) -> tuple[Plane, str] | None:
-    """A capital letter is a point of the mechanism, unless a number or a prime makes a polygon's of it."""
-    piece = piece.replace('"', "''")
-    if piece in spelled:
-        return spelled[piece]
-    small = piece[:1].lower() + piece[1:]
-    return spelled.get(small) if small != piece and (len(piece) > 1 or small in ("p", "o")) else None
+    return spelled.get(piece.replace('"', "''"))
 
 
 def _by_name(
@@ -130,14 +160,30 @@ def _candidates(picture: Picture, texts: Sequence[Text]) -> list[Place]:
     found: list[Place] = []
     for text in texts[:8]:
         near = [(text.distance(dot.place), dot.place) for dot in picture.dots]
-        near += [(text.distance(end), end) for line in picture.lines for end in line]
-        near += [(text.distance(place), place) for place in _crossings(picture, text)]
+        near += [(_END + text.distance(end), end) for line in picture.lines for end in line]
+        near += [(_LEADER + distance, far) for distance, far in _led(picture, text)]
+        near += [(_CROSSING + text.distance(place), place) for place in _crossings(picture, text)]
         for distance, place in sorted((pair for pair in near if pair[0] <= _REACH), key=lambda pair: pair[0]):
             if all(abs(place - other) > _SAME for _, other in found):
                 found.append((distance, place))
             if len(found) >= _CANDIDATES:
                 break
     return sorted(found, key=lambda pair: pair[0])
+
+
+def _led(picture: Picture, text: Text) -> Iterator[Place]:
+    """The far ends of lines that begin at a text and at nothing else."""
+    for line in picture.lines:
+        for end, far in (line, line[::-1]):
+            distance = text.distance(end)
+            if distance <= _TOUCHES and abs(far - end) <= 2 * _REACH and _free(end, line, picture):
+                yield distance, far
+
+
+def _free(end: complex, own: tuple[complex, complex], picture: Picture) -> bool:
+    marks = (dot.place for dot in picture.dots)
+    ends = (place for line in picture.lines if line is not own for place in line)
+    return all(abs(end - mark) > _SAME for mark in marks) and all(abs(end - other) > _SAME for other in ends)
 
 
 def _crossings(picture: Picture, text: Text) -> Iterator[complex]:
@@ -169,48 +215,82 @@ def _off(place: complex, start: complex, end: complex) -> float:
     return abs(place - start - min(1.0, max(0.0, share)) * along)
 
 
+class _Layout:
+    """Letters on points: what an arrangement of them costs [mm]."""
+
+    def __init__(
+        self, choices: Mapping[str, list[Place]], fixed: Mapping[str, complex], polygon: Polygon, picture: Picture
+    ) -> None:
+        self.choices, self.picture = choices, picture
+        self.far = {(letter, place): distance for letter, places in choices.items() for distance, place in places}
+        self.around: dict[str, set[str]] = {}
+        for vector in polygon.vectors:
+            self.around.setdefault(vector.tail, set()).add(vector.head)
+            self.around.setdefault(vector.head, set()).add(vector.tail)
+        self.chosen = {letter: places[0][1] for letter, places in choices.items()} | dict(fixed)
+        self._through: dict[complex, frozenset[int]] = {}
+
+    def cost(self, changes: Mapping[str, complex]) -> float:
+        """With some letters moved. Each letter: its distance, less for its drawn vectors, more on another's point."""
+        chosen = {**self.chosen, **changes}
+        taken = Counter(_cell(place) for place in chosen.values())
+        total = 0.0
+        for letter in self.choices:
+            place = chosen[letter]
+            others = [chosen[name] for name in self.around.get(letter, ()) if name in chosen]
+            drawn = sum(self._joined(place, other) for other in others) / max(1, len(others))
+            total += self.far[letter, place] - _JOINED * drawn + _JOINED * (taken[_cell(place)] > 1)
+        return total
+
+    def moves(self) -> Iterator[dict[str, complex]]:
+        """A letter to another point of its own; one that takes another's, which moves on; two, three that exchange."""
+        for letter, places in self.choices.items():
+            yield from ({letter: place} for _, place in places if place != self.chosen[letter])
+        for one, other in permutations(self.choices, 2):
+            there = self.chosen[other]
+            if there != self.chosen[one] and (one, there) in self.far:
+                yield from ({one: there, other: place} for _, place in self.choices[other] if place != there)
+        for letters in permutations(self.choices, 3):
+            if letters[0] == min(letters):
+                yield from self._round(letters)
+
+    def _round(self, letters: tuple[str, ...]) -> Iterator[dict[str, complex]]:
+        """Each to the next one's point."""
+        moved = {letter: self.chosen[after] for letter, after in zip(letters, (*letters[1:], letters[0]), strict=True)}
+        if all(move in self.far for move in moved.items()) and len(set(moved.values())) == len(moved):
+            yield moved
+
+    def _joined(self, one: complex, other: complex) -> bool:
+        """Whether a line runs from the one to the other."""
+        return abs(one - other) >= _SAME and bool(self._lines(one) & self._lines(other))
+
+    def _lines(self, place: complex) -> frozenset[int]:
+        if place not in self._through:
+            passing = (k for k, line in enumerate(self.picture.lines) if _off(place, *line) < _SAME)
+            self._through[place] = frozenset(passing)
+        return self._through[place]
+
+
+def _cell(place: complex) -> tuple[float, float]:
+    return round(place.real, 3), round(place.imag, 3)
+
+
 def _settled(
     choices: Mapping[str, list[Place]], fixed: Mapping[str, complex], polygon: Polygon, picture: Picture
 ) -> dict[str, complex | None]:
-    """The best point of each letter, the others' standing where they do; None where two are equally good."""
-    neighbours: dict[str, set[str]] = {}
-    for vector in polygon.vectors:
-        neighbours.setdefault(vector.tail, set()).add(vector.head)
-        neighbours.setdefault(vector.head, set()).add(vector.tail)
-    chosen = {letter: places[0][1] for letter, places in choices.items()} | dict(fixed)
-
-    def costs(letter: str) -> list[Place]:
-        around = [chosen[name] for name in neighbours.get(letter, ()) if name in chosen]
-        others = [place for name, place in chosen.items() if name != letter]
-        return sorted(
-            (
-                (
-                    distance
-                    - _JOINED * sum(_joined(place, other, picture) for other in around)
-                    + _JOINED * any(abs(place - other) < _SAME for other in others),
-                    place,
-                )
-                for distance, place in choices[letter]
-            ),
-            key=lambda pair: pair[0],
-        )
-
+    """The best arrangement; None for letters that could as well be elsewhere."""
+    layout = _Layout(choices, fixed, polygon, picture)
+    best = layout.cost({})
     for _ in range(_ROUNDS):
-        before = dict(chosen)
-        for letter in choices:
-            chosen[letter] = costs(letter)[0][1]
-        if chosen == before:
+        before = best
+        for move in layout.moves():
+            if (cost := layout.cost(move)) < best - 1e-9:
+                layout.chosen.update(move)
+                best = cost
+        if best == before:
             break
-    found: dict[str, complex | None] = {}
-    for letter in choices:
-        ranked = costs(letter)
-        clear = len(ranked) == 1 or ranked[1][0] - ranked[0][0] > _CLEAR
-        found[letter] = ranked[0][1] if clear else None
+    found: dict[str, complex | None] = {letter: layout.chosen[letter] for letter in choices}
+    for move in layout.moves():
+        if layout.cost(move) < best + _CLEAR:
+            found.update(dict.fromkeys(move))
     return found
-
-
-def _joined(one: complex, other: complex, picture: Picture) -> bool:
-    """Whether a line runs from the one to the other."""
-    if abs(one - other) < _SAME:
-        return False
-    return any(_off(one, *line) < _SAME and _off(other, *line) < _SAME for line in picture.lines)
