@@ -14,8 +14,11 @@ from pathlib import Path
 from random import Random
 
 import pytest
+from click.testing import CliRunner
 from defusedxml.ElementTree import fromstring
 
+from graphkin.cli import main as graphkin
+from graphkin.cli.marking import PLATFORMS
 from graphkin.errors import CannotWrite, NoFile, Unreadable, Where
 from graphkin.outputs.files import FileInTheWay
 from graphkin.platforms import (
@@ -208,7 +211,7 @@ def totals(folder: Path, kind: str, count: int) -> list[tuple[Decimal | None, De
     if kind == "canvas":
         _, most, *rest = rows(folder / "canvas-grades.csv")
         return [(_of(row[5]), Decimal(most[5])) for row in rest]
-    paths = [folder / f"s{k}" / "results.json" for k in range(1, count + 1)]
+    paths = [folder / kind / f"s{k}" / "results.json" for k in range(1, count + 1)]
     told = [json.loads(path.read_text()) for path in paths]
     if kind == "gradescope":
         return [(_of(each.get("score")), sum(_of(test.get("max_score", 0)) for test in each["tests"])) for each in told]
@@ -219,7 +222,7 @@ def _of(value) -> Decimal | None:
     return None if value in (None, "") else Decimal(str(value))
 
 
-@pytest.mark.parametrize("kind", RESULTS)
+@pytest.mark.parametrize("kind", [kind for kind in RESULTS if kind != "report"])
 def test_totals_are_equal(kind, tmp_path: Path):
     file = MOODLE if kind == "moodle" else CANVAS
     there = results(record(1, file), record(2, file), unmarked(3, file))
@@ -288,8 +291,9 @@ def test_moodle_files(tmp_path: Path):
     assert [*plain_zip(tmp_path / "moodle-feedback.zip")] == [
         "Li Lei_12_assignsubmission_file_/answers.html", "Li Lei_14_assignsubmission_file_/answers.html",
     ]  # fmt: skip
-    assert len(told.left_out) == 1
-    assert "s13" in told.left_out[0]
+    (said,) = told.left_out
+    assert "1 submissions" in said
+    assert "s13.toml" in said
 
 
 def test_canvas_files(tmp_path: Path):
@@ -308,8 +312,8 @@ def test_canvas_files(tmp_path: Path):
     assert "Total" in json.loads(files["leili_24_924_a.json"])["feedback"][-1]
     assert tomllib.loads(files["leili_23_923_a.toml"].decode()) == {}
     assert zipfile.is_zipfile(io.BytesIO(files["leili_22_922_a.xlsx"]))
+    assert ["s26.toml" in told.left_out[0], ".ggb" in told.left_out[1]] == [True, True]
     assert len(told.left_out) == 2
-    assert ".ggb" in told.left_out[0]
 
 
 @pytest.mark.parametrize(
@@ -523,6 +527,60 @@ def test_a_table_without_the_column_says_nothing(tmp_path: Path):
         assert len(read_overrides(path).kept) == (b"student" in data)
 
 
+# --- the command ------------------------------------------------------------------------------
+
+
+HANDED_IN = "student,omega 3,alpha 3,a_k B3B2\n=cmd,-3.92,62,2.5\ns2,-3.9,-37,2.51\ns3,-5.65,68.7,3.62\ns4,,what,\n"
+
+
+def grade(folder: Path, *options: str):
+    """`graphkin grade` on a class table, into a folder."""
+    (folder / "handed.csv").write_text(HANDED_IN)
+    words = ["grade", "ex3-1", str(folder / "handed.csv"), "-o", str(folder / "out"), "--lang", "en", *options]
+    return CliRunner().invoke(graphkin, words)
+
+
+def test_the_command_writes_every_format(tmp_path: Path):
+    done = grade(tmp_path, *(word for kind in PLATFORMS for word in ("--format", kind)))
+    assert done.exit_code == 0, done.output
+    out = tmp_path / "out"
+    assert {path.name for path in out.iterdir()} == {
+        "marks.json", "class.csv", "class.xlsx", "moodle-grades.csv", "moodle-feedback.zip", "canvas-grades.csv",
+        "canvas-feedback.zip", "gradescope", "prairielearn", "class-report.txt", "class-report.json", "class-report.svg",
+    }  # fmt: skip
+    there = [*Stored(out / "marks.json")]
+    assert [each.student for each in there] == ["=cmd", "s2", "s3", "s4"]
+    own = [each["score"] for each in json.loads((out / "marks.json").read_text())["results"]]
+    for kind in ("csv", "xlsx"):
+        assert totals(out, kind, 4) == [(each.total, each.most) for each in there]
+    for each, score in zip(there, own, strict=True):
+        if each.score is not None:
+            assert float(each.score) == pytest.approx(score, abs=1e-5)
+    assert "pointing the other way" in (out / "class-report.txt").read_text()
+
+
+def test_overrides_survive_the_command(tmp_path: Path):
+    grade(tmp_path, "--format", "csv")
+    override(tmp_path / "out" / "class.csv", {"s3": "4.5"})
+    assert grade(tmp_path, "--format", "csv", "--format", "moodle").exit_code == 0
+    assert [row["total"] for row in table(tmp_path / "out" / "class.csv")][2] == "4.5"
+    override(tmp_path / "out" / "class.csv", {"s3": "much"})
+    marks = (tmp_path / "out" / "marks.json").stat().st_mtime_ns
+    done = grade(tmp_path, "--format", "csv")
+    assert done.exit_code == 3
+    assert "class.csv:4" in done.stderr
+    assert (tmp_path / "out" / "marks.json").stat().st_mtime_ns == marks, "said before anything is marked"
+
+
+def test_use_of_the_command(tmp_path: Path):
+    assert set(PLATFORMS) == {"json", *RESULTS}
+    assert grade(tmp_path).exit_code == 2
+    assert CliRunner().invoke(graphkin, ["grade", "ex3-1", "x", "--format", "csv"]).exit_code == 2
+    (tmp_path / "out").write_text("a file")
+    assert grade(tmp_path, "--format", "csv").exit_code == 3
+    assert (tmp_path / "out").read_text() == "a file"
+
+
 # --- hard to break ----------------------------------------------------------------------------
 
 
@@ -545,7 +603,7 @@ def test_hostile_names(kind, tmp_path: Path):
     assert first == {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
     assert [*tmp_path.iterdir()] == [folder]
     for path in first:
-        assert path.stem.split(".")[0] in ("results", "class", f"{kind}-grades", f"{kind}-feedback")
+        assert path.stem.split(".")[0] in ("results", "class", f"{kind}-grades", f"{kind}-feedback", "class-report")
         if path.suffix == ".zip":
             assert plain_zip(path)
         if path.suffix == ".csv":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,8 +15,14 @@ from graphkin.errors import BadPencil, Lang, Where
 if TYPE_CHECKING:
     from graphkin.grading import Pencils
     from graphkin.marking.graded import Graded
+    from graphkin.marking.key import Key
+    from graphkin.platforms import Reveal
 
-__all__ = ["grade", "tolerance"]
+__all__ = ["PLATFORMS", "grade", "tolerance"]
+
+PLATFORMS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "report")
+MARKS = "marks.json"
+"""In a folder of results graphkin's own records, from which everything else there is made."""
 
 pencil_option = click.option(
     "--pencil", default="0.25,0.25", metavar="MM,DEG", show_default=True,
@@ -35,8 +42,14 @@ relative_option = click.option(
 @click.argument("key", metavar="KEY")
 @click.argument("submissions", nargs=-1, required=True, metavar="SUBMISSION...")
 @click.option("--json", "as_json", is_flag=True, help="One JSON line a student's submission; SI units and radians.")
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
-              help="Write all records into a .json file.")  # fmt: skip
+@click.option("-o", "--output", type=click.Path(path_type=Path),
+              help="Write all records into a .json file; with --format, a folder of results.")  # fmt: skip
+@click.option("--format", "kinds", type=click.Choice(PLATFORMS), multiple=True,
+              help="What to write into the folder beside the records; again for each further one.")  # fmt: skip
+@click.option("--reveal", type=click.Choice(["hint", "mistake", "answer"]), default="answer", show_default=True,
+              help="With --format: how much students are told.")  # fmt: skip
+@click.option("--assignment", default="graphkin", metavar="NAME",
+              help="With --format canvas: the assignment's column in the gradebook.")  # fmt: skip
 @pencil_option
 @sigmas_option
 @relative_option
@@ -45,8 +58,8 @@ relative_option = click.option(
 @lang_option
 @speaking
 def grade(
-    key: str, submissions: tuple[str, ...], as_json: bool, output: Path | None, pencil: str, sigmas: float,
-    relative: float, jobs: int, force: bool, lang: Lang,
+    key: str, submissions: tuple[str, ...], as_json: bool, output: Path | None, kinds: tuple[str, ...], reveal: Reveal,
+    assignment: str, pencil: str, sigmas: float, relative: float, jobs: int, force: bool, lang: Lang,
 ) -> None:  # fmt: skip
     """Mark what students hand in: verdicts, marks, and the mistake that a wrong number is consistent with.
 
@@ -57,20 +70,21 @@ def grade(
     Example:
       graphkin grade ex3-1 s1.toml
       graphkin grade key.json class.zip --json
+      graphkin grade key.json class.zip -o results --format csv --format moodle --reveal mistake
     """
     from graphkin import grading
 
-    if output is not None and output.suffix.lower() != ".json":
-        raise click.UsageError(f"{output}: the file to write must end in .json")
+    _check_output(output, kinds)
     made = grading.key_from(key, _pencils(pencil, sigmas, relative))
     records = grading.grade(made, submissions, workers=jobs)
+    if as_json or output is None:
+        records = _printed(records, as_json, lang)
     if output is None:
-        _print(records, as_json, lang)
-        return
-    from graphkin.outputs import marks_file
-
-    marks_file.write(output, made, _printed(records, as_json, lang) if as_json else records, lang, force)
-    click.echo(str(output), err=as_json)
+        deque(records, 0)
+    elif kinds:
+        _write_folder(output, made, records, kinds, lang, reveal, assignment, force, as_json)
+    else:
+        _write_records(output, made, records, lang, force, as_json)
 
 
 @click.command()
@@ -117,9 +131,38 @@ def tolerance(
         click.echo("\n" + "\n".join(text.power_lines(tried, lang)))
 
 
-def _print(records: Iterable[Graded], as_json: bool, lang: Lang) -> None:
-    for _ in _printed(records, as_json, lang):
-        pass
+def _check_output(output: Path | None, kinds: tuple[str, ...]) -> None:
+    if kinds and output is None:
+        raise click.UsageError("--format needs -o: the folder to write into")
+    if not kinds and output is not None and output.suffix.lower() != ".json":
+        raise click.UsageError(f"{output}: the file to write must end in .json; or say --format, for a folder")
+
+
+def _write_records(
+    path: Path, key: Key, records: Iterable[Graded], lang: Lang, force: bool, as_json: bool
+) -> None:
+    from graphkin.outputs import marks_file
+
+    marks_file.write(path, key, records, lang, force)
+    click.echo(str(path), err=as_json)
+
+
+def _write_folder(
+    folder: Path, key: Key, records: Iterable[Graded], kinds: tuple[str, ...], lang: Lang, reveal: Reveal,
+    assignment: str, force: bool, as_json: bool,
+) -> None:  # fmt: skip
+    """The records, then everything else, made of them; a table of overrides that cannot be read is said before."""
+    from graphkin import platforms
+
+    platforms.prepared(folder)
+    _write_records(folder / MARKS, key, records, lang, force, as_json)
+    for kind in dict.fromkeys(kinds):
+        if kind != "json":
+            there = platforms.Stored(folder / MARKS)
+            told = platforms.write_results(folder, there, kind, lang, reveal, assignment=assignment, force=force)
+            click.echo("\n".join(map(str, told.paths)), err=as_json)
+            for line in told.left_out:
+                click.echo(line, err=True)
 
 
 def _printed(records: Iterable[Graded], as_json: bool, lang: Lang) -> Iterator[Graded]:

@@ -22,11 +22,11 @@ from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record
 from graphkin.platforms.stored import Stored
-from graphkin.platforms.writing import RESULTS, SETS, Reveal, Written, write_results, write_set
+from graphkin.platforms.writing import RESULTS, SETS, Reveal, Written, prepared, write_results, write_set
 
 __all__ = [
     "RESULTS", "SETS", "Alternative", "ClassReport", "Line", "NoRightNumber", "NotAResult", "NotAnOverride",
     "NotForPlatform", "Overrides", "Part", "Picture", "ProblemSet", "Question", "Result", "Reveal", "Stored",
-    "Suspicion", "Written", "Wrong", "alternatives", "class_report", "from_record", "overridden", "question_of",
-    "read_overrides", "report_record", "report_text", "write_class_figure", "write_results", "write_set",
+    "Suspicion", "Written", "Wrong", "alternatives", "class_report", "from_record", "overridden", "prepared",
+    "question_of", "read_overrides", "report_record", "report_text", "write_class_figure", "write_results", "write_set",
 ]  # fmt: skip

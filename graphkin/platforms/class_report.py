@@ -20,13 +20,14 @@ __all__ = ["ClassReport", "Step", "class_report", "report_record", "report_text"
 RANGES = 10
 """Scores are counted in so many ranges of the same width."""
 _FAILED: tuple[Verdict, ...] = ("wrong", "missing")
+"""What is wrong comes before what is left out, which is normal on the way."""
 
 
 @frozen
 class Step:
     """One quantity in the whole class, in the order of the problem.
 
-    verdicts  how often each; first  for how many it is the first that fails
+    verdicts  how often each; first  for how many it is the first that is wrong, or missing where nothing is wrong
     points    earned by all, of `most`
     """
 
@@ -93,7 +94,7 @@ class _Count:
             self.verdicts.setdefault(line.name, Counter())[line.verdict] += 1
             earned, most = self.points.get(line.name, (Decimal(0), Decimal(0)))
             self.points[line.name] = earned + line.points, most + line.most
-        failed = [line.name for line in lines if line.verdict in _FAILED]
+        failed = [line.name for verdict in _FAILED for line in lines if line.verdict == verdict]
         self.first.update(failed[:1])
 
     def _suspicions(self, result: Result) -> None:
@@ -183,7 +184,8 @@ def report_record(report: ClassReport) -> dict[str, Any]:
     """The report as a JSON object."""
     spread = {key: getattr(report, key) for key in ("mean", "median", "lowest", "highest")}
     return {
-        "format": 1, "marked": report.marked, "not_marked": report.unmarked, "overridden": report.overridden,
+        "kind": "graphkin", "format": 1, "marked": report.marked, "not_marked": report.unmarked,
+        "overridden": report.overridden,
         **{key: None if value is None else round(float(value), 6) for key, value in spread.items()},
         "steps": [
             {"quantity": step.name, "verdicts": dict(step.verdicts), "first_to_fail": step.first,

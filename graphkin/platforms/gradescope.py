@@ -24,9 +24,10 @@ def results_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
         tests.append(_told(say("diagnosis", lang), told, "failed"))
     if result.status == "not marked":
         tests.append(_told(say("not marked", lang), reason(result, lang), "failed"))
+    own = {"platform": "gradescope", "format": FORMAT, "student": result.student, "status": result.status}
     file: dict[str, Any] = {
         "output": clean(_output(result, lang)), "output_format": "text", "visibility": "visible", "tests": tests,
-        "extra_data": {"graphkin": {"format": FORMAT, "student": result.student, "status": result.status}},
+        "extra_data": {"graphkin": own},
     }  # fmt: skip
     if result.total is not None:
         file["score"] = float(result.total)

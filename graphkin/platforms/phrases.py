@@ -75,14 +75,14 @@ PHRASES: Mapping[str, tuple[str, str]] = {
     "feedback for": ("Feedback for {student}", "{student} 的评阅反馈"),
     # --- what was left out ---------------------------------------------------------------------
     "no platform name": (
-        "{student}: {file} is not named as {platform} names its downloads; no feedback file goes back. Mark the "
-        "platform's own archive, unpacked by nobody.",
-        "{student}：{file} 的文件名不是 {platform} 下载包中的格式，无法回传反馈文件。请直接评阅平台下载的压缩包。",
+        "{count} submissions are not named as {platform} names its downloads (the first: {file}): nothing goes back "
+        "for them. Mark the archive as it was downloaded.",
+        "{count} 份提交的文件名不是 {platform} 下载包中的格式（如 {file}），无法回传。请直接评阅平台下载的压缩包。",
     ),
     "no feedback in kind": (
-        "{student}: Canvas takes feedback back only as the kind of file that was handed in, and graphkin writes none "
-        "of kind {kind}.",
-        "{student}：Canvas 只接受与提交文件同类的反馈文件，而 graphkin 不写 {kind} 类文件。",
+        "Canvas takes feedback back only as the kind of file that was handed in, and graphkin writes none of kind "
+        "{kind}: {count} submissions have marks and no file of feedback.",
+        "Canvas 只接受与提交文件同类的反馈文件，而 graphkin 不写 {kind} 类文件：{count} 份提交只有分数，没有反馈文件。",
     ),
     "override kept": (
         "{student} has an override and nothing among these submissions; the override is kept.",

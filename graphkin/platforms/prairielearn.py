@@ -36,7 +36,7 @@ def results_json(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[
 
 
 def _file(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[Picture]) -> dict[str, Any]:
-    mark = {"graphkin": {"format": FORMAT, "status": result.status}}
+    mark = {"graphkin": {"platform": "prairielearn", "format": FORMAT, "status": result.status}}
     if result.score is None:
         return {"gradable": False, "format_errors": [clean(reason(result, lang))], **mark}
     told = [text for text in (override(result, lang), total(result, lang)) if text]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from itertools import chain, islice
@@ -24,7 +26,10 @@ from graphkin.platforms import (
 from graphkin.platforms.alternatives import refuse
 from graphkin.platforms.archive import COMMENT, pack
 from graphkin.platforms.cells import BOM, Cell, line
+from graphkin.platforms.class_figure import write_class_figure
+from graphkin.platforms.class_report import ClassReport, class_report, report_record, report_text
 from graphkin.platforms.feedback import Reveal
+from graphkin.platforms.marked_up import clean
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.pages import Page, html
 from graphkin.platforms.phrases import say
@@ -34,11 +39,12 @@ from graphkin.platforms.result import Picture, Result
 from graphkin.submissions import safe_name
 from graphkin.value import frozen
 
-__all__ = ["CLASS_TABLE", "RESULTS", "SETS", "Reveal", "Written", "write_results", "write_set"]
+__all__ = ["CLASS_TABLE", "RESULTS", "SETS", "Reveal", "Written", "prepared", "write_results", "write_set"]
 
 CLASS_TABLE = "class.csv"
 """In this table of a results folder teachers write their overrides."""
 _JSON, _ZIP, _TABLE = (b'"graphkin"',), (COMMENT,), (b"override",)
+_REPORT = tuple(say("report title", lang).encode() for lang in ("en", "zh"))
 
 
 # --- sets -------------------------------------------------------------------------------------
@@ -156,12 +162,25 @@ def write_results(
     Overrides in the folder's class table count in every format. Raises NotAnOverride, Unreadable, FileInTheWay,
     CannotWrite, and what going through the results raises.
     """
+    overrides = prepared(folder)
+    return RESULTS[kind](Order(folder, results, lang, reveal, assignment, page, pictures, force, overrides))
+
+
+def prepared(folder: Path) -> Overrides:
+    """A folder of results, made where there is none, and the overrides in it.
+
+    Raises CannotWrite, Unreadable, NotAnOverride.
+    """
+    return read_overrides(_made(folder) / CLASS_TABLE)
+
+
+def _made(folder: Path) -> Path:
+    """A folder that is there. Raises CannotWrite."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise CannotWrite(str(folder), error.strerror or str(error)) from None
-    overrides = read_overrides(folder / CLASS_TABLE)
-    return RESULTS[kind](Order(folder, results, lang, reveal, assignment, page, pictures, force, overrides))
+    return folder
 
 
 def _table(order: Order) -> Iterator[Sequence[Cell]]:
@@ -189,8 +208,8 @@ def _moodle(order: Order) -> Written:
         "moodle-grades.csv", moodle_results.grades(order, order.lang, order.reveal), (b"Identifier,Full name,",),
     )  # fmt: skip
     members = moodle_results.feedback(order, order.lang, order.reveal, order.page or html)
-    out = tuple(_unnamed(order, result, "Moodle") for result in order.results if moodle(result.file) is None)
-    return Written((grades, order.packed("moodle-feedback.zip", members)), out)
+    out = _unnamed(order, [moodle(result.file) is None for result in order.results], "Moodle")
+    return Written((grades, order.packed("moodle-feedback.zip", members)), tuple(out))
 
 
 def _canvas(order: Order) -> Written:
@@ -203,48 +222,65 @@ def _canvas(order: Order) -> Written:
 
 
 def _without_canvas(order: Order) -> Iterator[str]:
-    for result in order.results:
-        named = canvas(result.file)
-        if named is None:
-            yield _unnamed(order, result, "Canvas")
-        elif canvas_results.kind(named.name, order.page) is None:
-            suffix = Path(named.name).suffix
-            yield say("no feedback in kind", order.lang, student=result.student, kind=suffix)
+    names = [canvas(result.file) for result in order.results]
+    yield from _unnamed(order, [named is None for named in names], "Canvas")
+    there = (named.name for named in names if named is not None)
+    kinds = Counter(Path(name).suffix for name in there if canvas_results.kind(name, order.page) is None)
+    for suffix, count in kinds.items():
+        yield say("no feedback in kind", order.lang, count=count, kind=suffix or "?")
 
 
-def _unnamed(order: Order, result: Result, platform: str) -> str:
-    return say("no platform name", order.lang, student=result.student, file=result.file, platform=platform)
+def _unnamed(order: Order, without: list[bool], platform: str) -> Iterator[str]:
+    """That some files have no name of the platform; the first of them as an example."""
+    if any(without):
+        file = next(result.file for result, out in zip(order.results, without, strict=True) if out)
+        yield say("no platform name", order.lang, count=sum(without), file=file, platform=platform)
 
 
 def _gradescope(order: Order) -> Written:
-    return _each(order, lambda result: gradescope.results_json(result, order.lang, order.reveal))
+    return _each(order, "gradescope", lambda result: gradescope.results_json(result, order.lang, order.reveal))
 
 
 def _prairielearn(order: Order) -> Written:
-    return _each(
-        order, lambda result: prairielearn.results_json(result, order.lang, order.reveal, order.pictures(result))
-    )
+    def made(result: Result) -> bytes:
+        return prairielearn.results_json(result, order.lang, order.reveal, order.pictures(result))
+
+    return _each(order, "prairielearn", made)
 
 
-def _each(order: Order, made: Callable[[Result], bytes]) -> Written:
-    """`results.json` in the folder where there is one submission, else in a folder each."""
+def _each(order: Order, platform: str, made: Callable[[Result], bytes]) -> Written:
+    """`results.json` in the folder where there is one submission; else in a folder each, within the platform's."""
     alone, written = len([*islice(order.results, 2)]) == 1, []
     taken: set[str] = set()
     for result in order:
         name = safe_name(result.student)
         name = safe_name(f"{result.student}\0{result.file}") if name in taken else name
         taken.add(name)
-        folder = order.folder if alone else order.folder / name
-        folder.mkdir(exist_ok=True)
+        folder = order.folder if alone else _made(order.folder / platform / name)
         path = folder / "results.json"
-        with beside(path, order.force, _JSON) as draft:
+        with beside(path, order.force, [f'"platform": "{platform}"'.encode()]) as draft:
             draft.write_bytes(made(result))
         written.append(path)
     return Written(tuple(written))
 
 
+def _report(order: Order) -> Written:
+    """The class in words, as data and as a figure."""
+    report = class_report(order)
+    words = order.lines("class-report.txt", (f"{line}\n" for line in _report_lines(report, order.lang)), _REPORT)
+    data = order.lines("class-report.json", [json.dumps(report_record(report), ensure_ascii=True) + "\n"], _JSON)
+    figure = order.folder / "class-report.svg"
+    remark = write_class_figure(figure, report, order.lang, order.force)
+    return Written((words, data, figure), () if remark is None else (remark.message(order.lang),))
+
+
+def _report_lines(report: ClassReport, lang: Lang) -> Iterator[str]:
+    yield say("report title", lang)
+    yield from map(clean, report_text(report, lang))
+
+
 RESULTS: Mapping[str, Callable[[Order], Written]] = {
     "csv": _csv, "xlsx": _xlsx, "moodle": _moodle, "gradescope": _gradescope,
-    "prairielearn": _prairielearn, "canvas": _canvas,
+    "prairielearn": _prairielearn, "canvas": _canvas, "report": _report,
 }  # fmt: skip
 """By name, as `graphkin grade --format` has them."""
