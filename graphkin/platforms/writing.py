@@ -33,7 +33,7 @@ from graphkin.platforms.marked_up import clean
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.pages import Page, html
 from graphkin.platforms.phrases import say
-from graphkin.platforms.platform_names import canvas, moodle
+from graphkin.platforms.platform_names import Named, canvas, moodle
 from graphkin.platforms.question import ProblemSet
 from graphkin.platforms.result import Picture, Result
 from graphkin.submissions import safe_name
@@ -208,8 +208,8 @@ def _moodle(order: Order) -> Written:
         "moodle-grades.csv", moodle_results.grades(order, order.lang, order.reveal), (b"Identifier,Full name,",),
     )  # fmt: skip
     members = moodle_results.feedback(order, order.lang, order.reveal, order.page or html)
-    out = _unnamed(order, [moodle(result.file) is None for result in order.results], "Moodle")
-    return Written((grades, order.packed("moodle-feedback.zip", members)), tuple(out))
+    out = tuple(_unnamed(order, moodle, "Moodle"))
+    return Written((grades, order.packed("moodle-feedback.zip", members)), out)
 
 
 def _canvas(order: Order) -> Written:
@@ -222,19 +222,25 @@ def _canvas(order: Order) -> Written:
 
 
 def _without_canvas(order: Order) -> Iterator[str]:
-    names = [canvas(result.file) for result in order.results]
-    yield from _unnamed(order, [named is None for named in names], "Canvas")
-    there = (named.name for named in names if named is not None)
-    kinds = Counter(Path(name).suffix for name in there if canvas_results.kind(name, order.page) is None)
+    """What does not go back to Canvas: files without its names, and those of kinds that nothing writes."""
+    yield from _unnamed(order, canvas, "Canvas")
+    kinds: Counter[str] = Counter()
+    for result in order.results:
+        named = canvas(result.file)
+        if named is not None and canvas_results.kind(named.name, order.page) is None:
+            kinds[Path(named.name).suffix] += 1
     for suffix, count in kinds.items():
         yield say("no feedback in kind", order.lang, count=count, kind=suffix or "?")
 
 
-def _unnamed(order: Order, without: list[bool], platform: str) -> Iterator[str]:
+def _unnamed(order: Order, named: Callable[[str], Named | None], platform: str) -> Iterator[str]:
     """That some files have no name of the platform; the first of them as an example."""
-    if any(without):
-        file = next(result.file for result, out in zip(order.results, without, strict=True) if out)
-        yield say("no platform name", order.lang, count=sum(without), file=file, platform=platform)
+    first, count = "", 0
+    for result in order.results:
+        if named(result.file) is None:
+            first, count = first or result.file, count + 1
+    if count:
+        yield say("no platform name", order.lang, count=count, file=first, platform=platform)
 
 
 def _gradescope(order: Order) -> Written:
@@ -250,18 +256,16 @@ def _prairielearn(order: Order) -> Written:
 
 def _each(order: Order, platform: str, made: Callable[[Result], bytes]) -> Written:
     """`results.json` in the folder where there is one submission; else in a folder each, within the platform's."""
-    alone, written = len([*islice(order.results, 2)]) == 1, []
+    alone = len([*islice(order.results, 2)]) == 1
     taken: set[str] = set()
     for result in order:
         name = safe_name(result.student)
         name = safe_name(f"{result.student}\0{result.file}") if name in taken else name
         taken.add(name)
         folder = order.folder if alone else _made(order.folder / platform / name)
-        path = folder / "results.json"
-        with beside(path, order.force, [f'"platform": "{platform}"'.encode()]) as draft:
+        with beside(folder / "results.json", order.force, [f'"platform": "{platform}"'.encode()]) as draft:
             draft.write_bytes(made(result))
-        written.append(path)
-    return Written(tuple(written))
+    return Written((order.folder / "results.json",) if alone else (order.folder / platform,) if taken else ())
 
 
 def _report(order: Order) -> Written:
