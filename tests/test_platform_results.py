@@ -67,7 +67,7 @@ def record(k: int, file: str = "s{k}.toml", student: str = "", **changes) -> dic
             "a_k B3B2": quantity(1.005, 1.0, "m/s^2", given=3.63, right=2.515, carried=3.625, tolerance=0.04,
                                  verdict="carried", own={"omega 3": -5.65}),
             "alpha 3": quantity(1.0, 0.5, "rad/s^2", given=-62.0, right=62.2, tolerance=2.0, verdict="wrong", sense="wrong"),
-            "v B3": quantity(0.0, 0.0, "m/s"),
+            "v B3": quantity(0.0, 0.0, "m/s", given=0.1, carried=0.7071, own={"omega 3": -5.65}, verdict="wrong"),
         },
         "mistakes": [{"ids": ["wrong-length", "omega-sense"], "probability": 0.9, "margin": 3.0,
                       "explains": ["omega 3", "alpha 3"], "names": [[name("wrong-length")], [name("omega-sense")]]}],
@@ -366,6 +366,12 @@ def test_gradescope(tmp_path: Path):
 
 
 @pytest.mark.parametrize("kind", ["gradescope", "prairielearn"])
+def test_two_submissions_of_a_student(kind, tmp_path: Path):
+    write_results(tmp_path, results(record(1), record(2, student="s1"), record(3)), kind)
+    assert len([*tmp_path.rglob("results.json")]) == 3
+
+
+@pytest.mark.parametrize("kind", ["gradescope", "prairielearn"])
 def test_not_marked_is_no_zero(kind, tmp_path: Path):
     write_results(tmp_path, results(unmarked(1)), kind)
     told = json.loads((tmp_path / "results.json").read_text())
@@ -418,8 +424,8 @@ def test_prairielearn_stays_under_a_megabyte(size, tmp_path: Path):
     ("reveal", "hidden", "told"),
     [
         ("hint", ("-3.919", "wrong length", "3.625"), ("wrong", "-5.65", "Look again at how angular velocities")),
-        ("mistake", ("-3.919", "2.515"), ("judged with your own omega 3 = -5.65 rad/s: it should be 3.625 m/s²: yes", "omega 3 from the wrong length", "consistent with", "cannot be told apart")),
-        ("answer", (), ("-3.919", "3.625", "omega 3 from the wrong length")),
+        ("mistake", ("-3.919", "2.515", "0.7071", "0.5 m/s"), ("judged with your own omega 3 = -5.65 rad/s: it should be 3.625 m/s²: yes", "omega 3 from the wrong length", "consistent with", "cannot be told apart")),
+        ("answer", (), ("-3.919", "3.625", "0.7071", "omega 3 from the wrong length")),
     ],
 )
 def test_stages(reveal, hidden, told, tmp_path: Path):
@@ -664,7 +670,9 @@ def a_class() -> list:
         text: {**line, "verdict": "right", "credit": 1.0} for text, line in right["quantities"].items()
     }
     right["mistakes"] = []
-    found = results(right, record(2), record(3), record(4, mistakes=[]), unmarked(5), record(6))
+    late = record(6)
+    late["quantities"]["omega 3"] |= {"given": None, "verdict": "missing"}
+    found = results(right, record(2), record(3), record(4, mistakes=[]), unmarked(5), late)
     return [*found[:5], replace(found[5], override=Decimal(0))]
 
 
@@ -672,15 +680,15 @@ def test_class_report():
     report = class_report(a_class())
     assert (report.marked, report.unmarked, report.overridden, report.unexplained) == (5, 1, 1, 1)
     omega, coriolis, *_ = report.steps
-    assert dict(omega.verdicts) == {"right": 1, "wrong": 4}
-    assert (omega.first, coriolis.first) == (4, 0)
+    assert dict(omega.verdicts) == {"right": 1, "wrong": 3, "missing": 1}
+    assert [step.first for step in report.steps] == [3, 0, 1, 0]
     assert dict(coriolis.verdicts) == {"right": 1, "carried": 4}
     assert [(one.ids, count) for one, count in report.mistakes] == [(("wrong-length", "omega-sense"), 3)]
     assert report.ranges == (1, 0, 0, 0, 0, 3, 0, 0, 0, 1)
     assert (report.lowest, report.highest) == (0, 1)
     assert float(report.median) == pytest.approx(1.84 / 3.34, abs=1e-6)
     assert float(report.mean) == pytest.approx((1 + 3 * 1.84 / 3.34) / 5, abs=1e-6)
-    assert json.loads(json.dumps(report_record(report), allow_nan=False))["steps"][0]["first_to_fail"] == 4
+    assert json.loads(json.dumps(report_record(report), allow_nan=False))["steps"][0]["first_to_fail"] == 3
 
 
 @pytest.mark.parametrize("lang", ["en", "zh"])

@@ -96,6 +96,12 @@ def test_alternatives(value, percent, ids):
     assert (found and found.ids) == ids
 
 
+def test_right_numbers_come_first_then_rings_then_mistakes_by_tolerance():
+    there = alternatives(SET.questions[0], ALPHA)
+    assert [one.percent for one in there] == [100, 50, 0, 0]
+    assert there[2].tolerance < there[3].tolerance
+
+
 def test_a_mistake_that_touches_the_right_value_is_left_out():
     assert all("too-near" not in one.ids for one in alternatives(SET.questions[0], ALPHA))
 
@@ -235,6 +241,9 @@ def test_moodle_tells_the_mistakes_of_a_key(name, tmp_path: Path):
             else:
                 off = abs(wrong.number - part.number) - part.tolerance - wrong.tolerance
                 assert off <= 0.004 * (part.tolerance + wrong.tolerance)
+        column = key.number(entry.text)
+        scatters = [float(x) for x in key.singles.scatters[:, column] if math.isfinite(x)]
+        assert [wrong.tolerance for wrong in part.wrongs] == pytest.approx([3 * factor * x for x in scatters])
         if entry.sort == "angle":
             assert field.grade(entry.right * factor - math.copysign(360, entry.right))[0] == 1
 
@@ -388,6 +397,8 @@ def test_word_file_opens_in_a_word_reader(tmp_path: Path):
 def test_same_bytes(kind, tmp_path: Path):
     first = written(tmp_path, kind, hostile_set()).read_bytes()
     assert written(tmp_path, kind, hostile_set()).read_bytes() == first
+    if zipfile.is_zipfile(io.BytesIO(first)):
+        assert {each.date_time for each in zipfile.ZipFile(io.BytesIO(first)).infolist()} == {(1980, 1, 1, 0, 0, 0)}
 
 
 def test_totals_are_equal(tmp_path: Path):
