@@ -13,7 +13,7 @@ from dataclasses import field
 import numpy as np
 
 from graphkin.marking.key import Hypotheses, Key, Name
-from graphkin.marking.verdicts import Columns, agrees
+from graphkin.marking.verdicts import Columns, agrees, differences
 from graphkin.marking.weights import ONE, TWO, Weighed, weigh
 from graphkin.value import frozen
 
@@ -24,6 +24,8 @@ MARGIN = 3.0
 _FITS = 4.5
 """A value that is off by more standard deviations is not explained."""
 _LIKELY = 0.5
+_SAME = 0.5
+"""Explanations whose values differ by less, in standard deviations, are one."""
 _CHANCE = 0.015
 """A hit that random numbers make more often is no hint."""
 _PAIRS_FROM = 4
@@ -105,7 +107,9 @@ def _explanations(
     if not fits.any():
         return ()
     best = float(weights[fits].max())
-    same = fits & (weights > best - MARGIN)
+    first = int(np.flatnonzero(fits)[np.argmax(weights[fits])])
+    likely = weights - weighed.shares
+    same = fits & ((likely > likely[first] - MARGIN) | _close(table, hypotheses, weighed.rows, first, given))
     total = np.logaddexp(np.logaddexp.reduce(weights), others)
     probability = float(np.exp(np.logaddexp.reduce(weights[same]) - total))
     margin = best - max(weighed.right[k], weighed.none[k], weights[~same].max(initial=-np.inf))
@@ -115,6 +119,16 @@ def _explanations(
     explains = _explained(key, table, given, wrong, hypotheses, int(weighed.rows[order[0]]))
     names = tuple(hypotheses.names[weighed.rows[row]] for row in order)
     return (Explanation(names, probability, float(margin), explains),)
+
+
+def _close(
+    table: Columns, hypotheses: Hypotheses, rows: np.ndarray, first: int, given: np.ndarray
+) -> np.ndarray:
+    """Which rows say nearly the same of all that is handed in, and judge the same."""
+    there = np.isfinite(given)
+    values, scatters = hypotheses.values[rows], hypotheses.scatters[rows[first]]
+    apart = np.abs(differences(table, values, values[first])) <= _SAME * scatters
+    return np.all((apart | np.isnan(values) & np.isnan(values[first]))[:, there], axis=1)
 
 
 def _evidence(weighed: Weighed, hypotheses: Hypotheses) -> tuple[list[str], np.ndarray]:

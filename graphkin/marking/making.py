@@ -44,7 +44,9 @@ def make_key(
     naturals = _naturals(every, right)
     kept = [k for k, q in enumerate(every) if right[k] or q in asked or q in quantities]
     every, right = [every[k] for k in kept], right[kept]
+    sizes = np.array([sort_of(q) == "size" for q in every], dtype=bool)
     drawn = drawings_of(method, marking, DRAWINGS).values(every)[0]
+    drawn = np.where(sizes, np.abs(drawn), drawn)
     worth = points or dict.fromkeys((q.text for q in asked or every), 1.0)
     entries = tuple(
         _entry(q, value, deviation, naturals[q.unit], marking, worth.get(q.text, 0.0))
@@ -172,7 +174,7 @@ def hypotheses_of(
     drawings = drawings_of(method, marking, _FEWER)
     scatters = spread(drawings.values(quantities, columns))
     least = np.array([[_least(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
-    scatters = np.where(np.isfinite(values), np.hypot(np.nan_to_num(scatters), least.reshape(values.shape)), np.nan)
+    scatters = np.where(np.isfinite(values), np.hypot(scatters, least.reshape(values.shape)), np.nan)
     return Hypotheses(tuple(_names(column) for column in columns), values, scatters)
 
 
