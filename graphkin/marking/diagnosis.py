@@ -26,7 +26,7 @@ _FITS = 4.5
 _LIKELY = 0.5
 _SAME = 0.5
 """Explanations whose values differ by less, in standard deviations, are one."""
-_CHANCE = 0.015
+_CHANCE = 0.008
 """A hit that random numbers make more often is no hint."""
 _PAIRS_FROM = 4
 """So many independent values, before two mistakes are looked for."""
