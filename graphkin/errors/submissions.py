@@ -61,9 +61,9 @@ class BrokenSubmission(GraphkinError):
 
 
 _MUCH: Words = {
-    "bytes": {"en": "larger than {most} bytes", "zh": "超过 {most} 字节"},
+    "bytes": {"en": "larger than {most} MB", "zh": "超过 {most} MB"},
     "members": {"en": "an archive of more than {most} files", "zh": "压缩包内文件多于 {most} 个"},
-    "archive": {"en": "an archive of more than {most} bytes", "zh": "压缩包解压后超过 {most} 字节"},
+    "archive": {"en": "an archive of more than {most} MB", "zh": "压缩包解压后超过 {most} MB"},
     "ratio": {"en": "packed more than {most} to 1, as no honest file is", "zh": "压缩比超过 {most}，不是正常文件"},
     "elements": {"en": "a drawing of more than {most} elements", "zh": "图中元素多于 {most} 个"},
     "depth": {"en": "nested more than {most} deep", "zh": "嵌套超过 {most} 层"},
@@ -86,7 +86,8 @@ class TooMuch(GraphkinError):
     }
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "what": _MUCH[self.what][lang].format(most=f"{self.most:g}")}
+        most = self.most / 2**20 if self.what in ("bytes", "archive") else self.most
+        return {**super()._words(lang), "what": _MUCH[self.what][lang].format(most=f"{most:g}")}
 
 
 class TookTooLong(GraphkinError):

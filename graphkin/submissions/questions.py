@@ -34,7 +34,8 @@ _DRESS = re.compile(r"\\(?:vec|overline|bar|mathrm|mathbf|boldsymbol|text|var)?\
 _PARTS = {"n": "n", "t": "t", "tau": "t", "k": "k", "c": "k", "cor": "k", "coriolis": "k", "r": "r", "x": "x", "y": "y"}
 _PART = "coriolis|cor|tau|[ntkcrxy]"
 _IN_UNIT = re.compile(
-    r"^(.+?)\s*(?:[(\[]([^()\[\]]+(?:\([^()]*\))?[^()\[\]]*)[)\]]|/ ?\(([^()]+)\)|, ?([^,]+)|/ ?([a-z°/^0-9*-]+)| in (.+))$",
+    r"^(.+?)\s*(?:[(\[]([^()\[\]]+(?:\([^()]*\))?[^()\[\]]*)[)\]]"
+    r"|/ ?\(([^()]+)\)|, ?([^,]+)|/ ?([a-z°/^0-9*-]+)| in (.+))$",
     re.I,
 )
 """`ω3 (rad/s)`, `ω3 [rad/s]`, `ω3/(rad·s^-1)`, `ω3, rad/s`, `ω3/rad/s`, `ω3 in rad/s`."""
@@ -70,7 +71,8 @@ class Questions:
         return *self._called(quantity), unit_named(next(unit for unit in cut.groups()[1:] if unit))
 
     def _called(self, quantity: Quantity) -> tuple[str, Quantity]:
-        return self.asked.get(_meaning(self.mechanism, quantity), quantity.text), quantity
+        text = quantity.text.replace(" ", "") if isinstance(quantity, Centre) else quantity.text
+        return self.asked.get(_meaning(self.mechanism, quantity), text), quantity
 
     def _quantity(self, text: str) -> Quantity | None:
         for candidate in spelled(text):

@@ -26,8 +26,8 @@ Cells = Iterator[tuple[int, Sequence[object]]]
 
 IDS = (
     "student", "student id", "studentid", "student number", "学号", "id", "id number", "学生学号", "考号",
-    "sis user id", "sis login id", "identifier", "participant", "username", "user name", "用户名", "user", "login", "email", "email address", "学生",
-    "name", "full name", "姓名", "学生姓名",
+    "sis user id", "sis login id", "identifier", "participant", "username", "user name", "用户名", "user",
+    "login", "email", "email address", "学生", "name", "full name", "姓名", "学生姓名",
 )  # fmt: skip
 """What a column of ids is called, the most telling first."""
 _QUESTION = {"question", "quantity", "name", "item", "问题", "题目", "量", "物理量", "项目"}
@@ -163,10 +163,16 @@ def xlsx_cells(content: bytes, where: Where, limits: Limits) -> Cells:
             started = False
             for line, row in enumerate(sheet.iter_rows(values_only=True, max_col=limits.columns + 1), 1):
                 started = True
-                yield line, row
+                yield line, _trimmed(row)
             if started:
                 return
     except (MemoryError, RecursionError, GeneratorExit):
         raise
     except Exception as problem:  # openpyxl raises whatever it meets in a file that is none
         raise BrokenSubmission(where, "XLSX", type(problem).__name__) from None
+
+
+def _trimmed(row: Sequence[object]) -> Sequence[object]:
+    """Without the empty cells at its end, of which a sheet may have any number."""
+    last = max((k for k, cell in enumerate(row, 1) if cell is not None), default=0)
+    return row[:last]
