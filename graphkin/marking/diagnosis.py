@@ -38,7 +38,7 @@ class Explanation:
 
     names        the mistakes: one or two of them for each way in which they explain the values
     probability  of all these together
-    margin       by how much the best of them outweighs the best of the others, as a logarithm to base e
+    margin       by how much they together outweigh the best of the others, as a logarithm to base e
     explains     the wrong values that follow
     """
 
@@ -111,9 +111,10 @@ def _explanations(
     likely = weights - weighed.shares
     same = fits & ((likely > likely[first] - MARGIN) | _close(table, hypotheses, weighed.rows, first, given))
     total = np.logaddexp(np.logaddexp.reduce(weights), others)
-    probability = float(np.exp(np.logaddexp.reduce(weights[same]) - total))
-    margin = best - max(weighed.right[k], weighed.none[k], weights[~same].max(initial=-np.inf))
-    if probability < _LIKELY or best < weighed.right[k] + MARGIN:
+    together = np.logaddexp.reduce(weights[same])
+    margin = together - max(weighed.right[k], weighed.none[k], weights[~same].max(initial=-np.inf))
+    probability = float(np.exp(together - total))
+    if probability < _LIKELY or together < weighed.right[k] + MARGIN:
         return ()
     order = np.flatnonzero(same)[np.argsort(-weights[same], kind="stable")]
     explains = _explained(key, table, given, wrong, hypotheses, int(weighed.rows[order[0]]))
@@ -128,7 +129,8 @@ def _close(
     there = np.isfinite(given)
     values, scatters = hypotheses.values[rows], hypotheses.scatters[rows[first]]
     apart = np.abs(differences(table, values, values[first])) <= _SAME * scatters
-    return np.all((apart | np.isnan(values) & np.isnan(values[first]))[:, there], axis=1)
+    found: np.ndarray = np.all((apart | np.isnan(values) & np.isnan(values[first]))[:, there], axis=1)
+    return found
 
 
 def _evidence(weighed: Weighed, hypotheses: Hypotheses) -> tuple[list[str], np.ndarray]:

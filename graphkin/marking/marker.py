@@ -83,8 +83,9 @@ class Marker:
         )
         strange = np.array([[_strange(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
         right, wrong = self.judged(given)
-        carried = self.problem.carried(given, wrong & ~strange.reshape(given.shape), wrong)
-        found = self.diagnoses(given, wrong)
+        strange = strange.reshape(given.shape)
+        carried = self.problem.carried(given, wrong & ~strange, wrong)
+        found = self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange)
         return [self._marked(work, k, given[k], right[k], carried, found[k]) for k, work in enumerate(works)]
 
     def judged(self, given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -151,7 +152,7 @@ def _value(work: Work, entry: Entry) -> float:
 
 
 def _strange(work: Work, entry: Entry) -> bool:
-    """Whether a number stands there with a unit of another kind: nothing is carried on from it."""
+    """Whether a number stands there with a unit of another kind: it is judged by itself, and nothing is made of it."""
     number = work.numbers.get(entry.text)
     return number is not None and not number.unit_right
 

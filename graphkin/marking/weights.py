@@ -22,8 +22,11 @@ _RIGHT, ONE, TWO, _NONE = np.log((0.5, 0.35, 0.05, 0.1))
 """How often right work, one mistake, two mistakes and other work are met."""
 MOVED = 3.0
 """A mistake that moves no handed-in value by more standard deviations cannot be seen."""
-_COMMON = (0.0, 0.5, 0.9)
-"""What part of the scatter of several values may come from what they are all read off; the rest is each value's own."""
+_COMMON = (0.5, 0.9)
+"""What part of the scatter of several values may come from what they are all read off, beside none; the rest is each
+value's own."""
+_FAR = 8.0
+"""Explanations in which a value is off by more standard deviations are not looked at closely."""
 _AT_ONCE = 4_000_000
 """Differences that are held at once."""
 
@@ -123,10 +126,22 @@ def _normal(together: np.ndarray, part: float) -> tuple[np.ndarray, float]:
     return np.linalg.inv(common), 0.5 * float(np.linalg.slogdet(common)[1])
 
 
-def _log_density(z: np.ndarray, inverse: np.ndarray, log_size: float) -> np.ndarray:
-    """Of deviations (students, m, n): (students, m)."""
-    near: np.ndarray = np.einsum("smi,smi->sm", z @ inverse, z)
-    return -0.5 * (near + z.shape[2] * np.log(2 * np.pi)) - log_size
+def _mixed(
+    z: np.ndarray, near: np.ndarray, worst: np.ndarray, kinds: list[tuple[np.ndarray, float]]
+) -> np.ndarray:
+    """Logarithm of the mean of densities of deviations (students, m, n): (students, m).
+
+    near, worst   sum of squares and largest of them; far off, the density of deviations without a common part will do
+    """
+    found: np.ndarray = -0.5 * (near + z.shape[2] * np.log(2 * np.pi))
+    rows = np.flatnonzero((worst < _FAR).any(axis=0))
+    close = z[:, rows]
+    each = [found[:, rows]]
+    for inverse, log_size in kinds:
+        square = np.einsum("smi,smi->sm", close @ inverse, close)
+        each.append(-0.5 * (square + z.shape[2] * np.log(2 * np.pi)) - log_size)
+    found[:, rows] = np.logaddexp.reduce(each, axis=0) - np.log(len(each))
+    return found
 
 
 class _Found:
@@ -154,12 +169,11 @@ class _Found:
         step = max(_AT_ONCE // max(values.size, 1), 1)
         for k in range(0, len(handed), step):
             z = differences(short, handed[k : k + step, None, :], values) / scatters
-            found = [_log_density(z * outward, inverse, log_size) for inverse, log_size in kinds]
+            worst, near = np.abs(z).max(axis=2, initial=0.0), np.einsum("smi,smi->sm", z, z)
             rest = nothing[k : k + step][:, ~which].sum(axis=1)[:, None]
-            mean = np.logaddexp.reduce(found, axis=0) - np.log(len(found))
-            self.weights[k : k + step, some] = mean - own + rest
-            self.worst[k : k + step, some] = np.abs(z).max(axis=2, initial=0.0)
-            self._near[k : k + step, some] = (z**2).sum(axis=2)
+            self.weights[k : k + step, some] = _mixed(z * outward, near, worst, kinds) - own + rest
+            self.worst[k : k + step, some] = worst
+            self._near[k : k + step, some] = near
         self._dimensions[some] = size
         cells = own + _broad(short, values).sum(axis=1)
         self._cells[size] = np.logaddexp.reduce([self._cells.get(size, -np.inf), *cells])
