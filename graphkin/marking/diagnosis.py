@@ -7,7 +7,7 @@ given with it, as one set.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import field
 
 import numpy as np
@@ -17,7 +17,7 @@ from graphkin.marking.verdicts import Columns, agrees, differences
 from graphkin.marking.weights import ONE, TWO, Weighed, weigh
 from graphkin.value import frozen
 
-__all__ = ["MARGIN", "Diagnosis", "Explanation", "diagnoses", "independent"]
+__all__ = ["MARGIN", "Diagnosis", "Explanation", "added", "diagnoses", "independent"]
 
 MARGIN = 3.0
 """Explanations whose weights differ by less cannot be told apart: a factor of 20."""
@@ -86,6 +86,15 @@ def diagnoses(
         for row, k in enumerate(rest):
             found[k] = Diagnosis(_explanations(key, table, given[k], wrong[k], weighed, row, two), found[k].evidence)
     return found
+
+
+def added(found: Iterable[Diagnosis]) -> dict[str, float]:
+    """Evidence of several problems of one student: a mistake that shows in many is a habit, not a slip."""
+    total: dict[str, float] = {}
+    for one in found:
+        for id, weight in one.evidence.items():
+            total[id] = total.get(id, 0.0) + weight
+    return total
 
 
 def independent(key: Key, there: np.ndarray) -> int:

@@ -36,7 +36,8 @@ class Marker:
     def __init__(self, key: Key, method: Method | None = None) -> None:
         self.key, self.table = key, columns(key.entries)
         self._method = method
-        self._wider: dict[frozenset[str], Marker] = {}
+        self._further: dict[str, Quantity | None] = {}
+        self._wider: Marker | None = None
 
     @cached_property
     def method(self) -> Method:
@@ -66,16 +67,14 @@ class Marker:
         return marker._mark(works)
 
     def wider(self, texts: Iterable[str]) -> Marker:
-        """A marker whose key has these quantities, too, as far as they are any."""
-        known = {entry.text for entry in self.key.entries}
-        new = [text for text in dict.fromkeys(texts) if text not in known]
-        further = [q for text in new if (q := readable(self.method.mechanism, text)) is not None][:_FURTHER]
-        name = frozenset(quantity.text for quantity in further) - known
-        if not name:
-            return self
-        if name not in self._wider:
-            self._wider[name] = Marker(_widened(self.key, self.method, further), self.method)
-        return self._wider[name]
+        """A marker whose key has these quantities, too, as far as they are any, and all that it was asked before."""
+        known = {entry.text for entry in self.key.entries} | set(self._further)
+        new = [text for text in dict.fromkeys(texts) if text not in known][: max(_FURTHER - len(self._further), 0)]
+        self._further |= {text: readable(self.method.mechanism, text) for text in new}
+        if any(self._further[text] is not None for text in new):
+            further = [quantity for quantity in self._further.values() if quantity is not None]
+            self._wider = Marker(_widened(self.key, self.method, further), self.method)
+        return self._wider or self
 
     def _mark(self, works: Sequence[Work]) -> list[Marked]:
         given = np.array([[_value(work, entry) for entry in self.key.entries] for work in works]).reshape(
