@@ -26,6 +26,7 @@ __all__ = ["Marker"]
 
 _HALF = 0.5
 """What a value is worth whose sense or whose unit alone is wrong."""
+_LARGE = 1e30
 _FURTHER = 40
 """So many quantities beyond those of the key are marked at most."""
 
@@ -138,7 +139,7 @@ class Marker:
         signed = entry.sort == "sense" and by != 0
         judged_by = carried.values[k, n]
         return replace(
-            blank, given=float(given), verdict=verdict, unit_right=unit_right, credit=credit,
+            blank, given=work.numbers[entry.text].value, verdict=verdict, unit_right=unit_right, credit=credit,
             sense=None if not signed else "wrong" if wrong_way else "right",
             carried=float(judged_by) if np.isfinite(judged_by) and not right else None,
             own=carried.own(k, n) if not right else {}, refused=carried.refused(k, n) if not right else (),
@@ -146,8 +147,9 @@ class Marker:
 
 
 def _value(work: Work, entry: Entry) -> float:
+    """What is judged: numbers beyond all sizes are only large."""
     number = work.numbers.get(entry.text)
-    return np.nan if number is None else number.value
+    return np.nan if number is None else min(max(number.value, -_LARGE), _LARGE)
 
 
 def _strange(work: Work, entry: Entry) -> bool:
