@@ -10,6 +10,7 @@ from typing import Any
 
 from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, TooMuch, Where
 from graphkin.submissions.answers import Entry
+from graphkin.submissions.spelling import short
 from graphkin.submissions.submission import Limits
 from graphkin.submissions.tables import student_of
 from graphkin.value import frozen
@@ -76,7 +77,7 @@ def read_lines(text: str, where: Where, limits: Limits) -> Document:
         if student_of(name):
             student = value[:200]
         else:
-            entries.append((name, value, Where(where.file, number, name[:60])))
+            entries.append((name, value, Where(where.file, number, short(name))))
         if len(entries) > limits.answers:
             raise TooMuch(where, "answers", limits.answers)
     return _filled(Document(student, tuple(entries)), where)
@@ -96,7 +97,7 @@ def _document(document: object, where: Where, lines: Mapping[str, int]) -> Docum
         raise NoAnswers(where)
     student = next((value for key, value in document.items() if student_of(key)), "")
     entries = tuple(
-        (name, value, Where(where.file, lines.get(name), f"{table}{name}"[:80]))
+        (name, value, Where(where.file, lines.get(name), f"{table}{short(name)}"))
         for table, name, value in _named(document)
     )
     named = str(student) if isinstance(student, str | int) and not isinstance(student, bool) else ""

@@ -1,0 +1,85 @@
+"""Whether a problem can be solved well on paper."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Literal
+
+import numpy as np
+
+from graphkin.agreement import held
+from graphkin.api import plan
+from graphkin.construction import Construction, Plot
+from graphkin.mechanism import Mechanism
+from graphkin.planning import Method
+from graphkin.quantities import read
+from graphkin.readings import readings
+from graphkin.results import driver_values
+from graphkin.value import frozen
+
+__all__ = ["Posed", "Refused", "answers", "tellable", "well_posed"]
+
+Refused = Literal["assembly", "dead point", "short", "taken", "mistakes"]
+
+DEAD = math.radians(5)
+"""Lines that meet at a smaller angle are too near a dead point."""
+SHORTEST = 0.02
+"""A vector that is a smaller part of the longest of its polygon is too short to measure: 2 mm beside 100 mm."""
+_NOTHING = 1e-9
+
+
+@frozen
+class Posed:
+    """A mechanism that is solved at the positions its problem asks for."""
+
+    method: Method
+    plots: tuple[Plot, ...]
+
+
+def well_posed(mechanism: Mechanism) -> Posed | Refused:
+    """Solved at every position asked for, or what is against it. Raises what solving raises: it does not assemble."""
+    method = plan(mechanism)
+    plots = tuple(held(method, values).plot for values in driver_values(method))
+    if any(_dead(plot) for plot in plots):
+        return "dead point"
+    if any(_short(method, plot) for plot in plots):
+        return "short"
+    posed = Posed(method, plots)
+    return posed if tellable(posed) else "mistakes"
+
+
+def tellable(posed: Posed) -> bool:
+    """Whether mistakes lead to values that differ by more than the tolerance, from each other and from the right ones.
+
+    The place for what the judge knows of a problem; until it says, every problem will do.
+    """
+    return True
+
+
+def answers(posed: Posed) -> np.ndarray:
+    """The right values of what is asked, at all positions [SI]."""
+    quantities = [read(posed.method.mechanism, question) for question in posed.method.mechanism.ask]
+    motions = [readings(posed.method, plot) for plot in posed.plots]
+    return np.array([float(q.answer(m).value) for m in motions for q in quantities if q is not None])
+
+
+def _dead(plot: Plot) -> bool:
+    return any(abs(float(sine)) < math.sin(DEAD) for sine in plot.sines.values())
+
+
+def _short(method: Method, plot: Plot) -> bool:
+    """Whether an arrow of a polygon, or a rotation asked for, is too small beside the largest; those that are 0 by
+    what the mechanism is do not count."""
+    for construction in (method.velocity, method.acceleration):
+        sizes = list(_lengths(construction, plot))
+        if any(_NOTHING * max(sizes) < size < SHORTEST * max(sizes) for size in sizes):
+            return True
+    return False
+
+
+def _lengths(construction: Construction, plot: Plot) -> Iterator[float]:
+    points = plot.points(construction.plane)
+    for term in construction.vectors().values():
+        if term.tail in points and term.head in points:
+            yield abs(complex(points[term.head]) - complex(points[term.tail]))
