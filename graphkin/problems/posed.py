@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Literal
 
 import numpy as np
@@ -11,9 +11,10 @@ import numpy as np
 from graphkin.agreement import held
 from graphkin.api import plan
 from graphkin.construction import Construction, Plot
+from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
-from graphkin.quantities import read
+from graphkin.quantities import Rotation, read
 from graphkin.readings import readings
 from graphkin.results import driver_values
 from graphkin.value import frozen
@@ -71,10 +72,26 @@ def _dead(plot: Plot) -> bool:
 def _short(method: Method, plot: Plot) -> bool:
     """Whether an arrow of a polygon, or a rotation asked for, is too small beside the largest; those that are 0 by
     what the mechanism is do not count."""
-    for construction in (method.velocity, method.acceleration):
-        sizes = list(_lengths(construction, plot))
+    polygons = [list(_lengths(construction, plot)) for construction in (method.velocity, method.acceleration)]
+    if not any(size for sizes in polygons for size in sizes):
+        return True
+    for sizes in polygons:
         if any(_NOTHING * max(sizes) < size < SHORTEST * max(sizes) for size in sizes):
             return True
+    return _slow(method, plot)
+
+
+def _slow(method: Method, plot: Plot) -> bool:
+    """Whether a rotation that is asked for is nearly nothing beside the fastest."""
+    for question in method.mechanism.ask:
+        match read(method.mechanism, question):
+            case Rotation("omega" | "alpha" as word, _, link):
+                rates: Mapping[str, Value] = getattr(plot, word)
+                fastest = max(abs(float(rates[name])) for name in method.mechanism.moving if name in rates)
+                if _NOTHING * fastest < abs(float(rates[link])) < SHORTEST * fastest:
+                    return True
+            case _:
+                pass
     return False
 
 
