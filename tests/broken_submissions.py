@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import random
+import warnings
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -86,7 +87,8 @@ def _svg(chance: random.Random) -> tuple[str, bytes]:
 
 def _zipped(chance: random.Random) -> tuple[str, bytes]:
     stream = io.BytesIO()
-    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+    with warnings.catch_warnings(), zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        warnings.simplefilter("ignore")  # of names that stand twice
         for _ in range(chance.randrange(4)):
             name, content = chance.choice((_toml, _json, _csv, _svg))(chance)
             content = content if chance.random() < 0.8 else b"0" * 30_000_000

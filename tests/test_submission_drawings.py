@@ -22,6 +22,7 @@ from graphkin.submissions.svg import read_svg
 
 CASES = Path(__file__).parent / "cases" / "submissions"
 DRAWING = api.Drawing.of(api.load("ex3-1"))
+USUAL = Limits()
 EVERY = {"v B2", "v B3", "v B3B2", "a B2", "a_n B3D", "a_t B3D", "a_k B3B2", "a_r B3B2", "a B3"}
 SCALES = {"m/s": 0.01, "m/s^2": 0.1}
 LETTERS = {"velocity": ("p", "b2", "b3"), "acceleration": ("p'", "b2'", "k'", "b3'", "n3'")}
@@ -31,7 +32,7 @@ VECTORS = {
 }
 
 
-def handed(name: str, content: bytes, limits: Limits = Limits(), drawing: api.Drawing = DRAWING) -> Submission:
+def handed(name: str, content: bytes, limits: Limits = USUAL, drawing: api.Drawing = DRAWING) -> Submission:
     asked = Asked(drawing.mechanism, drawing.mechanism.ask)
     return read_one(Handed(owner(name), name, files=((name, content),)), asked, limits)
 

@@ -13,7 +13,16 @@ from pathlib import Path
 import pytest
 
 from graphkin import api
-from graphkin.errors import NOWHERE, AnsweredTwice, HandedTwice, NoPaperScale, OtherDimension, TooMuch, UnknownStudent, WantsExtra
+from graphkin.errors import (
+    NOWHERE,
+    AnsweredTwice,
+    HandedTwice,
+    NoPaperScale,
+    OtherDimension,
+    TooMuch,
+    UnknownStudent,
+    WantsExtra,
+)
 from graphkin.submissions import Asked, Limits, handed_in, read, read_one, safe_name
 from graphkin.submissions.answers import answers
 from graphkin.submissions.class_names import owner
