@@ -29,7 +29,7 @@ ORDER = (
     "value", "errors", "geometry", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
     "agreement", "centres", "linkages", "words", "design", "sweeps", "marking", "check", "results", "reports", "sheet",
-    "outputs", "equations", "finding", "api", "batches", "submissions", "grading", "platforms", "cli",
+    "outputs", "equations", "finding", "api", "batches", "submissions", "grading", "problems", "platforms", "cli",
 )  # fmt: skip
 
 _WHERE = {

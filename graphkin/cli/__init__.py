@@ -22,7 +22,7 @@ COMMANDS = {
     "draw": "drawing", "explain": "drawing", "solve": "drawing", "check": "drawing",
     "sweep": "moving", "find": "moving", "equations": "writing",
     "centres": "centres", "linkage": "linkages", "design": "design",
-    "grade": "marking", "tolerance": "marking",
+    "problems": "problems", "grade": "marking", "tolerance": "marking",
     "structure": "library", "list": "library", "show": "library", "schema": "library",
 }  # fmt: skip
 """The module of each command."""

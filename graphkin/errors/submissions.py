@@ -17,6 +17,7 @@ __all__ = [
     "NoPaperScale",
     "NoRange",
     "NoScaleDrawn",
+    "NoStudents",
     "NoVariant",
     "NotAQuestion",
     "NotATemplate",
@@ -24,6 +25,7 @@ __all__ = [
     "NotMarkable",
     "OwnFault",
     "SenseDisputed",
+    "StudentTwice",
     "TooMuch",
     "TookTooLong",
     "UnknownStudent",
@@ -141,6 +143,23 @@ class HandedTwice(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: student {student!r} handed in {first} too. Leave one of the two.",
         "zh": "{where}：学生 {student!r} 还提交了 {first}，请只保留其中一份。",
+    }
+
+
+class NoStudents(GraphkinError):
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: no student is listed here. Write a table with a column \"student\" (or 学号), one a row.",
+        "zh": "{where}：这里没有学生名单。请写一张含“学号”（或 student）列的表，每行一人。",
+    }
+
+
+class StudentTwice(GraphkinError):
+    where: Where
+    student: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: student {student!r} stands in the list twice. Leave each id once.",
+        "zh": "{where}：名单中学生 {student!r} 出现两次，每个学号只保留一次。",
     }
 
 

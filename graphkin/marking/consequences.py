@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -34,6 +35,7 @@ class Consequences:
     values      (columns, quantities): sizes, rotations with their sense, along a guide with their sign; NaN where the
                 mistake leaves nothing to be judged
     vectors     (columns, quantities), complex; NaN for scalars
+    sizes       (quantities,): the largest of its kind in the right drawing, beside which less than 1e-9 is nothing
     plot        the drawings, one column a mistake
     moves       (columns,): whether a mistake changes anything that is asked here, or leaves nothing of it to be judged
     """
@@ -43,37 +45,38 @@ class Consequences:
     columns: tuple[tuple[Rewrite, ...], ...]
     values: np.ndarray
     vectors: np.ndarray
+    sizes: np.ndarray
     plot: Redrawing
 
     @cached_property
     def moves(self) -> np.ndarray:
-        return ~np.array([self._same(row, self._right) for row in range(len(self.columns))], dtype=bool)
+        vectors = [np.nan if answer.vector is None else answer.vector for answer in self.right]
+        right = np.array([answer.value for answer in self.right], dtype=float), np.array(vectors, dtype=complex)
+        found: np.ndarray = ~self._like(*right)
+        return found
 
     def alike(self) -> list[list[int]]:
         """Groups of columns that cannot be told apart by what is asked; those that change nothing left out."""
         groups: list[list[int]] = []
-        for row in map(int, np.flatnonzero(self.moves)):
-            group = next((g for g in groups if self._same(row, self._of(g[0]))), None)
-            groups.append([row]) if group is None else group.append(row)
+        left = np.flatnonzero(self.moves)
+        while left.size:
+            same = self._like(self.values[left[0]], self.vectors[left[0]])[left]
+            groups.append(left[same].tolist())
+            left = left[~same]
         return groups
 
-    @property
-    def _right(self) -> tuple[np.ndarray, np.ndarray]:
-        vectors = [np.nan if answer.vector is None else answer.vector for answer in self.right]
-        return np.array([answer.value for answer in self.right], dtype=float), np.array(vectors, dtype=complex)
-
-    def _of(self, row: int) -> tuple[np.ndarray, np.ndarray]:
-        return self.values[row], self.vectors[row]
-
-    def _same(self, row: int, other: tuple[np.ndarray, np.ndarray]) -> bool:
-        return all(_equal(mine, its, other[0]) for mine, its in zip(self._of(row), other, strict=True))
+    def _like(self, values: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+        """Which columns give these values and vectors (quantities,)."""
+        found: np.ndarray = _equal(self.values, values, self.sizes) & _equal(self.vectors, vectors, self.sizes)
+        return found
 
 
-def _equal(one: np.ndarray, other: np.ndarray, sizes: np.ndarray) -> bool:
-    """Equal but for rounding, nowhere judged counting as a value."""
+def _equal(one: np.ndarray, other: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+    """Rows that equal another but for rounding; what is not judged equals what is not."""
     with np.errstate(invalid="ignore"):
-        near = np.abs(one - other) <= SAME * np.maximum(np.abs(one), np.abs(other)) + SAME * np.abs(sizes)
-    return bool(np.all(near | (one == other) | (np.isnan(one) & np.isnan(other))))
+        near = np.abs(one - other) <= SAME * np.maximum(np.maximum(np.abs(one), np.abs(other)), sizes)
+    found: np.ndarray = (near | (one == other) | (np.isnan(one) & np.isnan(other))).all(axis=1)
+    return found
 
 
 def rewrites(
@@ -81,7 +84,15 @@ def rewrites(
 ) -> tuple[Rewrite, ...]:
     """Every mistake that can be made in a construction, once for each place and form."""
     scene = Scene(method, plot, tuple(quantities), scales or {})
-    return tuple(found for one in MISTAKES.values() for found in one.find(scene))
+    return tuple(_numbered(found for one in MISTAKES.values() for found in one.find(scene)))
+
+
+def _numbered(found: Iterator[Rewrite]) -> Iterator[Rewrite]:
+    """Rewrites of arrows of one name told apart: two slides may be looked at in one coincident point."""
+    names: dict[tuple[str, ...], int] = {}
+    for rewrite in found:
+        nth = names[rewrite.name] = names.get(rewrite.name, 0) + 1
+        yield rewrite if nth == 1 else replace(rewrite, of=f"{rewrite.of} ({nth})")
 
 
 def consequences(
@@ -107,8 +118,19 @@ def combined(
     _write_otherwise(columns, quantities, values, vectors)
     return Consequences(
         tuple(quantities), tuple(asked(method, right, quantity, arrows) for quantity in quantities),
-        tuple(map(tuple, columns)), values, vectors, drawn,
+        tuple(map(tuple, columns)), values, vectors, _sizes(right, quantities), drawn,
     )  # fmt: skip
+
+
+def _sizes(right: Redrawing, quantities: Sequence[Quantity]) -> np.ndarray:
+    """The largest velocity, acceleration or rotation of a drawing, for each quantity."""
+    tables = {"m/s": right.velocity, "m/s^2": right.acceleration, "rad/s": right.omega, "rad/s^2": right.alpha}
+    largest = {unit: max(map(_largest, table.values()), default=0.0) for unit, table in tables.items()}
+    return np.array([largest.get(quantity.unit, 0.0) for quantity in quantities])
+
+
+def _largest(value: Value) -> float:
+    return float(np.max(np.abs(value), initial=0.0))
 
 
 def _table(columns: Sequence[Value], count: int, kind: type) -> np.ndarray:

@@ -7,24 +7,26 @@ given with it, as one set.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import field
 
 import numpy as np
 
 from graphkin.marking.key import Hypotheses, Key, Name
-from graphkin.marking.verdicts import Columns, agrees
+from graphkin.marking.verdicts import Columns, agrees, differences
 from graphkin.marking.weights import ONE, TWO, Weighed, weigh
 from graphkin.value import frozen
 
-__all__ = ["MARGIN", "Diagnosis", "Explanation", "diagnoses", "independent"]
+__all__ = ["MARGIN", "Diagnosis", "Explanation", "added", "diagnoses", "independent"]
 
 MARGIN = 3.0
 """Explanations whose weights differ by less cannot be told apart: a factor of 20."""
 _FITS = 4.5
 """A value that is off by more standard deviations is not explained."""
 _LIKELY = 0.5
-_CHANCE = 0.015
+_SAME = 0.5
+"""Explanations whose values differ by less, in standard deviations, are one."""
+_CHANCE = 0.008
 """A hit that random numbers make more often is no hint."""
 _PAIRS_FROM = 4
 """So many independent values, before two mistakes are looked for."""
@@ -36,7 +38,7 @@ class Explanation:
 
     names        the mistakes: one or two of them for each way in which they explain the values
     probability  of all these together
-    margin       by how much the best of them outweighs the best of the others, as a logarithm to base e
+    margin       by how much they together outweigh the best of the others, as a logarithm to base e
     explains     the wrong values that follow
     """
 
@@ -86,6 +88,15 @@ def diagnoses(
     return found
 
 
+def added(found: Iterable[Diagnosis]) -> dict[str, float]:
+    """Evidence of several problems of one student: a mistake that shows in many is a habit, not a slip."""
+    total: dict[str, float] = {}
+    for one in found:
+        for id, weight in one.evidence.items():
+            total[id] = total.get(id, 0.0) + weight
+    return total
+
+
 def independent(key: Key, there: np.ndarray) -> int:
     """How many of the handed-in values say something of their own."""
     if not there.any():
@@ -105,16 +116,30 @@ def _explanations(
     if not fits.any():
         return ()
     best = float(weights[fits].max())
-    same = fits & (weights > best - MARGIN)
+    first = int(np.flatnonzero(fits)[np.argmax(weights[fits])])
+    likely = weights - weighed.shares
+    same = fits & ((likely > likely[first] - MARGIN) | _close(table, hypotheses, weighed.rows, first, given))
     total = np.logaddexp(np.logaddexp.reduce(weights), others)
-    probability = float(np.exp(np.logaddexp.reduce(weights[same]) - total))
-    margin = best - max(weighed.right[k], weighed.none[k], weights[~same].max(initial=-np.inf))
-    if probability < _LIKELY or best < weighed.right[k] + MARGIN:
+    together = np.logaddexp.reduce(weights[same])
+    margin = together - max(weighed.right[k], weighed.none[k], weights[~same].max(initial=-np.inf))
+    probability = float(np.exp(together - total))
+    if probability < _LIKELY or together < weighed.right[k] + MARGIN:
         return ()
     order = np.flatnonzero(same)[np.argsort(-weights[same], kind="stable")]
     explains = _explained(key, table, given, wrong, hypotheses, int(weighed.rows[order[0]]))
     names = tuple(hypotheses.names[weighed.rows[row]] for row in order)
     return (Explanation(names, probability, float(margin), explains),)
+
+
+def _close(
+    table: Columns, hypotheses: Hypotheses, rows: np.ndarray, first: int, given: np.ndarray
+) -> np.ndarray:
+    """Which rows say nearly the same of all that is handed in, and judge the same."""
+    there = np.isfinite(given)
+    values, scatters = hypotheses.values[rows], hypotheses.scatters[rows[first]]
+    apart = np.abs(differences(table, values, values[first])) <= _SAME * scatters
+    found: np.ndarray = np.all((apart | np.isnan(values) & np.isnan(values[first]))[:, there], axis=1)
+    return found
 
 
 def _evidence(weighed: Weighed, hypotheses: Hypotheses) -> tuple[list[str], np.ndarray]:

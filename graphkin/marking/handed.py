@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.construction import Term
+from graphkin.construction import Image, Term
 from graphkin.errors import GraphkinError
 from graphkin.marking.key import Sort
 from graphkin.mechanism import Mechanism
@@ -12,14 +12,14 @@ from graphkin.quantities import Centre, Moving, Quantity, Rotation, read
 __all__ = ["asked_of", "on_the_way", "readable", "sort_of"]
 
 
-def asked_of(mechanism: Mechanism) -> tuple[Quantity, ...]:
-    """What the file asks for, as far as its answer is a number."""
-    found = (readable(mechanism, question) for question in mechanism.ask)
-    return tuple(quantity for quantity in found if quantity is not None)
+def asked_of(mechanism: Mechanism) -> dict[str, Quantity]:
+    """What the file asks for, in its words, as far as the answer is a number."""
+    found = ((question, readable(mechanism, question)) for question in mechanism.ask)
+    return {question: quantity for question, quantity in found if quantity is not None}
 
 
 def on_the_way(method: Method) -> tuple[Quantity, ...]:
-    """Rotations of the links that no driver gives, and the arrows of both polygons, in the order they are found."""
+    """Rotations of the links that no driver gives, arrows and images of both polygons, in the order they are found."""
     mechanism = method.mechanism
     driven = {driver.link for driver in mechanism.drivers if driver.kind != "slide"}
     links = [link for link in mechanism.moving if link not in driven]
@@ -27,7 +27,9 @@ def on_the_way(method: Method) -> tuple[Quantity, ...]:
     for construction, word in ((method.velocity, "omega"), (method.acceleration, "alpha")):
         letter = word.replace("omega", "v").replace("alpha", "a")
         texts = [_text(letter, term) for term in construction.vectors().values() if not term.over]
-        for text in (*texts, *(f"{word} {link}" for link in links)):
+        images = [step.point for step in construction.steps if isinstance(step, Image)]
+        points = [f"{letter} {construction.nodes[point].of}" for point in images if point in construction.nodes]
+        for text in (*texts, *points, *(f"{word} {link}" for link in links)):
             if (quantity := readable(mechanism, text)) is not None:
                 found.setdefault(quantity.text, quantity)
     return tuple(found.values())

@@ -39,15 +39,18 @@ def make_key(
     """
     mechanism, plot = method.mechanism, replay_all(method)
     asked = asked_of(mechanism)
-    every = list({q.text: q for q in (*asked, *on_the_way(method), *quantities)}.values())
+    words = {quantity.text: question for question, quantity in asked.items()}
+    every = list({q.text: q for q in (*asked.values(), *on_the_way(method), *quantities)}.values())
     right = _right(method, plot, every)
     naturals = _naturals(every, right)
-    kept = [k for k, q in enumerate(every) if right[k] or q in asked or q in quantities]
+    kept = [k for k, q in enumerate(every) if right[k] or q.text in words or q in quantities]
     every, right = [every[k] for k in kept], right[kept]
+    sizes = np.array([sort_of(q) == "size" for q in every], dtype=bool)
     drawn = drawings_of(method, marking, DRAWINGS).values(every)[0]
-    worth = points or dict.fromkeys((q.text for q in asked or every), 1.0)
+    drawn = np.where(sizes, np.abs(drawn), drawn)
+    worth = points or dict.fromkeys(asked or [q.text for q in every], 1.0)
     entries = tuple(
-        _entry(q, value, deviation, naturals[q.unit], marking, worth.get(q.text, 0.0))
+        _entry(words.get(q.text, q.text), q, value, deviation, naturals[q.unit], marking, worth)
         for q, value, deviation in zip(every, right, spread(drawn), strict=True)
     )
     title = {str(lang): text for lang, text in mechanism.title.items()}
@@ -119,15 +122,15 @@ def half_digit(value: float, unit: str, natural: float = 0.0) -> float:
 
 
 def _entry(
-    quantity: Quantity, right: float, deviation: float, natural: float, marking: Marking, points: float
-) -> Entry:
+    text: str, quantity: Quantity, right: float, deviation: float, natural: float, marking: Marking,
+    worth: Mapping[str, float],
+) -> Entry:  # fmt: skip
     half = half_digit(float(right), quantity.unit, natural)
     deviation = float(deviation) if np.isfinite(deviation) else 0.0
     scatter = math.hypot(deviation, half / math.sqrt(3))
     allowed = marking.relative * abs(right) if marking.relative and right else marking.sigmas * scatter
-    return Entry(
-        quantity.text, quantity.unit, sort_of(quantity), float(right), scatter, max(float(allowed), half), points
-    )
+    tolerance, points = max(float(allowed), half), worth.get(text, 0.0)
+    return Entry(text, quantity.unit, sort_of(quantity), float(right), scatter, tolerance, points)
 
 
 def _together(drawn: np.ndarray) -> np.ndarray:
@@ -172,7 +175,7 @@ def hypotheses_of(
     drawings = drawings_of(method, marking, _FEWER)
     scatters = spread(drawings.values(quantities, columns))
     least = np.array([[_least(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
-    scatters = np.where(np.isfinite(values), np.hypot(np.nan_to_num(scatters), least.reshape(values.shape)), np.nan)
+    scatters = np.where(np.isfinite(values), np.hypot(scatters, least.reshape(values.shape)), np.nan)
     return Hypotheses(tuple(_names(column) for column in columns), values, scatters)
 
 

@@ -26,6 +26,7 @@ __all__ = ["Marker"]
 
 _HALF = 0.5
 """What a value is worth whose sense or whose unit alone is wrong."""
+_LARGE = 1e30
 _FURTHER = 40
 """So many quantities beyond those of the key are marked at most."""
 
@@ -36,7 +37,8 @@ class Marker:
     def __init__(self, key: Key, method: Method | None = None) -> None:
         self.key, self.table = key, columns(key.entries)
         self._method = method
-        self._wider: dict[frozenset[str], Marker] = {}
+        self._further: dict[str, Quantity | None] = {}
+        self._wider: Marker | None = None
 
     @cached_property
     def method(self) -> Method:
@@ -66,16 +68,14 @@ class Marker:
         return marker._mark(works)
 
     def wider(self, texts: Iterable[str]) -> Marker:
-        """A marker whose key has these quantities, too, as far as they are any."""
-        known = {entry.text for entry in self.key.entries}
-        new = [text for text in dict.fromkeys(texts) if text not in known]
-        further = [q for text in new if (q := readable(self.method.mechanism, text)) is not None][:_FURTHER]
-        name = frozenset(quantity.text for quantity in further) - known
-        if not name:
-            return self
-        if name not in self._wider:
-            self._wider[name] = Marker(_widened(self.key, self.method, further), self.method)
-        return self._wider[name]
+        """A marker whose key has these quantities, too, as far as they are any, and all that it was asked before."""
+        known = {entry.text for entry in self.key.entries} | set(self._further)
+        new = [text for text in dict.fromkeys(texts) if text not in known][: max(_FURTHER - len(self._further), 0)]
+        self._further |= {text: readable(self.method.mechanism, text) for text in new}
+        if any(self._further[text] is not None for text in new):
+            further = [quantity for quantity in self._further.values() if quantity is not None]
+            self._wider = Marker(_widened(self.key, self.method, further), self.method)
+        return self._wider or self
 
     def _mark(self, works: Sequence[Work]) -> list[Marked]:
         given = np.array([[_value(work, entry) for entry in self.key.entries] for work in works]).reshape(
@@ -83,8 +83,9 @@ class Marker:
         )
         strange = np.array([[_strange(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
         right, wrong = self.judged(given)
-        carried = self.problem.carried(given, wrong & ~strange.reshape(given.shape), wrong)
-        found = self.diagnoses(given, wrong)
+        strange = strange.reshape(given.shape)
+        carried = self.problem.carried(given, wrong & ~strange, wrong)
+        found = self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange)
         return [self._marked(work, k, given[k], right[k], carried, found[k]) for k, work in enumerate(works)]
 
     def judged(self, given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -138,7 +139,7 @@ class Marker:
         signed = entry.sort == "sense" and by != 0
         judged_by = carried.values[k, n]
         return replace(
-            blank, given=float(given), verdict=verdict, unit_right=unit_right, credit=credit,
+            blank, given=work.numbers[entry.text].value, verdict=verdict, unit_right=unit_right, credit=credit,
             sense=None if not signed else "wrong" if wrong_way else "right",
             carried=float(judged_by) if np.isfinite(judged_by) and not right else None,
             own=carried.own(k, n) if not right else {}, refused=carried.refused(k, n) if not right else (),
@@ -146,12 +147,13 @@ class Marker:
 
 
 def _value(work: Work, entry: Entry) -> float:
+    """What is judged: numbers beyond all sizes are only large."""
     number = work.numbers.get(entry.text)
-    return np.nan if number is None else number.value
+    return np.nan if number is None else min(max(number.value, -_LARGE), _LARGE)
 
 
 def _strange(work: Work, entry: Entry) -> bool:
-    """Whether a number stands there with a unit of another kind: nothing is carried on from it."""
+    """Whether a number stands there with a unit of another kind: it is judged by itself, and nothing is made of it."""
     number = work.numbers.get(entry.text)
     return number is not None and not number.unit_right
 

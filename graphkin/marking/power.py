@@ -84,15 +84,15 @@ def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[F
         columns: list[tuple[Rewrite, ...]] = [(known[key.singles.names[row][0]],) for row in some]
         for row, values in zip(some, drawings.values(marker.quantities, columns), strict=True):
             judged = handed & np.isfinite(key.singles.values[row])
-            tried[row] = _tried(marker, key, row, float(most[row]), _printed(np.where(judged, values, np.nan)))
+            tried[row] = _tried(marker, key, row, float(most[row]), _printed(np.where(judged, values, np.nan)), judged)
     for row, names in enumerate(key.singles.names):
         yield tried.get(row) or Found(names[0], float(most[row]), False)
 
 
-def _tried(marker: Marker, key: Key, row: int, moved: float, given: np.ndarray) -> Found:
-    name = key.singles.names[row][0]
-    given = given[np.isfinite(given).any(axis=1)]
-    if not len(given):
+def _tried(marker: Marker, key: Key, row: int, moved: float, given: np.ndarray, judged: np.ndarray) -> Found:
+    name, count = key.singles.names[row][0], len(given)
+    given = given[np.isfinite(given[:, judged]).all(axis=1)]  # students whose drawing fails hand in nothing
+    if not judged.any() or 2 * len(given) < count:
         return Found(name, moved, False)
     _, wrong = marker.judged(given)
     found = marker.diagnoses(given, wrong)

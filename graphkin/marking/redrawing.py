@@ -86,7 +86,8 @@ def redraw(method: Method, right: Plot, hand: Hand = RIGHT, shape: tuple[int, ..
 
 
 def _together(method: Method) -> bool:
-    return any(isinstance(step, Simultaneous) for step in method.velocity.steps)
+    polygons = (method.velocity, method.acceleration)
+    return any(isinstance(step, Simultaneous) for polygon in polygons for step in polygon.steps)
 
 
 def _begin(plot: Redrawing, plane: Plane) -> None:

@@ -15,10 +15,13 @@ from graphkin.marking.redrawing import Redrawing
 from graphkin.planning import Method
 from graphkin.value import frozen
 
-__all__ = ["Change", "Edit", "Mistaken", "Rewrite", "Spot", "Written", "times"]
+__all__ = ["Change", "Edit", "Mistaken", "Rewrite", "Spot", "Written", "in_sense_of", "times"]
 
 PARALLEL = np.sin(np.radians(0.5))
 """Sine of the angle under which lines are not taken to cross."""
+
+NOTHING = 1e-9
+"""What a right value counts as nothing beside, as part of a wrong one."""
 
 Spot = tuple[Hashable, ...]
 """What a hand is asked: ("arrow", plane, size), ("laid", plane, tip), ("line", plane, step number, ray),
@@ -75,9 +78,25 @@ class Rewrite:
         return self.id, self.way, self.of, self.form
 
 
+@frozen
+class Times:
+    """So many times what is right, whatever else is drawn."""
+
+    factor: complex
+
+    def __call__(self, plot: Any, right: Value) -> Value:
+        return self.factor * right
+
+
 def times(factor: complex) -> Change:
     """So many times what is right; 1j turns it by 90 degrees counter-clockwise."""
-    return lambda plot, right: factor * right
+    return Times(factor)
+
+
+def in_sense_of(size: Value, right: Value) -> Value:
+    """A size with the sense of what is right; nan where that is nothing beside it, for then there is no sense."""
+    sense = np.where(np.abs(right) > NOTHING * np.abs(size), np.sign(right), np.where(np.abs(size) > 0, np.nan, 1.0))
+    return sense * np.abs(size)
 
 
 class Mistaken(Hand):
@@ -97,9 +116,12 @@ class Mistaken(Hand):
         """What is right, but otherwise in the columns that have a mistake there."""
         if spot not in self.changes:
             return right
-        value = np.array(np.broadcast_to(right, self.shape))
+        value = np.broadcast_to(right, self.shape).astype(complex if np.iscomplexobj(right) else float)
         for change, which in self.changes[spot]:
-            value[which] = np.broadcast_to(change(plot, value), self.shape)[which]
+            if isinstance(change, Times):
+                value[which] *= change.factor
+            else:
+                value[which] = np.broadcast_to(change(plot, value), self.shape)[which]
         return value
 
     @property

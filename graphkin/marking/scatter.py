@@ -22,8 +22,8 @@ __all__ = ["Drawings", "spread"]
 
 _AT_ONCE = 64
 """Mistakes that are drawn at once, each many times."""
-_LOW, _HIGH = 0.15865525393145707, 0.8413447460685429
-"""Between these parts of its values a normal quantity is within one standard deviation."""
+_PARTS = ((0.15865525393145707, 1.0), (0.01, 2.3263478740408408))
+"""Below these parts of its values a normal quantity is so many standard deviations from its middle."""
 
 
 @frozen
@@ -94,8 +94,14 @@ def _written(quantity: Quantity, written: Written, values: np.ndarray) -> np.nda
 
 
 def spread(values: np.ndarray) -> np.ndarray:
-    """Standard deviations over drawings (.., n, quantities): of the middle two thirds, drawings that fail left out."""
-    with np.errstate(invalid="ignore"):
-        bare = np.isnan(values).mean(axis=-2) > 0.5
-        low, high = np.nanquantile(np.where(bare[..., None, :], 0.0, values), (_LOW, _HIGH), axis=-2)
-    return np.where(bare, np.nan, (high - low) / 2)
+    """Standard deviations over drawings (.., n, quantities); NaN where most drawings fail, others are left out.
+
+    Of the middle two thirds of the values or of nearly all, whichever is more: near a dead point the ends reach far.
+    """
+    bare = np.isnan(values).mean(axis=-2) > 0.5
+    whole = np.where(bare[..., None, :], 0.0, values)
+    found = []
+    for part, sigmas in _PARTS:
+        low, high = np.nanquantile(whole, (part, 1 - part), axis=-2)
+        found.append((high - low) / (2 * sigmas))
+    return np.where(bare, np.nan, np.maximum(*found))

@@ -13,6 +13,7 @@ import numpy as np
 from graphkin.construction import (
     Construction,
     Equation,
+    Given,
     Image,
     LayOff,
     Measure,
@@ -35,7 +36,7 @@ from graphkin.quantities import Quantity
 from graphkin.readings import readings
 from graphkin.value import frozen
 
-__all__ = ["MISTAKES", "Mistake", "Scene", "mistake"]
+__all__ = ["MISTAKES", "Mistake", "Scene", "drawn_by", "mistake"]
 
 Known = TypeVar("Known", bound=Size)
 
@@ -157,7 +158,18 @@ class Scene:
     def ends(self, step: Measure) -> tuple[str, str] | None:
         """The acceleration polygon's points of a lever: between them lies all of what one is seen from the other."""
         tail, head = (self.node(point, step.of, "acceleration") or self._at_rest(point) for point in step.lever)
-        return None if tail is None or head is None else (tail, head)
+        if tail is None or head is None or not {tail, head} <= self.drawn_before(step, "acceleration"):
+            return None
+        return tail, head
+
+    def drawn_before(self, step: Step, plane: Plane) -> set[str]:
+        """The corners of a polygon that are there when a step is done."""
+        drawn = {self.construction(plane).pole}
+        for _, earlier in self.steps(plane):
+            if earlier is step:
+                break
+            drawn.update(drawn_by(earlier))
+        return drawn
 
     def _at_rest(self, point: str) -> str | None:
         return self.method.acceleration.pole if self.fixed(point) else None
@@ -197,6 +209,19 @@ class Scene:
     def image_name(self, images: list[Image]) -> str:
         """△BCE: the corners of a link's image."""
         return "△" + "".join(dict.fromkeys("".join(point for step in images for point in step.corners)))
+
+
+def drawn_by(step: Step) -> tuple[str, ...]:
+    """The corners that a step adds to a polygon."""
+    match step:
+        case Given():
+            return (step.point, *step.also)
+        case LayOff():
+            return (step.tip,)
+        case Meet() | Image():
+            return (step.point,)
+        case _:
+            return ()
 
 
 def _near(length: float, others: Iterable[float]) -> bool:

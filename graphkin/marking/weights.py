@@ -18,12 +18,15 @@ from graphkin.value import frozen
 
 __all__ = ["MOVED", "ONE", "TWO", "Weighed", "shifts", "visible", "weigh"]
 
-_RIGHT, ONE, TWO, _NONE = np.log((0.3, 0.4, 0.05, 0.25))
+_RIGHT, ONE, TWO, _NONE = np.log((0.5, 0.35, 0.05, 0.1))
 """How often right work, one mistake, two mistakes and other work are met."""
 MOVED = 3.0
 """A mistake that moves no handed-in value by more standard deviations cannot be seen."""
-_COMMON = 0.5
-"""What part of the scatter of several values comes from what they are all read off; the rest is each value's own."""
+_COMMON = (0.5, 0.9)
+"""What part of the scatter of several values may come from what they are all read off, beside none; the rest is each
+value's own."""
+_FAR = 8.0
+"""Explanations in which a value is off by more standard deviations are not looked at closely."""
 _AT_ONCE = 4_000_000
 """Differences that are held at once."""
 
@@ -34,12 +37,14 @@ class Weighed:
 
     rows    of the hypotheses that can be seen in what is handed in, (m,)
     weights (students, m); `right`, `none`: of right work, and of work that nothing explains (students,)
+    shares  what of the weights is not from the values: how often each row is met, as a logarithm (m,)
     worst   by how many standard deviations the worst value is off (students, m)
     chance  how often random numbers come as near to any of the explanations (students, m)
     """
 
     rows: np.ndarray
     weights: np.ndarray
+    shares: np.ndarray
     worst: np.ndarray
     chance: np.ndarray
     right: np.ndarray
@@ -65,7 +70,7 @@ def weigh(key: Key, table: Columns, given: np.ndarray, hypotheses: Hypotheses, m
     right.put(np.array([0]), short, handed, short.right[None], short.scatter[None], together, nothing, everything)
     shares = met + _shares([hypotheses.names[k] for k in rows])
     return Weighed(
-        rows, found.weights + shares, found.worst, found.chance(),
+        rows, found.weights + shares, shares, found.worst, found.chance(),
         right.weights[:, 0] + _RIGHT, nothing.sum(axis=1) + _NONE,
     )  # fmt: skip
 
@@ -115,6 +120,30 @@ def _nothing(table: Columns, given: np.ndarray) -> np.ndarray:
     return found
 
 
+def _normal(together: np.ndarray, part: float) -> tuple[np.ndarray, float]:
+    """A normal density of deviations of which a part is common: inverse of their correlation, half its log size."""
+    common = part * together + (1 - part) * np.eye(len(together))
+    return np.linalg.inv(common), 0.5 * float(np.linalg.slogdet(common)[1])
+
+
+def _mixed(
+    z: np.ndarray, near: np.ndarray, worst: np.ndarray, kinds: list[tuple[np.ndarray, float]]
+) -> np.ndarray:
+    """Logarithm of the mean of densities of deviations (students, m, n): (students, m).
+
+    near, worst   sum of squares and largest of them; far off, the density of deviations without a common part will do
+    """
+    found: np.ndarray = -0.5 * (near + z.shape[2] * np.log(2 * np.pi))
+    rows = np.flatnonzero((worst < _FAR).any(axis=0))
+    close = z[:, rows]
+    each = [found[:, rows]]
+    for inverse, log_size in kinds:
+        square = np.einsum("smi,smi->sm", close @ inverse, close)
+        each.append(-0.5 * (square + z.shape[2] * np.log(2 * np.pi)) - log_size)
+    found[:, rows] = np.logaddexp.reduce(each, axis=0) - np.log(len(each))
+    return found
+
+
 class _Found:
     """Weights and fits of rows, filled in group by group."""
 
@@ -132,18 +161,21 @@ class _Found:
         """Rows that judge `which` quantities: normal in these, "none" in the others."""
         short, size = columns_of(table, which), int(which.sum())
         values, scatters, handed = values[:, which], scatters[:, which], given[:, which]
-        common = _COMMON * together[np.ix_(which, which)] + (1 - _COMMON) * np.eye(size)
-        inverse, log_size = np.linalg.inv(common), np.log(scatters).sum(axis=1) + 0.5 * np.linalg.slogdet(common)[1]
+        # a larger value errs as the right one does, whichever way it points
+        outward = np.where(short.angle | (values == 0), 1.0, np.sign(values))
+        alike = np.where(short.angle | (short.right == 0), 1.0, np.sign(short.right))
+        kinds = [_normal(together[np.ix_(which, which)] * np.outer(alike, alike), part) for part in _COMMON]
+        own = np.log(scatters).sum(axis=1)
         step = max(_AT_ONCE // max(values.size, 1), 1)
         for k in range(0, len(handed), step):
             z = differences(short, handed[k : k + step, None, :], values) / scatters
-            near = np.einsum("smi,ij,smj->sm", z, inverse, z, optimize=True)
+            worst, near = np.abs(z).max(axis=2, initial=0.0), np.einsum("smi,smi->sm", z, z)
             rest = nothing[k : k + step][:, ~which].sum(axis=1)[:, None]
-            self.weights[k : k + step, some] = -0.5 * (near + size * np.log(2 * np.pi)) - log_size + rest
-            self.worst[k : k + step, some] = np.abs(z).max(axis=2, initial=0.0)
+            self.weights[k : k + step, some] = _mixed(z * outward, near, worst, kinds) - own + rest
+            self.worst[k : k + step, some] = worst
             self._near[k : k + step, some] = near
         self._dimensions[some] = size
-        cells = log_size + _broad(short, values).sum(axis=1)
+        cells = own + _broad(short, values).sum(axis=1)
         self._cells[size] = np.logaddexp.reduce([self._cells.get(size, -np.inf), *cells])
 
     def chance(self) -> np.ndarray:

@@ -23,7 +23,7 @@ from graphkin.quantities import Centre, Moving, Quantity
 from graphkin.submissions import scales
 from graphkin.submissions.numbers import given
 from graphkin.submissions.questions import Questions
-from graphkin.submissions.spelling import plain
+from graphkin.submissions.spelling import plain, short
 from graphkin.submissions.submission import Given, Limits
 from graphkin.value import frozen
 
@@ -62,7 +62,7 @@ def answers(entries: Iterable[Entry], questions: Questions, limits: Limits) -> A
         if _nothing(raw):
             continue
         if (read := questions.read(name)) is None:
-            notes.append(NotAQuestion(where, name[:60], tuple(questions.asked.values())))
+            notes.append(NotAQuestion(where, short(name), tuple(questions.asked.values())))
             continue
         question, quantity, unit = read
         value = _placed(_value(raw, quantity, unit, known), where)

@@ -58,7 +58,7 @@ def safe_name(student: str) -> str:
     ('s1', 'etc-74ccf3c5b4c1')
     """
     kept = "".join(letter if letter.isalnum() or letter in "_-" else "-" for letter in student[:60]).strip("-_")
-    plain = kept == student and kept.isascii() and kept == kept.lower() and kept not in _RESERVED
+    plain = bool(kept) and kept == student and kept.isascii() and kept == kept.lower() and kept not in _RESERVED
     if plain:
         return kept
     mark = hashlib.sha256(student.encode("utf-8", "surrogatepass")).hexdigest()[:12]

@@ -10,6 +10,7 @@ from typing import Any
 
 from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, TooMuch, Where
 from graphkin.submissions.answers import Entry
+from graphkin.submissions.spelling import short
 from graphkin.submissions.submission import Limits
 from graphkin.submissions.tables import student_of
 from graphkin.value import frozen
@@ -18,6 +19,7 @@ __all__ = ["Document", "listed", "read_json", "read_lines", "read_toml"]
 
 _DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
 _KEY = re.compile(r"""\s*(?:"([^"]*)"|'([^']*)'|([^=:：\s"'][^=:：]*?))\s*[=:：]""")
+_HEADER = re.compile(r"\s*\[\s*([^\[\]]+?)\s*\]\s*")
 _TABLES = ("answers", "answer", "values", "results", "答案")
 _SCALES = ("scales", "scale", "比例尺")
 
@@ -40,8 +42,16 @@ def read_toml(text: str, where: Where, limits: Limits) -> Document:
     except RecursionError:
         raise TooMuch(where, "depth", limits.depth) from None
     except ValueError as problem:
+        if _is_filled_form(text):
+            return read_lines(text, where, limits)
         raise BrokenSubmission(where, "TOML", str(problem)[:120]) from None
     return _document(document, where, _lines(text))
+
+
+def _is_filled_form(text: str) -> bool:
+    """Whether all of it is headings and `name = ..`, some left open or without quotes, as people fill in a form."""
+    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+    return bool(lines) and all(_HEADER.fullmatch(line[:60]) or _KEY.match(line[:400]) for line in lines)
 
 
 def read_json(text: str, where: Where, limits: Limits) -> Document:
@@ -67,8 +77,10 @@ def listed(text: str, where: Where, limits: Limits) -> list[Document] | None:
 
 def read_lines(text: str, where: Where, limits: Limits) -> Document:
     """`omega 3 = 3.92` line by line, as in a message. Raises NoAnswers, TooMuch."""
-    student, entries = "", list[Entry]()
+    student, entries, table = "", list[Entry](), ""
     for number, line in enumerate(text.splitlines(), 1):
+        if (header := _HEADER.fullmatch(line[:60])) is not None:
+            table = "scales." if header[1] in _SCALES else ""
         key = _KEY.match(line[:400])
         if key is None:
             continue
@@ -76,7 +88,7 @@ def read_lines(text: str, where: Where, limits: Limits) -> Document:
         if student_of(name):
             student = value[:200]
         else:
-            entries.append((name, value, Where(where.file, number, name[:60])))
+            entries.append((table + name, value, Where(where.file, number, short(name))))
         if len(entries) > limits.answers:
             raise TooMuch(where, "answers", limits.answers)
     return _filled(Document(student, tuple(entries)), where)
@@ -96,7 +108,7 @@ def _document(document: object, where: Where, lines: Mapping[str, int]) -> Docum
         raise NoAnswers(where)
     student = next((value for key, value in document.items() if student_of(key)), "")
     entries = tuple(
-        (name, value, Where(where.file, lines.get(name), f"{table}{name}"[:80]))
+        (name, value, Where(where.file, lines.get(name), f"{table}{short(name)}"))
         for table, name, value in _named(document)
     )
     named = str(student) if isinstance(student, str | int) and not isinstance(student, bool) else ""

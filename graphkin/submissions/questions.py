@@ -71,7 +71,8 @@ class Questions:
         return *self._called(quantity), unit_named(next(unit for unit in cut.groups()[1:] if unit))
 
     def _called(self, quantity: Quantity) -> tuple[str, Quantity]:
-        return self.asked.get(_meaning(self.mechanism, quantity), quantity.text), quantity
+        text = quantity.text.replace(" ", "") if isinstance(quantity, Centre) else quantity.text
+        return self.asked.get(_meaning(self.mechanism, quantity), text), quantity
 
     def _quantity(self, text: str) -> Quantity | None:
         for candidate in spelled(text):

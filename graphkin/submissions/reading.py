@@ -27,6 +27,7 @@ from graphkin.submissions.documents import Document, read_json, read_lines, read
 from graphkin.submissions.handed import Handed, handed_in
 from graphkin.submissions.pool import guarded
 from graphkin.submissions.questions import Questions
+from graphkin.submissions.spelling import short
 from graphkin.submissions.submission import Asked, Drawn, Given, Limits, Submission
 from graphkin.submissions.tables import Row, csv_cells, rows_of, xlsx_cells
 from graphkin.submissions.texts import decoded
@@ -176,7 +177,7 @@ def _table(rows: Iterator[Row], where: Where) -> Document:
 
 
 def _of_row(row: Row, where: Where) -> Document:
-    places = ((name, value, Where(where.file, line, name[:60])) for name, value, line in row.entries)
+    places = ((name, value, Where(where.file, line, short(name))) for name, value, line in row.entries)
     return Document(row.student, tuple(places))
 
 

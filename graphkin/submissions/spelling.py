@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 
-__all__ = ["plain", "unaccented"]
+__all__ = ["plain", "short", "unaccented"]
 
 _RAISED = re.compile("[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 _MINUS = "−–—‐‑‒―﹣－➖"
@@ -22,6 +22,11 @@ def plain(text: str) -> str:
     text = _RAISED.sub(lambda run: "^" + unicodedata.normalize("NFKC", run.group()).replace("−", "-"), text)
     text = unicodedata.normalize("NFKC", text.translate(_ALIKE)).translate(_ALIKE)
     return " ".join(text.split())
+
+
+def short(text: str) -> str:
+    """On one line and not too long, for a message."""
+    return " ".join(text[:200].split())[:60]
 
 
 def unaccented(text: str) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from graphkin.construction import Coriolis
 from graphkin.geometry import Value, unit
 from graphkin.marking.redrawing import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
 __all__: list[str] = []
@@ -20,7 +20,8 @@ RULE = "3-2.1 (3-4)"
 def terms(scene: Scene) -> Iterator[tuple[Coriolis, str]]:
     """Each Coriolis term with its name."""
     for size, name in scene.sized("acceleration", Coriolis).items():
-        yield size, name or f"a^k {scene.method.mechanism.called(size.link)}"
+        nodes = scene.method.velocity.nodes
+        yield size, name or f"a^k_{nodes[size.head].of}{nodes[size.tail].of}"
 
 
 def slip(plot: Redrawing, size: Coriolis) -> Value:
@@ -73,7 +74,7 @@ def crank_omega(scene: Scene) -> Iterator[Rewrite]:
 
 def _by_crank(scene: Scene, size: Coriolis, link: str) -> Iterator[tuple[str, Change]]:
     def in_right_sense(plot: Redrawing, right: Value) -> Value:
-        return 2j * np.copysign(plot.omega[link], plot.omega[size.link]) * slip(plot, size)
+        return 2j * in_sense_of(plot.omega[link], plot.omega[size.link]) * slip(plot, size)
 
     def in_its_sense(plot: Redrawing, right: Value) -> Value:
         return 2j * plot.omega[link] * slip(plot, size)
@@ -120,7 +121,7 @@ def _of_block(scene: Scene, size: Coriolis) -> dict[str, Change]:
 
 def _crank(link: str, in_right_sense: bool) -> Change:
     def change(plot: Redrawing, right: Value) -> Value:
-        return np.copysign(plot.omega[link], right) if in_right_sense else plot.omega[link]
+        return in_sense_of(plot.omega[link], right) if in_right_sense else plot.omega[link]
 
     return change
 
@@ -129,6 +130,6 @@ def _about(node: str, length: float) -> Change:
     """The velocity of the block's point over a length, in the right sense."""
 
     def change(plot: Redrawing, right: Value) -> Value:
-        return np.copysign(np.abs(plot.velocity[node]) / length, right)
+        return in_sense_of(np.abs(plot.velocity[node]) / length, right)
 
     return change

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphkin.construction import Across, AlongGuide, Equation, Measure, Meet, Normal, Plane, Ray
+from graphkin.construction import Across, AlongGuide, Equation, Measure, Meet, Normal, Plane, Ray, Tangential
 from graphkin.geometry import Value, cross, dot
 from graphkin.marking.redrawing import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
 __all__: list[str] = []
@@ -59,15 +59,23 @@ def velocity_along_link(scene: Scene) -> Iterator[Rewrite]:
 
 @mistake("tangential-along", "acceleration", "3-2.1 (3-2)")
 def tangential_along(scene: Scene) -> Iterator[Rewrite]:
-    """Of unknown arrows; and a crank's normal one laid along its velocity."""
+    """Of unknown arrows; a crank's own laid along, and its normal one laid along its velocity."""
     yield from _along(scene, "acceleration", "tangential-along")
-    for size, name in scene.sized("acceleration", Normal).items():
-        if scene.driven(size.link):
+    for swing, name in scene.sized("acceleration", Tangential).items():
+        if scene.driven(swing.link) and np.any(scene.plot.alpha[swing.link]):
+            edits = (Edit(("arrow", "acceleration", swing), times(-1j)),)
+            yield Rewrite("tangential-along", name or f"a^t_{swing.head}{swing.tail}", edits=edits)
+    for normal, name in scene.sized("acceleration", Normal).items():
+        if scene.driven(normal.link) and np.any(scene.plot.omega[normal.link]):
+            edits = (Edit(("arrow", "acceleration", normal), _along_velocity(normal)),)
+            yield Rewrite("tangential-along", name or f"a^n_{normal.head}{normal.tail}", edits=edits, way="crank")
 
-            def change(plot: Redrawing, right: Value, size: Normal = size) -> Value:
-                return -1j * np.sign(plot.omega[size.link]) * right
 
-            yield Rewrite("tangential-along", name, "", (Edit(("arrow", "acceleration", size), change),), way="crank")
+def _along_velocity(normal: Normal) -> Change:
+    def change(plot: Redrawing, right: Value) -> Value:
+        return -1j * np.sign(plot.omega[normal.link]) * right
+
+    return change
 
 
 @mistake("sliding-across", "velocity-direction", "3-2.1 (3-3)")
@@ -82,7 +90,8 @@ def with_its_sense(step: Measure, length: float | None = None) -> Change:
 
     def change(plot: Redrawing, right: Value) -> Value:
         arrow, arm = plot.velocity[step.head] - plot.velocity[step.tail], plot.arm(*step.lever)
-        return np.copysign(np.abs(arrow) / (np.abs(arm) if length is None else length), cross(arm, arrow))
+        size = np.abs(arrow) / (np.abs(arm) if length is None else length)
+        return in_sense_of(size, cross(arm, arrow) / np.abs(arm) ** 2)
 
     return change
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from graphkin.construction import LETTER, Image, Plane
 from graphkin.marking.mistakes.rotations import image_edit
 from graphkin.marking.rewrite import Edit, Rewrite
-from graphkin.marking.scene import Scene, mistake
+from graphkin.marking.scene import Scene, drawn_by, mistake
 
 __all__: list[str] = []
 
@@ -50,19 +50,21 @@ def wrong_point(scene: Scene) -> Iterator[Rewrite]:
     """The image drawn on the coincident point of the other link."""
     edits: dict[tuple[str, Plane], list[Edit]] = {}
     for plane in PLANES:
-        for link, steps in scene.images(plane).items():
-            for step in steps:
-                tail, head = (_coincident(scene, plane, node) or node for node in step.base)
+        drawn: list[str] = []
+        for _, step in scene.steps(plane):
+            if isinstance(step, Image):
+                tail, head = (_coincident(scene, plane, node, drawn) or node for node in step.base)
                 if (tail, head) != step.base and tail != head:
-                    edits.setdefault((link, plane), []).append(image_edit(plane, step, tail, head))
+                    edits.setdefault((step.link, plane), []).append(image_edit(plane, step, tail, head))
+            drawn += drawn_by(step)
     yield from _in_each_plane(scene, "image-wrong-point", "", edits)
 
 
-def _coincident(scene: Scene, plane: Plane, node: str) -> str | None:
-    """Another corner that stands for the same point of the mechanism, drawn before."""
+def _coincident(scene: Scene, plane: Plane, node: str, drawn: list[str]) -> str | None:
+    """Another corner, drawn before, that stands for the same point of the mechanism."""
     nodes = scene.construction(plane).nodes
     site = nodes[node].site
     if site is None or scene.fixed(site.point):
         return None
-    others = (name for name, other in nodes.items() if other.site is not None and other.site.point == site.point)
-    return next((name for name in others if name != node), None)
+    others = ((name, nodes[name].site) for name in drawn if name != node)
+    return next((name for name, other in others if other is not None and other.point == site.point), None)

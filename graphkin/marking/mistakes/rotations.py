@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphkin.construction import AlongGuide, Image, Measure, Plane, Roll, Simultaneous
+from graphkin.construction import AlongGuide, Image, Measure, Plane, Roll, Simultaneous, Term
 from graphkin.geometry import Value
 from graphkin.marking.mistakes.directions import guide_lengths
 from graphkin.marking.redrawing import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
 __all__: list[str] = []
@@ -31,7 +31,7 @@ def over(plane: Plane, tail: str, head: str, length: float) -> Change:
 
     def change(plot: Redrawing, right: Value) -> Value:
         points = plot.points(plane)
-        return np.copysign(np.abs(points[head] - points[tail]) / length, right)
+        return in_sense_of(np.abs(points[head] - points[tail]) / length, right)
 
     return change
 
@@ -87,19 +87,19 @@ def sliding_as_turning(scene: Scene) -> Iterator[Rewrite]:
     """omega = v_B3B2 / l: the velocity of sliding over a length of the guide, or over the lever."""
     for _, _, equation in scene.meets("velocity"):
         for term in () if equation is None else equation.left + equation.right:
-            if term.size is not None or not isinstance(term.direction, AlongGuide) or not term.seen_from:
-                continue
-            slide = term.direction.slide
-            for step, name in measured(scene, "velocity"):
-                if term.head not in (step.head, step.tail) and term.tail not in (step.head, step.tail):
-                    continue
-                lengths = guide_lengths(scene, slide, ("", "")) or {
-                    scene.length_name(*step.lever): scene.length(*step.lever)
-                }
-                for length_name, length in lengths.items():
-                    form = f"{term.name('velocity')}/{length_name}"
-                    edits = reading("velocity", step, over("velocity", term.tail, term.head, length))
-                    yield Rewrite("sliding-as-turning", name, form, edits)
+            if term.size is None and isinstance(term.direction, AlongGuide) and term.seen_from:
+                yield from _turning_by(scene, term, term.direction.slide)
+
+
+def _turning_by(scene: Scene, term: Term, slide: str) -> Iterator[Rewrite]:
+    """The rotations read off arrows that meet an arrow of sliding."""
+    ends = {term.tail, term.head}
+    for step, name in measured(scene, "velocity"):
+        if ends & {step.tail, step.head} and ends <= scene.drawn_before(step, "velocity"):
+            lever = {scene.length_name(*step.lever): scene.length(*step.lever)}
+            for text, length in (guide_lengths(scene, slide, ("", "")) or lever).items():
+                edits = reading("velocity", step, over("velocity", term.tail, term.head, length))
+                yield Rewrite("sliding-as-turning", name, f"{term.name('velocity')}/{text}", edits)
 
 
 # --- segments of the acceleration polygon -----------------------------------------------------

@@ -1,0 +1,182 @@
+"""Mistakes with what is given, centres, wheels and assemblies, against what each means worked out on its own."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import random_mechanisms
+
+from graphkin import library
+from graphkin.analytic import motion
+from graphkin.geometry import cross
+from graphkin.marking import Consequences, consequences
+from graphkin.mechanism import Mechanism
+from graphkin.planning import plan
+from graphkin.quantities import Quantity, read
+from graphkin.running import replay_all
+
+
+def led_to(mechanism: Mechanism, *texts: str, scales: dict[str, float] | None = None) -> Consequences:
+    quantities: list[Quantity] = [quantity for text in texts if (quantity := read(mechanism, text)) is not None]
+    assert len(quantities) == len(texts)
+    method = plan(mechanism)
+    return consequences(method, replay_all(method), quantities, scales)
+
+
+def values(found: Consequences, *words: str) -> np.ndarray:
+    """What the one rewrite of this id, way, arrow and form gives."""
+    rows = [row for row, (rewrite,) in enumerate(found.columns) if rewrite.name[: len(words)] == words]
+    assert len(rows) == 1, (words, [rewrite.name for (rewrite,) in found.columns if rewrite.id == words[0]])
+    return found.values[rows[0]]
+
+
+def right(mechanism: Mechanism, *texts: str) -> list[float]:
+    """What is right for a mechanism, by the analysis."""
+    exact = motion(mechanism)
+    return [float(quantity.answer(exact).value) for text in texts if (quantity := read(mechanism, text)) is not None]
+
+
+def driven(mechanism: Mechanism, **changes: float) -> Mechanism:
+    (driver,) = mechanism.drivers
+    return replace(mechanism, drivers=(replace(driver, **changes),))
+
+
+ALL = ("omega 2", "omega 3", "alpha 2", "alpha 3", "v C", "a C")
+MOVED = ("omega 2", "alpha 2", "v E", "a E", "v C", "a C")
+
+
+# --- what is given ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("name", "texts"), [("fig3-1", MOVED), ("s3-four", ALL)])
+def test_a_driver_s_acceleration_dropped(name: str, texts: tuple[str, ...]):
+    mechanism = library.load(name)
+    found = values(led_to(mechanism, *texts), "driver-acceleration-dropped")
+    assert np.abs(found) == pytest.approx(np.abs(right(driven(mechanism, acceleration=0.0), *texts)), rel=1e-9)
+
+
+@pytest.mark.parametrize(("form", "factor"), [("30/π", 30 / np.pi), ("60", 60.0), ("1/2π", 0.5 / np.pi)])
+def test_a_driver_s_speed_not_converted(form: str, factor: float):
+    mechanism = library.load("ex3-5")
+    found = values(led_to(mechanism, *ALL), "conversion", "given", "AB", form)
+    assert found == pytest.approx(right(driven(mechanism, rate=10.0 * factor), *ALL), rel=1e-9)
+
+
+def test_an_angle_measured_clockwise():
+    mechanism = library.load("ex3-5")
+    value = mechanism.drivers[0].value
+    assert value is not None
+    there = replay_all(plan(mechanism), [-value])
+    found = values(led_to(mechanism, *ALL[:4]), "angle-clockwise")
+    assert found == pytest.approx([getattr(there, text.split()[0])[text.split()[1]] for text in ALL[:4]], rel=1e-9)
+
+
+def test_the_other_assembly():
+    """As if the sketch had C on the other side of BD."""
+    mechanism = library.load("ex3-5")
+    plot = replay_all(plan(mechanism))
+    b, c, d = (complex(plot.position[point]) for point in "BCD")
+    mirrored = d + (b - d) * np.conj((c - d) / (b - d))
+    other = replace(mechanism, sketch={"C": mirrored})
+    found = values(led_to(mechanism, *ALL), "other-assembly", "", "C")
+    assert found == pytest.approx(right(other, *ALL), rel=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_relative_rotation_taken_for_an_absolute_one(seed: int):
+    mechanism = random_mechanisms.relative_angle(seed)
+    (driver,) = [one for one in mechanism.drivers if one.from_link != "frame"]
+    found = values(led_to(mechanism, f"omega {driver.link}", f"alpha {driver.link}"), "relative-as-absolute")
+    assert found == pytest.approx([driver.rate, driver.acceleration])
+
+
+# --- centres ------------------------------------------------------------------------------------
+
+
+def test_a_centre_of_velocities_without_acceleration():
+    """a_E = sqrt(alpha² + omega⁴) PE about P, where the lines AB and DC cross."""
+    mechanism = library.load("ex3-5")
+    exact = motion(mechanism)
+    a, b, c, d, e = (complex(exact.position[point]) for point in "ABCDE")
+    u, w = b - a, c - d
+    place = a + u * cross(d - a, w) / cross(u, w)
+    wrong = np.hypot(exact.alpha["2"], exact.omega["2"] ** 2) * abs(e - place)
+    assert values(led_to(mechanism, "a E"), "centre-acceleration-zero", "", "a E", "P42") == pytest.approx([wrong])
+
+
+def test_a_contact_without_acceleration():
+    """A wheel that rolls in a fixed ring: its contact has v = 0, and an acceleration towards its centre."""
+    found = led_to(library.load("s4-ex4"), "omega 2", "alpha 2", "omega 1")
+    assert [rewrite.of for (rewrite,) in found.columns if rewrite.name[:2] == ("centre-acceleration-zero", "point")] == ["a_L2"]
+
+
+def test_a_ratio_upside_down():
+    """omega_1² / omega_3, where omega_3 / omega_1 is meant; the quotient itself inverted."""
+    mechanism = library.load("ex3-5")
+    found = led_to(mechanism, "omega 3", "omega 3 / omega 1")
+    omega = right(mechanism, "omega 3")[0]
+    assert values(found, "centre-ratio", "", "omega 3")[0] == pytest.approx(100 / omega)
+    assert values(found, "centre-ratio", "sense", "omega 3")[0] == pytest.approx(-omega)
+    assert values(found, "centre-ratio", "", "omega 3/omega 1")[1] == pytest.approx(10 / omega)
+
+
+def test_lines_of_a_wrong_pair():
+    """Of the lines AB, BC, CD and DA of a four-bar linkage: P24 for P13, and where AC and BD cross."""
+    mechanism = library.load("p3-13")
+    found = led_to(mechanism, "P13", "P24")
+    place = {quantity.text: answer.vector for quantity, answer in zip(found.quantities, found.right, strict=True)}
+    exact = motion(mechanism)
+    a, b, c, d = (complex(exact.position[point]) for point in "ABCD")
+    u, w = c - a, d - b
+    diagonal = a + u * cross(b - a, w) / cross(u, w)
+    rows = [row for row, (one,) in enumerate(found.columns) if one.id == "centre-ratio" and one.of == "P13"]
+    places = [found.vectors[row, 0] for row in rows]
+    assert sorted(places, key=abs) == pytest.approx(sorted([complex(place["P24"]), diagonal], key=abs))
+
+
+# --- wheels, sliders, units ---------------------------------------------------------------------
+
+
+def test_an_arm_that_is_ignored():
+    """Gear 2 on the arm 4 beside gear 1: omega 2 = -10 * 30 / 20; gear 3 from it: omega 3 = -omega 2 * 20 / 25."""
+    mechanism = library.load("p3-12")
+    found = led_to(mechanism, "omega 2", "omega 3")
+    omega_2 = right(mechanism, "omega 2")[0]
+    assert values(found, "arm-ignored", "", "omega 2")[0] == pytest.approx(-15.0)
+    assert values(found, "arm-ignored", "", "omega 3")[1] == pytest.approx(-omega_2 * 20 / 25)
+    assert values(found, "arm-ignored", "", "omega 2, omega 3") == pytest.approx([-15.0, 12.0])
+
+
+@pytest.mark.parametrize("name", ["p3-23a", "p3-11a"])
+def test_a_normal_term_at_the_slider(name: str):
+    """n + s u = a_B + a^n_CB + alpha k × BC, where n is omega² l towards A."""
+    mechanism = library.load(name)
+    exact = motion(mechanism)
+    a, b, c = (complex(exact.position[point]) for point in "ABC")
+    rod, omega, u = c - b, float(exact.omega["2"]), 1.0 + 0j
+    known = exact.acceleration_at("B", "1") - omega**2 * rod - omega**2 * abs(rod) * (a - c) / abs(a - c)
+    _, alpha = np.linalg.solve([[u.real, -(1j * rod).real], [u.imag, -(1j * rod).imag]], [known.real, known.imag])
+    assert values(led_to(mechanism, "alpha 2"), "slider-normal-term") == pytest.approx([alpha])
+
+
+def test_factors_of_units_and_scales():
+    """Each of one value, of all of a kind, and of a rotation that is carried on."""
+    scales = {"length": 0.0005, "velocity": 0.005, "acceleration": 0.05}
+    found = led_to(library.load("ex3-5"), "omega 2", "omega 3", "alpha 3", "v C", "a C", scales=scales)
+    answers = np.array([answer.value for answer in found.right])
+    for words, factors in {
+        ("conversion", "", "omega 2", "30/π"): (30 / np.pi, 1, 1, 1, 1),
+        ("conversion", "kind", "rad/s", "60"): (60, 60, 1, 1, 1),
+        ("conversion", "sense", "alpha 3"): (1, 1, -1, 1, 1),
+        ("conversion", "", "v C", "10³"): (1, 1, 1, 1e3, 1),
+        ("conversion", "", "v C", "1/μ_v"): (1, 1, 1, 200, 1),
+        ("conversion", "", "a C", "μ_v/μ_a"): (1, 1, 1, 1, 0.1),
+        ("conversion", "", "omega 3", "μ_l"): (1, 0.0005, 1, 1, 1),
+        ("conversion", "", "alpha 3", "180/π"): (1, 1, 180 / np.pi, 1, 1),
+    }.items():
+        assert values(found, *words) == pytest.approx(answers * factors, rel=1e-12), words
+    carried = values(found, "conversion", "carried", "omega 2", "2π")
+    assert carried[0] == pytest.approx(2 * np.pi * answers[0])
+    assert carried[2] != pytest.approx(answers[2], rel=0.1)
