@@ -10,9 +10,9 @@ from pathlib import Path
 
 from graphkin.errors import CannotWrite, Lang
 from graphkin.outputs.files import beside, refuse
+from graphkin.problems.draws import Variant
 from graphkin.problems.template import Template
 from graphkin.problems.text import problem
-from graphkin.problems.variants import Variant
 from graphkin.submissions import safe_name
 
 __all__ = ["MARK", "file_names", "write_set"]
