@@ -12,11 +12,14 @@ from pathlib import Path
 from random import Random
 
 import pytest
+from click.testing import CliRunner
 from defusedxml.ElementTree import fromstring
 from moodle_rules import imported, shown
 
 import graphkin
 from graphkin import grading
+from graphkin.cli import main
+from graphkin.cli.problems import PLATFORMS
 from graphkin.errors import GraphkinError
 from graphkin.outputs.files import FileInTheWay
 from graphkin.platforms import (
@@ -388,6 +391,63 @@ def test_word_file_opens_in_a_word_reader(tmp_path: Path):
     docx = pytest.importorskip("docx")
     found = [paragraph.text for paragraph in docx.Document(str(written(tmp_path, "xuexitong"))).paragraphs]
     assert found[1] == "答案：-1.25"
+
+
+# --- the command ------------------------------------------------------------------------------
+
+TEMPLATE = """
+ask = ["omega 3", "alpha 3"]
+[points]
+"omega 3" = 2
+"alpha 3" = 1.5
+[frame]
+name = "4"
+A = [0, 0]
+D = [78, 0]
+[links.1]
+AB = { from = 20, to = 28, step = 1 }
+[links.2]
+points = ["B"]
+[links.3]
+DC = 48
+[[slide]]
+block = "2"
+point = "B"
+guide = "3"
+through = "C"
+from = "DC"
+angle = 100
+[[driver]]
+vector = "AB"
+angle = { from = 40, to = 120, step = 5 }
+omega = 10
+[sketch]
+C = [65, 46]
+"""
+
+
+def test_the_command_writes_sets(tmp_path: Path):
+    template, out = tmp_path / "shaper.toml", tmp_path / "out"
+    template.write_text(TEMPLATE)
+    words = ["problems", str(template), "--students", "3", "-o", str(out), "--lang", "zh"]
+    formats = [word for kind in SETS for word in ("--format", kind)]
+    done = CliRunner().invoke(main, [*words, *formats])
+    assert done.exit_code == 0, done.output
+    found = imported(out / "set-moodle.xml")
+    assert [one.name for one in found] == ["shaper s1", "shaper s2", "shaper s3"]
+    for one, name in zip(found, ("s1", "s2", "s3"), strict=True):
+        key = grading.key_from(str(out / f"{name}.toml"))
+        right = {entry.text: entry for entry in key.entries}
+        for field, asked, weight in zip(one.fields, ("omega 3", "alpha 3"), (4, 3), strict=True):
+            assert field.weight == weight
+            assert field.grade(right[asked].right)[0] == 1
+            assert field.grade(right[asked].right + 0.98 * right[asked].tolerance)[0] == 1
+        assert "AB = " in one.text
+    assert len(imported(out / "set-moodle-numerical.xml")) == 6
+    assert len(assessments(out / "set-qti.zip")) == 3
+    assert {path.name for path in out.iterdir()} >= {"set-csv.csv", "set-xuexitong.docx", "set.json", "s1.toml"}
+    assert CliRunner().invoke(main, [*words, *formats]).exit_code == 0, "its own files are written anew"
+    assert set(PLATFORMS) == set(SETS)
 
 
 # --- all of them ------------------------------------------------------------------------------

@@ -9,7 +9,9 @@ import click
 from graphkin.cli.shared import force_option, lang_option, speaking
 from graphkin.errors import Lang
 
-__all__ = ["problems"]
+__all__ = ["PLATFORMS", "problems"]
+
+PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong")
 
 
 @click.command()
@@ -18,10 +20,14 @@ __all__ = ["problems"]
 @click.option("--seed", default="1", show_default=True, help="Another word gives other numbers.")
 @click.option("-o", "--output", required=True, type=click.Path(path_type=Path, file_okay=False), metavar="DIR",
               help="Folder to write.")  # fmt: skip
+@click.option("--format", "kinds", type=click.Choice(PLATFORMS), multiple=True,
+              help="Write the whole set for a platform, too, answers and mistakes in it; again for each.")  # fmt: skip
 @force_option
 @lang_option
 @speaking
-def problems(template: Path, students: str, seed: str, output: Path, force: bool, lang: Lang) -> None:
+def problems(
+    template: Path, students: str, seed: str, output: Path, kinds: tuple[str, ...], force: bool, lang: Lang
+) -> None:
     """Write a problem for each student: one mechanism, each with numbers of their own.
 
     TEMPLATE is a mechanism file in which numbers may be ranges: AB = { from = 20, to = 30, step = 1 }. A student's
@@ -30,6 +36,7 @@ def problems(template: Path, students: str, seed: str, output: Path, force: bool
     \b
     Example:
       graphkin problems shaper.toml --students class.csv --seed 2027 -o homework
+      graphkin problems shaper.toml --students 60 -o homework --format moodle --format xuexitong --lang zh
     """
     from graphkin import problems as sets
 
@@ -37,3 +44,11 @@ def problems(template: Path, students: str, seed: str, output: Path, force: bool
     found = sets.variants(read, sets.roster(students), seed)
     count = sum(1 for _ in sets.write_set(output, read, found, seed, lang, force))
     click.echo(f"{output}: {count}")
+    if kinds:
+        from graphkin import platforms
+
+        whole = platforms.problem_set(read, found)
+        for kind in dict.fromkeys(kinds):
+            path = platforms.file_of(output, kind)
+            platforms.write_set(path, whole, kind, lang, force)
+            click.echo(str(path))

@@ -1,6 +1,6 @@
 """Formats of teaching platforms, one file a format: problem sets out, results out.
 
-    Key --question_of--> Question
+    Key --question_of--> Question; Template + Variants --problem_set--> ProblemSet
     ProblemSet of Questions --SETS[format]--> moodle, moodle-numerical, qti, csv, xuexitong: one file
     file of marks --Stored--> Results
     Results --RESULTS[format]--> csv, xlsx, moodle, gradescope, prairielearn, canvas: files in a folder
@@ -18,6 +18,7 @@ from graphkin.platforms.class_figure import write_class_figure
 from graphkin.platforms.class_report import ClassReport, class_report, report_record, report_text
 from graphkin.platforms.complaints import NoRightNumber, NotAnOverride, NotAResult, NotForPlatform
 from graphkin.platforms.from_key import question_of
+from graphkin.platforms.from_problems import file_of, problem_set
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record
@@ -27,6 +28,7 @@ from graphkin.platforms.writing import RESULTS, SETS, Reveal, Written, prepared,
 __all__ = [
     "RESULTS", "SETS", "Alternative", "ClassReport", "Line", "NoRightNumber", "NotAResult", "NotAnOverride",
     "NotForPlatform", "Overrides", "Part", "Picture", "ProblemSet", "Question", "Result", "Reveal", "Stored",
-    "Suspicion", "Written", "Wrong", "alternatives", "class_report", "from_record", "overridden", "prepared",
-    "question_of", "read_overrides", "report_record", "report_text", "write_class_figure", "write_results", "write_set",
+    "Suspicion", "Written", "Wrong", "alternatives", "class_report", "file_of", "from_record", "overridden", "prepared",
+    "problem_set", "question_of", "read_overrides", "report_record", "report_text",
+    "write_class_figure", "write_results", "write_set",
 ]  # fmt: skip

@@ -7,23 +7,22 @@ from collections.abc import Iterator
 from typing import Any
 
 from graphkin.errors import Lang
+from graphkin.mechanism import Mechanism
 from graphkin.problems.draws import Variant
 from graphkin.problems.phrases import KEYS, PHRASES, TABLES
 from graphkin.problems.template import Template
 from graphkin.quantities import EDGE, Centre, Quantity, Quotient, read
 from graphkin.words import names
 
-__all__ = ["problem"]
+__all__ = ["problem", "statement"]
 
 
 def problem(template: Template, variant: Variant, lang: Lang) -> str:
     """The text of one student's problem."""
     mechanism = variant.mechanism
-    document = tomllib.loads(mechanism.text)
     own = variant.student
     called = " ".join((own.id, *(name for _, name in own.names)))
-    lines = [_say("student", lang, student=called), mechanism.headline(lang), ""]
-    lines += [ _say("given", lang), *(f"  {line}" for line in _given(document, lang)), "", _say("find", lang)]
+    lines = [_say("student", lang, student=called), *statement(mechanism, lang), "", _say("find", lang)]
     asked = [(question, read(mechanism, question)) for question in mechanism.ask]
     for question, quantity in asked:
         worth = _say("points", lang, points=template.points.get(question, 1.0)) if quantity is not None else ""
@@ -31,6 +30,12 @@ def problem(template: Template, variant: Variant, lang: Lang) -> str:
     lines += ["", _say("hand in", lang), "", f"  student = {_quoted(own.id)}", "  [answers]"]
     lines += [f'  "{question}" = ' for question, quantity in asked if quantity is not None]
     return "\n".join(lines) + f"\n\n{_MADE}\n"
+
+
+def statement(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
+    """The mechanism and what is given of it, in lines."""
+    yield from (mechanism.headline(lang), "", _say("given", lang))
+    yield from (f"  {line}" for line in _given(tomllib.loads(mechanism.text), lang))
 
 
 _MADE = "-- graphkin problems"
