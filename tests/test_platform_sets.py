@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+import os
 import re
 import zipfile
 from decimal import Decimal
@@ -14,6 +15,8 @@ from random import Random
 import pytest
 from click.testing import CliRunner
 from defusedxml.ElementTree import fromstring
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from moodle_rules import imported, shown
 
 import graphkin
@@ -34,7 +37,8 @@ from graphkin.platforms import (
     write_set,
 )
 from graphkin.platforms.alternatives import most
-from graphkin.platforms.cells import read_table
+from graphkin.platforms.cells import line, read_table, unharmed
+from graphkin.platforms.marked_up import one_line
 from graphkin.platforms.moodle_set import weights
 from graphkin.platforms.numbers import points
 from graphkin.quantities import EDGE, read
@@ -75,7 +79,7 @@ def hostile_set() -> ProblemSet:
 
 def visible(text: str) -> str:
     """A text as any file may change it: what steers is gone, breaks are room."""
-    kept = re.sub("[\x00-\x08\x0e-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]", "", text)
+    kept = re.sub("[\x00-\x08\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufdd0-\ufdef\ufffe\uffff]", "", text)
     return " ".join(kept.split())
 
 
@@ -249,6 +253,26 @@ def test_moodle_tells_the_mistakes_of_a_key(name, tmp_path: Path):
         assert [wrong.tolerance for wrong in part.wrongs] == pytest.approx([3 * factor * x for x in scatters])
         if entry.sort == "angle":
             assert field.grade(entry.right * factor - math.copysign(360, entry.right))[0] == 1
+
+
+@settings(max_examples=int(os.environ.get("GRAPHKIN_RANDOM", "60")), deadline=None)
+@given(text=st.text(st.one_of(st.sampled_from("\\\\#~}{=%&;<>:1'\"\n \u0000\u0085"), st.characters()), max_size=30))
+def test_moodle_takes_any_text(text, tmp_path_factory: pytest.TempPathFactory):
+    """As a problem, a name, a unit and a mistake: Moodle shows what was written, and grades it."""
+    wrong = Wrong(("m",), 5.0, 0.25, {"en": f"[{text}]", "zh": ""})
+    part = Part(text, -1.5, 0.01, text, 1.0, (wrong,))
+    problems = ProblemSet(text, [Question(text, {"en": f"[{text}]", "zh": ""}, (part,))])
+    folder = tmp_path_factory.mktemp("any")
+    for kind in ("moodle", "moodle-numerical"):
+        (question,) = imported(written(folder, kind, problems))
+        (field,) = question.fields
+        assert [one.fraction for one in field.answers] == [1, 0.5, 0]
+        assert visible(f"[{text}]") in " ".join(shown(field.grade(5.0)[1]).split())
+        assert visible(f"[{text}]") in " ".join(shown(re.sub("</?p>", " ", question.text)).split())
+    for kind in ("qti", "csv", "xuexitong"):
+        written(folder, kind, problems)
+    for cell in next(csv.reader(io.StringIO(line([text, "end"]), newline="")), [""])[:1]:
+        assert unharmed(cell) == one_line(text)
 
 
 # --- QTI --------------------------------------------------------------------------------------

@@ -24,7 +24,7 @@ def one_line(text: str) -> str:
 
 def in_html(text: str) -> str:
     """A plain text as HTML that stands between tags."""
-    return _BREAKS.sub("<br>", html.escape(clean(text), quote=False))
+    return "<br>".join(html.escape(clean(line), quote=False) for line in _BREAKS.split(text))
 
 
 def element(tag: str, *content: str | ET.Element, **attributes: str) -> ET.Element:
