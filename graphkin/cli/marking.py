@@ -50,8 +50,9 @@ def grade(
 ) -> None:  # fmt: skip
     """Mark what students hand in: verdicts, marks, and the mistake that a wrong number is consistent with.
 
-    KEY is a key.json, a mechanism file or a library mechanism. SUBMISSION is a file of answers or a drawing, a class
-    table, a zip of a whole class, or a folder. Errors of a pencil count where the key is made of a mechanism.
+    KEY is a key.json, a folder of problems with a key each, a mechanism file or a library mechanism. SUBMISSION is a
+    file of answers or a drawing, a class table, a zip of a whole class, or a folder. Errors of a pencil count where the
+    key is made of a mechanism.
 
     \b
     Example:
@@ -62,14 +63,14 @@ def grade(
 
     if output is not None and output.suffix.lower() != ".json":
         raise click.UsageError(f"{output}: the file to write must end in .json")
-    made = grading.key_from(key, _pencils(pencil, sigmas, relative))
-    records = grading.grade(made, submissions, workers=jobs)
+    judge = grading.judge_from(key, _pencils(pencil, sigmas, relative))
+    records = grading.grade(judge, submissions, workers=jobs)
     if output is None:
         _print(records, as_json, lang)
         return
     from graphkin.outputs import marks_file
 
-    marks_file.write(output, made, _printed(records, as_json, lang) if as_json else records, lang, force)
+    marks_file.write(output, _printed(records, as_json, lang) if as_json else records, lang, force)
     click.echo(str(output), err=as_json)
 
 
