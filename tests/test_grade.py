@@ -129,6 +129,54 @@ def test_results_file():
     assert run("grade", "ex3-1", "s1.toml", "-o", "r.txt").exit_code == 2
 
 
+TEMPLATE = """
+ask = ["omega 3", "alpha 3"]
+[points]
+"omega 3" = 3
+[frame]
+A = [0, 0]
+D = [80, 0]
+[links.1]
+AB = { from = 24, to = 30, step = 1 }
+[links.2]
+BC = 70
+[links.3]
+DC = 60
+[[driver]]
+vector = "AB"
+angle = { from = 50, to = 70, step = 1 }
+omega = 10
+[sketch]
+C = [80, 60]
+[scales]
+length = 0.001
+velocity = 0.01
+acceleration = 0.1
+"""
+
+
+def test_each_student_has_a_key():
+    Path("t.toml").write_text(TEMPLATE, encoding="utf-8")
+    Path("roster.csv").write_text("id\nann\n../bob\n", encoding="utf-8")
+    assert run("problems", "t.toml", "--students", "roster.csv", "-o", "set").exit_code == 0
+    keys = json.loads(Path("set/key.json").read_text("utf-8"))["students"]
+    assert set(keys) == {"ann", "../bob"}
+    for student, name in keys.items():
+        key = key_from(f"set/{name}")
+        row = {entry.text: entry.right for entry in key.entries}
+        handed_in = {"student": student, "answers": {"omega 3": round(row["omega 3"], 3), "alpha 3": row["alpha 3"] * 2}}
+        Path(f"{name}.in.json").write_text(json.dumps(handed_in))
+    Path("stranger.json").write_text('{"student": "eve", "answers": {"omega 3": 1}}')
+    files = [f"{name}.in.json" for name in keys.values()]
+    for key in ("set", "set/key.json"):
+        found = lines(key, *files, "stranger.json")
+        assert [line["status"] for line in found] == ["marked", "marked", "not marked"]
+        for line in found[:2]:
+            assert line["quantities"]["omega 3"]["verdict"] == "right"
+            assert line["score"] == pytest.approx(0.75)
+        assert found[0]["quantities"]["omega 3"]["right"] != found[1]["quantities"]["omega 3"]["right"]
+
+
 @pytest.mark.parametrize("lang", LANGS)
 def test_told_in_both_languages(lang: Lang):
     text = run("grade", "ex3-1", handed(CORIOLIS), handed('"omega 3" = -5.65\n"a_k B3B2" = 3.63', "s2"), "--lang", lang).stdout

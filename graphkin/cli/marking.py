@@ -15,7 +15,6 @@ from graphkin.errors import BadPencil, Lang, Where
 if TYPE_CHECKING:
     from graphkin.grading import Pencils
     from graphkin.marking.graded import Graded
-    from graphkin.marking.key import Key
     from graphkin.platforms import Reveal
 
 __all__ = ["PLATFORMS", "grade", "tolerance"]
@@ -63,8 +62,9 @@ def grade(
 ) -> None:  # fmt: skip
     """Mark what students hand in: verdicts, marks, and the mistake that a wrong number is consistent with.
 
-    KEY is a key.json, a mechanism file or a library mechanism. SUBMISSION is a file of answers or a drawing, a class
-    table, a zip of a whole class, or a folder. Errors of a pencil count where the key is made of a mechanism.
+    KEY is a key.json, a folder of problems with a key each, a mechanism file or a library mechanism. SUBMISSION is a
+    file of answers or a drawing, a class table, a zip of a whole class, or a folder. Errors of a pencil count where the
+    key is made of a mechanism.
 
     \b
     Example:
@@ -75,16 +75,16 @@ def grade(
     from graphkin import grading
 
     _check_output(output, kinds)
-    made = grading.key_from(key, _pencils(pencil, sigmas, relative))
-    records = grading.grade(made, submissions, workers=jobs)
+    judge = grading.judge_from(key, _pencils(pencil, sigmas, relative))
+    records = grading.grade(judge, submissions, workers=jobs)
     if as_json or output is None:
         records = _printed(records, as_json, lang)
     if output is None:
         deque(records, 0)
     elif kinds:
-        _write_folder(output, made, records, kinds, lang, reveal, assignment, force, as_json)
+        _write_folder(output, records, kinds, lang, reveal, assignment, force, as_json)
     else:
-        _write_records(output, made, records, lang, force, as_json)
+        _write_records(output, records, lang, force, as_json)
 
 
 @click.command()
@@ -139,23 +139,23 @@ def _check_output(output: Path | None, kinds: tuple[str, ...]) -> None:
 
 
 def _write_records(
-    path: Path, key: Key, records: Iterable[Graded], lang: Lang, force: bool, as_json: bool
+    path: Path, records: Iterable[Graded], lang: Lang, force: bool, as_json: bool
 ) -> None:
     from graphkin.outputs import marks_file
 
-    marks_file.write(path, key, records, lang, force)
+    marks_file.write(path, records, lang, force)
     click.echo(str(path), err=as_json)
 
 
 def _write_folder(
-    folder: Path, key: Key, records: Iterable[Graded], kinds: tuple[str, ...], lang: Lang, reveal: Reveal,
+    folder: Path, records: Iterable[Graded], kinds: tuple[str, ...], lang: Lang, reveal: Reveal,
     assignment: str, force: bool, as_json: bool,
 ) -> None:  # fmt: skip
     """The records, then everything else, made of them; a table of overrides that cannot be read is said before."""
     from graphkin import platforms
 
     platforms.prepared(folder)
-    _write_records(folder / MARKS, key, records, lang, force, as_json)
+    _write_records(folder / MARKS, records, lang, force, as_json)
     for kind in dict.fromkeys(kinds):
         if kind != "json":
             there = platforms.Stored(folder / MARKS)

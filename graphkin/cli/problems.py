@@ -45,9 +45,9 @@ def problems(
     count = sum(1 for _ in sets.write_set(output, read, found, seed, lang, force))
     click.echo(f"{output}: {count}")
     if kinds:
-        from graphkin import platforms
+        from graphkin import grading, platforms
 
-        whole = platforms.problem_set(read, found)
+        whole = platforms.problem_set(read, found, grading.judge_from(str(output)))
         for kind in dict.fromkeys(kinds):
             path = platforms.file_of(output, kind)
             platforms.write_set(path, whole, kind, lang, force)

@@ -6,8 +6,13 @@
 `outputs` writes what comes out: JSON lines, text.
 """
 
+from graphkin.grading.judges import judge_from
 from graphkin.grading.keys import USUAL, Pencils, key_for, key_from, marking_of
 from graphkin.grading.running import grade
+from graphkin.grading.sets import Judge, KeySet, OneKey, set_text
 from graphkin.marking.graded import Graded
 
-__all__ = ["USUAL", "Graded", "Pencils", "grade", "key_for", "key_from", "marking_of"]
+__all__ = [
+    "USUAL", "Graded", "Judge", "KeySet", "OneKey", "Pencils", "grade", "judge_from", "key_for", "key_from",
+    "marking_of", "set_text",
+]  # fmt: skip

@@ -17,7 +17,7 @@ from graphkin.planning import Method
 from graphkin.quantities import Quantity
 from graphkin.value import frozen
 
-__all__ = ["USUAL", "Pencils", "key_for", "key_from", "marking_of"]
+__all__ = ["USUAL", "Pencils", "key_file", "key_for", "key_from", "marking_of", "text_of"]
 
 _LARGEST = 64 << 20
 KEYS: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
@@ -46,7 +46,7 @@ def key_from(source: str, pencils: Pencils = USUAL) -> Key:
     Raises what loading and planning raise, BadKey, NothingToMark.
     """
     path = Path(source)
-    return _read(path) if path.suffix.lower() == ".json" else key_for(api.load(source), pencils)
+    return key_file(path) if path.suffix.lower() == ".json" else key_for(api.load(source), pencils)
 
 
 def key_for(
@@ -79,16 +79,22 @@ def _scales(method: Method) -> dict[str, float]:
     return {key: float(found[plane]) for plane, key in KEYS.items()}
 
 
-def _read(path: Path) -> Key:
+def key_file(path: Path) -> Key:
+    """The key that a file holds. Raises BadKey, NoFile, Unreadable."""
     from graphkin.outputs.key_json import key_of
 
+    return key_of(text_of(path), Where(str(path)))
+
+
+def text_of(path: Path) -> str:
+    """The text of a key's file."""
     where = Where(str(path))
     if not path.is_file():
         raise NoFile(where, path.name, ())
     try:
         if path.stat().st_size > _LARGEST:
             raise BadKey(where, f"> {_LARGEST >> 20} MB")
-        return key_of(path.read_text("utf-8-sig"), where)
+        return path.read_text("utf-8-sig")
     except OSError as problem:
         raise Unreadable(where, problem.strerror or str(problem)) from None
     except UnicodeDecodeError as problem:

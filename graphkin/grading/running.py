@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import islice
+from itertools import groupby, islice
 from pathlib import Path
 
 from graphkin.errors import GraphkinError, OwnFault, Where
+from graphkin.grading.sets import Judge, OneKey
 from graphkin.marking.graded import Graded
 from graphkin.marking.key import Key
 from graphkin.marking.marked import Marked, Number, Work
 from graphkin.marking.marker import Marker
-from graphkin.submissions import Asked, Limits, Submission, read
+from graphkin.submissions import Limits, Submission, read
 
 __all__ = ["grade"]
 
@@ -21,23 +22,24 @@ _BATCH = 256
 
 
 def grade(
-    key: Key, paths: Iterable[str | Path], limits: Limits | None = None, *, workers: int = 0
+    judge: Key | Judge, paths: Iterable[str | Path], limits: Limits | None = None, *, workers: int = 0
 ) -> Iterator[Graded]:
     """A record for every submission in these files, in order.
 
+    judge    one key for all, or each student's own
     workers  processes that read them; 0: this one. A submission that cannot be read or marked is a record with its
              reason.
     """
-    marker = Marker(key)
-    asked = Asked(marker.method.mechanism, tuple(entry.text for entry in key.entries))
+    judge = OneKey(Marker(judge)) if isinstance(judge, Key) else judge
+    asked = judge("") if isinstance(judge, OneKey) else judge
+    assert asked is not None
     submissions = read(paths, asked, limits or Limits(), workers=workers)
     while batch := list(islice(submissions, _BATCH)):
-        yield from _graded(marker, batch)
+        yield from _graded(judge, batch)
 
 
-def _graded(marker: Marker, batch: Sequence[Submission]) -> Iterator[Graded]:
-    good = [submission for submission in batch if submission.reason is None]
-    marks = iter(_marks(marker, good))
+def _graded(judge: Judge, batch: Sequence[Submission]) -> Iterator[Graded]:
+    marks = _marked(judge, [submission for submission in batch if submission.reason is None])
     for one in batch:
         marked = one.reason or next(marks)
         notes = (*one.notes, *(given.fault for given in one.values.values() if given.fault is not None))
@@ -45,6 +47,13 @@ def _graded(marker: Marker, batch: Sequence[Submission]) -> Iterator[Graded]:
             yield Graded(one.student, one.file, one.place, None, marked, notes)
         else:
             yield Graded(one.student, one.file, one.place, marked, None, notes)
+
+
+def _marked(judge: Judge, batch: Sequence[Submission]) -> Iterator[Marked | GraphkinError]:
+    """In their order; those in a row who have one key are marked at once."""
+    for marker, some in groupby(batch, lambda one: judge.marker(one.student)):
+        assert marker is not None, "who is not of the class was refused before"
+        yield from _marks(marker, list(some))
 
 
 def _marks(marker: Marker, batch: Sequence[Submission]) -> list[Marked | GraphkinError]:

@@ -48,7 +48,8 @@ def make_key(
     sizes = np.array([sort_of(q) == "size" for q in every], dtype=bool)
     drawn = drawings_of(method, marking, DRAWINGS).values(every)[0]
     drawn = np.where(sizes, np.abs(drawn), drawn)
-    worth = points or dict.fromkeys(asked or [q.text for q in every], 1.0)
+    worth = {text: points[text] for text in asked if points and text in points}
+    worth = worth or dict.fromkeys(asked or [q.text for q in every], 1.0)
     entries = tuple(
         _entry(words.get(q.text, q.text), q, value, deviation, naturals[q.unit], marking, worth)
         for q, value, deviation in zip(every, right, spread(drawn), strict=True)

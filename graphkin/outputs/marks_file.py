@@ -8,9 +8,7 @@ from pathlib import Path
 
 from graphkin.errors import Lang
 from graphkin.marking.graded import Graded
-from graphkin.marking.key import Key
 from graphkin.outputs.files import beside
-from graphkin.outputs.key_json import key_data
 from graphkin.outputs.marks_json import FORMAT, record
 
 __all__ = ["KIND", "write"]
@@ -18,10 +16,10 @@ __all__ = ["KIND", "write"]
 KIND = "graphkin marks"
 
 
-def write(path: Path, key: Key, records: Iterable[Graded], lang: Lang, force: bool = False) -> None:
-    """The key and a line for each submission. Raises FileInTheWay, NoFolder, CannotWrite."""
+def write(path: Path, records: Iterable[Graded], lang: Lang, force: bool = False) -> None:
+    """A line for each submission. Raises FileInTheWay, NoFolder, CannotWrite."""
     with beside(path, force, [KIND.encode()]) as draft, draft.open("w", encoding="utf-8") as file:
-        file.write(f'{{"kind": {_text(KIND)}, "format": {FORMAT},\n"key": {_text(key_data(key))},\n"results": [')
+        file.write(f'{{"kind": {_text(KIND)}, "format": {FORMAT},\n"results": [')
         for k, graded in enumerate(records):
             file.write((",\n" if k else "\n") + _text(record(graded, lang)))
         file.write("\n]}\n")

@@ -71,7 +71,7 @@ class Picture:
 class Result:
     """One student's submission, marked or not.
 
-    most      points there are
+    most      points there are; 0 where it was not marked and nobody has said
     notes     what was passed over in it
     override  the teacher's own points, which count instead
     """
@@ -114,25 +114,22 @@ def texts_in(texts: Sequence[Text], lang: Lang) -> list[str]:
 # --- records ----------------------------------------------------------------------------------
 
 
-def from_record(record: Mapping[str, Any], where: Where, most: Decimal = Decimal(0)) -> Result:
-    """A result from its record, as `outputs.marks_json` writes it. Raises NotAResult.
-
-    most  points there are, for one that was not marked
-    """
+def from_record(record: Mapping[str, Any], where: Where) -> Result:
+    """A result from its record, as `outputs.marks_json` writes it. Raises NotAResult."""
     try:
-        return _read(record, most)
+        return _read(record)
     except (KeyError, TypeError, ValueError, ArithmeticError, AttributeError) as error:
         raise NotAResult(where, f"{type(error).__name__}: {error}"[:200]) from None
 
 
-def _read(record: Mapping[str, Any], most: Decimal) -> Result:
+def _read(record: Mapping[str, Any]) -> Result:
     if record["format"] != FORMAT or record["status"] not in get_args(Status):
         raise ValueError(f"format {record['format']!r}, status {record['status']!r}")
     lines = tuple(_line(str(name), each) for name, each in record["quantities"].items())
     return Result(
         _string(record["student"]), _string(record["file"]), record["status"], _text(record.get("reason")), lines,
         tuple(_suspicion(each) for each in record["mistakes"]),
-        sum((line.most for line in lines), Decimal(0)) if lines else most,
+        sum((line.most for line in lines), Decimal(0)),
         tuple(_string(note) for note in record.get("notes", ())),
     )  # fmt: skip
 

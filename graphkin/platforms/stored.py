@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from decimal import Decimal
 from pathlib import Path
 from typing import Any, TextIO
 
 from graphkin.errors import NoFile, Unreadable, Where
 from graphkin.outputs.marks_file import KIND
 from graphkin.platforms.complaints import NotAResult
-from graphkin.platforms.numbers import points
 from graphkin.platforms.result import FORMAT, Result, from_record
 
 __all__ = ["Stored"]
@@ -20,7 +18,7 @@ _BEGIN, _END = '"results": [', "]}"
 
 
 class Stored:
-    """The results in a file of marks: after its head and its key, a record a line.
+    """The results in a file of marks: after its head, a record a line.
 
     Going through them raises NoFile, Unreadable, NotAResult.
     """
@@ -39,30 +37,25 @@ class Stored:
 
     def _results(self, file: TextIO) -> Iterator[Result]:
         lines = enumerate(file, 1)
-        most = self._head(lines)
+        self._head(lines)
         for number, text in lines:
             text = text.strip().removesuffix(",")
             if text == _END:
                 return
-            yield from_record(self._data(text, number), Where(str(self.path), number), most)
+            yield from_record(self._data(text, number), Where(str(self.path), number))
         raise NotAResult(Where(str(self.path)), _END)
 
-    def _head(self, lines: Iterator[tuple[int, str]]) -> Decimal:
-        """The points that the key gives."""
+    def _head(self, lines: Iterator[tuple[int, str]]) -> None:
+        """What comes before the records: that they are some, and of this version."""
         head = ""
         for number, text in lines:
-            if text.strip() in (_BEGIN, _BEGIN + _END):
-                key = self._data(head + '"end": 0}', number)
-                break
+            if text.strip() == _BEGIN:
+                data = self._data(head + '"end": 0}', number)
+                if data.get("kind") != KIND or data.get("format") != FORMAT:
+                    raise NotAResult(Where(str(self.path), 1), f"{data.get('kind')!r} {data.get('format')!r}")
+                return
             head += text
-        else:
-            raise NotAResult(Where(str(self.path)), _BEGIN)
-        if key.get("kind") != KIND or key.get("format") != FORMAT:
-            raise NotAResult(Where(str(self.path), 1), f"{key.get('kind')!r} {key.get('format')!r}")
-        try:
-            return sum((points(each["points"]) for each in key["key"]["quantities"]), Decimal(0))
-        except (KeyError, TypeError, ValueError, ArithmeticError):
-            raise NotAResult(Where(str(self.path), 2), "key") from None
+        raise NotAResult(Where(str(self.path)), _BEGIN)
 
     def _data(self, text: str, number: int) -> dict[str, Any]:
         try:

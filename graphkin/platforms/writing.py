@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from decimal import Decimal
 from itertools import chain, islice
 from pathlib import Path
@@ -129,10 +130,12 @@ class Order:
     pictures: Callable[[Result], Sequence[Picture]]
     force: bool
     overrides: Overrides
+    most: Decimal
 
     def __iter__(self) -> Iterator[Result]:
-        """The results, with the teacher's points."""
-        return overridden(self.results, self.overrides)
+        """The results, with the teacher's points; what was not marked is of as many as the others."""
+        for result in overridden(self.results, self.overrides):
+            yield result if result.lines else replace(result, most=self.most)
 
     def lines(self, name: str, lines: Iterable[str], marks: Sequence[bytes]) -> Path:
         """A file of text in the folder."""
@@ -163,7 +166,8 @@ def write_results(
     CannotWrite, and what going through the results raises.
     """
     overrides = prepared(folder)
-    return RESULTS[kind](Order(folder, results, lang, reveal, assignment, page, pictures, force, overrides))
+    most = max((result.most for result in results), default=Decimal(0))
+    return RESULTS[kind](Order(folder, results, lang, reveal, assignment, page, pictures, force, overrides, most))
 
 
 def prepared(folder: Path) -> Overrides:
@@ -213,9 +217,8 @@ def _moodle(order: Order) -> Written:
 
 
 def _canvas(order: Order) -> Written:
-    most = max((result.most for result in order.results), default=Decimal(0))
     grades = order.lines(
-        "canvas-grades.csv", canvas_results.grades(order, order.assignment, most), (b"Points Possible,",),
+        "canvas-grades.csv", canvas_results.grades(order, order.assignment, order.most), (b"Points Possible,",),
     )  # fmt: skip
     members = canvas_results.feedback(order, order.lang, order.reveal, order.page)
     return Written((grades, order.packed("canvas-feedback.zip", members)), tuple(_without_canvas(order)))
