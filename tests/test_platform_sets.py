@@ -113,12 +113,14 @@ def test_a_mistake_that_touches_the_right_value_is_left_out():
     assert all("too-near" not in one.ids for one in alternatives(SET.questions[0], ALPHA))
 
 
-def test_the_ring_ends_where_a_mistake_begins():
+def test_the_ring_leaves_the_middle_of_a_mistake():
     near = Part("v", 10.0, 1.0, "", 1.0, (Wrong(("m",), 12.4, 0.4, {"en": "m", "zh": "m"}),))
-    assert held(near, 11.9).percent == 50
-    assert held(near, 12.0).ids == held(near, 12.4).ids == ("m",)
-    assert held(near, 8.05).percent == 50
-    assert held(near, 7.9) is None
+    assert held(near, 12.1).percent == 50
+    assert held(near, 12.2).ids == held(near, 12.4).ids == held(near, 12.8).ids == ("m",)
+    assert held(near, 7.85).percent == 50
+    assert held(near, 7.7) is None
+    touching = Part("v", 10.0, 1.0, "", 1.0, (Wrong(("m",), 12.01, 1.0, {"en": "m", "zh": "m"}),))
+    assert (held(touching, 11.3).percent, held(touching, 11.6).ids) == (50, ("m",))
 
 
 def test_mistakes_that_give_the_same_are_said_together():

@@ -1,8 +1,8 @@
 """What is answered to a number, in the order in which it is asked: the one value that every format of a set writes.
 
 The first alternative within its tolerance counts, as in Moodle: right ones first, then a ring of half credit, then
-mistakes, the narrowest first. The ring ends where a mistake begins, so that a mistake's number finds its words; a
-mistake that cannot be told from the right value is left out.
+mistakes, the narrowest first. The ring leaves the middle half of a mistake, so that a mistake's number finds its words;
+a mistake that cannot be told from the right value is left out.
 """
 
 from __future__ import annotations
@@ -108,8 +108,8 @@ def _joined(one: Alternative, alike: Sequence[Alternative]) -> Alternative:
 
 
 def _ring(one: Alternative, wrongs: Sequence[Alternative]) -> Alternative | None:
-    """Half of the points about a right number, up to where a mistake begins; none where that is nothing more."""
-    edges = [one.tolerance + _gap(one, wrong) for wrong in wrongs]
+    """Half of the points about a right number; not in the middle half of a mistake; none where that is nothing more."""
+    edges = [abs(one.number - wrong.number) - wrong.tolerance / 2 for wrong in wrongs]
     reach = one.tolerance * RING
     if edges and min(edges) <= reach:
         reach = _below(min(edges), one.tolerance)
