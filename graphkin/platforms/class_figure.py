@@ -72,7 +72,7 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
         axes.barh(range(len(steps)), counts, left=starts, color=colour, hatch=hatch, edgecolor="black", linewidth=0.6,
                   label=say(f"legend {name}", lang))  # fmt: skip
         starts = [start + count for start, count in zip(starts, counts, strict=True)]
-    _rows(axes, [step.name for step in steps])
+    _rows(axes, [step.name for step in steps], lang)
     _title(axes, "report steps", lang)
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(_VERDICTS), frameon=False, fontsize=8,
                 borderaxespad=0.2, handlelength=1.4, columnspacing=1.0)  # fmt: skip
@@ -81,7 +81,7 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
 def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
     found = report.mistakes[:_MOST]
     axes.barh(range(len(found)), [count for _, count in found], color="#bbbbbb", edgecolor="black", linewidth=0.6)
-    _rows(axes, [" / ".join(one.ids) or suspected(one, lang) for one, _ in found])
+    _rows(axes, [" / ".join(one.ids) or suspected(one, lang) for one, _ in found], lang)
     _title(axes, "report mistakes", lang)
 
 
@@ -90,8 +90,8 @@ def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
     starts = [k * width for k in range(RANGES)]
     axes.bar(starts, report.ranges, width=width, align="edge", color="#bbbbbb", edgecolor="black", linewidth=0.6)
     axes.set_xlim(0, 100)
-    axes.set_xlabel(say("score percent", lang))
-    axes.set_ylabel(say("students", lang))
+    axes.set_xlabel(say("score percent", lang), fontsize=8)
+    axes.set_ylabel(say("students", lang), fontsize=8)
     _whole(axes.yaxis)
     _title(axes, "report distribution", lang)
 
@@ -101,10 +101,11 @@ def _title(axes: Axes, key: str, lang: Lang) -> None:
     axes.set_title(say(key, lang), loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
 
 
-def _rows(axes: Axes, names: list[str]) -> None:
+def _rows(axes: Axes, names: list[str], lang: Lang) -> None:
     """Names beside the bars, the first above; in plain letters, whatever they are."""
     axes.set_yticks(range(len(names)), [_short(writable(name)) for name in names], fontsize=8, parse_math=False)
     axes.set_ylim(max(len(names), 1) - 0.4, -0.6)
+    axes.set_xlabel(say("students", lang), fontsize=8)
     _whole(axes.xaxis)
 
 
