@@ -112,7 +112,11 @@ def test_every_variant_is_posed_well(template: Path):
     (('omega = { from = "60 rpm", to = "120 rpm", step = "10 rpm" }', "omega = 0"), NoVariant),
     (("angle = 100", "angle = 100\nspeed = 3"), GraphkinError),
 ])  # fmt: skip
-def test_what_is_wrong_with_a_template_is_said(template: Path, change: tuple[str, str], error: type[GraphkinError]):
+def test_what_is_wrong_with_a_template_is_said(
+    template: Path, change: tuple[str, str], error: type[GraphkinError], monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr("graphkin.problems.draws._HOPELESS", 3)
+    monkeypatch.setattr("graphkin.problems.draws._TRIES", 20)
     assert change[0] in TEXT
     template.write_text(TEXT.replace(*change), encoding="utf-8")
     with pytest.raises(error) as caught:

@@ -115,7 +115,6 @@ def _explanations(
     fits = (weighed.worst[k] <= _FITS) & (weighed.chance[k] <= _CHANCE)
     if not fits.any():
         return ()
-    best = float(weights[fits].max())
     first = int(np.flatnonzero(fits)[np.argmax(weights[fits])])
     likely = weights - weighed.shares
     same = fits & ((likely > likely[first] - MARGIN) | _close(table, hypotheses, weighed.rows, first, given))

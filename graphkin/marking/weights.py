@@ -149,11 +149,12 @@ def _mixed(
 
 def _near_any(table: Columns, given: np.ndarray, values: np.ndarray, scatters: np.ndarray) -> np.ndarray:
     """Which rows of values (m, n) have a student (students, n) all of whose values are near, (m,)."""
-    near = np.ones((len(given), len(values)), dtype=bool)
+    near: np.ndarray = np.ones((len(given), len(values)), dtype=bool)
     for k in range(values.shape[1]):
         one = np.arange(values.shape[1]) == k
         off = differences(columns_of(table, one), given[:, None, one], values[:, one])[..., 0]
-        near &= np.asarray(np.abs(off) <= _FAR * scatters[:, k])
+        close: np.ndarray = np.abs(off) <= _FAR * scatters[:, k]
+        near &= close
     found: np.ndarray = near.any(axis=0)
     return found
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from graphkin.errors import Lang
+from graphkin.problems.draws import Variant
 from graphkin.problems.phrases import KEYS, PHRASES, TABLES
 from graphkin.problems.template import Template
-from graphkin.problems.variants import Variant
 from graphkin.quantities import EDGE, Centre, Quantity, Quotient, read
 from graphkin.words import names
 

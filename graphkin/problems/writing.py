@@ -12,9 +12,9 @@ from graphkin.errors import CannotWrite, Lang
 from graphkin.grading import key_for, set_text
 from graphkin.outputs.files import beside, refuse
 from graphkin.outputs.key_json import key_text
+from graphkin.problems.draws import Variant
 from graphkin.problems.template import Template
 from graphkin.problems.text import problem
-from graphkin.problems.variants import Variant
 from graphkin.submissions import safe_name
 
 __all__ = ["MARK", "file_names", "write_set"]

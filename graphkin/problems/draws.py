@@ -20,7 +20,9 @@ from graphkin.value import frozen
 
 __all__ = ["Variant", "variants"]
 
-_TRIES = 400
+_TRIES = 200
+_HOPELESS = 20
+"""Where so many draws do not assemble, and no other did better, the template is wrong."""
 _APART = 60
 """So many draws look for numbers that no other student has; then well-posed is enough."""
 _DISTINCT = 0.02
@@ -51,15 +53,15 @@ def variants(template: Template, students: Sequence[Student], seed: str) -> tupl
 
 def _drawn(template: Template, student: Student, seed: str, taken: _Taken) -> Variant:
     refused: Counter[Refused] = Counter()
-    last: GraphkinError | None = None
     for attempt in range(_TRIES):
         numbers = _numbers(template, student.id, seed, attempt)
         try:
             mechanism = template.mechanism(numbers)
             found = well_posed(mechanism)
-        except GraphkinError as problem:
+        except GraphkinError:
             refused["assembly"] += 1
-            last = problem
+            if attempt + 1 == refused["assembly"] == _HOPELESS:
+                raise
             continue
         if isinstance(found, str):
             refused[found] += 1
@@ -70,8 +72,6 @@ def _drawn(template: Template, student: Student, seed: str, taken: _Taken) -> Va
             continue
         taken.add(numbers, answers(found))
         return Variant(student, numbers, mechanism, there)
-    if last is not None and refused.total() == refused["assembly"]:
-        raise last
     raise NoVariant(Where(template.file), student.id[:60], _TRIES, tuple(refused.most_common()))
 
 
