@@ -27,6 +27,7 @@ from graphkin.marking import (
     redraw,
     replay_with,
     rewrites,
+    rewritten,
 )
 from graphkin.marking.phrases import key
 from graphkin.planning import Method, plan
@@ -200,6 +201,28 @@ def test_a_velocity_image_alone_leaves_accelerations():
     hold_printed(value("ex3-5", row, "a E"), "3.542")
 
 
+def test_a_guide_through_its_pivot_may_be_split():
+    """There the parts along and across the guide are the velocities sought: no mistake."""
+    assert not [rewrite for (rewrite,) in led_to("ex3-7").columns if rewrite.id == "orthogonal-split"]
+
+
+def test_what_a_ruler_reads_is_the_whole_arrow():
+    """Not its part across BD, which would give 9.0 and -2.09 rad/s."""
+    rows = [row_of("ex3-1", "wrong-radius", "", "v_B3", form) for form in ("⊥CD", "⊥BC")]
+    for row, part in zip(rows, (9.0, 2.09), strict=True):
+        assert abs(value("ex3-1", row, "omega 3")) > part + 0.5
+
+
+@pytest.mark.parametrize("words", [("coriolis-half",), ("other-assembly", "", "3"), ("wrong-tail", "", "a^k_B3B2")])
+def test_a_rewritten_drawing_of_its_own(words: tuple[str, ...]):
+    """Scalars, as the column of all at once has them."""
+    method, _ = prepared("ex3-1")
+    row = row_of("ex3-1", *words)
+    drawn = rewritten(method, replay_all(method), led_to("ex3-1").columns[row])
+    assert all(np.ndim(place) == 0 for place in (*drawn.acceleration.values(), *drawn.position.values()))
+    assert drawn.alpha["3"] == pytest.approx(value("ex3-1", row, "alpha 3"))
+
+
 def test_a_pair_of_mistakes_is_made_together():
     """Half the Coriolis term, and that the other way: -1/2 of it."""
     half, turned = (led_to("ex3-1").columns[row_of("ex3-1", word)][0] for word in ("coriolis-half", "coriolis-reversed"))
@@ -211,10 +234,19 @@ def test_a_pair_of_mistakes_is_made_together():
     assert both.columns[0] == (half, turned)
 
 
+def test_all_normal_terms_left_out_are_every_one_left_out():
+    one, other, every = (led_to("ex3-5").columns[row_of("ex3-5", "normal-omitted", "", name)]
+                         for name in ("a^n_CD", "a^n_CB", "a^n_CD, a^n_CB"))  # fmt: skip
+    method, quantities = prepared("ex3-5")
+    found = combined(method, replay_all(method), quantities, [(*one, *other), every])
+    assert found.alike() == [[0, 1]]
+
+
 # --- carried on ---------------------------------------------------------------------------------
 
 CARRIED = [
-    ("ex3-1", {"omega 3": -5.65}, {"omega 3": "-3.919", "omega 2": "-5.65", "v B3B2": "0.3208", "a_k B3B2": "3.625", "alpha 3": "68.7"}),
+    ("ex3-1", {"omega 3": -5.65}, {"omega 3": "-3.919", "omega 2": "-5.65", "v B3B2": "0.3208", "a_k B3B2": "3.625",
+                                  "alpha 3": "68.7"}),
     ("ex3-1", {"omega 2": -5.65}, {"omega 3": "-5.65", "omega 2": "-3.919", "a_k B3B2": "3.625", "alpha 3": "68.7"}),
     ("ex3-1", {"v B3": 0.2}, {"v B3": "0.2712", "omega 3": "-2.890"}),
     ("ex3-1", {"v B3B2": 0.1604}, {"v B3B2": "0.3208", "a_k B3B2": "1.257", "alpha 3": "37.3"}),
@@ -259,6 +291,15 @@ def test_a_drawn_vector_moves_its_point():
     assert half.value(v_c).vector == pytest.approx(0.5 * right.value(v_c).vector)
     assert half.value(omega).value == pytest.approx(0.5 * right.value(omega).value)
     assert right.least_sine == pytest.approx(min(s for (plane, _), s in right.plot.sines.items() if plane != "position"))
+
+
+def test_both_components_are_a_vector():
+    method, (v_x, v_y, v_c, omega) = prepared("ex3-1", "v_x B3", "v_y B3", "v B3", "omega 3")
+    plot = replay_all(method)
+    vector = 0.1 + 0.3j
+    whole, parts = ({v_c: vector}, {v_x: vector.real, v_y: vector.imag})
+    assert replay_with(method, plot, whole).value(omega) == replay_with(method, plot, parts).value(omega)
+    assert replay_with(method, plot, {v_x: 0.1}).value(omega).value == pytest.approx(-3.9193, abs=1e-4)
 
 
 # --- other right ways ---------------------------------------------------------------------------

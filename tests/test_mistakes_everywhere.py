@@ -18,7 +18,8 @@ from graphkin import library
 from graphkin.construction import Plot
 from graphkin.errors import DeadPoint
 from graphkin.loading import loads
-from graphkin.marking import MISTAKES, Consequences, combined, consequences, redraw
+from graphkin.marking import MISTAKES, SENTENCES, Consequences, combined, consequences, redraw
+from graphkin.marking.phrases import key
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.planning import Method, plan
 from graphkin.quantities import Quantity, read
@@ -83,9 +84,19 @@ def hold(mechanism: Mechanism, method: Method, plot: Plot) -> Consequences:
         warnings.simplefilter("error")
         found = consequences(method, plot, quantities)
     assert len({rewrite.name for (rewrite,) in found.columns}) == len(found.columns)
+    hold_sayable(found)
     hold_planes(found)
     hold_alone(method, plot, found)
     return found
+
+
+def hold_sayable(found: Consequences) -> None:
+    """Every sentence finds what it names."""
+    for (rewrite,) in found.columns:
+        for sentence in SENTENCES[key(rewrite.id, rewrite.way)].values():
+            said = sentence.format(of=rewrite.of, form=rewrite.form)
+            assert rewrite.of or "{of}" not in sentence, said
+            assert rewrite.form or "{form}" not in sentence, said
 
 
 def hold_planes(found: Consequences) -> None:

@@ -7,7 +7,7 @@ every mistake that can be made, each a `Rewrite` of one place of the constructio
 from __future__ import annotations
 
 from graphkin.marking.asked import Arrows, arrows_of, asked
-from graphkin.marking.consequences import Consequences, combined, consequences, rewrites
+from graphkin.marking.consequences import Consequences, combined, consequences, rewrites, rewritten
 from graphkin.marking.follow import Followed, Own, replay_with
 from graphkin.marking.hand import Hand, Hands
 from graphkin.marking.phrases import HINTS, SENTENCES
@@ -20,4 +20,5 @@ __all__ = [
     "HINTS", "MISTAKES", "SENTENCES", "Arrows", "Consequences", "Edit", "Followed", "Hand", "Hands", "Mistake",
     "Mistaken", "OtherWay", "Own", "Redrawing", "Rewrite", "Written", "arrows_of", "asked", "combined",
     "consequences", "other_methods", "other_ways", "redraw", "replay_with", "rewrites",
+    "rewritten",
 ]  # fmt: skip

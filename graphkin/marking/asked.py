@@ -18,6 +18,9 @@ from graphkin.value import frozen
 
 __all__ = ["Arrows", "arrows_of", "asked", "size_of"]
 
+ACROSS = 1e-9
+"""Less along a guide, as part of a vector, is nothing."""
+
 Ends = tuple[Plane, str, str]
 """Plane, tail and head of an arrow."""
 
@@ -102,10 +105,12 @@ def asked(method: Method, plot: Redrawing, quantity: Quantity, arrows: Arrows, b
 
 
 def size_of(quantity: Quantity, vector: Value) -> Value:
-    """The size of a vector; of one along a guide with its sign, the whole of it though a mistake has it beside."""
+    """The size of a vector; of one along a guide with its sign, the whole of it though a mistake has it beside, and
+    without one where a mistake has it across."""
+    size = np.abs(vector)
     if quantity.along is None:
-        return np.abs(vector)
-    return np.where(dot(quantity.along, vector) < 0, -1.0, 1.0)[()] * np.abs(vector)
+        return size
+    return np.where(dot(quantity.along, vector) < -ACROSS * size, -size, size)[()]
 
 
 def _vector(method: Method, plot: Redrawing, quantity: Moving, arrows: Arrows, before: bool) -> Value:

@@ -19,10 +19,13 @@ from graphkin.planning import Method
 from graphkin.quantities import Answer, Centre, Quantity
 from graphkin.value import frozen
 
-__all__ = ["Consequences", "combined", "consequences", "rewrites"]
+__all__ = ["Consequences", "combined", "consequences", "rewrites", "rewritten"]
 
 SAME = 1e-9
 """Values that differ by less, as part of their size, are one."""
+
+_TABLES = ("position", "velocity", "acceleration", "theta", "omega", "alpha", "s", "s_rate", "s_acceleration", "sines",
+           "laid", "met", "before")  # fmt: skip
 
 
 @frozen
@@ -152,3 +155,13 @@ def _write_otherwise(
                 values[row, k] = size_of(quantities[k], vectors[row, k])
             else:
                 values[row, k] = (one.factor * (values[row, k] if one.instead is None else one.instead)).real
+
+
+def rewritten(method: Method, plot: Plot, rewrites: Sequence[Rewrite]) -> Redrawing:
+    """One drawing with mistakes, as a plot of its own (scalars): for the figure beside the right one."""
+    hand = Mistaken([rewrites])
+    drawn = redraw(method, hand.placed(method, plot), hand, hand.shape)
+    for table in _TABLES:
+        alone = {name: value[0] if np.ndim(value) else value for name, value in getattr(drawn, table).items()}
+        setattr(drawn, table, alone)
+    return drawn

@@ -82,7 +82,7 @@ def diagnoses(
         found.append(Diagnosis(explanations, dict(zip(ids, evidence[k].tolist(), strict=True))))
     rest = np.array([k for k, one in enumerate(found) if not one.explanations], dtype=int)
     if rest.size and independent(key, there) >= _PAIRS_FROM and (two := pairs()) is not None:
-        weighed = weigh(key, table, given[rest], two, TWO)
+        weighed = weigh(key, table, given[rest], two, TWO, near_only=True)
         for row, k in enumerate(rest):
             found[k] = Diagnosis(_explanations(key, table, given[k], wrong[k], weighed, row, two), found[k].evidence)
     return found
@@ -115,7 +115,6 @@ def _explanations(
     fits = (weighed.worst[k] <= _FITS) & (weighed.chance[k] <= _CHANCE)
     if not fits.any():
         return ()
-    best = float(weights[fits].max())
     first = int(np.flatnonzero(fits)[np.argmax(weights[fits])])
     likely = weights - weighed.shares
     same = fits & ((likely > likely[first] - MARGIN) | _close(table, hypotheses, weighed.rows, first, given))

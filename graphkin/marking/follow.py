@@ -12,7 +12,7 @@ from graphkin.marking.asked import Arrows, Ends, arrows_of, asked
 from graphkin.marking.hand import Hand
 from graphkin.marking.redrawing import Redrawing, redraw
 from graphkin.planning import Method
-from graphkin.quantities import Answer, Moving, Quantity, Rotation
+from graphkin.quantities import Answer, Component, Moving, Quantity, Rotation
 from graphkin.value import frozen
 
 __all__ = ["Followed", "replay_with"]
@@ -45,8 +45,9 @@ class Followed:
 def replay_with(method: Method, right: Plot, own: Mapping[Quantity, Value], arrows: Arrows | None = None) -> Followed:
     """Draw the polygons on from a student's own values, at the positions of the right plot.
 
-    own  by quantity, SI: omega and alpha with their sense; of a vector the complex vector where it was drawn, or its
-         size. Scalars, or arrays over students with NaN where one has no value. Other quantities have no effect.
+    own  by quantity, SI: omega and alpha with their sense; of a vector the complex vector where it was drawn (or both
+         its components), or its size. Scalars, or arrays over students with NaN where one has no value. Other
+         quantities have no effect.
 
     A vector's size alone is taken as read off or laid off in the direction it has: what is calculated from it follows,
     and what is drawn from a known arrow's end; a drawn vector moves its point.
@@ -63,7 +64,7 @@ class Own(Hand):
     def __init__(self, own: Mapping[Quantity, Value], arrows: Arrows) -> None:
         self.rotations = {(q.word, q.link): value for q, value in own.items() if isinstance(q, Rotation)}
         self.vectors: dict[Ends, Value] = {}
-        for quantity, value in own.items():
+        for quantity, value in _whole(own).items():
             if isinstance(quantity, Moving) and (found := arrows.of(quantity)) is not None:
                 (plane, tail, head), sign = found
                 signed = quantity.along is not None and not np.iscomplexobj(value)
@@ -131,6 +132,15 @@ class Own(Hand):
     def _rotation(self, quantity: str, link: str, right: Value) -> Value:
         own = self.rotations.get((quantity, link))
         return right if own is None else _where_given(own, right)
+
+
+def _whole(own: Mapping[Quantity, Value]) -> Mapping[Quantity, Value]:
+    """Both components of a vector put together."""
+    axes: dict[Moving, dict[str, Value]] = {}
+    for quantity, value in own.items():
+        if isinstance(quantity, Component):
+            axes.setdefault(quantity.whole, {})[quantity.axis] = value
+    return {**own, **{whole: both["x"] + 1j * both["y"] for whole, both in axes.items() if len(both) == 2}}
 
 
 def _where_given(own: Value, right: Value) -> Value:

@@ -125,9 +125,8 @@ class Marker:
         self, work: Work, entry: Entry, n: int, given: float, right: bool, sense_only: bool, carried: Carried, k: int
     ) -> Judged:
         """One quantity; the better of both verdicts counts."""
-        blank = Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "missing", points=entry.points)
         if not np.isfinite(given):
-            return blank
+            return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "missing", points=entry.points)
         unit_right = work.numbers[entry.text].unit_right
         follows = bool(carried.agrees[k, n])
         verdict: Verdict = "right" if right else "carried" if follows else "wrong"
@@ -138,11 +137,11 @@ class Marker:
         wrong_way = sense_only or np.sign(given) != np.sign(by)
         signed = entry.sort == "sense" and by != 0
         judged_by = carried.values[k, n]
-        return replace(
-            blank, given=work.numbers[entry.text].value, verdict=verdict, unit_right=unit_right, credit=credit,
-            sense=None if not signed else "wrong" if wrong_way else "right",
-            carried=float(judged_by) if np.isfinite(judged_by) and not right else None,
-            own=carried.own(k, n) if not right else {}, refused=carried.refused(k, n) if not right else (),
+        return Judged(
+            entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, verdict,
+            None if not signed else "wrong" if wrong_way else "right", unit_right,
+            float(judged_by) if np.isfinite(judged_by) and not right else None,
+            carried.own(k, n) if not right else {}, carried.refused(k, n) if not right else (), credit, entry.points,
         )  # fmt: skip
 
 

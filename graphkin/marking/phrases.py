@@ -165,8 +165,8 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "en": "the sense of {of} given the wrong way round",
     },
     "centre-ratio": {
-        "zh": "用瞬心求 {of} 时比值颠倒 {form}",
-        "en": "{of} by instant centres with the ratio upside down {form}",
+        "zh": "用瞬心求 {of} 时距离之比颠倒",
+        "en": "{of} by instant centres with the ratio of distances upside down",
     },
     "centre-ratio.sense": {
         "zh": "用瞬心求 {of} 时转向判断反了（瞬心在两中心之间或之外）",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import field, replace
 from typing import Any
 
@@ -15,7 +15,7 @@ from graphkin.marking.redrawing import Redrawing
 from graphkin.planning import Method
 from graphkin.value import frozen
 
-__all__ = ["Change", "Edit", "Mistaken", "Rewrite", "Spot", "Written", "in_sense_of", "times"]
+__all__ = ["Change", "Edit", "Mistaken", "Rewrite", "Spot", "Written", "each_and_all", "in_sense_of", "times"]
 
 PARALLEL = np.sin(np.radians(0.5))
 """Sine of the angle under which lines are not taken to cross."""
@@ -91,6 +91,15 @@ class Times:
 def times(factor: complex) -> Change:
     """So many times what is right; 1j turns it by 90 degrees counter-clockwise."""
     return Times(factor)
+
+
+def each_and_all(id: str, places: Sequence[tuple[str, Edit]], but: Sequence[str] = ()) -> Iterator[Rewrite]:
+    """A mistake made at each of some places alone, by name; and at all of them `but` some, where these are several."""
+    for name, edit in places:
+        yield Rewrite(id, name, edits=(edit,))
+    together = {name: edit for name, edit in places if name not in but}
+    if len(together) > 1:
+        yield Rewrite(id, ", ".join(together), edits=tuple(together.values()))
 
 
 def in_sense_of(size: Value, right: Value) -> Value:

@@ -13,7 +13,7 @@ import numpy as np
 from graphkin.marking.key import Entry, Key
 from graphkin.value import frozen
 
-__all__ = ["Columns", "agrees", "columns", "columns_of", "differences", "sense_only", "usable"]
+__all__ = ["Columns", "agrees", "columns", "columns_of", "differences", "sense_only", "upright", "usable"]
 
 _TURN = 2 * np.pi
 _SAME = 1e-6
@@ -47,13 +47,17 @@ def columns_of(table: Columns, which: np.ndarray) -> Columns:
     return Columns(*(getattr(table, name)[which] for name in Columns.__match_args__))
 
 
+def upright(table: Columns, values: np.ndarray) -> np.ndarray:
+    """Values (.., n) with sizes without sign."""
+    return np.where(table.size, np.abs(values), values) if table.size.any() else values
+
+
 def differences(table: Columns, given: np.ndarray, value: np.ndarray) -> np.ndarray:
     """By how much given values are off (.., n): sizes without sign, angles modulo a turn; NaN where either is."""
-    plain: np.ndarray = given - value
-    if table.size.any():
-        plain = np.where(table.size, np.abs(given) - np.abs(value), plain)
+    plain: np.ndarray = upright(table, given) - upright(table, value)
     if table.angle.any():
-        plain = np.where(table.angle, plain - _TURN * np.round(plain / _TURN), plain)
+        angles = plain[..., table.angle]
+        plain[..., table.angle] = angles - _TURN * np.round(angles / _TURN)
     return plain
 
 

@@ -51,17 +51,20 @@ class Weighed:
     none: np.ndarray
 
 
-def weigh(key: Key, table: Columns, given: np.ndarray, hypotheses: Hypotheses, met: float) -> Weighed:
+def weigh(
+    key: Key, table: Columns, given: np.ndarray, hypotheses: Hypotheses, met: float, near_only: bool = False
+) -> Weighed:
     """For students who have handed in the same quantities: given (students, n), NaN where one is not.
 
-    met  logarithm of how often one of the hypotheses is met
+    met        logarithm of how often one of the hypotheses is met
+    near_only  those that are far from all students' values have no weight
     """
     there = np.isfinite(given).all(axis=0)
     short, handed, together = columns_of(table, there), given[:, there], key.together[np.ix_(there, there)]
     rows = np.flatnonzero(visible(short, hypotheses.values[:, there]))
     values, scatters = hypotheses.values[np.ix_(rows, there)], hypotheses.scatters[np.ix_(rows, there)]
     nothing = _nothing(short, handed)
-    found = _Found(len(handed), len(rows))
+    found = _Found(len(handed), len(rows), near_only)
     judged = np.isfinite(values) & np.isfinite(scatters)
     for which, some in _alike(judged):
         found.put(some, short, handed, values[some], scatters[some], together, nothing, which)
@@ -144,14 +147,26 @@ def _mixed(
     return found
 
 
+def _near_any(table: Columns, given: np.ndarray, values: np.ndarray, scatters: np.ndarray) -> np.ndarray:
+    """Which rows of values (m, n) have a student (students, n) all of whose values are near, (m,)."""
+    near: np.ndarray = np.ones((len(given), len(values)), dtype=bool)
+    for k in range(values.shape[1]):
+        one = np.arange(values.shape[1]) == k
+        off = differences(columns_of(table, one), given[:, None, one], values[:, one])[..., 0]
+        close: np.ndarray = np.abs(off) <= _FAR * scatters[:, k]
+        near &= close
+    found: np.ndarray = near.any(axis=0)
+    return found
+
+
 class _Found:
     """Weights and fits of rows, filled in group by group."""
 
-    def __init__(self, students: int, rows: int) -> None:
-        self.weights = np.zeros((students, rows))
+    def __init__(self, students: int, rows: int, near_only: bool = False) -> None:
+        self.near_only = near_only
+        self.weights = np.full((students, rows), -np.inf)
         self.worst = np.full((students, rows), np.inf)
         self._near = np.full((students, rows), np.inf)
-        self._dimensions = np.zeros(rows, dtype=int)
         self._cells: dict[int, float] = {}
 
     def put(
@@ -166,6 +181,11 @@ class _Found:
         alike = np.where(short.angle | (short.right == 0), 1.0, np.sign(short.right))
         kinds = [_normal(together[np.ix_(which, which)] * np.outer(alike, alike), part) for part in _COMMON]
         own = np.log(scatters).sum(axis=1)
+        cells = own + _broad(short, values).sum(axis=1)
+        self._cells[size] = np.logaddexp.reduce([self._cells.get(size, -np.inf), *cells])
+        if self.near_only:
+            rows = np.flatnonzero(_near_any(short, handed, values, scatters))
+            values, scatters, outward, own, some = values[rows], scatters[rows], outward[rows], own[rows], some[rows]
         step = max(_AT_ONCE // max(values.size, 1), 1)
         for k in range(0, len(handed), step):
             z = differences(short, handed[k : k + step, None, :], values) / scatters
@@ -174,15 +194,16 @@ class _Found:
             self.weights[k : k + step, some] = _mixed(z * outward, near, worst, kinds) - own + rest
             self.worst[k : k + step, some] = worst
             self._near[k : k + step, some] = near
-        self._dimensions[some] = size
-        cells = own + _broad(short, values).sum(axis=1)
-        self._cells[size] = np.logaddexp.reduce([self._cells.get(size, -np.inf), *cells])
 
     def chance(self) -> np.ndarray:
         """How many explanations random numbers come as near to, on average: cells of that size about all of them."""
-        total = np.zeros_like(self.weights)
+        total = np.ones_like(self.weights)
+        rows = np.flatnonzero(np.isfinite(self._near).any(axis=0))
+        near = self._near[:, rows]
+        found = np.zeros_like(near)
         with np.errstate(divide="ignore"):
             for size, cells in self._cells.items():
-                ball = 0.5 * size * np.log(np.pi * self._near) - lgamma(size / 2 + 1) if size else 0.0
-                total += np.exp(np.minimum(ball + cells, 0.0))
+                ball = 0.5 * size * np.log(np.pi * near) - lgamma(size / 2 + 1) if size else 0.0
+                found += np.exp(np.minimum(ball + cells, 0.0))
+        total[:, rows] = found
         return total

@@ -34,8 +34,8 @@ def tolerance_lines(found: Tolerances, lang: Lang) -> Iterator[str]:
     marking = found.key.marking
     yield found.key.title.get(lang) or next(iter(found.key.title.values()), found.key.name)
     yield from _pencil(marking, found.drawings, lang)
-    yield from table([[say(key, lang) for key in ("quantity", "right value", "scatter", "tolerance", "part", "unit", "worst step")],
-                      *_rows(found, lang)])  # fmt: skip
+    heads = ("quantity", "right value", "scatter", "tolerance", "part", "unit", "worst step")
+    yield from table([[say(key, lang) for key in heads], *_rows(found, lang)])
     yield ""
     yield say("costs", lang)
     yield from (f"  {cost.over_all:6.1%}  {_step(cost, lang)}" for cost in found.costs[:_TOLD])
@@ -72,7 +72,8 @@ def _step(cost: Cost, lang: Lang) -> str:
     fixed = mark.what == "point" and mark.of[0] == "frame"
     key = f"{mark.plane} {'frame' if fixed else mark.what}"
     of = (cost.name or mark.of[0], *mark.of[1:], "")
-    return say(key if key in PHRASES else f"{mark.plane} reading", lang, **{f"of{k}": name for k, name in enumerate(of)})
+    key = key if key in PHRASES else f"{mark.plane} reading"
+    return say(key, lang, **{f"of{k}": name for k, name in enumerate(of)})
 
 
 def tolerance_data(found: Tolerances) -> Json:

@@ -57,8 +57,8 @@ def _wrong_pairs(scene: Scene, quantity: Centre) -> Iterator[Rewrite]:
     links = [FRAME, *scene.method.mechanism.moving]
     i, j = quantity.links
     called = scene.method.mechanism.called
-    for k, l in combinations([link for link in links if link not in (i, j)], 2):  # noqa: E741
-        for first, second in ((((i, k), (j, l)), ((i, l), (j, k))), (((i, k), (i, l)), ((j, k), (j, l)))):
+    for k, m in combinations([link for link in links if link not in (i, j)], 2):
+        for first, second in ((((i, k), (j, m)), ((i, m), (j, k))), (((i, k), (i, m)), ((j, k), (j, m)))):
             place = _crossing(*(_place(scene, pair) for pair in (*first, *second)))
             if np.isfinite(place):
                 form = " × ".join("".join(f"P{called(a)}{called(b)}" for a, b in lines) for lines in (first, second))

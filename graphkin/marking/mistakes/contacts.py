@@ -8,6 +8,7 @@ from graphkin.geometry import Value
 from graphkin.marking.redrawing import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite
 from graphkin.marking.scene import Scene, mistake
+from graphkin.planning.equivalent import Contact
 from graphkin.planning.stages import Mesh
 
 __all__: list[str] = []
@@ -15,40 +16,48 @@ __all__: list[str] = []
 
 @mistake("arm-ignored", "wheels", "11-2")
 def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
-    """omega_a / omega_b = -r_b / r_a with the wheels' own rotations, though the arm that bears them turns."""
-    found = list(_on_arms(scene))
-    yield from found
-    if len(found) > 1:
-        names, edits = ", ".join(one.of for one in found), tuple(edit for one in found for edit in one.edits)
-        yield Rewrite("arm-ignored", names, edits=edits)
+    """omega_a / omega_b = -r_b / r_a with the wheels' own rotations, though the arm that bears them turns.
+
+    At one contact, or at all; the wheels after it turn as their own contacts then have it.
+    """
+    contacts = list(_contacts(scene))
+    wrong = [k for k, (_, contact) in enumerate(contacts) if _matters(scene, contact)]
+    for k in wrong:
+        yield _ignoring(scene, contacts, {k})
+    if len(wrong) > 1:
+        yield _ignoring(scene, contacts, set(wrong))
 
 
-def _on_arms(scene: Scene) -> Iterator[Rewrite]:
-    """Each contact that gives the rotation of a wheel, on an arm that turns."""
+def _contacts(scene: Scene) -> Iterator[tuple[str, Contact]]:
+    """Every contact on an arm that gives the rotation of a wheel, after that wheel."""
     for stage in scene.method.stages:
-        if not isinstance(stage, Mesh) or not stage.angle or not stage.contact.arm:
-            continue
-        coefficients, arm = stage.contact.angles, stage.contact.arm
-        wheel = next((link for link, _ in coefficients if scene.turns_with(link, stage.angle)), None)
-        if wheel is None or scene.turns_with(wheel, arm) or not _turns(scene, arm):
-            continue
-        edits = tuple(
-            Edit(("settled", quantity, wheel), _without(coefficients, wheel, arm, quantity))
-            for quantity in ("omega", "alpha")
-        )
-        yield Rewrite("arm-ignored", scene.rotation_name("omega", wheel), edits=edits)
+        if isinstance(stage, Mesh) and stage.angle and stage.contact.arm:
+            wheel = next((w for w in stage.contact.wheels if scene.turns_with(w, stage.angle)), "")
+            if wheel and not scene.turns_with(wheel, stage.contact.arm):
+                yield wheel, stage.contact
 
 
-def _turns(scene: Scene, arm: str) -> bool:
-    return bool(scene.plot.omega[arm])
+def _matters(scene: Scene, contact: Contact) -> bool:
+    return bool(scene.plot.omega[contact.arm] or scene.plot.alpha[contact.arm])
 
 
-def _without(coefficients: tuple[tuple[str, float], ...], wheel: str, arm: str, quantity: str) -> Change:
-    own = dict(coefficients)[wheel]
+def _ignoring(scene: Scene, contacts: list[tuple[str, Contact]], wrong: set[int]) -> Rewrite:
+    edits = tuple(
+        Edit(("settled", quantity, wheel), _turned(contact, wheel, quantity, contact.arm if k in wrong else ""))
+        for k, (wheel, contact) in enumerate(contacts)
+        if k >= min(wrong)
+        for quantity in ("omega", "alpha")
+    )
+    wheels = (contacts[k][0] for k in sorted(wrong))
+    return Rewrite("arm-ignored", ", ".join(scene.rotation_name("omega", wheel) for wheel in wheels), edits=edits)
+
+
+def _turned(contact: Contact, wheel: str, quantity: str, without: str) -> Change:
+    """What a contact gives a wheel, from the rotations of all others of its links but one."""
+    own = sum(c for link, c in contact.angles if link == wheel)
 
     def change(plot: Redrawing, right: Value) -> Value:
         table: dict[str, Value] = getattr(plot, quantity)
-        others = [(link, c) for link, c in coefficients if link not in (wheel, arm)]
-        return -sum(c * table[link] for link, c in others) / own + 0 * right
+        return -sum(c * table[link] for link, c in contact.angles if link not in (wheel, without)) / own + 0 * right
 
     return change

@@ -42,7 +42,7 @@ def _convertible(quantity: Quantity) -> bool:
     return isinstance(quantity, Moving) or (isinstance(quantity, Rotation) and quantity.word != "theta")
 
 
-@mistake("conversion", "unit", "1-2")
+@mistake("conversion", "unit", "3-2.1")
 def conversion(scene: Scene) -> Iterator[Rewrite]:
     asked = [quantity for quantity in scene.quantities if _convertible(quantity)]
     yield from _written(scene, asked)

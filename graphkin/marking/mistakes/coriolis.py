@@ -9,7 +9,7 @@ import numpy as np
 from graphkin.construction import Coriolis
 from graphkin.geometry import Value, unit
 from graphkin.marking.redrawing import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
 __all__: list[str] = []
@@ -29,8 +29,9 @@ def slip(plot: Redrawing, size: Coriolis) -> Value:
 
 
 def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
-    for size, name in terms(scene):
-        yield Rewrite(id, name, edits=(Edit(("arrow", "acceleration", size), change),))
+    """Every term alone; and all, as by one who does not know better."""
+    found = [(name, Edit(("arrow", "acceleration", size), change)) for size, name in terms(scene)]
+    return each_and_all(id, found)
 
 
 @mistake("coriolis-omitted", "coriolis", RULE)
@@ -51,12 +52,15 @@ def half(scene: Scene) -> Iterator[Rewrite]:
 @mistake("coriolis-not-turned", "coriolis", RULE)
 def not_turned(scene: Scene) -> Iterator[Rewrite]:
     """In the direction of v_r."""
-    for size, name in terms(scene):
+    found = [(name, Edit(("arrow", "acceleration", size), _along_slip(size))) for size, name in terms(scene)]
+    return each_and_all("coriolis-not-turned", found)
 
-        def change(plot: Redrawing, right: Value, size: Coriolis = size) -> Value:
-            return np.abs(right) * unit(slip(plot, size))
 
-        yield Rewrite("coriolis-not-turned", name, edits=(Edit(("arrow", "acceleration", size), change),))
+def _along_slip(size: Coriolis) -> Change:
+    def change(plot: Redrawing, right: Value) -> Value:
+        return np.abs(right) * unit(slip(plot, size))
+
+    return change
 
 
 @mistake("coriolis-crank-omega", "coriolis", RULE)

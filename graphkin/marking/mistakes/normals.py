@@ -10,7 +10,7 @@ from graphkin.construction import AlongGuide, Normal, Ray, Relative, Size
 from graphkin.geometry import Value, unit
 from graphkin.marking.mistakes.directions import rays
 from graphkin.marking.redrawing import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, times
 from graphkin.marking.scene import Scene, mistake
 
 __all__: list[str] = []
@@ -28,8 +28,10 @@ def _normals(scene: Scene) -> Iterator[tuple[Size, str]]:
 
 
 def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
-    for size, name in _normals(scene):
-        yield Rewrite(id, name, edits=(Edit(("arrow", "acceleration", size), change),))
+    """Every term alone; and those of all links that are not driven."""
+    found = [(name, Edit(("arrow", "acceleration", size), change)) for size, name in _normals(scene)]
+    driven = [name for size, name in _normals(scene) if isinstance(size, Normal) and scene.driven(size.link)]
+    return each_and_all(id, found, driven)
 
 
 @mistake("normal-omitted", "normal", RULE)

@@ -118,7 +118,7 @@ def _from_pole(scene: Scene, plane: Plane) -> Iterator[Rewrite]:
     construction = scene.construction(plane)
     resting = {construction.pole, *_fixed(scene, plane)}
     for step in scene.laid_off(plane):
-        if step.start in resting or step.backwards or "*" in step.start + step.tip:
+        if step.start in resting or "*" in step.start + step.tip:
             continue
 
         def change(plot: Redrawing, right: Value, start: str = step.start, plane: Plane = plane) -> Value:
