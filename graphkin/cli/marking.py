@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Iterator
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -63,8 +64,8 @@ def grade(
     """Mark what students hand in: verdicts, marks, and the mistake that a wrong number is consistent with.
 
     KEY is a key.json, a folder of problems with a key each, a mechanism file or a library mechanism. SUBMISSION is a
-    file of answers or a drawing, a class table, a zip of a whole class, or a folder. Errors of a pencil count where the
-    key is made of a mechanism.
+    file of answers or a drawing, a class table, a zip of a whole class, a folder, or a file of marks, whose numbers are
+    marked anew. Errors of a pencil count where the key is made of a mechanism.
 
     \b
     Example:
@@ -76,7 +77,10 @@ def grade(
 
     _check_output(output, kinds)
     judge = grading.judge_from(key, _pencils(pencil, sigmas, relative))
-    records = grading.grade(judge, submissions, workers=jobs)
+    again = [path for path in submissions if grading.is_marks(path)]
+    new = [path for path in submissions if path not in again]
+    old = (grading.grade_again(judge, path) for path in again)
+    records: Iterator[Graded] = chain(*old, grading.grade(judge, new, workers=jobs))
     if as_json or output is None:
         records = _printed(records, as_json, lang)
     if output is None:
