@@ -27,7 +27,7 @@ from graphkin.marking.tolerances import tolerances
 from graphkin.outputs.key_json import key_data, key_of, key_text
 from graphkin.quantities import named
 
-TRIALS = int(os.environ.get("GRAPHKIN_TRIALS", "6"))
+TRIALS = int(os.environ.get("GRAPHKIN_TRIALS", "4"))
 
 
 @cache

@@ -20,6 +20,8 @@ from graphkin.value import frozen
 __all__ = ["Found", "Power", "power"]
 
 _DIGITS = 4
+_RIGHT = 2000
+"""Students who work right: a mistake named to one of them is a false alarm."""
 _AT_ONCE = 16
 """Mistakes whose students are drawn up at once."""
 
@@ -67,7 +69,7 @@ def power(marker: Marker, trials: int = 200, texts: Sequence[str] | None = None)
     )
     found = tuple(_found(marker, drawings, handed))
     kept = tuple(entry.text for entry, there in zip(marker.key.entries, handed, strict=True) if there)
-    return Power(kept, trials, found, _alarms(marker, handed, 10 * trials), _random(marker, handed, 5 * trials))
+    return Power(kept, trials, found, _alarms(marker, handed), _random(marker, handed, 2 * trials))
 
 
 def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[Found]:
@@ -107,9 +109,9 @@ def _names(diagnosis: Diagnosis, name: Name) -> bool:
     return any(names == (name,) or (len(names) == 1 and names[0][0] == name[0]) for one in best for names in one.names)
 
 
-def _alarms(marker: Marker, handed: np.ndarray, count: int) -> tuple[float, float]:
+def _alarms(marker: Marker, handed: np.ndarray) -> tuple[float, float]:
     """Right work by a pencil."""
-    slips = Slips(seed_of(marker.method.mechanism) ^ 0xA1A, count)
+    slips = Slips(seed_of(marker.method.mechanism) ^ 0xA1A, _RIGHT)
     drawn = Drawings.of(marker.method, pencil_of(marker.key.marking), slips).values(marker.quantities)[0]
     given = _printed(np.where(handed, drawn, np.nan)[np.isfinite(drawn[:, handed]).all(axis=1)])
     _, wrong = marker.judged(given)

@@ -153,9 +153,8 @@ def _near_any(table: Columns, given: np.ndarray, values: np.ndarray, scatters: n
     for k in range(values.shape[1]):
         one = np.arange(values.shape[1]) == k
         off = differences(columns_of(table, one), given[:, None, one], values[:, one])[..., 0]
-        close: np.ndarray = np.abs(off) <= _FAR * scatters[:, k]
-        near &= close
-    found: np.ndarray = near.any(axis=0)
+        near[np.abs(off) > _FAR * scatters[:, k]] = False
+    found: np.ndarray = np.logical_or.reduce(near, axis=0)
     return found
 
 
