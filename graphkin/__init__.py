@@ -38,7 +38,7 @@ ORDER = (
     "value", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
     "agreement", "centres", "linkages", "design", "sweeps", "finding", "marking", "check", "results", "say", "sheet",
-    "outputs", "equations", "api", "batches", "cli",
+    "outputs", "equations", "api", "batches", "submissions", "grading", "problems", "platforms", "cli",
 )  # fmt: skip
 
 _WHERE = {

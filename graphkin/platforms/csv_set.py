@@ -1,0 +1,28 @@
+"""A problem set as a table: a row an answer, with its share of the points and what is said to it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphkin.errors import Lang
+from graphkin.platforms.alternatives import alternatives, sentence
+from graphkin.platforms.cells import BOM, line
+from graphkin.platforms.numbers import points
+from graphkin.platforms.phrases import say
+from graphkin.platforms.question import ProblemSet
+
+__all__ = ["HEADERS", "lines"]
+
+HEADERS = ("student", "text", "quantity", "unit", "points", "percent", "number", "tolerance", "mistakes", "sentence")
+
+
+def lines(problems: ProblemSet, lang: Lang) -> Iterator[str]:
+    """The table, row by row."""
+    yield BOM + line(say(f"column {name}", lang) for name in HEADERS)
+    for question in problems.questions:
+        for part in question.parts:
+            for one in alternatives(question, part):
+                yield line((
+                    question.id, question.text[lang], part.name, part.unit, points(part.points), one.percent,
+                    one.number, one.tolerance, " ".join(one.ids), sentence(one, lang),
+                ))  # fmt: skip
