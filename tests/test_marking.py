@@ -88,12 +88,14 @@ def test_a_length_read_wrong_and_an_angle_read_wrong():
 
 def test_scatter_grows_with_the_pencil():
     marking = marking_of(marker().method)
+    entries, method = marker().key.entries, marker().method
+    right, sorts = np.array([entry.right for entry in entries]), [entry.sort for entry in entries]
     small, large = (
-        spread(drawings_of(marker().method, marking_of(marker().method, Pencils(k, k)), 500).values(marker().quantities))
+        spread(drawings_of(method, marking_of(method, Pencils(k, k)), 500).values(marker().quantities)[0], right, sorts)
         for k in (0.02, 0.04)
     )
     assert marking.lengths["velocity"] == pytest.approx(0.25 * 0.01)
-    assert large[0] / small[0] == pytest.approx(np.full(small.shape[1], 2.0), rel=0.05)
+    assert large / small == pytest.approx(np.full(len(entries), 2.0), rel=0.05)
 
 
 def test_slips_hang_on_the_seed_and_the_mark_alone():

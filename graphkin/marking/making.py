@@ -45,14 +45,15 @@ def make_key(
     naturals = _naturals(every, right)
     kept = [k for k, q in enumerate(every) if right[k] or q.text in words or q in quantities]
     every, right = [every[k] for k in kept], right[kept]
-    sizes = np.array([sort_of(q) == "size" for q in every], dtype=bool)
+    sorts = [sort_of(q) for q in every]
+    sizes = np.array([sort == "size" for sort in sorts], dtype=bool)
     drawn = drawings_of(method, marking, DRAWINGS).values(every)[0]
     drawn = np.where(sizes, np.abs(drawn), drawn)
     worth = {text: points[text] for text in asked if points and text in points}
     worth = worth or dict.fromkeys(asked or [q.text for q in every], 1.0)
     entries = tuple(
         _entry(words.get(q.text, q.text), q, value, deviation, naturals[q.unit], marking, worth)
-        for q, value, deviation in zip(every, right, spread(drawn), strict=True)
+        for q, value, deviation in zip(every, right, spread(drawn, right, sorts), strict=True)
     )
     title = {str(lang): text for lang, text in mechanism.title.items()}
     return Key(
@@ -174,7 +175,7 @@ def hypotheses_of(
         return Hypotheses((), np.empty((0, len(entries))), np.empty((0, len(entries))))
     values = combined(method, plot, quantities, columns).values
     drawings = drawings_of(method, marking, _FEWER)
-    scatters = spread(drawings.values(quantities, columns))
+    scatters = spread(drawings.values(quantities, columns), values, [entry.sort for entry in entries])
     least = np.array([[_least(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
     scatters = np.where(np.isfinite(values), np.hypot(scatters, least.reshape(values.shape)), np.nan)
     return Hypotheses(tuple(_names(column) for column in columns), values, scatters)

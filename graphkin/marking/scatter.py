@@ -10,6 +10,7 @@ from graphkin.construction import Plot
 from graphkin.geometry import Value
 from graphkin.marking.asked import Arrows, arrows_of, asked, size_of
 from graphkin.marking.hand import Hands
+from graphkin.marking.key import Sort
 from graphkin.marking.pencil import Pencil, PencilHand, drawn_positions
 from graphkin.marking.redrawing import Redrawing, redraw
 from graphkin.marking.rewrite import Mistaken, Rewrite, Written
@@ -22,8 +23,8 @@ __all__ = ["Drawings", "spread"]
 
 _AT_ONCE = 64
 """Mistakes that are drawn at once, each many times."""
-_PARTS = ((0.15865525393145707, 1.0), (0.01, 2.3263478740408408))
-"""Below these parts of its values a normal quantity is so many standard deviations from its middle."""
+_PARTS = ((0.6826894921370859, 1.0), (0.99, 2.5758293035489004))
+"""These parts of its values lie within so many standard deviations of a normal quantity."""
 
 
 @frozen
@@ -93,15 +94,21 @@ def _written(quantity: Quantity, written: Written, values: np.ndarray) -> np.nda
     return values * (abs(factor) if isinstance(quantity, Moving) else factor.real)
 
 
-def spread(values: np.ndarray) -> np.ndarray:
-    """Standard deviations over drawings (.., n, quantities); NaN where most drawings fail, others are left out.
+def spread(values: np.ndarray, around: np.ndarray, sorts: Sequence[Sort]) -> np.ndarray:
+    """Standard deviations over drawings (.., n, quantities) from values (.., quantities).
 
-    Of the middle two thirds of the values or of nearly all, whichever is more: near a dead point the ends reach far.
+    NaN where most drawings fail; others are left out. By how much two thirds of the values are off at most, or nearly
+    all, whichever is more: near a dead point the ends reach far.
     """
     bare = np.isnan(values).mean(axis=-2) > 0.5
-    whole = np.where(bare[..., None, :], 0.0, values)
-    found = []
-    for part, sigmas in _PARTS:
-        low, high = np.nanquantile(whole, (part, 1 - part), axis=-2)
-        found.append((high - low) / (2 * sigmas))
+    off = np.where(bare[..., None, :], 0.0, _off(values, around[..., None, :], sorts))
+    found = [np.nanquantile(off, part, axis=-2) / sigmas for part, sigmas in _PARTS]
     return np.where(bare, np.nan, np.maximum(*found))
+
+
+def _off(values: np.ndarray, around: np.ndarray, sorts: Sequence[Sort]) -> np.ndarray:
+    """By how much: sizes without sign, angles modulo a turn."""
+    size, angle = (np.array([sort == kind for sort in sorts], dtype=bool) for kind in ("size", "angle"))
+    plain = np.where(size, np.abs(values) - np.abs(around), values - around)
+    found: np.ndarray = np.abs(np.where(angle, plain - 2 * np.pi * np.round(plain / (2 * np.pi)), plain))
+    return found

@@ -58,12 +58,13 @@ def tolerances(key: Key, method: Method) -> Tolerances:
     quantities = [q for entry in key.entries if (q := readable(method.mechanism, entry.text)) is not None]
     every = drawings_of(method, key.marking, DRAWINGS)
     values = every.values(quantities)[0]
-    whole = spread(values[None])[0]
+    right, sorts = np.array([entry.right for entry in key.entries]), [entry.sort for entry in key.entries]
+    whole = spread(values, right, sorts)
     names = _arrows(method)
     costs = []
     for mark in list(every.slips.seen):
         slips = Slips(seed_of(method.mechanism), _FEWER, lambda one, mark=mark: one == mark)  # type: ignore[misc]
-        alone = spread(Drawings.of(method, pencil_of(key.marking), slips).values(quantities))[0]
+        alone = spread(Drawings.of(method, pencil_of(key.marking), slips).values(quantities)[0], right, sorts)
         costs.append(_cost(mark, names, key, alone, whole))
     told = sorted((cost for cost in costs if max(cost.parts.values()) > _COUNTS), key=lambda cost: -cost.over_all)
     return Tolerances(key, key.entries, tuple(told), DRAWINGS, float(np.isnan(values).any(axis=1).mean()))

@@ -27,6 +27,7 @@ _COMMON = (0.5, 0.9)
 value's own."""
 _FAR = 8.0
 """Explanations in which a value is off by more standard deviations are not looked at closely."""
+_REACH = 5.0
 _AT_ONCE = 4_000_000
 """Differences that are held at once."""
 
@@ -111,8 +112,19 @@ def _alike(judged: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
 def _broad(table: Columns, values: np.ndarray) -> np.ndarray:
     """Logarithm of the density of a value of which nothing is known: about as large as the right one, or far off."""
     size = np.maximum(np.abs(table.right), 10 * table.scatter)
-    found: np.ndarray = -np.log(np.pi * size) - np.log1p((values / size) ** 2)
+    sides = np.where(table.size, 2.0, 1.0)  # a size has no sign
+    found: np.ndarray = np.log(sides / (np.pi * size)) - np.log1p((values / size) ** 2)
     return found
+
+
+def _crowded(table: Columns, values: np.ndarray) -> np.ndarray:
+    """Logarithm of how densely random numbers may lie: of any size between a fifth and five times the right one, too."""
+    ratio = np.abs(values) / np.maximum(np.abs(table.right), 10 * table.scatter)
+    sides = np.where(table.size, 1.0, 2.0)
+    with np.errstate(divide="ignore"):
+        even = -np.log(2 * np.log(_REACH) * sides * np.abs(values))
+    inside = (ratio > 1 / _REACH) & (ratio < _REACH)
+    return np.where(inside, np.fmax(even, _broad(table, values)), _broad(table, values))
 
 
 def _nothing(table: Columns, given: np.ndarray) -> np.ndarray:
@@ -180,7 +192,7 @@ class _Found:
         alike = np.where(short.angle | (short.right == 0), 1.0, np.sign(short.right))
         kinds = [_normal(together[np.ix_(which, which)] * np.outer(alike, alike), part) for part in _COMMON]
         own = np.log(scatters).sum(axis=1)
-        cells = own + _broad(short, values).sum(axis=1)
+        cells = own + _crowded(short, values).sum(axis=1)
         self._cells[size] = np.logaddexp.reduce([self._cells.get(size, -np.inf), *cells])
         if self.near_only:
             rows = np.flatnonzero(_near_any(short, handed, values, scatters))
