@@ -6,7 +6,9 @@ import csv
 import io
 import json
 import math
+import os
 import pickle
+import time
 import zipfile
 from pathlib import Path
 
@@ -23,7 +25,7 @@ from graphkin.errors import (
     UnknownStudent,
     WantsExtra,
 )
-from graphkin.submissions import Asked, Limits, handed_in, read, read_one, safe_name
+from graphkin.submissions import Asked, Limits, guarded, handed_in, read, read_one, safe_name
 from graphkin.submissions.answers import answers
 from graphkin.submissions.class_names import owner
 from graphkin.submissions.numbers import given
@@ -250,6 +252,20 @@ def test_what_hangs_is_given_up(tmp_path: Path):
     assert type(found.reason).__name__ == "TookTooLong"
 
 
+def hangs_or_dies(number: int) -> int:
+    if number == 3:
+        os._exit(9)
+    while number == 5:
+        time.sleep(0.1)
+    return number
+
+
+def test_what_hangs_or_dies_takes_nobody_with_it():
+    """A worker that is only slow to start is given its time: none of the others is lost to it."""
+    found = guarded(hangs_or_dies, range(7), 1, 0.1, lambda number, why: why)
+    assert list(found) == [0, 1, 2, "died", 4, "hung", 6]
+
+
 @pytest.mark.parametrize("student", ["s1", "../../etc/passwd", "a/b", "CON", "学号1", "", ".", "x" * 500, "A", "a", "a b", "\ud800", "nul\0"])
 def test_no_id_is_a_path(student: str):
     name = safe_name(student)
@@ -266,8 +282,6 @@ def test_ids_that_differ_have_names_that_differ():
 
 def test_nothing_else_is_needed_to_read_a_row():
     """A class of 100,000 at 300 a second leaves the reader a tenth of its time."""
-    import time
-
     table = io.StringIO("student,w3,alpha 3,ak\n" + "".join(f"s{k},3.9 cw,62,2.5\n" for k in range(300)))
     from graphkin.submissions.handed import Handed
     from graphkin.submissions.tables import rows_of
