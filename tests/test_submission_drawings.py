@@ -7,6 +7,7 @@ import io
 import math
 import random
 import re
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -268,5 +269,5 @@ def test_blocks_and_rotated_text(unit: int):
 
 
 def test_dxf_without_its_reader(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setitem(__import__("sys").modules, "ezdxf", None)
+    monkeypatch.setitem(sys.modules, "ezdxf", None)
     assert "pip install ezdxf" in handed("a.dxf", b"0\nEOF\n").reason.message("en")

@@ -8,6 +8,7 @@ import json
 import math
 import os
 import pickle
+import sys
 import time
 import zipfile
 from pathlib import Path
@@ -178,7 +179,7 @@ def test_a_workbook(tmp_path: Path):
 
 
 def test_a_workbook_without_its_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setitem(__import__("sys").modules, "openpyxl", None)
+    monkeypatch.setitem(sys.modules, "openpyxl", None)
     (tmp_path / "class.xlsx").write_bytes(b"PK")
     (found,) = read([tmp_path / "class.xlsx"], ASKED)
     assert isinstance(found.reason, WantsExtra)
@@ -226,10 +227,12 @@ def test_canvas_download_and_nested_folders(tmp_path: Path):
 
 
 def test_a_key_for_each_student(tmp_path: Path):
-    members = {"First Last_123_assignsubmission_file_/a.toml": ANSWER, "No One_9_assignsubmission_file_/a.toml": ANSWER}
-    found = list(read([zipped(tmp_path / "m.zip", members)], {"Participant 123": ASKED}.get))
-    assert found[0].student == "Participant 123"
-    assert isinstance(found[1].reason, UnknownStudent)
+    """The platform's word for who handed in goes before the file's."""
+    folder = "_assignsubmission_file_/a.toml"
+    members = {f"First Last_123{folder}": ANSWER, f"No One_9{folder}": ANSWER, f"Not Me_124{folder}": TOML.encode(), f"By Id_125{folder}": TOML.encode()}
+    found = list(read([zipped(tmp_path / "m.zip", members)], {"Participant 123": ASKED, "Not Me": ASKED, "s1": ASKED}.get))
+    assert [s.student for s in found] == ["Participant 123", "9", "Not Me", "s1"]
+    assert [type(s.reason) for s in found] == [type(None), UnknownStudent, type(None), type(None)]
 
 
 def test_a_second_submission_is_not_marked_beside_the_first(tmp_path: Path):
