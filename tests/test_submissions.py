@@ -269,6 +269,12 @@ def test_what_hangs_or_dies_takes_nobody_with_it():
     assert list(found) == [0, 1, 2, "died", 4, "hung", 6]
 
 
+def test_a_table_that_hangs_is_given_up(tmp_path: Path):
+    (tmp_path / "a.csv").write_text("student,w3\n" + "," * 2_000_000 + "\n" + ("\n" * 2_000_000))
+    (found,) = read([tmp_path / "a.csv"], ASKED, Limits(seconds=0.05))
+    assert type(found.reason).__name__ in ("TookTooLong", "BrokenSubmission")
+
+
 @pytest.mark.parametrize("student", ["s1", "../../etc/passwd", "a/b", "CON", "学号1", "", ".", "x" * 500, "A", "a", "a b", "\ud800", "nul\0"])
 def test_no_id_is_a_path(student: str):
     name = safe_name(student)
