@@ -37,3 +37,5 @@ def problems(template: Path, students: str, seed: str, output: Path, force: bool
     found = sets.variants(read, sets.roster(students), seed)
     count = sum(1 for _ in sets.write_set(output, read, found, seed, lang, force))
     click.echo(f"{output}: {count}")
+    if shared := [variant.student.id for variant in found if variant.shared]:
+        click.echo(sets.remark(shared, lang), err=True)

@@ -118,7 +118,7 @@ def _broad(table: Columns, values: np.ndarray) -> np.ndarray:
 
 
 def _crowded(table: Columns, values: np.ndarray) -> np.ndarray:
-    """Logarithm of how densely random numbers may lie: of any size between a fifth and five times the right one, too."""
+    """Logarithm of how densely random numbers may lie: of any size from a fifth to five times the right one, too."""
     ratio = np.abs(values) / np.maximum(np.abs(table.right), 10 * table.scatter)
     sides = np.where(table.size, 1.0, 2.0)
     with np.errstate(divide="ignore"):

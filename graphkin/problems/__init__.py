@@ -9,9 +9,10 @@ from graphkin.problems.draws import Variant, variants
 from graphkin.problems.posed import Posed, tellable, well_posed
 from graphkin.problems.roster import Student, roster
 from graphkin.problems.template import Range, Template, read_template
+from graphkin.problems.text import remark
 from graphkin.problems.writing import write_set
 
 __all__ = [
-    "Posed", "Range", "Student", "Template", "Variant", "read_template", "roster", "tellable", "variants",
+    "Posed", "Range", "Student", "Template", "Variant", "read_template", "remark", "roster", "tellable", "variants",
     "well_posed", "write_set",
 ]  # fmt: skip

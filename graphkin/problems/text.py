@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from graphkin.errors import Lang
@@ -13,7 +13,7 @@ from graphkin.problems.template import Template
 from graphkin.quantities import EDGE, Centre, Quantity, Quotient, read
 from graphkin.words import names
 
-__all__ = ["problem"]
+__all__ = ["problem", "remark"]
 
 
 def problem(template: Template, variant: Variant, lang: Lang) -> str:
@@ -31,6 +31,12 @@ def problem(template: Template, variant: Variant, lang: Lang) -> str:
     lines += ["", _say("hand in", lang), "", f"  student = {_quoted(own.id)}", "  [answers]"]
     lines += [f'  "{question}" = ' for question, quantity in asked if quantity is not None]
     return "\n".join(lines) + f"\n\n{_MADE}\n"
+
+
+def remark(shared: Sequence[str], lang: Lang) -> str:
+    """That students have problems much alike."""
+    few = _say("between", lang).join(shared[:10]) + (" .." if len(shared) > 10 else "")
+    return _say("shared", lang, count=len(shared), students=few)
 
 
 _MADE = "-- graphkin problems"
