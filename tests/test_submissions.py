@@ -6,7 +6,10 @@ import csv
 import io
 import json
 import math
+import os
 import pickle
+import sys
+import time
 import zipfile
 from pathlib import Path
 
@@ -23,7 +26,7 @@ from graphkin.errors import (
     UnknownStudent,
     WantsExtra,
 )
-from graphkin.submissions import Asked, Limits, handed_in, read, read_one, safe_name
+from graphkin.submissions import Asked, Limits, guarded, handed_in, read, read_one, safe_name
 from graphkin.submissions.answers import answers
 from graphkin.submissions.class_names import owner
 from graphkin.submissions.numbers import given
@@ -176,7 +179,7 @@ def test_a_workbook(tmp_path: Path):
 
 
 def test_a_workbook_without_its_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setitem(__import__("sys").modules, "openpyxl", None)
+    monkeypatch.setitem(sys.modules, "openpyxl", None)
     (tmp_path / "class.xlsx").write_bytes(b"PK")
     (found,) = read([tmp_path / "class.xlsx"], ASKED)
     assert isinstance(found.reason, WantsExtra)
@@ -224,10 +227,12 @@ def test_canvas_download_and_nested_folders(tmp_path: Path):
 
 
 def test_a_key_for_each_student(tmp_path: Path):
-    members = {"First Last_123_assignsubmission_file_/a.toml": ANSWER, "No One_9_assignsubmission_file_/a.toml": ANSWER}
-    found = list(read([zipped(tmp_path / "m.zip", members)], {"Participant 123": ASKED}.get))
-    assert found[0].student == "Participant 123"
-    assert isinstance(found[1].reason, UnknownStudent)
+    """The platform's word for who handed in goes before the file's."""
+    folder = "_assignsubmission_file_/a.toml"
+    members = {f"First Last_123{folder}": ANSWER, f"No One_9{folder}": ANSWER, f"Not Me_124{folder}": TOML.encode(), f"By Id_125{folder}": TOML.encode()}
+    found = list(read([zipped(tmp_path / "m.zip", members)], {"Participant 123": ASKED, "Not Me": ASKED, "s1": ASKED}.get))
+    assert [s.student for s in found] == ["Participant 123", "9", "Not Me", "s1"]
+    assert [type(s.reason) for s in found] == [type(None), UnknownStudent, type(None), type(None)]
 
 
 def test_a_second_submission_is_not_marked_beside_the_first(tmp_path: Path):
@@ -250,6 +255,26 @@ def test_what_hangs_is_given_up(tmp_path: Path):
     assert type(found.reason).__name__ == "TookTooLong"
 
 
+def hangs_or_dies(number: int) -> int:
+    if number == 3:
+        os._exit(9)
+    while number == 5:
+        time.sleep(0.1)
+    return number
+
+
+def test_what_hangs_or_dies_takes_nobody_with_it():
+    """A worker that is only slow to start is given its time: none of the others is lost to it."""
+    found = guarded(hangs_or_dies, range(7), 1, 0.1, lambda number, why: why)
+    assert list(found) == [0, 1, 2, "died", 4, "hung", 6]
+
+
+def test_a_table_that_hangs_is_given_up(tmp_path: Path):
+    (tmp_path / "a.csv").write_text("student,w3\n" + "," * 2_000_000 + "\n" + ("\n" * 2_000_000))
+    (found,) = read([tmp_path / "a.csv"], ASKED, Limits(seconds=0.05))
+    assert type(found.reason).__name__ in ("TookTooLong", "BrokenSubmission")
+
+
 @pytest.mark.parametrize("student", ["s1", "../../etc/passwd", "a/b", "CON", "学号1", "", ".", "x" * 500, "A", "a", "a b", "\ud800", "nul\0"])
 def test_no_id_is_a_path(student: str):
     name = safe_name(student)
@@ -266,8 +291,6 @@ def test_ids_that_differ_have_names_that_differ():
 
 def test_nothing_else_is_needed_to_read_a_row():
     """A class of 100,000 at 300 a second leaves the reader a tenth of its time."""
-    import time
-
     table = io.StringIO("student,w3,alpha 3,ak\n" + "".join(f"s{k},3.9 cw,62,2.5\n" for k in range(300)))
     from graphkin.submissions.handed import Handed
     from graphkin.submissions.tables import rows_of

@@ -52,3 +52,5 @@ def problems(
             path = platforms.file_of(output, kind)
             platforms.write_set(path, whole, kind, lang, force)
             click.echo(str(path))
+    if shared := [variant.student.id for variant in found if variant.shared]:
+        click.echo(sets.remark(shared, lang), err=True)

@@ -117,7 +117,10 @@ def _explanations(
         return ()
     first = int(np.flatnonzero(fits)[np.argmax(weights[fits])])
     likely = weights - weighed.shares
-    same = fits & ((likely > likely[first] - MARGIN) | _close(table, hypotheses, weighed.rows, first, given))
+    alike = _close(table, hypotheses, weighed.rows, first, given)
+    # what scatters together in a wrong drawing is known roughly: values as near one by one are not told apart by that
+    alike |= weighed.near[k] < weighed.near[k, first] + 2 * MARGIN
+    same = fits & (alike | (likely > likely[first] - MARGIN))
     total = np.logaddexp(np.logaddexp.reduce(weights), others)
     together = np.logaddexp.reduce(weights[same])
     margin = together - max(weighed.right[k], weighed.none[k], weights[~same].max(initial=-np.inf))

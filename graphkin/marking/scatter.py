@@ -100,10 +100,13 @@ def spread(values: np.ndarray, around: np.ndarray, sorts: Sequence[Sort]) -> np.
     NaN where most drawings fail; others are left out. By how much two thirds of the values are off at most, or nearly
     all, whichever is more: near a dead point the ends reach far.
     """
-    bare = np.isnan(values).mean(axis=-2) > 0.5
-    off = np.where(bare[..., None, :], 0.0, _off(values, around[..., None, :], sorts))
-    found = [np.nanquantile(off, part, axis=-2) / sigmas for part, sigmas in _PARTS]
-    return np.where(bare, np.nan, np.maximum(*found))
+    off = np.sort(_off(values, around[..., None, :], sorts), axis=-2)  # NaN come last
+    count = np.isfinite(off).sum(axis=-2)
+    found = []
+    for part, sigmas in _PARTS:
+        place = np.maximum(np.ceil(part * count).astype(int) - 1, 0)
+        found.append(np.take_along_axis(off, place[..., None, :], axis=-2)[..., 0, :] / sigmas)
+    return np.where(2 * count < values.shape[-2], np.nan, np.maximum(*found))
 
 
 def _off(values: np.ndarray, around: np.ndarray, sorts: Sequence[Sort]) -> np.ndarray:

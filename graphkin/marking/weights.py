@@ -40,6 +40,7 @@ class Weighed:
     weights (students, m); `right`, `none`: of right work, and of work that nothing explains (students,)
     shares  what of the weights is not from the values: how often each row is met, as a logarithm (m,)
     worst   by how many standard deviations the worst value is off (students, m)
+    near    sum of the squares of all values' deviations, in standard deviations (students, m)
     chance  how often random numbers come as near to any of the explanations (students, m)
     """
 
@@ -47,6 +48,7 @@ class Weighed:
     weights: np.ndarray
     shares: np.ndarray
     worst: np.ndarray
+    near: np.ndarray
     chance: np.ndarray
     right: np.ndarray
     none: np.ndarray
@@ -74,7 +76,7 @@ def weigh(
     right.put(np.array([0]), short, handed, short.right[None], short.scatter[None], together, nothing, everything)
     shares = met + _shares([hypotheses.names[k] for k in rows])
     return Weighed(
-        rows, found.weights + shares, shares, found.worst, found.chance(),
+        rows, found.weights + shares, shares, found.worst, found.near, found.chance(),
         right.weights[:, 0] + _RIGHT, nothing.sum(axis=1) + _NONE,
     )  # fmt: skip
 
@@ -118,7 +120,7 @@ def _broad(table: Columns, values: np.ndarray) -> np.ndarray:
 
 
 def _crowded(table: Columns, values: np.ndarray) -> np.ndarray:
-    """Logarithm of how densely random numbers may lie: of any size between a fifth and five times the right one, too."""
+    """Logarithm of how densely random numbers may lie: of any size from a fifth to five times the right one, too."""
     ratio = np.abs(values) / np.maximum(np.abs(table.right), 10 * table.scatter)
     sides = np.where(table.size, 1.0, 2.0)
     with np.errstate(divide="ignore"):
@@ -177,7 +179,7 @@ class _Found:
         self.near_only = near_only
         self.weights = np.full((students, rows), -np.inf)
         self.worst = np.full((students, rows), np.inf)
-        self._near = np.full((students, rows), np.inf)
+        self.near = np.full((students, rows), np.inf)
         self._cells: dict[int, float] = {}
 
     def put(
@@ -204,13 +206,13 @@ class _Found:
             rest = nothing[k : k + step][:, ~which].sum(axis=1)[:, None]
             self.weights[k : k + step, some] = _mixed(z * outward, near, worst, kinds) - own + rest
             self.worst[k : k + step, some] = worst
-            self._near[k : k + step, some] = near
+            self.near[k : k + step, some] = near
 
     def chance(self) -> np.ndarray:
         """How many explanations random numbers come as near to, on average: cells of that size about all of them."""
         total = np.ones_like(self.weights)
-        rows = np.flatnonzero(np.isfinite(self._near).any(axis=0))
-        near = self._near[:, rows]
+        rows = np.flatnonzero(np.isfinite(self.near).any(axis=0))
+        near = self.near[:, rows]
         found = np.zeros_like(near)
         with np.errstate(divide="ignore"):
             for size, cells in self._cells.items():

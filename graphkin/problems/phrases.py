@@ -21,10 +21,13 @@ PHRASES: Mapping[str, Mapping[Lang, str]] = {
     ),
     "find": _both("Find graphically:", "用图解法求："),
     "points": _both(" ({points:g} points)", "（{points:g} 分）"),
-    "also": _both("at each of these positions: {values}", "在下列各位置：{values}"),
     "hand in": _both(
         "Hand in a text file with these lines, a number behind each; senses as signs or as ccw, cw:",
         "请提交含下列各行的文本文件，在每行后填写数值；转向用正负号或“逆时针”“顺时针”表示：",
+    ),
+    "shared": _both(
+        "note: {count} students have a problem whose answers are another's, within 2 %: {students}. Widen the ranges.",
+        "提示：{count} 名学生的题目与他人答案相同（相差 2% 以内）：{students}。请放宽范围。",
     ),
     "colon": _both(": ", "："),
     "between": _both(", ", "，"),

@@ -26,8 +26,9 @@ Refused = Literal["assembly", "dead point", "short", "taken", "mistakes"]
 DEAD = math.radians(5)
 """Lines that meet at a smaller angle are too near a dead point."""
 SHORTEST = 0.02
-"""A vector that is a smaller part of the longest of its polygon is too short to measure: 2 mm beside 100 mm."""
+"""A vector that is a smaller part of the longest of its polygon is too short to be read off: 2 mm beside 100 mm."""
 _NOTHING = 1e-9
+_FAR = 1e12
 
 
 @frozen
@@ -59,10 +60,11 @@ def tellable(posed: Posed) -> bool:
 
 
 def answers(posed: Posed) -> np.ndarray:
-    """The right values of what is asked, at all positions [SI]."""
+    """The right values of what is asked, at all positions [SI]; one at infinity is as large as can be told."""
     quantities = [read(posed.method.mechanism, question) for question in posed.method.mechanism.ask]
     motions = [readings(posed.method, plot) for plot in posed.plots]
-    return np.array([float(q.answer(m).value) for m in motions for q in quantities if q is not None])
+    found = np.array([float(q.answer(m).value) for m in motions for q in quantities if q is not None])
+    return np.asarray(np.clip(np.nan_to_num(found, nan=_FAR, posinf=_FAR, neginf=-_FAR), -_FAR, _FAR))
 
 
 def _dead(plot: Plot) -> bool:
@@ -70,13 +72,16 @@ def _dead(plot: Plot) -> bool:
 
 
 def _short(method: Method, plot: Plot) -> bool:
-    """Whether an arrow of a polygon, or a rotation asked for, is too small beside the largest; those that are 0 by
-    what the mechanism is do not count."""
+    """Whether an arrow that is read off, or a rotation asked for, is too small beside the largest.
+
+    Those that are 0 by what the mechanism is do not count, and those that are laid off may be short.
+    """
     polygons = [list(_lengths(construction, plot)) for construction in (method.velocity, method.acceleration)]
-    if not any(size for sizes in polygons for size in sizes):
+    if not any(size for sizes in polygons for size, _ in sizes):
         return True
     for sizes in polygons:
-        if any(_NOTHING * max(sizes) < size < SHORTEST * max(sizes) for size in sizes):
+        longest = max((size for size, _ in sizes), default=0.0)
+        if any(_NOTHING * longest < size < SHORTEST * longest for size, read_off in sizes if read_off):
             return True
     return _slow(method, plot)
 
@@ -95,8 +100,9 @@ def _slow(method: Method, plot: Plot) -> bool:
     return False
 
 
-def _lengths(construction: Construction, plot: Plot) -> Iterator[float]:
+def _lengths(construction: Construction, plot: Plot) -> Iterator[tuple[float, bool]]:
+    """Of every arrow, and whether it is read off the closed polygon."""
     points = plot.points(construction.plane)
     for term in construction.vectors().values():
         if term.tail in points and term.head in points:
-            yield abs(complex(points[term.head]) - complex(points[term.tail]))
+            yield abs(complex(points[term.head]) - complex(points[term.tail])), term.size is None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from graphkin.errors import Lang
@@ -14,7 +14,6 @@ from graphkin.problems.template import Template
 from graphkin.quantities import EDGE, Centre, Quantity, Quotient, read
 from graphkin.words import names
 
-__all__ = ["problem", "statement"]
 
 
 def problem(template: Template, variant: Variant, lang: Lang) -> str:
@@ -36,6 +35,12 @@ def statement(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
     """The mechanism and what is given of it, in lines."""
     yield from (mechanism.headline(lang), "", _say("given", lang))
     yield from (f"  {line}" for line in _given(tomllib.loads(mechanism.text), lang))
+
+
+def remark(shared: Sequence[str], lang: Lang) -> str:
+    """That students have problems much alike."""
+    few = _say("between", lang).join(shared[:10]) + (" .." if len(shared) > 10 else "")
+    return _say("shared", lang, count=len(shared), students=few)
 
 
 _MADE = "-- graphkin problems"

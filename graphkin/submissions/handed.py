@@ -14,6 +14,7 @@ from pathlib import Path, PurePosixPath
 from graphkin.errors import BrokenSubmission, GraphkinError, NoFile, TooMuch, Unreadable, Where
 from graphkin.submissions import archives
 from graphkin.submissions.class_names import Owner, owner, tidy_id
+from graphkin.submissions.deadline import limited
 from graphkin.submissions.documents import listed
 from graphkin.submissions.submission import Limits
 from graphkin.submissions.tables import Row, csv_cells, rows_of, xlsx_cells
@@ -75,10 +76,10 @@ def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
         yield from _of_archive(path, where, limits)
     elif path.suffix.lower() in (".csv", ".tsv"):
         with path.open("rb") as stream:
-            yield from _of_table(rows_of(csv_cells(stream, where), where, limits), path, where)
+            yield from _of_table(rows_of(csv_cells(stream, where), where, limits), path, where, limits)
     elif path.suffix.lower() in (".xlsx", ".xlsm"):
         cells = xlsx_cells(_content(path, where, limits), where, limits)
-        yield from _of_table(rows_of(cells, where, limits), path, where)
+        yield from _of_table(rows_of(cells, where, limits), path, where, limits)
     else:
         yield from _of_file(path, where, limits)
 
@@ -103,15 +104,25 @@ def _of_file(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
     yield Handed(owner(path.name), str(path), files=((path.name, content),))
 
 
-def _of_table(rows: Iterable[Row], path: Path, where: Where) -> Iterator[Handed]:
+def _of_table(rows: Iterator[Row], path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
     """What breaks off in the middle keeps the rows before it."""
     by_file, line = owner(path.name), 0
     try:
-        for row in rows:
+        for row in _timed(rows, where, limits):
             line = row.line
             yield _of_row(row, by_file, str(path))
     except GraphkinError as reason:
         yield Handed(by_file, str(path), place=str(line + 1) if line else "", reason=reason.at(where))
+
+
+def _timed(rows: Iterator[Row], where: Where, limits: Limits) -> Iterator[Row]:
+    """Each row within the time of a submission."""
+    while True:
+        with limited(limits.seconds, where):
+            row = next(rows, None)
+        if row is None:
+            return
+        yield row
 
 
 def _of_row(row: Row, by_file: Owner, file: str) -> Handed:

@@ -6,6 +6,7 @@ crossings near a letter the one counts that is nearest, a drawn vector making up
 
 from __future__ import annotations
 
+import math
 import re
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -19,9 +20,13 @@ from graphkin.value import frozen
 
 __all__ = ["Found", "find_letters"]
 
-_REACH = 10.0
-"""A letter belongs to no point farther from it [mm]."""
-_JOINED = 4.0
+_REACH = 6.0
+"""A letter belongs to no dot farther from it [mm]."""
+_NEAR = 4.0
+"""Nor to the end of a line or a crossing so far from it, which may be anything [mm]."""
+_FARTHER = 0.2
+"""Each millimetre more counts for more than the one before [1/mm]."""
+_JOINED = 2.5
 """What a vector that is drawn makes up for [mm]."""
 _SAME = 0.2
 """Closer than this, marks of one point are one [mm]."""
@@ -159,16 +164,22 @@ def _candidates(picture: Picture, texts: Sequence[Text]) -> list[Place]:
     """Points near any of a letter's texts, the nearest first."""
     found: list[Place] = []
     for text in texts[:8]:
-        near = [(text.distance(dot.place), dot.place) for dot in picture.dots]
-        near += [(_END + text.distance(end), end) for line in picture.lines for end in line]
+        near = [(_far(text, dot.place, _REACH), dot.place) for dot in picture.dots]
+        near += [(_END + _far(text, end, _NEAR), end) for line in picture.lines for end in line]
         near += [(_LEADER + distance, far) for distance, far in _led(picture, text)]
-        near += [(_CROSSING + text.distance(place), place) for place in _crossings(picture, text)]
-        for distance, place in sorted((pair for pair in near if pair[0] <= _REACH), key=lambda pair: pair[0]):
+        near += [(_CROSSING + _far(text, place, _NEAR), place) for place in _crossings(picture, text)]
+        for distance, place in sorted((pair for pair in near if pair[0] < math.inf), key=lambda pair: pair[0]):
             if all(abs(place - other) > _SAME for _, other in found):
                 found.append((distance, place))
             if len(found) >= _CANDIDATES:
                 break
     return sorted(found, key=lambda pair: pair[0])
+
+
+def _far(text: Text, place: complex, reach: float) -> float:
+    """How unlikely it is that a text letters a place, in mm of a letter that stands close by."""
+    distance = text.distance(place)
+    return distance + distance**2 * _FARTHER if distance <= reach else math.inf
 
 
 def _led(picture: Picture, text: Text) -> Iterator[Place]:

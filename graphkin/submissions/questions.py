@@ -17,7 +17,7 @@ from graphkin.quantities import Centre, Component, Displacement, Moving, Place, 
 from graphkin.submissions.numbers import unit_named
 from graphkin.submissions.spelling import plain, unaccented
 
-__all__ = ["Questions"]
+__all__ = ["Questions", "begins_like_one"]
 
 LONGEST = 120
 """No question is longer."""
@@ -26,6 +26,7 @@ _HEADS = (
     (r"velocity of|velocity|速度|v", "v"), (r"acceleration of|acceleration|加速度|a", "a"),
     (r"displacement|位移|s", "s"), (r"x", "x"), (r"y", "y"),
 )  # fmt: skip
+_TURNING = ("omega", "alpha", "theta")
 _GREEK = str.maketrans({
     "ω": "omega", "Ω": "omega", "ϖ": "omega", "α": "alpha", "ɑ": "alpha", "ε": "epsilon", "ϵ": "epsilon",
     "θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "τ": "t", "υ": "v", "ν": "v",
@@ -87,6 +88,17 @@ class Questions:
         word = re.sub(r"[ ^{}_$\\]", "", plain(text).translate(_GREEK)).lower()
         fits = [asked for name, asked in self._words.items() if name.replace("_", "") == word]
         return _quietly(self.mechanism, fits[0][0]) if len(fits) == 1 and len(fits[0]) == 1 else None
+
+
+def begins_like_one(text: str) -> bool:
+    """Whether a text begins as quantities do, of whatever mechanism: `ω3`, `aB3B2k`, `v_C`; and no id such as s1."""
+    made = plain(text[:LONGEST]).translate(_GREEK)
+    for pattern, word in _HEADS:
+        head = re.match(pattern, made, re.I)
+        after = "[ _^{0-9]" if word in _TURNING else "[ _^{]|[ntkr]?[A-Z]"
+        if head is not None and re.match(after, made[head.end() :]) is not None:
+            return True
+    return False
 
 
 def _quietly(mechanism: Mechanism, text: str) -> Quantity | None:

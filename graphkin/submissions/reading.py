@@ -95,8 +95,9 @@ def _refused(handed: Handed, student: str, reason: GraphkinError) -> Submission:
 
 
 def _key(handed: Handed, stated: str, asked: Key, where: Where) -> tuple[str, Asked]:
-    """The problem of a student by the id that the file states, else by what the platform calls them."""
-    names = [tidy_id(stated)] if stated else [handed.owner.student, *handed.owner.others]
+    """The problem of a student: by what the platform calls them, which no file can claim; else by the id it states."""
+    owner, own = handed.owner, [tidy_id(stated)] if tidy_id(stated) else []
+    names = [owner.student, *owner.others, *own] if owner.others else own or [owner.student]
     if isinstance(asked, Asked):
         return names[0], asked
     for name in names:

@@ -14,6 +14,7 @@ from typing import IO
 
 from graphkin.errors import BrokenSubmission, NoAnswers, TooMuch, WantsExtra, Where
 from graphkin.submissions.archives import checked_zip
+from graphkin.submissions.questions import begins_like_one
 from graphkin.submissions.spelling import plain
 from graphkin.submissions.submission import Limits
 from graphkin.submissions.texts import lines_of
@@ -33,10 +34,6 @@ IDS = (
 _QUESTION = {"question", "quantity", "name", "item", "问题", "题目", "量", "物理量", "项目"}
 _VALUE = {"value", "answer", "result", "given", "数值", "值", "答案", "结果"}
 _MORE = {"unit", "units", "单位", "sense", "direction", "转向", "方向"}
-_ASKS = re.compile(
-    r"(?i:omega|alpha|theta|phi|mu\b|scale)|[ωαθεφμ]|w[ _^{]?[0-9]|[vasxy](?:[ _^{]|[ntkr]?[A-Z])|P[0-9]"
-)
-"""How quantities begin."""
 _LONGEST_CELL = 1 << 16
 
 
@@ -89,7 +86,7 @@ def _is_question_table(header: Sequence[str]) -> bool:
 
 def _is_one(header: Sequence[str], row: Sequence[object]) -> bool:
     """Whether `student, s1` over `omega 3, 3.92` begins one student's table, and no class."""
-    return len(header) == 2 and bool(row) and bool(_ASKS.match(_shown(row[0]))) and not _ASKS.match(header[1])
+    return len(header) == 2 and bool(row) and begins_like_one(_shown(row[0])) and not begins_like_one(header[1])
 
 
 def _one(cells: Iterable[tuple[int, Sequence[object]]], limits: Limits) -> Row:
