@@ -23,11 +23,10 @@ import graphkin
 from graphkin import grading
 from graphkin.cli import main
 from graphkin.cli.problems import PLATFORMS
-from graphkin.errors import GraphkinError
+from graphkin.errors import GraphkinError, NotForPlatform
 from graphkin.outputs.files import FileInTheWay
 from graphkin.platforms import (
     SETS,
-    NotForPlatform,
     Part,
     ProblemSet,
     Question,

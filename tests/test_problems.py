@@ -13,7 +13,8 @@ from graphkin import api, loading
 from graphkin.cli import main
 from graphkin.errors import GraphkinError, NoRange, NotATemplate, NoVariant, OutOfRange, StudentTwice, UnknownQuantity
 from graphkin.outputs.files import FileInTheWay
-from graphkin.problems import Student, read_template, roster, variants, well_posed, write_set
+from graphkin.platforms import write_problems
+from graphkin.problems import Student, read_template, roster, variants, well_posed
 from graphkin.submissions import Asked, read
 
 TEXT = """# a comment with AB = { from = 1, to = 2 } in it
@@ -150,7 +151,7 @@ def test_what_is_written(template: Path, tmp_path: Path):
     students = (Student("../../evil"), Student("a/b", (("name", "Ann"),)), Student("A"), Student("a"))
     found = variants(read_template(template), students, "1")
     folder = tmp_path / "out" / "set"
-    paths = list(write_set(folder, read_template(template), found, "1", "en"))
+    paths = list(write_problems(folder, read_template(template), found, "1", "en"))
     assert sorted(path.name for path in folder.iterdir()) == sorted(path.name for path in paths)
     assert {path.name for path in tmp_path.iterdir()} == {"out", "slide.toml"}
     listed = json.loads((folder / "set.json").read_text("utf-8"))
@@ -159,17 +160,17 @@ def test_what_is_written(template: Path, tmp_path: Path):
         assert loading.load(folder / entry["file"]).text.split("\n", 1)[1] == variant.mechanism.text
     assert "Ann" in (folder / listed["students"]["a/b"]["file"]).with_suffix(".txt").read_text("utf-8")
     before = {path: path.read_bytes() for path in paths}
-    list(write_set(folder, read_template(template), found, "1", "en"))
+    list(write_problems(folder, read_template(template), found, "1", "en"))
     assert before == {path: path.read_bytes() for path in paths}
     (folder / "set.json").write_text("mine")
     with pytest.raises(FileInTheWay):
-        list(write_set(folder, read_template(template), found, "2", "en"))
+        list(write_problems(folder, read_template(template), found, "2", "en"))
     assert before[paths[0]] == paths[0].read_bytes()
 
 
 def test_the_form_in_a_problem_reads_back_however_it_is_filled_in(template: Path, tmp_path: Path):
     (variant,) = variants(read_template(template), roster("1"), "1")
-    list(write_set(tmp_path / "set", read_template(template), (variant,), "1", "zh"))
+    list(write_problems(tmp_path / "set", read_template(template), (variant,), "1", "zh"))
     problem = (tmp_path / "set" / "s1.txt").read_text("utf-8")
     form = problem[problem.index("  student =") : problem.index("--")]
     filled = form.replace('"omega 3" = ', '"omega 3" = 3.9 顺时针').replace('"a_k B3B2" = ', '"a_k B3B2" = 2.5 m/s²')

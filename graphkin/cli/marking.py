@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from graphkin.marking.graded import Graded
     from graphkin.platforms import Reveal
 
-__all__ = ["PLATFORMS", "grade", "tolerance"]
-
 PLATFORMS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "report")
 MARKS = "marks.json"
 """In a folder of results graphkin's own records, from which everything else there is made."""
@@ -120,19 +118,20 @@ def tolerance(
     from graphkin.marking.marker import Marker
     from graphkin.marking.power import power as told_apart
     from graphkin.marking.tolerances import tolerances
-    from graphkin.outputs import tolerance_text as text
+    from graphkin.outputs import tolerance_json as data
+    from graphkin.say.tolerances import power_lines, tolerance_lines
 
     marker = Marker(grading.key_for(read(mechanism), _pencils(pencil, sigmas, relative)))
     found = tolerances(marker.key, marker.method)
     texts = [entry.text for entry in marker.key.entries if entry.points] if asked else None
     tried = told_apart(marker, trials, texts) if power else None
     if as_json:
-        more = {} if tried is None else {"power": text.power_data(tried)}
-        click.echo(json_line({**text.tolerance_data(found), **more}))
+        more = {} if tried is None else {"power": data.power_data(tried)}
+        click.echo(json_line({**data.tolerance_data(found), **more}))
         return
-    click.echo("\n".join(text.tolerance_lines(found, lang)))
+    click.echo("\n".join(tolerance_lines(found, lang)))
     if tried is not None:
-        click.echo("\n" + "\n".join(text.power_lines(tried, lang)))
+        click.echo("\n" + "\n".join(power_lines(tried, lang)))
 
 
 def _check_output(output: Path | None, kinds: tuple[str, ...]) -> None:
@@ -171,13 +170,14 @@ def _write_folder(
 
 def _printed(records: Iterable[Graded], as_json: bool, lang: Lang) -> Iterator[Graded]:
     """Each record, once it is printed."""
-    from graphkin.outputs import marks_json, marks_text
+    from graphkin.outputs import marks_json
+    from graphkin.say.marks import grade_lines
 
     for graded in records:
         if as_json:
             click.echo(json_line(marks_json.line(graded, lang)))
         else:
-            click.echo("\n".join(marks_text.grade_lines(graded, lang)))
+            click.echo("\n".join(grade_lines(graded, lang)))
         yield graded
 
 

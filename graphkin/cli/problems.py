@@ -9,8 +9,6 @@ import click
 from graphkin.cli.shared import force_option, lang_option, speaking
 from graphkin.errors import Lang
 
-__all__ = ["PLATFORMS", "problems"]
-
 PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong")
 
 
@@ -38,14 +36,16 @@ def problems(
       graphkin problems shaper.toml --students class.csv --seed 2027 -o homework
       graphkin problems shaper.toml --students 60 -o homework --format moodle --format xuexitong --lang zh
     """
+    from graphkin import platforms
     from graphkin import problems as sets
+    from graphkin.say.problems import remark
 
     read = sets.read_template(template)
     found = sets.variants(read, sets.roster(students), seed)
-    count = sum(1 for _ in sets.write_set(output, read, found, seed, lang, force))
+    count = sum(1 for _ in platforms.write_problems(output, read, found, seed, lang, force))
     click.echo(f"{output}: {count}")
     if kinds:
-        from graphkin import grading, platforms
+        from graphkin import grading
 
         whole = platforms.problem_set(read, found, grading.judge_from(str(output)))
         for kind in dict.fromkeys(kinds):
@@ -53,4 +53,4 @@ def problems(
             platforms.write_set(path, whole, kind, lang, force)
             click.echo(str(path))
     if shared := [variant.student.id for variant in found if variant.shared]:
-        click.echo(sets.remark(shared, lang), err=True)
+        click.echo(remark(shared, lang), err=True)

@@ -1,4 +1,4 @@
-"""Errors in keys and in how marking is asked for."""
+"""Errors in keys, in how marking is asked for, and in files of marks."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from graphkin.errors.base import GraphkinError, Lang, Where
 
-__all__ = ["BadKey", "BadPencil", "NothingToMark"]
+__all__ = ["BadKey", "BadPencil", "NoMarks", "NothingToMark", "SaidBefore"]
 
 
 class BadKey(GraphkinError):
@@ -39,3 +39,20 @@ class BadPencil(GraphkinError):
         "en": "{where}: {given!r} is no pencil. Write what a length and a direction may be off, in mm and deg: 0.25,0.25.",
         "zh": "{where}：{given!r} 不是有效的作图误差。请写成长度和方向的误差（mm 和度），如 0.25,0.25。",
     }
+
+
+class NoMarks(GraphkinError):
+    """A line of a file of marks that graphkin cannot have written."""
+
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this is no record of graphkin's marks. Mark the submissions themselves.",
+        "zh": "{where}：这不是 graphkin 的评阅记录，请重新评阅提交的文件。",
+    }
+
+
+class SaidBefore(GraphkinError):
+    """What was said of a submission when it was marked first."""
+
+    told: str
+    text: ClassVar[dict[Lang, str]] = {"en": "{told}", "zh": "{told}"}

@@ -8,35 +8,16 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
-from graphkin.errors import GraphkinError, Lang, NoFile, OwnFault, UnknownStudent, Unreadable, Where
+from graphkin.errors import GraphkinError, NoFile, NoMarks, OwnFault, SaidBefore, UnknownStudent, Unreadable, Where
 from graphkin.grading.sets import Judge
 from graphkin.marking.graded import Graded
 from graphkin.marking.marked import Number, Work
 from graphkin.outputs.marks_file import KIND
 from graphkin.outputs.marks_json import FORMAT
 
-__all__ = ["NoMarks", "grade_again", "is_marks"]
-
 _GLANCE = 200
-
-
-class NoMarks(GraphkinError):
-    """A line of a file of marks that graphkin cannot have written."""
-
-    where: Where
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this is no record of graphkin's marks. Mark the submissions themselves.",
-        "zh": "{where}：这不是 graphkin 的评阅记录，请重新评阅提交的文件。",
-    }
-
-
-class SaidBefore(GraphkinError):
-    """What was said of a submission when it was marked first."""
-
-    told: str
-    text: ClassVar[dict[Lang, str]] = {"en": "{told}", "zh": "{told}"}
 
 
 def is_marks(path: str | Path) -> bool:

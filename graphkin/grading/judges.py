@@ -9,8 +9,6 @@ from graphkin.grading.keys import USUAL, Pencils, key_from, text_of
 from graphkin.grading.sets import KIND, Judge, KeySet, OneKey
 from graphkin.marking.marker import Marker
 
-__all__ = ["judge_from"]
-
 
 def judge_from(source: str, pencils: Pencils = USUAL) -> Judge:
     """Of a key.json, a mechanism file, a library mechanism, or a folder with a set of problems.

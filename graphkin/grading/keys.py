@@ -17,8 +17,6 @@ from graphkin.planning import Method
 from graphkin.quantities import Quantity
 from graphkin.value import frozen
 
-__all__ = ["USUAL", "Pencils", "key_file", "key_for", "key_from", "marking_of", "text_of"]
-
 _LARGEST = 64 << 20
 KEYS: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 

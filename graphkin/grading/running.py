@@ -15,8 +15,6 @@ from graphkin.marking.marked import Marked, Number, Work
 from graphkin.marking.marker import Marker
 from graphkin.submissions import Limits, Submission, read
 
-__all__ = ["grade"]
-
 _BATCH = 256
 """Submissions that are marked at once."""
 

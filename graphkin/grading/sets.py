@@ -12,8 +12,6 @@ from graphkin.grading.keys import key_file
 from graphkin.marking.marker import Marker
 from graphkin.submissions import Asked
 
-__all__ = ["KIND", "Judge", "KeySet", "OneKey", "set_text"]
-
 KIND = "graphkin keys"
 FORMAT = 1
 _KEPT = 32

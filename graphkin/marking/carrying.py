@@ -17,8 +17,6 @@ from graphkin.planning import Method
 from graphkin.quantities import Moving, Quantity, Rotation
 from graphkin.value import frozen
 
-__all__ = ["Carried", "Problem"]
-
 _FLAT = np.sin(np.radians(0.5))
 """Lines that meet under a smaller angle give no point: nothing is carried on to it."""
 _MOVES = 1e-3

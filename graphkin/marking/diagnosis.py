@@ -17,8 +17,6 @@ from graphkin.marking.verdicts import Columns, agrees, differences
 from graphkin.marking.weights import ONE, TWO, Weighed, weigh
 from graphkin.value import frozen
 
-__all__ = ["MARGIN", "Diagnosis", "Explanation", "added", "diagnoses", "independent"]
-
 MARGIN = 3.0
 """Explanations whose weights differ by less cannot be told apart: a factor of 20."""
 _FITS = 4.5

@@ -6,8 +6,6 @@ from graphkin.errors import GraphkinError
 from graphkin.marking.marked import Marked
 from graphkin.value import frozen
 
-__all__ = ["Graded"]
-
 
 @frozen
 class Graded:

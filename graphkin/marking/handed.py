@@ -9,8 +9,6 @@ from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.quantities import Centre, Moving, Quantity, Rotation, read
 
-__all__ = ["asked_of", "on_the_way", "readable", "sort_of"]
-
 
 def asked_of(mechanism: Mechanism) -> dict[str, Quantity]:
     """What the file asks for, in its words, as far as the answer is a number."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import field
 from typing import Literal
@@ -9,8 +10,6 @@ from typing import Literal
 import numpy as np
 
 from graphkin.value import frozen
-
-__all__ = ["Entry", "Hypotheses", "Key", "Marking", "Name", "Sort", "Step"]
 
 Sort = Literal["sense", "size", "angle"]
 Name = tuple[str, str, str, str]
@@ -32,6 +31,11 @@ class Marking:
     scales: Mapping[str, float] = field(default_factory=dict)
     sigmas: float = 3.0
     relative: float = 0.0
+
+    @property
+    def on_paper(self) -> tuple[float, float]:
+        """What the pencil errs by on paper [mm, deg]."""
+        return self.lengths["position"] / self.scales["length"], math.degrees(self.angle)
 
 
 @frozen

@@ -20,8 +20,6 @@ from graphkin.planning import Method
 from graphkin.quantities import EDGE, Quantity
 from graphkin.running import replay_all
 
-__all__ = ["DRAWINGS", "drawings_of", "half_digit", "make_key", "pencil_of", "steps_of"]
-
 DRAWINGS = 2000
 """How often the right construction is drawn; each mistaken one is drawn `_FEWER` times."""
 _FEWER = 250

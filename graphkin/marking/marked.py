@@ -9,8 +9,6 @@ from typing import Literal
 from graphkin.marking.diagnosis import Diagnosis
 from graphkin.value import frozen
 
-__all__ = ["Judged", "Marked", "Number", "Verdict", "Work"]
-
 Verdict = Literal["right", "carried", "wrong", "missing"]
 
 

@@ -22,8 +22,6 @@ from graphkin.planning import Method
 from graphkin.quantities import Quantity
 from graphkin.running import replay_all
 
-__all__ = ["Marker"]
-
 _HALF = 0.5
 """What a value is worth whose sense or whose unit alone is wrong."""
 _LARGE = 1e30

@@ -13,8 +13,6 @@ from graphkin.marking.rewrite import Rewrite
 from graphkin.planning import Method
 from graphkin.quantities import Quantity
 
-__all__ = ["pairs_of"]
-
 _MOST = 6000
 """Pairs beyond so many are not tried: among so many, chance hits outweigh hints."""
 

@@ -43,8 +43,6 @@ from graphkin.marking.slips import Mark, Slips
 from graphkin.planning import Method
 from graphkin.value import frozen
 
-__all__ = ["Pencil", "PencilHand", "called", "drawn_positions"]
-
 _NO_ARROW = 1e-6
 """An arrow shorter than this part of what the pencil errs by is not drawn."""
 

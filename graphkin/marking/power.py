@@ -17,8 +17,6 @@ from graphkin.marking.slips import Slips, seed_of
 from graphkin.marking.weights import MOVED, shifts
 from graphkin.value import frozen
 
-__all__ = ["Found", "Power", "power"]
-
 _DIGITS = 4
 _RIGHT = 2000
 """Students who work right: a mistake named to one of them is a false alarm."""

@@ -19,8 +19,6 @@ from graphkin.planning import Method
 from graphkin.quantities import Component, Displacement, Moving, Place, Quantity, Quotient, Rotation
 from graphkin.value import frozen
 
-__all__ = ["Drawings", "spread"]
-
 _AT_ONCE = 64
 """Mistakes that are drawn at once, each many times."""
 _PARTS = ((0.6826894921370859, 1.0), (0.99, 2.5758293035489004))

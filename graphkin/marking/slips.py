@@ -11,8 +11,6 @@ from graphkin.construction import Plane
 from graphkin.mechanism import Mechanism
 from graphkin.value import frozen
 
-__all__ = ["Mark", "Slips", "seed_of"]
-
 
 @frozen
 class Mark:

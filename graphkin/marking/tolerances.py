@@ -16,8 +16,6 @@ from graphkin.marking.slips import Mark, Slips, seed_of
 from graphkin.planning import Method
 from graphkin.value import frozen
 
-__all__ = ["Cost", "Tolerances", "tolerances"]
-
 _FEWER = 500
 _COUNTS = 1e-4
 """A step with a smaller part of the scatter is not told."""

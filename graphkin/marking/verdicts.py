@@ -13,8 +13,6 @@ import numpy as np
 from graphkin.marking.key import Entry, Key
 from graphkin.value import frozen
 
-__all__ = ["Columns", "agrees", "columns", "columns_of", "differences", "sense_only", "upright", "usable"]
-
 _TURN = 2 * np.pi
 _SAME = 1e-6
 _ANSWERABLE = 5.0

@@ -16,8 +16,6 @@ from graphkin.marking.key import Hypotheses, Key, Name
 from graphkin.marking.verdicts import Columns, columns_of, differences
 from graphkin.value import frozen
 
-__all__ = ["MOVED", "ONE", "TWO", "Weighed", "shifts", "visible", "weigh"]
-
 _RIGHT, ONE, TWO, _NONE = np.log((0.5, 0.35, 0.05, 0.1))
 """How often right work, one mistake, two mistakes and other work are met."""
 MOVED = 3.0

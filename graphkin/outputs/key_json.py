@@ -12,8 +12,6 @@ import numpy as np
 from graphkin.errors import BadKey, Where
 from graphkin.marking.key import Entry, Hypotheses, Key, Marking, Name, Sort, Step
 
-__all__ = ["FORMAT", "KIND", "key_data", "key_of", "key_text"]
-
 FORMAT, KIND = 1, "graphkin key"
 _DEEP = "nested too deep"
 Json = dict[str, Any]

@@ -11,8 +11,6 @@ from graphkin.marking.graded import Graded
 from graphkin.outputs.files import beside
 from graphkin.outputs.marks_json import FORMAT, record
 
-__all__ = ["KIND", "write"]
-
 KIND = "graphkin marks"
 
 

@@ -10,8 +10,6 @@ from graphkin.marking.diagnosis import Explanation
 from graphkin.marking.graded import Graded
 from graphkin.marking.marked import Judged, Marked
 
-__all__ = ["FORMAT", "line", "record"]
-
 FORMAT = 1
 Json = dict[str, Any]
 

@@ -1,5 +1,6 @@
 """Formats of teaching platforms, one file a format: problem sets out, results out.
 
+    Template + Variants --write_problems--> graphkin's own folder: DIR/NAME.toml, .txt, .key.json, key.json, set.json
     Key --question_of--> Question; Template + Variants --problem_set--> ProblemSet
     ProblemSet of Questions --SETS[format]--> moodle, moodle-numerical, qti, csv, xuexitong: one file
     file of marks --Stored--> Results
@@ -16,19 +17,18 @@ To add a format: a file with one function, and its line in `writing`.
 from graphkin.platforms.alternatives import Alternative, alternatives
 from graphkin.platforms.class_figure import write_class_figure
 from graphkin.platforms.class_report import ClassReport, class_report, report_record, report_text
-from graphkin.platforms.complaints import NoRightNumber, NotAnOverride, NotAResult, NotForPlatform
 from graphkin.platforms.from_key import question_of
 from graphkin.platforms.from_problems import file_of, problem_set
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
+from graphkin.platforms.problem_folder import write_problems
 from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record
 from graphkin.platforms.stored import Stored
 from graphkin.platforms.writing import RESULTS, SETS, Reveal, Written, prepared, write_results, write_set
 
 __all__ = [
-    "RESULTS", "SETS", "Alternative", "ClassReport", "Line", "NoRightNumber", "NotAResult", "NotAnOverride",
-    "NotForPlatform", "Overrides", "Part", "Picture", "ProblemSet", "Question", "Result", "Reveal", "Stored",
-    "Suspicion", "Written", "Wrong", "alternatives", "class_report", "file_of", "from_record", "overridden", "prepared",
-    "problem_set", "question_of", "read_overrides", "report_record", "report_text",
-    "write_class_figure", "write_results", "write_set",
+    "RESULTS", "SETS", "Alternative", "ClassReport", "Line", "Overrides", "Part", "Picture", "ProblemSet", "Question",
+    "Result", "Reveal", "Stored", "Suspicion", "Written", "Wrong", "alternatives", "class_report", "file_of",
+    "from_record", "overridden", "prepared", "problem_set", "question_of", "read_overrides", "report_record",
+    "report_text", "write_class_figure", "write_problems", "write_results", "write_set",
 ]  # fmt: skip

@@ -11,16 +11,13 @@ import math
 from collections.abc import Iterable, Sequence
 from decimal import ROUND_DOWN, Decimal
 
-from graphkin.errors import Lang
-from graphkin.platforms.complaints import NoRightNumber
+from graphkin.errors import Lang, NoRightNumber
 from graphkin.platforms.feedback import joined
 from graphkin.platforms.numbers import points, rounded, tolerated
-from graphkin.platforms.phrases import say
 from graphkin.platforms.question import Part, Question, Text, Wrong
 from graphkin.platforms.result import texts_in
+from graphkin.say.catalogue import say
 from graphkin.value import frozen
-
-__all__ = ["RING", "Alternative", "alternatives", "most", "refuse", "sentence"]
 
 RING = Decimal("2.5")
 """Half of the points are given within so many tolerances."""
@@ -61,9 +58,9 @@ def most(question: Question) -> Decimal:
 def sentence(alternative: Alternative, lang: Lang) -> str:
     """What is said to a number."""
     if not alternative.ids:
-        return say("right" if alternative.percent == 100 else "ring", lang)
+        return say("feedback.right" if alternative.percent == 100 else "feedback.ring", lang)
     told = joined(texts_in(alternative.mistakes, lang), lang)
-    return say("stop", lang, text=say("number consistent", lang, mistake=told))
+    return say("feedback.stop", lang, text=say("feedback.number consistent", lang, mistake=told))
 
 
 def refuse(question: Question, part: Part) -> None:

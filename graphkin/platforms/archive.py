@@ -7,8 +7,6 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import BinaryIO
 
-__all__ = ["COMMENT", "inside", "member", "pack"]
-
 COMMENT = b"graphkin"
 """At the end of each archive: by this graphkin knows its own."""
 _LONG_AGO = (1980, 1, 1, 0, 0, 0)

@@ -16,8 +16,6 @@ from graphkin.platforms.pages import KINDS, Page
 from graphkin.platforms.platform_names import canvas
 from graphkin.platforms.result import Result
 
-__all__ = ["feedback", "grades", "kind"]
-
 _FRONT = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
 
 

@@ -10,8 +10,6 @@ from decimal import Decimal
 from graphkin.platforms.marked_up import clean, one_line
 from graphkin.platforms.numbers import exponentless
 
-__all__ = ["BOM", "Cell", "columns_of", "harmless", "line", "read_table", "unharmed"]
-
 Cell = str | Decimal | int | None
 BOM = "\ufeff"
 """By this Excel knows UTF-8."""

@@ -11,13 +11,11 @@ from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, writable
 from graphkin.outputs.files import beside
 from graphkin.platforms.class_report import RANGES, ClassReport
 from graphkin.platforms.feedback import suspected
-from graphkin.platforms.phrases import say
+from graphkin.say.catalogue import say
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-__all__ = ["class_figure", "write_class_figure"]
 
 _MM = 1 / 25.4
 _WIDTH, _LEFT, _RIGHT = 180.0, 62.0, 8.0
@@ -70,10 +68,10 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
     for name, colour, hatch in _VERDICTS:
         counts = [step.verdicts.get(name, 0) for step in steps]
         axes.barh(range(len(steps)), counts, left=starts, color=colour, hatch=hatch, edgecolor="black", linewidth=0.6,
-                  label=say(f"legend {name}", lang))  # fmt: skip
+                  label=say(f"class_report.legend {name}", lang))  # fmt: skip
         starts = [start + count for start, count in zip(starts, counts, strict=True)]
     _rows(axes, [step.name for step in steps], lang)
-    _title(axes, "report steps", lang)
+    _title(axes, say("class_report.part steps", lang))
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(_VERDICTS), frameon=False, fontsize=8,
                 borderaxespad=0.2, handlelength=1.4, columnspacing=1.0)  # fmt: skip
 
@@ -82,7 +80,7 @@ def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
     found = report.mistakes[:_MOST]
     axes.barh(range(len(found)), [count for _, count in found], color="#bbbbbb", edgecolor="black", linewidth=0.6)
     _rows(axes, [" / ".join(one.ids) or suspected(one, lang) for one, _ in found], lang)
-    _title(axes, "report mistakes", lang)
+    _title(axes, say("class_report.part mistakes", lang))
 
 
 def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
@@ -90,22 +88,22 @@ def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
     starts = [k * width for k in range(RANGES)]
     axes.bar(starts, report.ranges, width=width, align="edge", color="#bbbbbb", edgecolor="black", linewidth=0.6)
     axes.set_xlim(0, 100)
-    axes.set_xlabel(say("score percent", lang), fontsize=8)
-    axes.set_ylabel(say("students", lang), fontsize=8)
+    axes.set_xlabel(say("platforms.column score percent", lang), fontsize=8)
+    axes.set_ylabel(say("class_report.students", lang), fontsize=8)
     _whole(axes.yaxis)
-    _title(axes, "report distribution", lang)
+    _title(axes, say("class_report.part distribution", lang))
 
 
-def _title(axes: Axes, key: str, lang: Lang) -> None:
+def _title(axes: Axes, title: str) -> None:
     """On the left of the page, where there is room beside the legend."""
-    axes.set_title(say(key, lang), loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
+    axes.set_title(title, loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
 
 
 def _rows(axes: Axes, names: list[str], lang: Lang) -> None:
     """Names beside the bars, the first above; in plain letters, whatever they are."""
     axes.set_yticks(range(len(names)), [_short(writable(name)) for name in names], fontsize=8, parse_math=False)
     axes.set_ylim(max(len(names), 1) - 0.4, -0.6)
-    axes.set_xlabel(say("students", lang), fontsize=8)
+    axes.set_xlabel(say("class_report.students", lang), fontsize=8)
     _whole(axes.xaxis)
 
 

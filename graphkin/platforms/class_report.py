@@ -11,11 +11,9 @@ from typing import Any
 from graphkin.errors import Lang
 from graphkin.platforms.feedback import suspected
 from graphkin.platforms.numbers import exponentless
-from graphkin.platforms.phrases import say
 from graphkin.platforms.result import Line, Result, Suspicion, Verdict
+from graphkin.say.catalogue import say
 from graphkin.value import frozen
-
-__all__ = ["ClassReport", "Step", "class_report", "report_record", "report_text"]
 
 RANGES = 10
 """Scores are counted in so many ranges of the same width."""
@@ -146,34 +144,34 @@ def _ranked(scores: Counter[Decimal], order: list[Decimal], rank: int) -> Decima
 
 def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
     """The report in lines."""
-    yield say("report marked", lang, marked=report.marked, unmarked=report.unmarked, overridden=report.overridden)
+    yield say("class_report.marked", lang, marked=report.marked, unmarked=report.unmarked, overridden=report.overridden)
     spread = {key: getattr(report, key) for key in ("mean", "median", "lowest", "highest")}
     if report.mean is not None:
-        yield say("report scores", lang, **{key: _percent(value) for key, value in spread.items()})
+        yield say("class_report.scores", lang, **{key: _percent(value) for key, value in spread.items()})
     for title, lines in (("steps", _steps), ("mistakes", _mistakes), ("distribution", _distribution)):
         if told := [*lines(report, lang)]:
             yield ""
-            yield say(f"report {title}", lang)
+            yield say(f"class_report.part {title}", lang)
             yield from (f"  {line}" for line in told)
 
 
 def _steps(report: ClassReport, lang: Lang) -> Iterator[str]:
     for step in report.steps:
         counts = {name: step.verdicts.get(name, 0) for name in ("right", "carried", "wrong", "missing")}
-        yield say("report step", lang, name=step.name, first=step.first, **counts)
+        yield say("class_report.step", lang, name=step.name, first=step.first, **counts)
 
 
 def _mistakes(report: ClassReport, lang: Lang) -> Iterator[str]:
     for one, count in report.mistakes:
-        yield say("report mistake", lang, mistake=suspected(one, lang), count=count)
+        yield say("class_report.mistake", lang, mistake=suspected(one, lang), count=count)
     if report.unexplained:
-        yield say("report unexplained", lang, count=report.unexplained)
+        yield say("class_report.unexplained", lang, count=report.unexplained)
 
 
 def _distribution(report: ClassReport, lang: Lang) -> Iterator[str]:
     width = 100 // RANGES
     for k, count in enumerate(report.ranges):
-        yield say("report range", lang, low=k * width, high=(k + 1) * width, count=count)
+        yield say("class_report.range", lang, low=k * width, high=(k + 1) * width, count=count)
 
 
 def _percent(score: Decimal) -> str:

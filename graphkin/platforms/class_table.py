@@ -9,10 +9,8 @@ from graphkin.errors import Lang
 from graphkin.platforms.cells import Cell
 from graphkin.platforms.feedback import suspected, verdict
 from graphkin.platforms.overrides import Overrides
-from graphkin.platforms.phrases import say
 from graphkin.platforms.result import Line, Result, texts_in
-
-__all__ = ["absent", "quantities", "rows"]
+from graphkin.say.catalogue import say
 
 _FRONT = ("student", "file", "status", "earned", "most", "override", "total", "score percent")
 _BACK = ("diagnosis", "reason")
@@ -37,16 +35,16 @@ def absent(overrides: Overrides, names: tuple[str, ...]) -> Iterator[list[Cell]]
 
 
 def _head(names: tuple[str, ...], lang: Lang) -> list[Cell]:
-    front = [say(key if key == "score percent" else f"column {key}", lang) for key in _FRONT]
-    middle = [text for name in names for text in (name, say("column part earned", lang, name=name))]
-    return [*front, *middle, *(say(f"column {key}", lang) for key in _BACK)]
+    front = [say(f"platforms.column {key}", lang) for key in _FRONT]
+    middle = [text for name in names for text in (name, say("platforms.column part earned", lang, name=name))]
+    return [*front, *middle, *(say(f"platforms.column {key}", lang) for key in _BACK)]
 
 
 def _row(result: Result, names: tuple[str, ...], lang: Lang) -> list[Cell]:
     marked = result.status == "marked"
     front: list[Cell] = [
-        result.student, result.file, say(result.status, lang), result.earned if marked else None, result.most,
-        result.override, result.total, _percent(result.score),
+        result.student, result.file, say(f"platforms.status {result.status}", lang),
+        result.earned if marked else None, result.most, result.override, result.total, _percent(result.score),
     ]  # fmt: skip
     by_name = {line.name: line for line in result.lines}
     middle = [cell for name in names for cell in _cells(by_name.get(name), lang)]

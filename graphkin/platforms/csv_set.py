@@ -8,17 +8,20 @@ from graphkin.errors import Lang
 from graphkin.platforms.alternatives import alternatives, sentence
 from graphkin.platforms.cells import BOM, line
 from graphkin.platforms.numbers import points
-from graphkin.platforms.phrases import say
 from graphkin.platforms.question import ProblemSet
-
-__all__ = ["HEADERS", "lines"]
+from graphkin.say.catalogue import say
 
 HEADERS = ("student", "text", "quantity", "unit", "points", "percent", "number", "tolerance", "mistakes", "sentence")
 
 
+def head(lang: Lang) -> str:
+    """The names of the columns."""
+    return BOM + line(say(f"platforms.column {name}", lang) for name in HEADERS)
+
+
 def lines(problems: ProblemSet, lang: Lang) -> Iterator[str]:
     """The table, row by row."""
-    yield BOM + line(say(f"column {name}", lang) for name in HEADERS)
+    yield head(lang)
     for question in problems.questions:
         for part in question.parts:
             for one in alternatives(question, part):

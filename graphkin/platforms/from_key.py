@@ -4,17 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import get_args
 
 import numpy as np
 
-from graphkin.errors import Lang
 from graphkin.marking.key import Entry, Key
-from graphkin.outputs.marks_text import mistake_text
 from graphkin.platforms.question import Part, Question, Text, Wrong
 from graphkin.quantities import EDGE
-
-__all__ = ["question_of"]
+from graphkin.say.catalogue import LANGUAGES
+from graphkin.say.mistakes import mistake
 
 _TURN = 2 * math.pi
 
@@ -47,5 +44,5 @@ def _wrongs(key: Key, column: int, entry: Entry) -> Iterator[Wrong]:
     ):
         if np.isfinite(value) and np.isfinite(scatter):
             number = abs(float(value)) if entry.sort == "size" else float(value)
-            words = {lang: mistake_text(names[0], lang) for lang in get_args(Lang)}
+            words = {lang: mistake(names[0], lang) for lang in LANGUAGES}
             yield Wrong((names[0][0],), number * factor, key.marking.sigmas * float(scatter) * factor, words)

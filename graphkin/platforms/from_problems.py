@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import get_args
 
-from graphkin.errors import Lang
 from graphkin.grading import Judge
 from graphkin.platforms.from_key import question_of
 from graphkin.platforms.question import ProblemSet, Question
 from graphkin.platforms.writing import SETS
-from graphkin.problems import Template, Variant, statement
-
-__all__ = ["file_of", "problem_set"]
+from graphkin.problems import Template, Variant
+from graphkin.say.catalogue import LANGUAGES
+from graphkin.say.problems import statement
 
 
 def problem_set(template: Template, found: Iterable[Variant], judge: Judge) -> ProblemSet:
@@ -24,7 +22,7 @@ def problem_set(template: Template, found: Iterable[Variant], judge: Judge) -> P
 def _question(variant: Variant, judge: Judge) -> Question:
     marker = judge.marker(variant.student.id)
     assert marker is not None, "the set has a key for each of its students"
-    text = {lang: "\n".join(statement(variant.mechanism, lang)) for lang in get_args(Lang)}
+    text = {lang: "\n".join(statement(variant.mechanism, lang)) for lang in LANGUAGES}
     return question_of(variant.student.id, marker.key, text)
 
 

@@ -11,19 +11,17 @@ from typing import Any
 from graphkin.errors import Lang
 from graphkin.platforms.feedback import Reveal, diagnosis, override, quantity, reason, total
 from graphkin.platforms.marked_up import clean
-from graphkin.platforms.phrases import say
 from graphkin.platforms.result import FORMAT, Line, Result
-
-__all__ = ["results_json"]
+from graphkin.say.catalogue import say
 
 
 def results_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
     """The file."""
     tests = [_test(result, line, lang, reveal) for line in result.lines]
     if told := " ".join(diagnosis(result, lang, reveal)):
-        tests.append(_told(say("diagnosis", lang), told, "failed"))
+        tests.append(_told(say("feedback.diagnosis", lang), told, "failed"))
     if result.status == "not marked":
-        tests.append(_told(say("not marked", lang), reason(result, lang), "failed"))
+        tests.append(_told(say("platforms.status not marked", lang), reason(result, lang), "failed"))
     own = {"platform": "gradescope", "format": FORMAT, "student": result.student, "status": result.status}
     file: dict[str, Any] = {
         "output": clean(_output(result, lang)), "output_format": "text", "visibility": "visible", "tests": tests,

@@ -6,8 +6,6 @@ import html
 import re
 import xml.etree.ElementTree as ET
 
-__all__ = ["clean", "element", "in_html", "one_line", "xml"]
-
 _NOT_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufdd0-\ufdef\ufffe\uffff]")
 _BREAKS = re.compile(r"[ \t]*(?:\r\n|[\r\n\x0b\x0c\x85\u2028\u2029])[ \t]*")
 

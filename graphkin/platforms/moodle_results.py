@@ -15,8 +15,6 @@ from graphkin.platforms.pages import Page, html
 from graphkin.platforms.platform_names import moodle
 from graphkin.platforms.result import Result
 
-__all__ = ["HEADERS", "feedback", "grades"]
-
 HEADERS = (
     "Identifier", "Full name", "Status", "Grade", "Maximum grade", "Last modified (grade)", "Feedback comments",
 )  # fmt: skip

@@ -16,10 +16,8 @@ from graphkin.errors import Lang
 from graphkin.platforms.alternatives import Alternative, alternatives, sentence
 from graphkin.platforms.marked_up import element, in_html, one_line, xml
 from graphkin.platforms.numbers import exponentless, points, printed
-from graphkin.platforms.phrases import say
 from graphkin.platforms.question import Part, ProblemSet, Question
-
-__all__ = ["cloze", "numerical", "weights"]
+from graphkin.say.catalogue import say
 
 _BRACES = str.maketrans({"{": "&#123;", "}": "&#125;"})
 _SIGNS = str.maketrans({"#": "\\#", "}": "\\}", "~": "&#126;", "\\": "&#92;", "{": "&#123;"})
@@ -65,7 +63,7 @@ def _cloze(problems: ProblemSet, question: Question, lang: Lang) -> ET.Element:
     for part, weight in zip(question.parts, weights(question.parts), strict=True):
         field = "~".join(_in_braces(one, lang) for one in alternatives(question, part))
         lines.append(f"<p>{in_html(part.heading).translate(_BRACES)} = {{{weight}:NUMERICAL:{field}}}</p>")
-    name = say("problem title", lang, set=problems.name, id=question.id)
+    name = say("platforms.problem title", lang, set=problems.name, id=question.id)
     return _question("cloze", name, "\n".join(lines))
 
 
@@ -85,7 +83,7 @@ def _in_braces(one: Alternative, lang: Lang) -> str:
 
 
 def _numerical(problems: ProblemSet, question: Question, part: Part, lang: Lang) -> ET.Element:
-    title = say("problem title", lang, set=problems.name, id=question.id)
+    title = say("platforms.problem title", lang, set=problems.name, id=question.id)
     text = f"<p>{in_html(question.text[lang])}</p>\n<p>{in_html(part.heading)} = ?</p>"
     made = _question("numerical", f"{title}, {part.name}", text)
     made.append(element("defaultgrade", exponentless(points(part.points))))

@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from decimal import ROUND_HALF_UP, ROUND_UP, Decimal
 
-__all__ = ["HUNDREDTH", "exponentless", "points", "printed", "rounded", "tolerated"]
-
 HUNDREDTH = Decimal("0.01")
 """Points are given in these."""
 _FINER = 3

@@ -6,16 +6,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from decimal import ROUND_HALF_UP, Decimal, InvalidOperation
 from pathlib import Path
 
-from graphkin.errors import Unreadable, Where
+from graphkin.errors import NotAnOverride, Unreadable, Where
 from graphkin.platforms.cells import columns_of, read_table
-from graphkin.platforms.complaints import NotAnOverride
 from graphkin.platforms.marked_up import one_line
 from graphkin.platforms.numbers import HUNDREDTH
-from graphkin.platforms.phrases import PHRASES
 from graphkin.platforms.result import Result
+from graphkin.say.catalogue import in_both
 from graphkin.value import frozen
-
-__all__ = ["Kept", "Overrides", "overridden", "read_overrides"]
 
 _LARGEST = Decimal(10**6)
 
@@ -86,7 +83,7 @@ def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Kept]:
 
 def _column(columns: dict[str, int], key: str) -> int | None:
     """The column in either language."""
-    return next((columns[name] for name in PHRASES[f"column {key}"] if name in columns), None)
+    return next((columns[name] for name in in_both(f"platforms.column {key}").values() if name in columns), None)
 
 
 def _cell(row: list[str], column: int | None) -> str:

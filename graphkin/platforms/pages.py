@@ -12,10 +12,8 @@ from graphkin.platforms.archive import pack
 from graphkin.platforms.cells import line
 from graphkin.platforms.feedback import Reveal, lines
 from graphkin.platforms.marked_up import clean, element, in_html, one_line, xml
-from graphkin.platforms.phrases import say
 from graphkin.platforms.result import Result
-
-__all__ = ["KINDS", "Page", "html"]
+from graphkin.say.catalogue import say
 
 Page = Callable[[Result, Lang, Reveal], bytes]
 _STYLE = "body{font-family:sans-serif;max-width:48em;margin:2em auto;padding:0 1em;line-height:1.5}"
@@ -70,7 +68,7 @@ def commented(result: Result, lang: Lang, reveal: Reveal) -> bytes:
 def workbook(result: Result, lang: Lang, reveal: Reveal) -> bytes:
     """The lines as an Excel workbook, a line a row."""
     made = io.BytesIO()
-    pack(made, xlsx.members(([each] for each in _told(result, lang, reveal)), say("feedback title", lang)))
+    pack(made, xlsx.members(([each] for each in _told(result, lang, reveal)), say("feedback.title", lang)))
     return made.getvalue()
 
 
@@ -82,7 +80,7 @@ KINDS: Mapping[str, Page] = {
 
 
 def _title(result: Result, lang: Lang) -> str:
-    return say("feedback for", lang, student=one_line(result.student))
+    return say("feedback.title for", lang, student=one_line(result.student))
 
 
 def _told(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:

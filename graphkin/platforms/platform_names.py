@@ -11,8 +11,6 @@ import re
 from graphkin.platforms.archive import inside
 from graphkin.value import frozen
 
-__all__ = ["Named", "canvas", "moodle"]
-
 _MOODLE = re.compile(r"(?P<who>[^_/]*)_(?P<id>[0-9]{1,18})_(?P<plugin>assignsubmission_[a-z]+).*", re.S)
 _ARCHIVE = re.compile(r"^.*?\.zip!", re.S | re.I)
 

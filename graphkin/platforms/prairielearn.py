@@ -14,10 +14,8 @@ from typing import Any
 from graphkin.errors import Lang
 from graphkin.platforms.feedback import Reveal, diagnosis, override, quantity, reason, total
 from graphkin.platforms.marked_up import clean
-from graphkin.platforms.phrases import say
 from graphkin.platforms.result import FORMAT, Line, Picture, Result
-
-__all__ = ["LARGEST", "results_json"]
+from graphkin.say.catalogue import say
 
 LARGEST = 1_000_000
 """Bytes of the file at most."""
@@ -50,7 +48,7 @@ def _tests(result: Result, lang: Lang, reveal: Reveal) -> Iterator[dict[str, Any
     for line in result.lines:
         yield _test(result, line, lang, reveal)
     if told := " ".join(diagnosis(result, lang, reveal)):
-        yield _shown(say("diagnosis", lang), 0.0, 0.0, told)
+        yield _shown(say("feedback.diagnosis", lang), 0.0, 0.0, told)
 
 
 def _test(result: Result, line: Line, lang: Lang, reveal: Reveal) -> dict[str, Any]:

@@ -11,15 +11,12 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from decimal import Decimal
 
-from graphkin.errors import Lang
+from graphkin.errors import Lang, NotForPlatform
 from graphkin.platforms.alternatives import Alternative, alternatives, most
-from graphkin.platforms.complaints import NotForPlatform
 from graphkin.platforms.marked_up import element, in_html, one_line, xml
 from graphkin.platforms.numbers import exponentless, points, printed
-from graphkin.platforms.phrases import say
 from graphkin.platforms.question import Part, ProblemSet, Question
-
-__all__ = ["SMALLEST", "members"]
+from graphkin.say.catalogue import say
 
 SMALLEST = Decimal("0.0001")
 _PACKAGE = "http://www.imsglobal.org/xsd/imsccv1p1/imscp_v1p1"
@@ -33,7 +30,7 @@ def members(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes]]:
     names = [_name(problems, question) for question in problems.questions]
     yield "imsmanifest.xml", xml(_manifest(problems, names))
     for name, question in zip(names, problems.questions, strict=True):
-        title = one_line(say("problem title", lang, set=problems.name, id=question.id))
+        title = one_line(say("platforms.problem title", lang, set=problems.name, id=question.id))
         yield f"{name}/{name}.xml", xml(_assessment(name, title, question, lang))
         yield f"{name}/assessment_meta.xml", xml(_meta(name, title, question))
 

@@ -7,8 +7,6 @@ from collections.abc import Mapping, Sequence
 from graphkin.errors import Lang
 from graphkin.value import frozen
 
-__all__ = ["Part", "ProblemSet", "Question", "Text", "Wrong"]
-
 Text = Mapping[Lang, str]
 """A text in each language."""
 

@@ -8,14 +8,11 @@ from dataclasses import field
 from decimal import Decimal
 from typing import Any, Literal, get_args
 
-from graphkin.errors import Lang, Where
+from graphkin.errors import Lang, NotAResult, Where
 from graphkin.marking.key import Name
-from graphkin.platforms.complaints import NotAResult
 from graphkin.platforms.numbers import points
 from graphkin.platforms.question import Text
 from graphkin.value import frozen
-
-__all__ = ["FORMAT", "Line", "Picture", "Result", "Suspicion", "Verdict", "from_record", "texts_in"]
 
 FORMAT = 1
 Verdict = Literal["right", "carried", "wrong", "missing"]

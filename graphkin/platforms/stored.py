@@ -7,12 +7,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, TextIO
 
-from graphkin.errors import NoFile, Unreadable, Where
+from graphkin.errors import NoFile, NotAResult, Unreadable, Where
 from graphkin.outputs.marks_file import KIND
-from graphkin.platforms.complaints import NotAResult
 from graphkin.platforms.result import FORMAT, Result, from_record
-
-__all__ = ["Stored"]
 
 _BEGIN, _END = '"results": [', "]}"
 

@@ -33,10 +33,10 @@ from graphkin.platforms.feedback import Reveal
 from graphkin.platforms.marked_up import clean
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.pages import Page, html
-from graphkin.platforms.phrases import say
 from graphkin.platforms.platform_names import Named, canvas, moodle
 from graphkin.platforms.question import ProblemSet
 from graphkin.platforms.result import Picture, Result
+from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.submissions import safe_name
 from graphkin.value import frozen
 
@@ -45,7 +45,7 @@ __all__ = ["CLASS_TABLE", "RESULTS", "SETS", "Reveal", "Written", "prepared", "w
 CLASS_TABLE = "class.csv"
 """In this table of a results folder teachers write their overrides."""
 _JSON, _ZIP, _TABLE = (b'"graphkin"',), (COMMENT,), (b"override",)
-_REPORT = tuple(say("report title", lang).encode() for lang in ("en", "zh"))
+_REPORT = tuple(title.encode() for title in in_both("class_report.title").values())
 
 
 # --- sets -------------------------------------------------------------------------------------
@@ -85,7 +85,7 @@ SETS: Mapping[str, SetFormat] = {
     "qti": SetFormat(".zip", _packed(qti.members), _ZIP),
     "csv": SetFormat(
         ".csv", lambda path, problems, lang: _lines(path, csv_set.lines(problems, lang)),
-        tuple((BOM + say("column student", lang) + "," + say("column text", lang)).encode() for lang in ("en", "zh")),
+        tuple(csv_set.head(lang).encode() for lang in LANGUAGES),
     ),
     "xuexitong": SetFormat(".docx", _packed(xuexitong.members), _ZIP),
 }  # fmt: skip
@@ -199,12 +199,13 @@ def _csv(order: Order) -> Written:
 
 
 def _xlsx(order: Order) -> Written:
-    members = xlsx.members(_table(order), say("report title", order.lang))
+    members = xlsx.members(_table(order), say("class_report.title", order.lang))
     return Written((order.packed("class.xlsx", members),), _kept(order))
 
 
 def _kept(order: Order) -> tuple[str, ...]:
-    return tuple(say("override kept", order.lang, student=each.student or each.file) for each in order.overrides.rest())
+    names = (each.student or each.file for each in order.overrides.rest())
+    return tuple(say("platforms.override kept", order.lang, student=name) for name in names)
 
 
 def _moodle(order: Order) -> Written:
@@ -233,7 +234,7 @@ def _without_canvas(order: Order) -> Iterator[str]:
         if named is not None and canvas_results.kind(named.name, order.page) is None:
             kinds[Path(named.name).suffix] += 1
     for suffix, count in kinds.items():
-        yield say("no feedback in kind", order.lang, count=count, kind=suffix or "?")
+        yield say("platforms.no feedback in kind", order.lang, count=count, kind=suffix or "?")
 
 
 def _unnamed(order: Order, named: Callable[[str], Named | None], platform: str) -> Iterator[str]:
@@ -243,7 +244,7 @@ def _unnamed(order: Order, named: Callable[[str], Named | None], platform: str) 
         if named(result.file) is None:
             first, count = first or result.file, count + 1
     if count:
-        yield say("no platform name", order.lang, count=count, file=first, platform=platform)
+        yield say("platforms.no platform name", order.lang, count=count, file=first, platform=platform)
 
 
 def _gradescope(order: Order) -> Written:
@@ -282,7 +283,7 @@ def _report(order: Order) -> Written:
 
 
 def _report_lines(report: ClassReport, lang: Lang) -> Iterator[str]:
-    yield say("report title", lang)
+    yield say("class_report.title", lang)
     yield from map(clean, report_text(report, lang))
 
 

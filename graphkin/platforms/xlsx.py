@@ -10,8 +10,6 @@ from graphkin.platforms.cells import Cell
 from graphkin.platforms.marked_up import clean, element, xml
 from graphkin.platforms.numbers import exponentless
 
-__all__ = ["members"]
-
 _MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 _OFFICE = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
 _LINKS = "http://schemas.openxmlformats.org/package/2006/relationships"

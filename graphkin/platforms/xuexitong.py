@@ -13,10 +13,8 @@ from graphkin.errors import Lang
 from graphkin.platforms.alternatives import alternatives
 from graphkin.platforms.marked_up import element, one_line, xml
 from graphkin.platforms.numbers import exponentless, printed
-from graphkin.platforms.phrases import say
 from graphkin.platforms.question import Part, ProblemSet, Question
-
-__all__ = ["members", "paragraphs"]
+from graphkin.say.catalogue import say
 
 _WORD = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
 _TYPES = "http://schemas.openxmlformats.org/package/2006/content-types"
@@ -40,7 +38,7 @@ def paragraphs(problems: ProblemSet, lang: Lang) -> Iterator[str]:
     """The lines of the file: a question, its answer, and so on."""
     number = 0
     for question in problems.questions:
-        title = say("problem title", lang, set=problems.name, id=question.id)
+        title = say("platforms.problem title", lang, set=problems.name, id=question.id)
         for part in question.parts:
             number += 1
             asked = f"{part.heading} = ____ (±{_off(question, part)})"

@@ -2,17 +2,16 @@
 
     template.toml --template--> Template     a mechanism file with ranges
     Template + roster + seed --draws--> Variant for each student, posed well (`posed`)
-    Variant --text, writing--> DIR/NAME.toml, DIR/NAME.txt, DIR/set.json
+
+say.problems words a problem; platforms writes the set, for graphkin and for others.
 """
 
 from graphkin.problems.draws import Variant, variants
 from graphkin.problems.posed import Posed, tellable, well_posed
 from graphkin.problems.roster import Student, roster
 from graphkin.problems.template import Range, Template, read_template
-from graphkin.problems.text import remark, statement
-from graphkin.problems.writing import write_set
 
 __all__ = [
-    "Posed", "Range", "Student", "Template", "Variant", "read_template", "remark", "roster", "statement", "tellable",
-    "variants", "well_posed", "write_set",
+    "Posed", "Range", "Student", "Template", "Variant", "read_template", "roster", "tellable", "variants",
+    "well_posed",
 ]  # fmt: skip

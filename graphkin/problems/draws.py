@@ -18,8 +18,6 @@ from graphkin.problems.roster import Student
 from graphkin.problems.template import Template
 from graphkin.value import frozen
 
-__all__ = ["Variant", "variants"]
-
 _TRIES = 200
 _HOPELESS = 20
 """Where so many draws do not assemble, and no other did better, the template is wrong."""

@@ -19,8 +19,6 @@ from graphkin.readings import readings
 from graphkin.results import driver_values
 from graphkin.value import frozen
 
-__all__ = ["Posed", "Refused", "answers", "tellable", "well_posed"]
-
 Refused = Literal["assembly", "dead point", "short", "taken", "mistakes"]
 
 DEAD = math.radians(5)

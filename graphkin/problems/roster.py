@@ -10,8 +10,6 @@ from graphkin.submissions.submission import Limits
 from graphkin.submissions.tables import IDS, csv_cells, student_of
 from graphkin.value import frozen
 
-__all__ = ["Student", "roster"]
-
 MOST = 100_000
 
 

@@ -22,8 +22,6 @@ from graphkin.loading.source import read_text, read_toml
 from graphkin.mechanism import Mechanism
 from graphkin.value import frozen
 
-__all__ = ["Range", "Template", "read_template"]
-
 _SPAN = re.compile(r"""\{(?:[^{}"'#]|"[^"\n]*"|'[^'\n]*')*\}""")
 _HEADER = re.compile(r"^[ \t]*\[", re.M)
 _POINTS = re.compile(r"^[ \t]*\[[ \t]*points[ \t]*\][^\n]*\n?", re.M)

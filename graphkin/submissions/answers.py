@@ -27,8 +27,6 @@ from graphkin.submissions.spelling import plain, short
 from graphkin.submissions.submission import Given, Limits
 from graphkin.value import frozen
 
-__all__ = ["Answers", "Entry", "answers"]
-
 Entry = tuple[str, object, Where]
 """What an answer is called, what is given, and where it stands."""
 

@@ -11,8 +11,6 @@ from zipfile import BadZipFile, ZipFile, ZipInfo
 from graphkin.errors import BrokenSubmission, TooMuch, Where
 from graphkin.submissions.submission import Limits
 
-__all__ = ["checked_zip", "member_name", "members", "opened", "read_member"]
-
 _JUNK = ("__MACOSX/", ".DS_Store", "Thumbs.db", "desktop.ini")
 _FLAG_UTF8, _FLAG_LOCKED = 0x800, 0x1
 

@@ -9,8 +9,6 @@ from pathlib import PurePosixPath
 from graphkin.errors import steers
 from graphkin.value import frozen
 
-__all__ = ["Owner", "owner", "safe_name", "tidy_id"]
-
 _MOODLE = re.compile(r"(?P<name>[^/]+)_(?P<id>[0-9]+)_assignsubmission_[a-z]+(?:_|/|$)")
 _CANVAS = re.compile(r"(?P<name>[^_/]+)(?:_LATE)?_(?P<id>[0-9]+)_(?P<sub>[0-9]+)_(?P<file>[^/]+)$")
 _RESERVED = {"con", "prn", "aux", "nul", *(f"{port}{k}" for port in ("com", "lpt") for k in range(10))}

@@ -9,8 +9,6 @@ from collections.abc import Iterator
 
 from graphkin.errors import TookTooLong, Where
 
-__all__ = ["limited"]
-
 _AGAIN = 0.2
 """A reader that swallows the alarm is told again so soon [s]."""
 

@@ -15,8 +15,6 @@ from graphkin.submissions.submission import Limits
 from graphkin.submissions.tables import student_of
 from graphkin.value import frozen
 
-__all__ = ["Document", "listed", "read_json", "read_lines", "read_toml"]
-
 _DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
 _KEY = re.compile(r"""\s*(?:"([^"]*)"|'([^']*)'|([^=:：\s"'][^=:：]*?))\s*[=:：]""")
 _HEADER = re.compile(r"\s*\[\s*([^\[\]]+?)\s*\]\s*")

@@ -18,8 +18,6 @@ from graphkin.submissions.polygons import Polygon, polygons
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import Asked, Drawn, Given, Limits
 
-__all__ = ["measured", "picture_of"]
-
 _SHORTEST = 1.0
 """A known vector shorter than this gives no scale [mm]."""
 _KEYS: Mapping[Plane, str] = {"position": "mu_l", "velocity": "mu_v", "acceleration": "mu_a"}

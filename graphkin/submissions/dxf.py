@@ -12,8 +12,6 @@ from graphkin.errors import BrokenSubmission, GraphkinError, TooMuch, WantsExtra
 from graphkin.submissions.picture import Dot, Picture, Text
 from graphkin.submissions.submission import Limits
 
-__all__ = ["read_dxf"]
-
 _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
 """By $INSUNITS: unitless counts as mm."""
 _WIDE = 0.8

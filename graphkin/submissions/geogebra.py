@@ -17,8 +17,6 @@ from graphkin.submissions.picture import Arrow, Dot, Picture, Text
 from graphkin.submissions.submission import Limits
 from graphkin.submissions.svg import xml_root
 
-__all__ = ["read_ggb"]
-
 _POINT = re.compile(r"\(\s*([-+0-9.eE]+)\s*,\s*([-+0-9.eE]+)\s*\)")
 _UNIT = re.compile(r"(?:unit|单位)\s*=\s*([0-9]+(?:\.[0-9]+)?)\s*mm", re.I)
 _VECTOR = re.compile(r"(?:Vector|Vektor|Vecteur)\[\s*(.+)\s*\]", re.I)

@@ -21,8 +21,6 @@ from graphkin.submissions.tables import Row, csv_cells, rows_of, xlsx_cells
 from graphkin.submissions.texts import decoded
 from graphkin.value import frozen
 
-__all__ = ["Handed", "handed_in"]
-
 
 @frozen
 class Handed:

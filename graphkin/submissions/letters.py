@@ -18,8 +18,6 @@ from graphkin.submissions.polygons import Polygon
 from graphkin.submissions.spelling import plain
 from graphkin.value import frozen
 
-__all__ = ["Found", "find_letters"]
-
 _REACH = 6.0
 """A letter belongs to no dot farther from it [mm]."""
 _NEAR = 4.0

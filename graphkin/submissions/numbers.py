@@ -16,8 +16,6 @@ from graphkin.submissions.spelling import plain
 from graphkin.submissions.submission import Given, Sense
 from graphkin.value import frozen
 
-__all__ = ["DIMENSIONS", "Written", "given", "unit_named", "written"]
-
 DIMENSIONS: Mapping[str, Dimension | None] = {
     "rad": "angle", "rad/s": "angular velocity", "rad/s^2": "angular acceleration", "m": "length", "m/s": "velocity",
     "m/s^2": "acceleration", "1": None,

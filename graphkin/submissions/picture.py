@@ -8,8 +8,6 @@ from dataclasses import field
 from graphkin.construction import Plane
 from graphkin.value import frozen
 
-__all__ = ["Arrow", "Dot", "Picture", "Text"]
-
 
 @frozen
 class Text:

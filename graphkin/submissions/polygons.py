@@ -21,8 +21,6 @@ from graphkin.mechanism import FRAME, Mechanism
 from graphkin.submissions.questions import Questions
 from graphkin.value import frozen
 
-__all__ = ["Polygon", "Vector", "polygons"]
-
 
 @frozen
 class Vector:

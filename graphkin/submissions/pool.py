@@ -13,8 +13,6 @@ from concurrent.futures.process import BrokenProcessPool
 from itertools import islice
 from typing import TypeVar
 
-__all__ = ["guarded"]
-
 _Item = TypeVar("_Item")
 _Found = TypeVar("_Found")
 _BATCH, _AHEAD = 16, 3

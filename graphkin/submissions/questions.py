@@ -17,8 +17,6 @@ from graphkin.quantities import Centre, Component, Displacement, Moving, Place, 
 from graphkin.submissions.numbers import unit_named
 from graphkin.submissions.spelling import plain, unaccented
 
-__all__ = ["Questions", "begins_like_one"]
-
 LONGEST = 120
 """No question is longer."""
 _HEADS = (

@@ -32,8 +32,6 @@ from graphkin.submissions.submission import Asked, Drawn, Given, Limits, Submiss
 from graphkin.submissions.tables import Row, csv_cells, rows_of, xlsx_cells
 from graphkin.submissions.texts import decoded
 
-__all__ = ["Key", "read", "read_one"]
-
 Key = Asked | Callable[[str], Asked | None]
 """One problem for all, or each student's own by id; None for a student there is not."""
 

@@ -12,8 +12,6 @@ from graphkin.mechanism import Mechanism
 from graphkin.submissions.numbers import unit_named, written
 from graphkin.submissions.spelling import plain
 
-__all__ = ["PAPER", "plane_named", "plane_of", "scale", "stated_by"]
-
 PAPER: Mapping[str, float] = {"mm": 1.0, "cm": 10.0, "in": 25.4}
 """Units of lengths on paper in mm: such a length is taken for a velocity or an acceleration by its scale."""
 _DIMENSIONS: Mapping[Plane, Dimension] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}

@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 import unicodedata
 
-__all__ = ["plain", "short", "unaccented"]
-
 _RAISED = re.compile("[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 _MINUS = "−–—‐‑‒―﹣－➖"
 _ALIKE = str.maketrans({

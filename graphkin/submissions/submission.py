@@ -11,8 +11,6 @@ from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.mechanism import Mechanism
 from graphkin.value import frozen
 
-__all__ = ["Asked", "Drawn", "Given", "Limits", "Sense", "Submission"]
-
 Sense = Literal["ccw", "cw"]
 
 

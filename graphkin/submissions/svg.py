@@ -17,8 +17,6 @@ from graphkin.submissions.picture import Arrow, Dot, Picture, Text
 from graphkin.submissions.submission import Limits
 from graphkin.value import frozen
 
-__all__ = ["read_svg", "xml_root"]
-
 _PX = 25.4 / 96
 _INK = "{http://www.inkscape.org/namespaces/inkscape}"
 _ROLE = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}role"

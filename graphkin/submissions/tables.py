@@ -20,8 +20,6 @@ from graphkin.submissions.submission import Limits
 from graphkin.submissions.texts import lines_of
 from graphkin.value import frozen
 
-__all__ = ["IDS", "Cells", "Row", "csv_cells", "rows_of", "student_of", "xlsx_cells"]
-
 Cells = Iterator[tuple[int, Sequence[object]]]
 """Rows as they stand, with the number of their line."""
 

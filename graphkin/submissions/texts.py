@@ -9,8 +9,6 @@ from typing import IO
 
 from graphkin.errors import BrokenSubmission, Where
 
-__all__ = ["decoded", "lines_of"]
-
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
 _PIECE = 1 << 16
 

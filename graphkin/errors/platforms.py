@@ -1,10 +1,10 @@
-"""What cannot be brought to a platform, and what cannot be read back from a table."""
+"""Errors in what goes to teaching platforms, and in what is read back from their tables."""
 
 from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors import GraphkinError, Lang, Where
+from graphkin.errors.base import GraphkinError, Lang, Where
 
 __all__ = ["NoRightNumber", "NotAResult", "NotAnOverride", "NotForPlatform"]
 

@@ -1,4 +1,4 @@
-"""A problem set on disk: each student's mechanism file and problem, and what the set is, all or nothing a file."""
+"""A problem set in graphkin's own folder: each student's mechanism file, problem and key, all or nothing a file."""
 
 from __future__ import annotations
 
@@ -12,12 +12,9 @@ from graphkin.errors import CannotWrite, Lang
 from graphkin.grading import key_for, set_text
 from graphkin.outputs.files import beside, refuse
 from graphkin.outputs.key_json import key_text
-from graphkin.problems.draws import Variant
-from graphkin.problems.template import Template
-from graphkin.problems.text import problem
+from graphkin.problems import Template, Variant
+from graphkin.say.problems import problem
 from graphkin.submissions import safe_name
-
-__all__ = ["MARK", "file_names", "write_set"]
 
 MARK = "graphkin problems"
 """By which graphkin knows files of its own, which it writes anew."""
@@ -25,7 +22,7 @@ KEY = ".key.json"
 _MARKS = [MARK.encode(), b'"kind": "graphkin key']
 
 
-def write_set(
+def write_problems(
     folder: Path, template: Template, found: tuple[Variant, ...], seed: str, lang: Lang, force: bool = False,
     keys: bool = True,
 ) -> Iterator[Path]:  # fmt: skip
@@ -48,7 +45,7 @@ def write_set(
     for variant in found:
         name = names[variant.student.id]
         head = f"# {MARK}: {template.name}, {variant.student.id}\n"
-        texts = ((".toml", head + template.text(variant.numbers)), (".txt", problem(template, variant, lang)))
+        texts = ((".toml", head + template.text(variant.numbers)), (".txt", _text(template, variant, lang)))
         for suffix, text in texts:
             yield _written(folder / f"{name}{suffix}", text, force)
         if keys:
@@ -57,6 +54,12 @@ def write_set(
         index = {student: f"{name}{KEY}" for student, name in names.items()}
         yield _written(folder / "key.json", set_text(index), force)
     yield _written(folder / "set.json", _listed(template, found, names, seed), force)
+
+
+def _text(template: Template, variant: Variant, lang: Lang) -> str:
+    """What the student reads."""
+    own = variant.student
+    return problem(variant.mechanism, own.id, [name for _, name in own.names], template.points, lang)
 
 
 def _key(template: Template, variant: Variant) -> str:

@@ -3,51 +3,42 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
-from graphkin.problems.draws import Variant
-from graphkin.problems.phrases import KEYS, PHRASES, TABLES
-from graphkin.problems.template import Template
 from graphkin.quantities import EDGE, Centre, Quantity, Quotient, read
-from graphkin.words import names
+from graphkin.say import names
+from graphkin.say.catalogue import is_phrase, say
 
 
-
-def problem(template: Template, variant: Variant, lang: Lang) -> str:
-    """The text of one student's problem."""
-    mechanism = variant.mechanism
-    own = variant.student
-    called = " ".join((own.id, *(name for _, name in own.names)))
-    lines = [_say("student", lang, student=called), *statement(mechanism, lang), "", _say("find", lang)]
+def problem(mechanism: Mechanism, student: str, others: Sequence[str], points: Mapping[str, float], lang: Lang) -> str:
+    """The text of one student's problem. others: what else the student is called; points: by question, else 1."""
+    called = " ".join((student, *others))
+    lines = [say("problems.student", lang, student=called), *statement(mechanism, lang), "", say("problems.find", lang)]
     asked = [(question, read(mechanism, question)) for question in mechanism.ask]
     for question, quantity in asked:
-        worth = _say("points", lang, points=template.points.get(question, 1.0)) if quantity is not None else ""
+        worth = say("problems.points", lang, points=points.get(question, 1.0)) if quantity is not None else ""
         lines.append(f"  {_asked(question, quantity)}{worth}")
-    lines += ["", _say("hand in", lang), "", f"  student = {_quoted(own.id)}", "  [answers]"]
+    lines += ["", say("problems.hand in", lang), "", f"  student = {_quoted(student)}", "  [answers]"]
     lines += [f'  "{question}" = ' for question, quantity in asked if quantity is not None]
     return "\n".join(lines) + f"\n\n{_MADE}\n"
 
 
 def statement(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
     """The mechanism and what is given of it, in lines."""
-    yield from (mechanism.headline(lang), "", _say("given", lang))
+    yield from (mechanism.headline(lang), "", say("problems.given", lang))
     yield from (f"  {line}" for line in _given(tomllib.loads(mechanism.text), lang))
 
 
 def remark(shared: Sequence[str], lang: Lang) -> str:
     """That students have problems much alike."""
-    few = _say("between", lang).join(shared[:10]) + (" .." if len(shared) > 10 else "")
-    return _say("shared", lang, count=len(shared), students=few)
+    few = say("common.and", lang).join(shared[:10]) + (" .." if len(shared) > 10 else "")
+    return say("problems.shared", lang, count=len(shared), students=few)
 
 
 _MADE = "-- graphkin problems"
-
-
-def _say(key: str, lang: Lang, **words: object) -> str:
-    return PHRASES[key][lang].format(**words)
 
 
 def _quoted(text: str) -> str:
@@ -80,13 +71,13 @@ def _symbol(quantity: Quantity) -> str:
 def _given(document: dict[str, Any], lang: Lang) -> Iterator[str]:
     """A line a link, pair and driver, in the file's order."""
     for table, content in document.items():
-        if table not in TABLES:
+        if not is_phrase(f"problems.table {table}"):
             continue
         rows = content.items() if table == "links" else [("", row) for row in _rows(content)]
         for name, row in rows:
-            head = TABLES[table][lang] + (f" {name}" if name else "")
-            told = _say("between", lang).join(_told(key, value, lang) for key, value in row.items())
-            yield f"{head}{_say('colon', lang)}{told}"
+            head = say(f"problems.table {table}", lang) + (f" {name}" if name else "")
+            told = say("common.and", lang).join(_told(key, value, lang) for key, value in row.items())
+            yield f"{head}{say('common.colon', lang)}{told}"
 
 
 def _rows(content: Any) -> list[Any]:
@@ -94,7 +85,7 @@ def _rows(content: Any) -> list[Any]:
 
 
 def _told(key: str, value: object, lang: Lang) -> str:
-    known = KEYS[key][lang] if key in KEYS else names.point(key)
+    known = say(f"problems.key {key}", lang) if is_phrase(f"problems.key {key}") else names.point(key)
     return f"{known} = {_shown(value, lang)}"
 
 
@@ -103,7 +94,7 @@ def _shown(value: object, lang: Lang) -> str:
         case bool():
             return str(value).lower()
         case dict():
-            return "(" + _say("between", lang).join(_told(key, inner, lang) for key, inner in value.items()) + ")"
+            return "(" + say("common.and", lang).join(_told(key, inner, lang) for key, inner in value.items()) + ")"
         case list():
             return "(" + ", ".join(_shown(inner, lang) for inner in value) + ")"
         case _:
