@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import json
+import re
 import math
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 
-from graphkin import api, loading
+from graphkin import api, library, loading
 from graphkin.cli import main
 from graphkin.errors import GraphkinError, NoRange, NotATemplate, NoVariant, OutOfRange, StudentTwice, UnknownQuantity
 from graphkin.outputs.files import FileInTheWay
 from graphkin.platforms import write_problems
 from graphkin.problems import Student, read_template, roster, variants, well_posed
+from graphkin.say.problems import problem
 from graphkin.submissions import Asked, read
 
 TEXT = """# a comment with AB = { from = 1, to = 2 } in it
@@ -199,3 +201,20 @@ def test_the_command(template: Path, tmp_path: Path):
     bad = CliRunner().invoke(main, ["problems", str(template), "--students", str(tmp_path / "no.csv"), "-o", str(out)])
     assert bad.exit_code == 3
     assert "no.csv" in bad.stderr
+
+
+@pytest.mark.parametrize(
+    ("question", "shown"),
+    [
+        ("omega 3", "ω3 [rad/s] (1 point)"), ("theta 3", "θ3 [°] (1 point)"), ("v_y C", "v_C,y [m/s] (1 point)"),
+        ("a_k B3B2", "aᵏ_B3B2 [m/s²] (1 point)"), ("x C", "x_C [mm] (1 point)"), ("omega 3 / omega 2", "ω3 / ω2 (1 point)"),
+        ("P13", "P13 [mm]"),
+    ],
+)  # fmt: skip
+def test_what_is_asked_is_written_as_in_a_book(question: str, shown: str):
+    """What is no number has no points, and no line in the form."""
+    mechanism = loading.loads(re.sub("(?m)^ask .*", f'ask = ["{question}"]', library.load("ex3-1").text))
+    assert mechanism.ask == (question,)
+    lines = problem(mechanism, "s1", (), {}, "en").splitlines()
+    assert f"  {shown}" in lines
+    assert (f'  "{question}" = ' in lines) == ("point" in shown)

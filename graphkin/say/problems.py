@@ -7,8 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from graphkin.errors import Lang
+from graphkin.marking.handed import asked_of
 from graphkin.mechanism import Mechanism
-from graphkin.quantities import EDGE, Centre, Quantity, Quotient, read
+from graphkin.quantities import EDGE, Centre, Component, Quantity, Quotient, read
 from graphkin.say import names
 from graphkin.say.catalogue import is_phrase, say
 
@@ -17,12 +18,12 @@ def problem(mechanism: Mechanism, student: str, others: Sequence[str], points: M
     """The text of one student's problem. others: what else the student is called; points: by question, else 1."""
     called = " ".join((student, *others))
     lines = [say("problems.student", lang, student=called), *statement(mechanism, lang), "", say("problems.find", lang)]
-    asked = [(question, read(mechanism, question)) for question in mechanism.ask]
-    for question, quantity in asked:
-        worth = say("problems.points", lang, points=points.get(question, 1.0)) if quantity is not None else ""
-        lines.append(f"  {_asked(question, quantity)}{worth}")
+    marked = asked_of(mechanism)
+    for question in mechanism.ask:
+        worth = _worth(points.get(question, 1.0), lang) if question in marked else ""
+        lines.append(f"  {_asked(question, read(mechanism, question))}{worth}")
     lines += ["", say("problems.hand in", lang), "", f"  student = {_quoted(student)}", "  [answers]"]
-    lines += [f'  "{question}" = ' for question, quantity in asked if quantity is not None]
+    lines += [f'  "{question}" = ' for question in marked]
     return "\n".join(lines) + f"\n\n{_MADE}\n"
 
 
@@ -45,6 +46,10 @@ def _quoted(text: str) -> str:
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
+def _worth(points: float, lang: Lang) -> str:
+    return say("problems.points one" if points == 1 else "problems.points many", lang, points=points)
+
+
 def _asked(question: str, quantity: Quantity | None) -> str:
     """`ω3 [rad/s]`, `aᵏ_B3B2 [m/s²]`."""
     if quantity is None:
@@ -57,8 +62,11 @@ def _asked(question: str, quantity: Quantity | None) -> str:
 
 
 def _symbol(quantity: Quantity) -> str:
+    """`ω3`, `aᵏ_B3B2`, `v_E,y`, `P13`."""
     if isinstance(quantity, Centre):
         return quantity.text
+    if isinstance(quantity, Component):
+        return f"{_symbol(quantity.whole)},{quantity.axis}"
     if not quantity.sites:
         return names.of_link(quantity.letter, quantity.of)
     part = f"^{quantity.part}" if quantity.part else ""

@@ -42,7 +42,7 @@ def tolerance_lines(found: Tolerances, lang: Lang) -> Iterator[str]:
 def _pencil(marking: Marking, drawings: int, lang: Lang) -> Iterator[str]:
     length, angle = marking.on_paper
     yield say("tolerances.pencil", lang, length=f"{length:g}", angle=f"{angle:g}", count=drawings)
-    scales = ", ".join(_SCALES[key].format(f"{x:g}") for key, x in marking.scales.items())
+    scales = say("common.and", lang).join(_SCALES[key].format(f"{x:g}") for key, x in marking.scales.items())
     yield say("tolerances.scales", lang, scales=scales)
     allowed = "tolerances.allowed part" if marking.relative else "tolerances.allowed"
     yield say(allowed, lang, sigmas=f"{marking.sigmas:g}", part=f"{marking.relative:.3g}")

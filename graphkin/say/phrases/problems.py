@@ -9,7 +9,8 @@ PHRASES: Phrases = {
         "已知（未注单位者为 mm、°、rad/s、rad/s²、m/s、m/s²；逆时针为正）：",
     ),
     "find": ("Find graphically:", "用图解法求："),
-    "points": (" ({points:g} points)", "（{points:g} 分）"),
+    "points one": (" ({points:g} point)", "（{points:g} 分）"),
+    "points many": (" ({points:g} points)", "（{points:g} 分）"),
     "hand in": (
         "Hand in a text file with these lines, a number behind each; senses as signs or as ccw, cw:",
         "请提交含下列各行的文本文件，在每行后填写数值；转向用正负号或“逆时针”“顺时针”表示：",
