@@ -34,6 +34,7 @@ def tolerance_lines(found: Tolerances, lang: Lang) -> Iterator[str]:
         "tolerances.column part", "marks.column unit", "tolerances.column worst step",
     )  # fmt: skip
     yield from table([[say(name, lang) for name in heads], *_rows(found, lang)])
+    yield say("tolerances.asked", lang)
     yield ""
     yield say("tolerances.costs", lang)
     yield from (f"  {cost.over_all:6.1%}  {_step(cost, lang)}" for cost in found.costs[:_TOLD])
