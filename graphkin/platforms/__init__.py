@@ -17,6 +17,7 @@ To add a format: a file with one function, and its line in `writing`.
 from graphkin.platforms.alternatives import Alternative, alternatives
 from graphkin.platforms.class_figure import write_class_figure
 from graphkin.platforms.class_report import ClassReport, class_report, report_record, report_text
+from graphkin.platforms.feedback import Reveal
 from graphkin.platforms.from_key import question_of
 from graphkin.platforms.from_problems import file_of, problem_set
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
@@ -24,7 +25,7 @@ from graphkin.platforms.problem_folder import write_problems
 from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record
 from graphkin.platforms.stored import Stored
-from graphkin.platforms.writing import RESULTS, SETS, Reveal, Written, prepared, write_results, write_set
+from graphkin.platforms.writing import RESULTS, SETS, Written, prepared, write_results, write_set
 
 __all__ = [
     "RESULTS", "SETS", "Alternative", "ClassReport", "Line", "Overrides", "Part", "Picture", "ProblemSet", "Question",

@@ -40,8 +40,6 @@ from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.submissions import safe_name
 from graphkin.value import frozen
 
-__all__ = ["CLASS_TABLE", "RESULTS", "SETS", "Reveal", "Written", "prepared", "write_results", "write_set"]
-
 CLASS_TABLE = "class.csv"
 """In this table of a results folder teachers write their overrides."""
 _JSON, _ZIP, _TABLE = (b'"graphkin"',), (COMMENT,), (b"override",)
