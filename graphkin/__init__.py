@@ -10,13 +10,18 @@ velocity and its acceleration polygon step by step, and proves them right agains
     Mechanism -- analytic --> Motion            the other road; it never reads a construction
 
     subjects: centres, linkages, design, sweeps, finding    data; what of it is drawn, by drafting.replay on a Board
+    homework: problems     a template with ranges -> a mechanism for each student, posed well
+              submissions  whatever students hand in -> the numbers in it, SI
+              marking      a Key of a Method, and numbers -> verdicts, own values carried on, likely mistakes
+              grading      a key and files -> a record a submission
+              platforms    sets and records -> files of teaching platforms, and back
     check: Plot, or a drawing file, beside Motion           results: all of it as plain data
     any of these -- say --> lines in either language        -- sheet, outputs, equations --> files
 
 A module imports only from those before it in `ORDER`. A construction is data: a reader of its steps (replay,
 say, sheet, check) handles every kind of step, and the type checker sees to that. The steps of `construction` draw a
 mechanism and its polygons, on complex numbers; `drafting` is beside them, for what is no polygon. A subject makes data
-and knows no language; say, sheet and outputs read any subject's data.
+and knows no language; say, sheet, outputs and platforms read any subject's data.
 
 How to add a subject:
 1. A package with a public face of one page, its line in `ORDER` before `say`: data made of a mechanism, a method or
@@ -37,8 +42,8 @@ __version__ = "0.1.0"
 ORDER = (
     "value", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
-    "agreement", "centres", "linkages", "design", "sweeps", "finding", "marking", "check", "results", "say", "sheet",
-    "outputs", "equations", "api", "batches", "cli",
+    "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "submissions", "marking", "results",
+    "say", "sheet", "outputs", "equations", "api", "batches", "problems", "grading", "platforms", "cli",
 )  # fmt: skip
 
 _WHERE = {

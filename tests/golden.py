@@ -41,6 +41,7 @@ FINDS = (
     'p3-13 "slowest BC"',
     'p3-21 "stroke s piston" --vary DH=55:125:35',
 )
+TOLERANCES = ("ex3-1", "p3-12")
 EQUATIONS = ("ex3-5", "ex3-1", "fig3-5", "p3-19")
 CLOSE = 1e-9
 """Numbers of JSON may differ by this part of the largest beside them."""
@@ -75,6 +76,8 @@ def commands() -> Iterator[str]:
         for name in EQUATIONS:
             yield f"equations {name} --lang {lang}"
             yield f"equations {name} --lang {lang} --method complex -o @.html"
+        for name in TOLERANCES:
+            yield f"tolerance {name} --lang {lang}"
         yield f"sweep ex3-7 --table --lang {lang}"
         yield f"sweep ex3-1 --driver 0:360:30 --lang {lang}"
     for name in LINKAGES:
@@ -84,6 +87,7 @@ def commands() -> Iterator[str]:
         yield f"design {words} --toml @.toml"
     for words in FINDS:
         yield f"find {words} --json"
+    yield f"tolerance {TOLERANCES[0]} --json"
     yield "sweep ex3-7 --driver 0:360:15 -o @.csv"
     yield "sweep ex3-7 --driver 0:360:15 -o @.json"
     yield "schema"

@@ -168,8 +168,8 @@ def test_only_the_catalogue_reads_phrases():
 
 # --- languages ----------------------------------------------------------------------------------
 
-SPOKEN = {"errors", "say", "sheet", "outputs", "handouts", "page", "cli"}
-"""What speaks: errors bring their words, the others are media."""
+SPOKEN = {"errors", "say", "sheet", "outputs", "platforms", "handouts", "page", "cli"}
+"""What speaks: errors bring their words, the others are media; `platforms` are formats of files."""
 TITLED = {"mechanism", "loading", "library"}
 """A mechanism bears its title in each language."""
 EDGE = {"results", "equations", "api"}
@@ -196,9 +196,10 @@ def test_formulas_know_no_language():
 
 
 def test_subjects_hold_no_chinese():
-    """Beside docstrings: what is to be read stands in the catalogue, in errors, on sheets; of mistakes, beside them yet."""
+    """Beside docstrings: what is to be read stands in the catalogue, in errors, and on sheets; `submissions` read what
+    students write, in either language, and a format of a platform may have words of its own."""
     holding = {part(path) for path in readers() if any(map(is_chinese, said_in(ast.parse(path.read_text("utf-8")))))}
-    assert holding <= {"errors", "sheet", "outputs", "marking"}
+    assert holding <= {"errors", "sheet", "outputs", "platforms", "submissions"}
 
 
 def said_in(tree: ast.Module) -> Iterator[str]:

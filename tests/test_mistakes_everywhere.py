@@ -18,12 +18,12 @@ from graphkin import library
 from graphkin.construction import Plot
 from graphkin.errors import DeadPoint
 from graphkin.loading import loads
-from graphkin.marking import MISTAKES, SENTENCES, Consequences, combined, consequences, redraw
-from graphkin.marking.phrases import key
+from graphkin.marking import MISTAKES, Consequences, combined, consequences, redraw
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.planning import Method, plan
 from graphkin.quantities import Quantity, read
 from graphkin.running import replay_all
+from graphkin.say.phrases.mistakes import PHRASES
 
 COUNT = max(1, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 400)
 """Random mechanisms of each family; more of them with GRAPHKIN_RANDOM=8000 in the environment."""
@@ -93,7 +93,7 @@ def hold(mechanism: Mechanism, method: Method, plot: Plot) -> Consequences:
 def hold_sayable(found: Consequences) -> None:
     """Every sentence finds what it names."""
     for (rewrite,) in found.columns:
-        for sentence in SENTENCES[key(rewrite.id, rewrite.way)].values():
+        for sentence in PHRASES[f"made {rewrite.id} {rewrite.way}".rstrip()]:
             said = sentence.format(of=rewrite.of, form=rewrite.form)
             assert rewrite.of or "{of}" not in sentence, said
             assert rewrite.form or "{form}" not in sentence, said

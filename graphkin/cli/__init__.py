@@ -22,6 +22,7 @@ COMMANDS = {
     "draw": "drawing", "explain": "drawing", "solve": "drawing", "check": "drawing",
     "sweep": "moving", "find": "moving", "equations": "writing",
     "centres": "centres", "linkage": "linkages", "design": "design",
+    "problems": "problems", "grade": "marking", "tolerance": "marking",
     "structure": "library", "list": "library", "show": "library", "schema": "library",
 }  # fmt: skip
 """The module of each command."""

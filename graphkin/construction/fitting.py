@@ -102,7 +102,7 @@ def _reach(step: Fit, plot: Plot) -> float:
     """The longest arm of a group: what its gaps are measured by [m]."""
     arms = [part for closure in step.closures for part in closure.parts if isinstance(part, Arm)]
     shapes = plot.facts.shapes
-    lengths = [abs(shapes[a.link][a.head] - shapes[a.link][a.tail]) for a in arms]
+    lengths = [float(np.max(np.abs(shapes[a.link][a.head] - shapes[a.link][a.tail]))) for a in arms]
     return max([*lengths, *(abs(c) for contact in step.contacts for _, c in contact.angles)]) or 1.0
 
 

@@ -10,14 +10,13 @@ from graphkin.marking.asked import Arrows, arrows_of, asked
 from graphkin.marking.consequences import Consequences, combined, consequences, rewrites, rewritten
 from graphkin.marking.follow import Followed, Own, replay_with
 from graphkin.marking.hand import Hand, Hands
-from graphkin.marking.phrases import HINTS, SENTENCES
 from graphkin.marking.redrawing import Redrawing, redraw
 from graphkin.marking.rewrite import Edit, Mistaken, Rewrite, Written
 from graphkin.marking.scene import MISTAKES, Mistake
 from graphkin.marking.ways import OtherWay, other_methods, other_ways
 
 __all__ = [
-    "HINTS", "MISTAKES", "SENTENCES", "Arrows", "Consequences", "Edit", "Followed", "Hand", "Hands", "Mistake",
+    "MISTAKES", "Arrows", "Consequences", "Edit", "Followed", "Hand", "Hands", "Mistake",
     "Mistaken", "OtherWay", "Own", "Redrawing", "Rewrite", "Written", "arrows_of", "asked", "combined",
     "consequences", "other_methods", "other_ways", "redraw", "replay_with", "rewrites",
     "rewritten",

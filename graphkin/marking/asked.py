@@ -16,8 +16,6 @@ from graphkin.quantities import Answer, Component, Moving, Quantity, Quotient, o
 from graphkin.readings import readings
 from graphkin.value import frozen
 
-__all__ = ["Arrows", "arrows_of", "asked", "size_of"]
-
 ACROSS = 1e-9
 """Less along a guide, as part of a vector, is nothing."""
 

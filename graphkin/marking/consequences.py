@@ -19,8 +19,6 @@ from graphkin.planning import Method
 from graphkin.quantities import Answer, Centre, Quantity
 from graphkin.value import frozen
 
-__all__ = ["Consequences", "combined", "consequences", "rewrites", "rewritten"]
-
 SAME = 1e-9
 """Values that differ by less, as part of their size, are one."""
 

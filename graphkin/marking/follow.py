@@ -15,8 +15,6 @@ from graphkin.planning import Method
 from graphkin.quantities import Answer, Component, Moving, Quantity, Rotation
 from graphkin.value import frozen
 
-__all__ = ["Followed", "replay_with"]
-
 
 @frozen
 class Followed:

@@ -14,8 +14,6 @@ from graphkin.geometry import Value
 if TYPE_CHECKING:
     from graphkin.marking.redrawing import Redrawing
 
-__all__ = ["Hand", "Hands"]
-
 
 class Hand:
     """Does everything right. Values are scalars or arrays that broadcast with the positions."""

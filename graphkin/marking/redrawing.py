@@ -36,8 +36,6 @@ from graphkin.geometry import Value, cross, dot, meet_lines
 from graphkin.marking.hand import Hand
 from graphkin.planning import Method
 
-__all__ = ["Redrawing", "redraw"]
-
 RIGHT = Hand()
 
 

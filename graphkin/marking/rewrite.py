@@ -15,8 +15,6 @@ from graphkin.marking.redrawing import Redrawing
 from graphkin.planning import Method
 from graphkin.value import frozen
 
-__all__ = ["Change", "Edit", "Mistaken", "Rewrite", "Spot", "Written", "each_and_all", "in_sense_of", "times"]
-
 PARALLEL = np.sin(np.radians(0.5))
 """Sine of the angle under which lines are not taken to cross."""
 

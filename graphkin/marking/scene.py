@@ -36,8 +36,6 @@ from graphkin.quantities import Quantity
 from graphkin.readings import readings
 from graphkin.value import frozen
 
-__all__ = ["MISTAKES", "Mistake", "Scene", "drawn_by", "mistake"]
-
 Known = TypeVar("Known", bound=Size)
 
 

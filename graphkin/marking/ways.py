@@ -16,8 +16,6 @@ from graphkin.planning import Method, plan
 from graphkin.quantities import Answer, Centre, Moving, Quantity, Rotation, read
 from graphkin.value import frozen
 
-__all__ = ["OtherWay", "other_methods", "other_ways"]
-
 
 @frozen
 class OtherWay:

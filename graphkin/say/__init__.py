@@ -7,6 +7,7 @@
                     a reader each: `given`, `position`, `equivalents`, `sizes`, `equations`, `rotation`, `rolling`,
                     `together`, `polygons`
     structure, redundancy, results, checks, sweeps, finding, design, linkages, centre_*    a reader a subject
+    problems, marks, mistakes, tolerances    homework
 
 Every figure is taken from the data; nothing here solves anything. A new step kind fails the type check in each
 reader of steps until it has its words; a new size, in `sizes`; a new direction, in `plane`.

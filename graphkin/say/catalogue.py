@@ -29,6 +29,12 @@ def phrase(name: str, lang: Lang) -> str:
     return zh if lang == "zh" else en
 
 
+def is_phrase(name: str) -> bool:
+    """Whether there is such a phrase; for names made of what comes from outside."""
+    subject, _, key = name.partition(".")
+    return key in _phrases(subject)
+
+
 def say(name: str, lang: Lang, /, **words: object) -> str:
     """A phrase with these words put in."""
     return phrase(name, lang).format(**words)

@@ -21,7 +21,7 @@ from graphkin.sweeps import Course, Road
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["FORMATS", "NotADiagram", "NothingToDraw", "figure", "refuse", "write"]
+__all__ = ["FORMATS", "MARK", "NotADiagram", "NothingToDraw", "figure", "metadata", "refuse", "settings", "write"]
 
 FORMATS = (".svg", ".png", ".pdf")
 MARK = "https://graphkin.invalid/diagram/1"
@@ -65,7 +65,7 @@ def figure(course: Course, names: Sequence[str], lang: Lang = "en", by: Road = "
     if not drawn:
         raise NothingToDraw(", ".join(names))
     found = curves(course, drawn, by)
-    with _settings():
+    with settings():
         return draw(found, lang if chinese_font() is not None else "en")
 
 
@@ -82,8 +82,8 @@ def write(
         raise NotADiagram(str(path))
     refuse(path, force)
     drawn = figure(course, names, lang, by)
-    with files.beside(path, force, (MARK.encode(),)) as draft, _settings():
-        drawn.savefig(draft, format=kind[1:], dpi=DPI, metadata=_metadata(kind))
+    with files.beside(path, force, (MARK.encode(),)) as draft, settings():
+        drawn.savefig(draft, format=kind[1:], dpi=DPI, metadata=metadata(kind))
     wanted = lang == "zh" or has_chinese(course.method.mechanism.headline(lang)) or any(map(has_chinese, names))
     return NoChineseFont() if wanted and chinese_font() is None else None
 
@@ -93,7 +93,7 @@ def refuse(path: Path, force: bool) -> None:
     files.refuse(path, force, (MARK.encode(),))
 
 
-def _metadata(kind: str) -> dict[str, Any]:
+def metadata(kind: str) -> dict[str, Any]:
     """Who wrote it, and no time."""
     if kind == ".png":
         return {"Software": f"graphkin {MARK}"}
@@ -103,7 +103,7 @@ def _metadata(kind: str) -> dict[str, Any]:
 
 
 @contextmanager
-def _settings() -> Iterator[None]:
+def settings() -> Iterator[None]:
     """matplotlib as it comes, with our letters; what the user has set is there again afterwards."""
     import matplotlib
 

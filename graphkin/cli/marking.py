@@ -1,0 +1,194 @@
+"""`grade` and `tolerance`: handed-in work against a key, and what paper allows."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator
+from itertools import chain
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from graphkin.cli.shared import force_option, json_line, lang_option, mechanism_argument, read, speaking
+from graphkin.errors import BadPencil, Lang, Where
+
+if TYPE_CHECKING:
+    from graphkin.grading import Pencils
+    from graphkin.marking.graded import Graded
+    from graphkin.platforms import Reveal
+
+PLATFORMS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "report")
+MARKS = "marks.json"
+"""In a folder of results graphkin's own records, from which everything else there is made."""
+
+pencil_option = click.option(
+    "--pencil", default="0.25,0.25", metavar="MM,DEG", show_default=True,
+    help="What a pencil errs by: a length on paper, and a direction (standard deviations).",
+)  # fmt: skip
+sigmas_option = click.option(
+    "--sigmas", type=click.FloatRange(0.1, 100), default=3.0, show_default=True,
+    help="How many standard deviations are right.",
+)  # fmt: skip
+relative_option = click.option(
+    "--relative", type=click.FloatRange(0, 1), default=0.0, metavar="PART",
+    help="Allow this part of the right value instead, such as 0.02.",
+)  # fmt: skip
+
+
+@click.command()
+@click.argument("key", metavar="KEY")
+@click.argument("submissions", nargs=-1, required=True, metavar="SUBMISSION...")
+@click.option("--json", "as_json", is_flag=True, help="One JSON line a student's submission; SI units and radians.")
+@click.option("-o", "--output", type=click.Path(path_type=Path),
+              help="Write all records into a .json file; with --format, a folder of results.")  # fmt: skip
+@click.option("--format", "kinds", type=click.Choice(PLATFORMS), multiple=True,
+              help="What to write into the folder beside the records; again for each further one.")  # fmt: skip
+@click.option("--reveal", type=click.Choice(["hint", "mistake", "answer"]), default="answer", show_default=True,
+              help="With --format: how much students are told.")  # fmt: skip
+@click.option("--assignment", default="graphkin", metavar="NAME",
+              help="With --format canvas: the assignment's column in the gradebook.")  # fmt: skip
+@pencil_option
+@sigmas_option
+@relative_option
+@click.option("--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes that read submissions.")
+@force_option
+@lang_option
+@speaking
+def grade(
+    key: str, submissions: tuple[str, ...], as_json: bool, output: Path | None, kinds: tuple[str, ...], reveal: Reveal,
+    assignment: str, pencil: str, sigmas: float, relative: float, jobs: int, force: bool, lang: Lang,
+) -> None:  # fmt: skip
+    """Mark what students hand in: verdicts, marks, and the mistake that a wrong number is consistent with.
+
+    KEY is a key.json, a folder of problems with a key each, a mechanism file or a library mechanism. SUBMISSION is a
+    file of answers or a drawing, a class table, a zip of a whole class, a folder, or a file of marks, whose numbers are
+    marked anew. Errors of a pencil count where the key is made of a mechanism.
+
+    \b
+    Example:
+      graphkin grade ex3-1 s1.toml
+      graphkin grade key.json class.zip --json
+      graphkin grade key.json class.zip -o results --format csv --format moodle --reveal mistake
+    """
+    from graphkin import grading
+
+    _check_output(output, kinds)
+    judge = grading.judge_from(key, _pencils(pencil, sigmas, relative))
+    again = [path for path in submissions if grading.is_marks(path)]
+    new = [path for path in submissions if path not in again]
+    old = (grading.grade_again(judge, path) for path in again)
+    records: Iterator[Graded] = chain(*old, grading.grade(judge, new, workers=jobs))
+    if as_json or output is None:
+        records = _printed(records, as_json, lang)
+    if output is None:
+        deque(records, 0)
+    elif kinds:
+        _write_folder(output, records, kinds, lang, reveal, assignment, force, as_json)
+    else:
+        _write_records(output, records, lang, force, as_json)
+
+
+@click.command()
+@mechanism_argument
+@pencil_option
+@sigmas_option
+@relative_option
+@click.option("--power", is_flag=True, help="Draw up students who make each mistake, and tell how many are named.")
+@click.option("--asked", is_flag=True, help="With --power: they hand in what is asked, and nothing on the way.")
+@click.option("--trials", type=click.IntRange(1, 100_000), default=200, show_default=True, help="Students a mistake.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object; SI units and radians.")
+@lang_option
+@speaking
+def tolerance(
+    mechanism: str, pencil: str, sigmas: float, relative: float, power: bool, asked: bool, trials: int, as_json: bool,
+    lang: Lang,
+) -> None:  # fmt: skip
+    """Print what accuracy paper allows: the construction is drawn many times with a pencil that errs.
+
+    For each quantity its scatter, its tolerance and the step that costs it most; * marks what is asked. With --power
+    also which mistakes can be told apart by the numbers that are handed in.
+
+    \b
+    Example:
+      graphkin tolerance ex3-1
+      graphkin tolerance ex3-1 --pencil 0.1,0.1 --power --lang zh
+    """
+    from graphkin import grading
+    from graphkin.marking.marker import Marker
+    from graphkin.marking.power import power as told_apart
+    from graphkin.marking.tolerances import tolerances
+    from graphkin.outputs import tolerance_json as data
+    from graphkin.say.tolerances import power_lines, tolerance_lines
+
+    marker = Marker(grading.key_for(read(mechanism), _pencils(pencil, sigmas, relative)))
+    found = tolerances(marker.key, marker.method)
+    texts = [entry.text for entry in marker.key.entries if entry.points] if asked else None
+    tried = told_apart(marker, trials, texts) if power else None
+    if as_json:
+        more = {} if tried is None else {"power": data.power_data(tried)}
+        click.echo(json_line({**data.tolerance_data(found), **more}))
+        return
+    click.echo("\n".join(tolerance_lines(found, lang)))
+    if tried is not None:
+        click.echo("\n" + "\n".join(power_lines(tried, lang)))
+
+
+def _check_output(output: Path | None, kinds: tuple[str, ...]) -> None:
+    if kinds and output is None:
+        raise click.UsageError("--format needs -o: the folder to write into")
+    if not kinds and output is not None and output.suffix.lower() != ".json":
+        raise click.UsageError(f"{output}: the file to write must end in .json; or say --format, for a folder")
+
+
+def _write_records(
+    path: Path, records: Iterable[Graded], lang: Lang, force: bool, as_json: bool
+) -> None:
+    from graphkin.outputs import marks_file
+
+    marks_file.write(path, records, lang, force)
+    click.echo(str(path), err=as_json)
+
+
+def _write_folder(
+    folder: Path, records: Iterable[Graded], kinds: tuple[str, ...], lang: Lang, reveal: Reveal,
+    assignment: str, force: bool, as_json: bool,
+) -> None:  # fmt: skip
+    """The records, then everything else, made of them; a table of overrides that cannot be read is said before."""
+    from graphkin import platforms
+
+    platforms.prepared(folder)
+    _write_records(folder / MARKS, records, lang, force, as_json)
+    for kind in dict.fromkeys(kinds):
+        if kind != "json":
+            there = platforms.Stored(folder / MARKS)
+            told = platforms.write_results(folder, there, kind, lang, reveal, assignment=assignment, force=force)
+            click.echo("\n".join(map(str, told.paths)), err=as_json)
+            for line in told.left_out:
+                click.echo(line, err=True)
+
+
+def _printed(records: Iterable[Graded], as_json: bool, lang: Lang) -> Iterator[Graded]:
+    """Each record, once it is printed."""
+    from graphkin.outputs import marks_json
+    from graphkin.say.marks import grade_lines
+
+    for graded in records:
+        if as_json:
+            click.echo(json_line(marks_json.line(graded, lang)))
+        else:
+            click.echo("\n".join(grade_lines(graded, lang)))
+        yield graded
+
+
+def _pencils(pencil: str, sigmas: float, relative: float) -> Pencils:
+    """What the options say. Raises BadPencil."""
+    from graphkin.grading import Pencils
+
+    try:
+        length, angle = (float(part) for part in pencil.split(","))
+    except ValueError:
+        raise BadPencil(Where("--pencil"), pencil) from None
+    if not (0 <= length <= 10 and 0 <= angle <= 30):
+        raise BadPencil(Where("--pencil"), pencil)
+    return Pencils(length, angle, sigmas, relative)

@@ -1,0 +1,56 @@
+"""`problems`: a problem for each student of a class."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from graphkin.cli.shared import force_option, lang_option, speaking
+from graphkin.errors import Lang
+
+PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong")
+
+
+@click.command()
+@click.argument("template", type=click.Path(path_type=Path))
+@click.option("--students", required=True, metavar="ROSTER.csv|N", help="A list of ids, or how many students.")
+@click.option("--seed", default="1", show_default=True, help="Another word gives other numbers.")
+@click.option("-o", "--output", required=True, type=click.Path(path_type=Path, file_okay=False), metavar="DIR",
+              help="Folder to write.")  # fmt: skip
+@click.option("--format", "kinds", type=click.Choice(PLATFORMS), multiple=True,
+              help="Write the whole set for a platform, too, answers and mistakes in it; again for each.")  # fmt: skip
+@force_option
+@lang_option
+@speaking
+def problems(
+    template: Path, students: str, seed: str, output: Path, kinds: tuple[str, ...], force: bool, lang: Lang
+) -> None:
+    """Write a problem for each student: one mechanism, each with numbers of their own.
+
+    TEMPLATE is a mechanism file in which numbers may be ranges: AB = { from = 20, to = 30, step = 1 }. A student's
+    numbers hang on the seed and the student's id alone, as long as no two students get the same problem.
+
+    \b
+    Example:
+      graphkin problems shaper.toml --students class.csv --seed 2027 -o homework
+      graphkin problems shaper.toml --students 60 -o homework --format moodle --format xuexitong --lang zh
+    """
+    from graphkin import platforms
+    from graphkin import problems as sets
+    from graphkin.say.problems import remark
+
+    read = sets.read_template(template)
+    found = sets.variants(read, sets.roster(students), seed)
+    count = sum(1 for _ in platforms.write_problems(output, read, found, seed, lang, force))
+    click.echo(f"{output}: {count}")
+    if kinds:
+        from graphkin import grading
+
+        whole = platforms.problem_set(read, found, grading.judge_from(str(output)))
+        for kind in dict.fromkeys(kinds):
+            path = platforms.file_of(output, kind)
+            platforms.write_set(path, whole, kind, lang, force)
+            click.echo(str(path))
+    if shared := [variant.student.id for variant in found if variant.shared]:
+        click.echo(remark(shared, lang), err=True)

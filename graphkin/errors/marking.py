@@ -1,0 +1,58 @@
+"""Errors in keys, in how marking is asked for, and in files of marks."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from graphkin.errors.base import GraphkinError, Lang, Where
+
+__all__ = ["BadKey", "BadPencil", "NoMarks", "NothingToMark", "SaidBefore"]
+
+
+class BadKey(GraphkinError):
+    """A file that is no key, or one that was cut or changed; `what` is the place in it."""
+
+    where: Where
+    what: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this is no whole key of graphkin ({what}). Name a key.json that graphkin wrote, or a mechanism.",
+        "zh": "{where}：这不是完整的 graphkin 答案文件（{what}）。请给出 graphkin 生成的 key.json，或机构文件。",
+    }
+
+
+class NothingToMark(GraphkinError):
+    """A mechanism that asks for no number, and has none on the way."""
+
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: nothing here can be marked as a number. Write for example ask = [\"omega 3\", \"alpha 3\"].",
+        "zh": "{where}：没有可以按数值批改的量。请写成如 ask = [\"omega 3\", \"alpha 3\"]。",
+    }
+
+
+class BadPencil(GraphkinError):
+    """Errors of a pencil that are none."""
+
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given!r} is no pencil. Write what a length and a direction may be off, in mm and deg: 0.25,0.25.",
+        "zh": "{where}：{given!r} 不是有效的作图误差。请写成长度和方向的误差（mm 和度），如 0.25,0.25。",
+    }
+
+
+class NoMarks(GraphkinError):
+    """A line of a file of marks that graphkin cannot have written."""
+
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this is no record of graphkin's marks. Mark the submissions themselves.",
+        "zh": "{where}：这不是 graphkin 的评阅记录，请重新评阅提交的文件。",
+    }
+
+
+class SaidBefore(GraphkinError):
+    """What was said of a submission when it was marked first."""
+
+    told: str
+    text: ClassVar[dict[Lang, str]] = {"en": "{told}", "zh": "{told}"}

@@ -1,0 +1,25 @@
+"""One submission, marked or not: the record that every output is made of."""
+
+from __future__ import annotations
+
+from graphkin.errors import GraphkinError
+from graphkin.marking.marked import Marked
+from graphkin.value import frozen
+
+
+@frozen
+class Graded:
+    """What came of one submission.
+
+    student, file, place   as it was handed in
+    marked    verdicts and marks; None where it was not marked
+    reason    why it was not, then
+    notes     what was passed over in it: a text that is no quantity, a value that is no number
+    """
+
+    student: str
+    file: str
+    place: str
+    marked: Marked | None
+    reason: GraphkinError | None = None
+    notes: tuple[GraphkinError, ...] = ()

@@ -1,0 +1,55 @@
+"""The quantities that may be handed in: what is asked, and what is met on the way."""
+
+from __future__ import annotations
+
+from graphkin.construction import Image, Term
+from graphkin.errors import GraphkinError
+from graphkin.marking.key import Sort
+from graphkin.mechanism import Mechanism
+from graphkin.planning import Method
+from graphkin.quantities import Centre, Moving, Quantity, Rotation, read
+
+
+def asked_of(mechanism: Mechanism) -> dict[str, Quantity]:
+    """What the file asks for, in its words, as far as the answer is a number."""
+    found = ((question, readable(mechanism, question)) for question in mechanism.ask)
+    return {question: quantity for question, quantity in found if quantity is not None}
+
+
+def on_the_way(method: Method) -> tuple[Quantity, ...]:
+    """Rotations of the links that no driver gives, arrows and images of both polygons, in the order they are found."""
+    mechanism = method.mechanism
+    driven = {driver.link for driver in mechanism.drivers if driver.kind != "slide"}
+    links = [link for link in mechanism.moving if link not in driven]
+    found: dict[str, Quantity] = {}
+    for construction, word in ((method.velocity, "omega"), (method.acceleration, "alpha")):
+        letter = word.replace("omega", "v").replace("alpha", "a")
+        texts = [_text(letter, term) for term in construction.vectors().values() if not term.over]
+        images = [step.point for step in construction.steps if isinstance(step, Image)]
+        points = [f"{letter} {construction.nodes[point].of}" for point in images if point in construction.nodes]
+        for text in (*texts, *points, *(f"{word} {link}" for link in links)):
+            if (quantity := readable(mechanism, text)) is not None:
+                found.setdefault(quantity.text, quantity)
+    return tuple(found.values())
+
+
+def readable(mechanism: Mechanism, text: str) -> Quantity | None:
+    """The quantity a text names, where its answer is a number."""
+    try:
+        quantity = read(mechanism, text)
+    except GraphkinError:
+        return None
+    return None if isinstance(quantity, Centre) else quantity
+
+
+def sort_of(quantity: Quantity) -> Sort:
+    """Whether a quantity's sign is its sense."""
+    if isinstance(quantity, Moving):
+        return "size"
+    return "angle" if isinstance(quantity, Rotation) and quantity.word == "theta" else "sense"
+
+
+def _text(letter: str, term: Term) -> str:
+    """`a_k B3B2` of the arrow a^k_B3B2."""
+    comma = "," if "@" in term.of + term.seen_from and term.seen_from else ""
+    return f"{letter}{'_' if term.part else ''}{term.part} {term.of}{comma}{term.seen_from}"

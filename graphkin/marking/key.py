@@ -1,0 +1,106 @@
+"""What a problem is marked by: right values, what paper allows, and what each mistake gives. Data alone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import field
+from typing import Literal
+
+import numpy as np
+
+from graphkin.value import frozen
+
+Sort = Literal["sense", "size", "angle"]
+Name = tuple[str, str, str, str]
+"""A mistake as it is made at one place: its id, which way of it, what it was made with, and with what instead."""
+
+
+@frozen
+class Marking:
+    """How a problem is marked.
+
+    lengths, angle   what a pencil errs by: of lengths, in the units of each plane, and of directions [rad]
+    scales           of the paper, as a mechanism file has them
+    sigmas           how many standard deviations are right
+    relative         a part of the right value instead, where it is not 0
+    """
+
+    lengths: Mapping[str, float]
+    angle: float
+    scales: Mapping[str, float] = field(default_factory=dict)
+    sigmas: float = 3.0
+    relative: float = 0.0
+
+    @property
+    def on_paper(self) -> tuple[float, float]:
+        """What the pencil errs by on paper [mm, deg]."""
+        return self.lengths["position"] / self.scales["length"], math.degrees(self.angle)
+
+
+@frozen
+class Entry:
+    """One quantity that may be handed in, SI.
+
+    text       as it is read: "omega 3"
+    sort       "sense": its sign says which way; "size": of a vector, without sign; "angle": counts modulo a turn
+    scatter    standard deviation of what a pencil gives, rounding in print with it
+    tolerance  what may be off
+    points     what it is worth; 0 where it is on the way and is not asked
+    """
+
+    text: str
+    unit: str
+    sort: Sort
+    right: float
+    scatter: float
+    tolerance: float
+    points: float = 0.0
+
+
+@frozen
+class Hypotheses:
+    """What mistakes give: a row each, a column a quantity of the key; NaN where it says nothing of a quantity.
+
+    names     of the mistakes of each row: one or two
+    values    (m, n), SI; scatters (m, n): their standard deviations
+    """
+
+    names: tuple[tuple[Name, ...], ...]
+    values: np.ndarray
+    scatters: np.ndarray
+
+
+@frozen
+class Step:
+    """One vector equation: the arrows of both sides as they are named, and the rotations that are read off it."""
+
+    plane: str
+    left: tuple[str, ...]
+    right: tuple[str, ...]
+    gives: tuple[str, ...]
+
+
+@frozen
+class Key:
+    """A problem's key.
+
+    text        the mechanism file; what follows from a student's own values is drawn anew from it
+    given       the numbers that the problem gives, SI: what is equal to one of them is no student's own value
+    together    correlation of the quantities' scatters (n, n)
+    """
+
+    name: str
+    text: str
+    coincident: str
+    marking: Marking
+    entries: tuple[Entry, ...]
+    given: tuple[float, ...]
+    together: np.ndarray
+    singles: Hypotheses
+    title: Mapping[str, str] = field(default_factory=dict)
+    steps: tuple[Step, ...] = ()
+
+    def number(self, text: str) -> int | None:
+        """The column of a quantity."""
+        return next((k for k, entry in enumerate(self.entries) if entry.text == text), None)

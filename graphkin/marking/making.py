@@ -1,0 +1,190 @@
+"""A key made of a mechanism: right values, what a pencil makes of them, and what every mistake gives."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from graphkin.construction import Measure, Plot
+from graphkin.geometry import Value
+from graphkin.marking.consequences import combined, rewrites
+from graphkin.marking.handed import asked_of, on_the_way, sort_of
+from graphkin.marking.key import Entry, Hypotheses, Key, Marking, Name, Step
+from graphkin.marking.pencil import Pencil
+from graphkin.marking.rewrite import Rewrite
+from graphkin.marking.scatter import Drawings, spread
+from graphkin.marking.slips import Slips, seed_of
+from graphkin.planning import Method
+from graphkin.quantities import EDGE, Quantity
+from graphkin.running import replay_all
+
+DRAWINGS = 2000
+"""How often the right construction is drawn; each mistaken one is drawn `_FEWER` times."""
+_FEWER = 250
+_NOTHING = 1e-9
+"""A value that is a smaller part of the largest of its kind is 0."""
+
+
+def make_key(
+    method: Method, marking: Marking, quantities: Sequence[Quantity] = (), points: Mapping[str, float] | None = None
+) -> Key:
+    """The key of a mechanism at its drawn position.
+
+    quantities  further ones that may be handed in, beside what is asked and what is met on the way
+    points      what quantities are worth; those that are asked count 1 each where nothing is said
+    """
+    mechanism, plot = method.mechanism, replay_all(method)
+    asked = asked_of(mechanism)
+    words = {quantity.text: question for question, quantity in asked.items()}
+    every = list({q.text: q for q in (*asked.values(), *on_the_way(method), *quantities)}.values())
+    right = _right(method, plot, every)
+    naturals = _naturals(every, right)
+    kept = [k for k, q in enumerate(every) if right[k] or q.text in words or q in quantities]
+    every, right = [every[k] for k in kept], right[kept]
+    sorts = [sort_of(q) for q in every]
+    sizes = np.array([sort == "size" for sort in sorts], dtype=bool)
+    drawn = drawings_of(method, marking, DRAWINGS).values(every)[0]
+    drawn = np.where(sizes, np.abs(drawn), drawn)
+    worth = {text: points[text] for text in asked if points and text in points}
+    worth = worth or dict.fromkeys(asked or [q.text for q in every], 1.0)
+    entries = tuple(
+        _entry(words.get(q.text, q.text), q, value, deviation, naturals[q.unit], marking, worth)
+        for q, value, deviation in zip(every, right, spread(drawn, right, sorts), strict=True)
+    )
+    title = {str(lang): text for lang, text in mechanism.title.items()}
+    return Key(
+        mechanism.name, mechanism.text, method.structure.coincident, marking, entries, _given(method),
+        _together(drawn), _singles(method, plot, every, entries, marking), title, steps_of(method),
+    )  # fmt: skip
+
+
+def steps_of(method: Method) -> tuple[Step, ...]:
+    """The vector equations of both polygons with what is read off them."""
+    found = []
+    for construction in (method.velocity, method.acceleration):
+        for equation in construction.equations:
+            left, right = (tuple(t.name(construction.plane) for t in side) for side in (equation.left, equation.right))
+            measured = [step for step in equation.steps if isinstance(step, Measure)]
+            gives = tuple(f"{step.quantity} {step.of}" for step in measured if step.quantity in ("omega", "alpha"))
+            found.append(Step(construction.plane, left, right, gives))
+    return tuple(found)
+
+
+def pencil_of(marking: Marking) -> Pencil:
+    return Pencil({plane: marking.lengths[plane] for plane in ("position", "velocity", "acceleration")}, marking.angle)
+
+
+def drawings_of(method: Method, marking: Marking, count: int) -> Drawings:
+    """The mechanism drawn so many times; the same drawings again for the same mechanism."""
+    return Drawings.of(method, pencil_of(marking), Slips(seed_of(method.mechanism), count))
+
+
+# --- right values -----------------------------------------------------------------------------
+
+
+def _right(method: Method, plot: Plot, quantities: Sequence[Quantity]) -> np.ndarray:
+    """Right values; sizes without sign, and 0 where rounding alone is left."""
+    answers = combined(method, plot, quantities, [()]).values[0]
+    values = np.array([abs(v) if sort_of(q) == "size" else v for q, v in zip(quantities, answers, strict=True)])
+    naturals = _naturals(quantities, values)
+    small = [abs(v) < _NOTHING * naturals[q.unit] for q, v in zip(quantities, values, strict=True)]
+    return np.where(small, 0.0, values)
+
+
+def _naturals(quantities: Sequence[Quantity], values: np.ndarray) -> dict[str, float]:
+    """The largest value of each unit, or 1."""
+    found: dict[str, float] = {}
+    for quantity, value in zip(quantities, values, strict=True):
+        if np.isfinite(value):
+            found[quantity.unit] = max(found.get(quantity.unit, 0.0), abs(float(value)))
+    return {quantity.unit: found.get(quantity.unit) or 1.0 for quantity in quantities}
+
+
+def _given(method: Method) -> tuple[float, ...]:
+    """The numbers of the problem, SI: lengths, and what the drivers do."""
+    mechanism = method.mechanism
+    shapes = [list(link.points.values()) for link in mechanism.links.values()]
+    lengths = {abs(z - w) for shape in shapes for z in shape for w in shape}
+    driven = {abs(number) for driver in mechanism.drivers for number in (driver.rate, driver.acceleration)}
+    return tuple(sorted(float(number) for number in lengths | driven if number > 0))
+
+
+# --- what may be off --------------------------------------------------------------------------
+
+
+def half_digit(value: float, unit: str, natural: float = 0.0) -> float:
+    """Half of the third digit that is printed of a value; of the largest of its kind, where it is 0."""
+    factor = EDGE[unit].factor
+    shown = abs(value or natural) * factor
+    return 0.5 * 10.0 ** (math.floor(math.log10(shown)) - 2) / factor if shown > 0 else 0.0
+
+
+def _entry(
+    text: str, quantity: Quantity, right: float, deviation: float, natural: float, marking: Marking,
+    worth: Mapping[str, float],
+) -> Entry:  # fmt: skip
+    half = half_digit(float(right), quantity.unit, natural)
+    deviation = float(deviation) if np.isfinite(deviation) else 0.0
+    scatter = math.hypot(deviation, half / math.sqrt(3))
+    allowed = marking.relative * abs(right) if marking.relative and right else marking.sigmas * scatter
+    tolerance, points = max(float(allowed), half), worth.get(text, 0.0)
+    return Entry(text, quantity.unit, sort_of(quantity), float(right), scatter, tolerance, points)
+
+
+def _together(drawn: np.ndarray) -> np.ndarray:
+    """How the quantities' scatters go together: correlation (n, n), of drawings (drawings, n)."""
+    whole = drawn[np.isfinite(drawn).all(axis=1)]
+    if len(whole) < 3:
+        return np.eye(drawn.shape[1])
+    # ranks: a few drawings far off, near a dead point, say nothing of the others
+    ranks = np.argsort(np.argsort(whole, axis=0), axis=0).astype(float)
+    still = np.ptp(whole, axis=0) <= 1e-9 * np.max(np.abs(whole), axis=0, initial=0.0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        found = np.atleast_2d(np.corrcoef(ranks, rowvar=False))
+    found[still, :], found[:, still] = 0.0, 0.0
+    np.fill_diagonal(found, 1.0)
+    rounded: np.ndarray = np.round(np.nan_to_num(found), 6)
+    return rounded
+
+
+# --- mistakes ---------------------------------------------------------------------------------
+
+
+def _singles(
+    method: Method, plot: Plot, quantities: Sequence[Quantity], entries: Sequence[Entry], marking: Marking
+) -> Hypotheses:
+    """What each single mistake gives, and how that scatters."""
+    found = rewrites(method, plot, quantities, marking.scales)
+    return hypotheses_of(method, plot, quantities, entries, marking, [(one,) for one in found])
+
+
+def hypotheses_of(
+    method: Method,
+    plot: Plot,
+    quantities: Sequence[Quantity],
+    entries: Sequence[Entry],
+    marking: Marking,
+    columns: Sequence[tuple[Rewrite, ...]],
+) -> Hypotheses:
+    """What mistakes give, those of a column made together. Rows that say the same are kept: they are one set."""
+    if not columns:
+        return Hypotheses((), np.empty((0, len(entries))), np.empty((0, len(entries))))
+    values = combined(method, plot, quantities, columns).values
+    drawings = drawings_of(method, marking, _FEWER)
+    scatters = spread(drawings.values(quantities, columns), values, [entry.sort for entry in entries])
+    least = np.array([[_least(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
+    scatters = np.where(np.isfinite(values), np.hypot(scatters, least.reshape(values.shape)), np.nan)
+    return Hypotheses(tuple(_names(column) for column in columns), values, scatters)
+
+
+def _least(value: Value, entry: Entry) -> float:
+    """Rounding in print: of the mistaken value, or what the right one has where that is 0."""
+    if not np.isfinite(value):
+        return math.nan
+    return half_digit(float(value), entry.unit, abs(entry.right)) / math.sqrt(3) or entry.scatter
+
+
+def _names(column: Sequence[Rewrite]) -> tuple[Name, ...]:
+    return tuple(rewrite.name for rewrite in column)

@@ -1,0 +1,64 @@
+"""What is handed in, and what becomes of it: numbers, verdicts with their arithmetic, marks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import field
+from typing import Literal
+
+from graphkin.marking.diagnosis import Diagnosis
+from graphkin.value import frozen
+
+Verdict = Literal["right", "carried", "wrong", "missing"]
+
+
+@frozen
+class Number:
+    """A handed-in value, SI; `unit_right`: its unit is of the quantity's kind, or none stands there."""
+
+    value: float
+    unit_right: bool = True
+
+
+@frozen
+class Work:
+    """What one student hands in: numbers by quantity, as quantities are read."""
+
+    student: str
+    numbers: Mapping[str, Number]
+
+
+@frozen
+class Judged:
+    """The verdict on one quantity.
+
+    right, tolerance   of the key
+    carried   what follows from the student's own values before it, `own` by quantity; None where none enters it
+    refused   own values that are not carried on: nought, a number of the problem, far off, or not drawable
+    sense     whether it has the sense of the value it is judged by; None where there is none
+    credit    from 0 to 1, of its `points`
+    """
+
+    text: str
+    unit: str
+    given: float | None
+    right: float
+    tolerance: float
+    verdict: Verdict
+    sense: Literal["right", "wrong"] | None = None
+    unit_right: bool = True
+    carried: float | None = None
+    own: Mapping[str, float] = field(default_factory=dict)
+    refused: tuple[str, ...] = ()
+    credit: float = 0.0
+    points: float = 0.0
+
+
+@frozen
+class Marked:
+    """A student's verdicts, marks from 0 to 1, and what the wrong values come from."""
+
+    student: str
+    judged: tuple[Judged, ...]
+    score: float
+    diagnosis: Diagnosis

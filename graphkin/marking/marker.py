@@ -1,0 +1,164 @@
+"""Marking: many students' numbers at once, against one key."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from functools import cached_property
+
+import numpy as np
+
+from graphkin import loading, planning
+from graphkin.construction import Plot
+from graphkin.marking.carrying import Carried, Problem
+from graphkin.marking.diagnosis import Diagnosis, diagnoses
+from graphkin.marking.handed import readable
+from graphkin.marking.key import Entry, Hypotheses, Key
+from graphkin.marking.making import make_key
+from graphkin.marking.marked import Judged, Marked, Verdict, Work
+from graphkin.marking.pairing import pairs_of
+from graphkin.marking.verdicts import agrees, columns, sense_only
+from graphkin.planning import Method
+from graphkin.quantities import Quantity
+from graphkin.running import replay_all
+
+_HALF = 0.5
+"""What a value is worth whose sense or whose unit alone is wrong."""
+_LARGE = 1e30
+_FURTHER = 40
+"""So many quantities beyond those of the key are marked at most."""
+
+
+class Marker:
+    """A key at work. The mechanism is planned anew from the key's text, where no method is given."""
+
+    def __init__(self, key: Key, method: Method | None = None) -> None:
+        self.key, self.table = key, columns(key.entries)
+        self._method = method
+        self._further: dict[str, Quantity | None] = {}
+        self._wider: Marker | None = None
+
+    @cached_property
+    def method(self) -> Method:
+        return self._method or planning.plan(loading.loads(self.key.text, name=self.key.name), self.key.coincident)
+
+    @cached_property
+    def plot(self) -> Plot:
+        return replay_all(self.method)
+
+    @cached_property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Of the key's entries."""
+        found = (readable(self.method.mechanism, entry.text) for entry in self.key.entries)
+        return tuple(quantity for quantity in found if quantity is not None)
+
+    @cached_property
+    def problem(self) -> Problem:
+        return Problem(self.key, self.method, self.plot, self.quantities)
+
+    @cached_property
+    def pairs(self) -> Hypotheses:
+        return pairs_of(self.method, self.plot, self.key, self.quantities)
+
+    def mark(self, works: Sequence[Work]) -> list[Marked]:
+        """The marks of some students, in their order."""
+        marker = self.wider(text for work in works for text in work.numbers)
+        return marker._mark(works)
+
+    def wider(self, texts: Iterable[str]) -> Marker:
+        """A marker whose key has these quantities, too, as far as they are any, and all that it was asked before."""
+        known = {entry.text for entry in self.key.entries} | set(self._further)
+        new = [text for text in dict.fromkeys(texts) if text not in known][: max(_FURTHER - len(self._further), 0)]
+        self._further |= {text: readable(self.method.mechanism, text) for text in new}
+        if any(self._further[text] is not None for text in new):
+            further = [quantity for quantity in self._further.values() if quantity is not None]
+            self._wider = Marker(_widened(self.key, self.method, further), self.method)
+        return self._wider or self
+
+    def _mark(self, works: Sequence[Work]) -> list[Marked]:
+        given = np.array([[_value(work, entry) for entry in self.key.entries] for work in works]).reshape(
+            len(works), len(self.key.entries)
+        )
+        strange = np.array([[_strange(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
+        right, wrong = self.judged(given)
+        strange = strange.reshape(given.shape)
+        carried = self.problem.carried(given, wrong & ~strange, wrong)
+        found = self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange)
+        return [self._marked(work, k, given[k], right[k], carried, found[k]) for k, work in enumerate(works)]
+
+    def judged(self, given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Which values (students, n) are right, and which are not; neither where there is none."""
+        right = agrees(self.table, given, self.table.right, self.table.tolerance)
+        return right, np.isfinite(given) & ~right
+
+    def diagnoses(self, given: np.ndarray, wrong: np.ndarray) -> list[Diagnosis]:
+        """Of those who have something wrong, together where they have handed in the same quantities."""
+        found = [Diagnosis()] * len(given)
+        off = np.flatnonzero(wrong.any(axis=1))
+        if not off.size:
+            return found
+        patterns, number = np.unique(np.isfinite(given[off]), axis=0, return_inverse=True)
+        for k in range(len(patterns)):
+            some = off[number.reshape(-1) == k]
+            for row, one in zip(some, diagnoses(self.key, self.table, given[some], wrong[some], lambda: self.pairs)):
+                found[row] = one
+        return found
+
+    # --- one student --------------------------------------------------------------------------
+
+    def _marked(
+        self, work: Work, k: int, given: np.ndarray, right: np.ndarray, carried: Carried, diagnosis: Diagnosis
+    ) -> Marked:
+        senses = sense_only(self.table, given, self.table.right, self.table.tolerance) | carried.sense_only[k]
+        judged = tuple(
+            self._judged(work, entry, n, given[n], bool(right[n]), bool(senses[n]), carried, k)
+            for n, entry in enumerate(self.key.entries)
+            if entry.points or entry.text in work.numbers
+        )
+        total = sum(one.points for one in judged)
+        score = sum(one.points * one.credit for one in judged) / total if total else 0.0
+        return Marked(work.student, judged, score, diagnosis)
+
+    def _judged(
+        self, work: Work, entry: Entry, n: int, given: float, right: bool, sense_only: bool, carried: Carried, k: int
+    ) -> Judged:
+        """One quantity; the better of both verdicts counts."""
+        if not np.isfinite(given):
+            return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "missing", points=entry.points)
+        unit_right = work.numbers[entry.text].unit_right
+        follows = bool(carried.agrees[k, n])
+        verdict: Verdict = "right" if right else "carried" if follows else "wrong"
+        credit = _HALF if sense_only else 1.0 if verdict != "wrong" else 0.0
+        if not unit_right:
+            verdict, credit = "wrong", min(credit, _HALF)
+        by = carried.values[k, n] if verdict == "carried" else entry.right
+        wrong_way = sense_only or np.sign(given) != np.sign(by)
+        signed = entry.sort == "sense" and by != 0
+        judged_by = carried.values[k, n]
+        return Judged(
+            entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, verdict,
+            None if not signed else "wrong" if wrong_way else "right", unit_right,
+            float(judged_by) if np.isfinite(judged_by) and not right else None,
+            carried.own(k, n) if not right else {}, carried.refused(k, n) if not right else (), credit, entry.points,
+        )  # fmt: skip
+
+
+def _value(work: Work, entry: Entry) -> float:
+    """What is judged: numbers beyond all sizes are only large."""
+    number = work.numbers.get(entry.text)
+    return np.nan if number is None else min(max(number.value, -_LARGE), _LARGE)
+
+
+def _strange(work: Work, entry: Entry) -> bool:
+    """Whether a number stands there with a unit of another kind: it is judged by itself, and nothing is made of it."""
+    number = work.numbers.get(entry.text)
+    return number is not None and not number.unit_right
+
+
+def _widened(key: Key, method: Method, further: Sequence[Quantity]) -> Key:
+    """The key with further quantities, which are worth nothing; what it says of its own stays."""
+    own = [q for entry in key.entries if (q := readable(method.mechanism, entry.text)) is not None]
+    wider = make_key(method, key.marking, (*own, *further))
+    stored = {entry.text: entry for entry in key.entries}
+    entries = tuple(stored.get(entry.text, replace(entry, points=0.0)) for entry in wider.entries)
+    return replace(wider, entries=entries, name=key.name, text=key.text, title=key.title)

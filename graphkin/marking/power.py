@@ -1,0 +1,136 @@
+"""How well mistakes are told apart: students drawn up who make one, with a pencil that errs, and are diagnosed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from graphkin.marking.consequences import rewrites
+from graphkin.marking.diagnosis import Diagnosis
+from graphkin.marking.key import Key, Name
+from graphkin.marking.making import pencil_of
+from graphkin.marking.marker import Marker
+from graphkin.marking.rewrite import Rewrite
+from graphkin.marking.scatter import Drawings
+from graphkin.marking.slips import Slips, seed_of
+from graphkin.marking.weights import MOVED, shifts
+from graphkin.value import frozen
+
+_DIGITS = 4
+_RIGHT = 2000
+"""Students who work right: a mistake named to one of them is a false alarm."""
+_AT_ONCE = 16
+"""Mistakes whose students are drawn up at once."""
+
+
+@frozen
+class Found:
+    """What came of the students who make one mistake.
+
+    moved        by how many standard deviations it moves a handed-in value, at most
+    applicable   whether that is more than a pencil might
+    wrong        part of the students who have a value judged wrong
+    named        part whose best explanation, or set of explanations, has this mistake; alone: and no other
+    """
+
+    name: Name
+    moved: float
+    applicable: bool
+    wrong: float = np.nan
+    named: float = np.nan
+    alone: float = np.nan
+
+
+@frozen
+class Power:
+    """How a problem tells mistakes.
+
+    texts        what the students hand in
+    alarms       part of right work by pencil that has a value judged wrong, and that gets a mistake
+    random       part of random wrong numbers that gets a mistake
+    """
+
+    texts: tuple[str, ...]
+    trials: int
+    found: tuple[Found, ...]
+    alarms: tuple[float, float]
+    random: float
+
+
+def power(marker: Marker, trials: int = 200, texts: Sequence[str] | None = None) -> Power:
+    """Students of every single mistake; `texts`: what they hand in, all of the key's quantities where left out."""
+    handed = np.array([texts is None or entry.text in texts for entry in marker.key.entries], dtype=bool)
+    # other slips than those that the key's tolerances come from
+    drawings = Drawings.of(
+        marker.method, pencil_of(marker.key.marking), Slips(seed_of(marker.method.mechanism) ^ 0x5EED, trials)
+    )
+    found = tuple(_found(marker, drawings, handed))
+    kept = tuple(entry.text for entry, there in zip(marker.key.entries, handed, strict=True) if there)
+    return Power(kept, trials, found, _alarms(marker, handed), _random(marker, handed, 2 * trials))
+
+
+def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[Found]:
+    key, table = marker.key, marker.table
+    scales = key.marking.scales
+    known = {one.name: one for one in rewrites(marker.method, marker.plot, marker.quantities, scales)}
+    moved = shifts(table, key.singles.values)
+    moved[:, ~handed] = np.nan
+    most = np.fmax.reduce(moved, axis=1, initial=0.0)
+    rows = [row for row, names in enumerate(key.singles.names) if most[row] > MOVED and names[0] in known]
+    tried: dict[int, Found] = {}
+    for start in range(0, len(rows), _AT_ONCE):
+        some = rows[start : start + _AT_ONCE]
+        columns: list[tuple[Rewrite, ...]] = [(known[key.singles.names[row][0]],) for row in some]
+        for row, values in zip(some, drawings.values(marker.quantities, columns), strict=True):
+            judged = handed & np.isfinite(key.singles.values[row])
+            tried[row] = _tried(marker, key, row, float(most[row]), _printed(np.where(judged, values, np.nan)), judged)
+    for row, names in enumerate(key.singles.names):
+        yield tried.get(row) or Found(names[0], float(most[row]), False)
+
+
+def _tried(marker: Marker, key: Key, row: int, moved: float, given: np.ndarray, judged: np.ndarray) -> Found:
+    name, count = key.singles.names[row][0], len(given)
+    given = given[np.isfinite(given[:, judged]).all(axis=1)]  # students whose drawing fails hand in nothing
+    if not judged.any() or 2 * len(given) < count:
+        return Found(name, moved, False)
+    _, wrong = marker.judged(given)
+    found = marker.diagnoses(given, wrong)
+    named = [_names(one, name) for one in found]
+    alone = [hit and len(one.explanations[0].ids) == 1 for hit, one in zip(named, found, strict=True)]
+    return Found(name, moved, True, float(wrong.any(axis=1).mean()), float(np.mean(named)), float(np.mean(alone)))
+
+
+def _names(diagnosis: Diagnosis, name: Name) -> bool:
+    """Whether the best explanation is this mistake, or a set with it; a set counts as one."""
+    best = diagnosis.explanations[:1]
+    return any(names == (name,) or (len(names) == 1 and names[0][0] == name[0]) for one in best for names in one.names)
+
+
+def _alarms(marker: Marker, handed: np.ndarray) -> tuple[float, float]:
+    """Right work by a pencil."""
+    slips = Slips(seed_of(marker.method.mechanism) ^ 0xA1A, _RIGHT)
+    drawn = Drawings.of(marker.method, pencil_of(marker.key.marking), slips).values(marker.quantities)[0]
+    given = _printed(np.where(handed, drawn, np.nan)[np.isfinite(drawn[:, handed]).all(axis=1)])
+    _, wrong = marker.judged(given)
+    named = [bool(one.explanations) for one in marker.diagnoses(given, wrong)]
+    return float(wrong.any(axis=1).mean()), float(np.mean(named))
+
+
+def _random(marker: Marker, handed: np.ndarray, count: int) -> float:
+    """Numbers of the right sizes or up to five times larger or smaller, of any sense."""
+    rng = np.random.default_rng(seed_of(marker.method.mechanism) ^ 0xD1CE)
+    shape = (count, len(handed))
+    largest = np.maximum(np.abs(marker.table.right), 10 * marker.table.scatter)
+    given = largest * 5.0 ** rng.uniform(-1, 1, shape) * rng.choice((-1.0, 1.0), shape)
+    given = _printed(np.where(handed, np.where(marker.table.size, np.abs(given), given), np.nan))
+    _, wrong = marker.judged(given)
+    return float(np.mean([bool(one.explanations) for one in marker.diagnoses(given, wrong)]))
+
+
+def _printed(values: np.ndarray) -> np.ndarray:
+    """In four digits."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        power = np.floor(np.log10(np.abs(values)))
+    step = 10.0 ** (np.where(np.isfinite(power), power, 0.0) - (_DIGITS - 1))
+    return np.round(values / step) * step

@@ -1,0 +1,115 @@
+"""What a pencil gives for each quantity, right or with mistakes: values over many drawings, and how they scatter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from graphkin.construction import Plot
+from graphkin.geometry import Value
+from graphkin.marking.asked import Arrows, arrows_of, asked, size_of
+from graphkin.marking.hand import Hands
+from graphkin.marking.key import Sort
+from graphkin.marking.pencil import Pencil, PencilHand, drawn_positions
+from graphkin.marking.redrawing import Redrawing, redraw
+from graphkin.marking.rewrite import Mistaken, Rewrite, Written
+from graphkin.marking.slips import Mark, Slips
+from graphkin.planning import Method
+from graphkin.quantities import Component, Displacement, Moving, Place, Quantity, Quotient, Rotation
+from graphkin.value import frozen
+
+_AT_ONCE = 64
+"""Mistakes that are drawn at once, each many times."""
+_PARTS = ((0.6826894921370859, 1.0), (0.99, 2.5758293035489004))
+"""These parts of its values lie within so many standard deviations of a normal quantity."""
+
+
+@frozen
+class Drawings:
+    """One mechanism drawn many times with a pencil, positions (n,)."""
+
+    method: Method
+    pencil: Pencil
+    slips: Slips
+    arrows: Arrows
+    positions: Plot
+
+    @classmethod
+    def of(cls, method: Method, pencil: Pencil, slips: Slips) -> Drawings:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return cls(method, pencil, slips, arrows_of(method), drawn_positions(method, pencil, slips))
+
+    def values(self, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]] = ((),)) -> np.ndarray:
+        """What is read off: (columns, n, quantities); each column is drawn with its mistakes."""
+        parts = [self._values(quantities, columns[k : k + _AT_ONCE]) for k in range(0, len(columns), _AT_ONCE)]
+        return np.concatenate(parts) if parts else np.empty((0, self.slips.count, len(quantities)))
+
+    def _values(self, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]]) -> np.ndarray:
+        mistaken = Mistaken(columns, (self.slips.count,))
+        hand = Hands(mistaken, PencilHand(self.pencil, self.slips, self.method.facts()))
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+            plot = redraw(self.method, mistaken.placed(self.method, self.positions), hand, mistaken.shape)
+            found = [np.broadcast_to(self._read(plot, quantity), mistaken.shape) for quantity in quantities]
+        values = np.stack(found, axis=-1).astype(float) if found else np.empty((*mistaken.shape, 0))
+        for row, rewrites in enumerate(columns):
+            for written in (one for rewrite in rewrites for one in rewrite.asked):
+                k = [q.text for q in quantities].index(written.quantity)
+                values[row, :, k] = _written(quantities[k], written, values[row, :, k])
+        return values
+
+    def _read(self, plot: Redrawing, quantity: Quantity) -> Value:
+        """A value as it is read off, with what a ruler or a protractor errs by."""
+        value = asked(self.method, plot, quantity, self.arrows).value
+        return value + self._slip(plot, quantity)
+
+    def _slip(self, plot: Redrawing, quantity: Quantity) -> Value:
+        """Only what is read off at the end; rotations were read on the way, products of readings are calculated."""
+        lengths, slips = self.pencil.lengths, self.slips
+        match quantity:
+            case Rotation(word="theta"):
+                return self.pencil.angle * slips.of(Mark("position", "reading", (quantity.text,)))
+            case Displacement() | Place():
+                return lengths["position"] * slips.of(Mark("position", "reading", (quantity.text,)))
+            case Moving() | Component():
+                plane = "velocity" if quantity.letter == "v" else "acceleration"
+                ends = self.arrows.of(quantity if isinstance(quantity, Moving) else quantity.whole)
+                if ends is not None and ends[0] in plot.laid:
+                    return 0.0
+                of = (quantity.text,) if ends is None else ends[0][1:]
+                return lengths[plane] * slips.of(Mark(plane, "reading", of))  # type: ignore[index, arg-type]
+            case Quotient() | _:
+                return 0.0
+
+
+def _written(quantity: Quantity, written: Written, values: np.ndarray) -> np.ndarray:
+    """What is handed in for values that were read: so many times them, or another value that scatters as they do."""
+    if written.instead is not None:
+        other = complex(written.factor * written.instead)
+        around: float = size_of(quantity, other) if isinstance(quantity, Moving) else other.real
+        return values + (around - float(np.nanmean(values)))
+    factor = complex(written.factor)
+    return values * (abs(factor) if isinstance(quantity, Moving) else factor.real)
+
+
+def spread(values: np.ndarray, around: np.ndarray, sorts: Sequence[Sort]) -> np.ndarray:
+    """Standard deviations over drawings (.., n, quantities) from values (.., quantities).
+
+    NaN where most drawings fail; others are left out. By how much two thirds of the values are off at most, or nearly
+    all, whichever is more: near a dead point the ends reach far.
+    """
+    off = np.sort(_off(values, around[..., None, :], sorts), axis=-2)  # NaN come last
+    count = np.isfinite(off).sum(axis=-2)
+    found = []
+    for part, sigmas in _PARTS:
+        place = np.maximum(np.ceil(part * count).astype(int) - 1, 0)
+        found.append(np.take_along_axis(off, place[..., None, :], axis=-2)[..., 0, :] / sigmas)
+    return np.where(2 * count < values.shape[-2], np.nan, np.maximum(*found))
+
+
+def _off(values: np.ndarray, around: np.ndarray, sorts: Sequence[Sort]) -> np.ndarray:
+    """By how much: sizes without sign, angles modulo a turn."""
+    size, angle = (np.array([sort == kind for sort in sorts], dtype=bool) for kind in ("size", "angle"))
+    plain = np.where(size, np.abs(values) - np.abs(around), values - around)
+    found: np.ndarray = np.abs(np.where(angle, plain - 2 * np.pi * np.round(plain / (2 * np.pi)), plain))
+    return found

@@ -1,0 +1,87 @@
+"""What accuracy paper allows: each quantity's scatter, and which step costs it most."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from graphkin.construction import LayOff
+from graphkin.marking.handed import readable
+from graphkin.marking.key import Entry, Key
+from graphkin.marking.making import DRAWINGS, drawings_of, pencil_of
+from graphkin.marking.pencil import called
+from graphkin.marking.scatter import Drawings, spread
+from graphkin.marking.slips import Mark, Slips, seed_of
+from graphkin.planning import Method
+from graphkin.value import frozen
+
+_FEWER = 500
+_COUNTS = 1e-4
+"""A step with a smaller part of the scatter is not told."""
+
+
+@frozen
+class Cost:
+    """What one step costs: its part of each quantity's scatter (variance), by quantity; `name`: the arrow laid off."""
+
+    mark: Mark
+    name: str
+    parts: Mapping[str, float]
+    over_all: float
+
+
+@frozen
+class Tolerances:
+    """Quantities with what they may be off, and steps, the costliest first.
+
+    drawings  how often the construction was drawn
+    failed    part of the drawings whose links did not meet
+    """
+
+    key: Key
+    entries: tuple[Entry, ...]
+    costs: tuple[Cost, ...]
+    drawings: int
+    failed: float
+
+    def worst(self, text: str) -> Cost | None:
+        """The step that costs a quantity most."""
+        some = [cost for cost in self.costs if cost.parts.get(text, 0.0) > 0]
+        return max(some, key=lambda cost: cost.parts[text], default=None)
+
+
+def tolerances(key: Key, method: Method) -> Tolerances:
+    """The scatter of a key's quantities, taken apart: one error of the pencil at a time."""
+    quantities = [q for entry in key.entries if (q := readable(method.mechanism, entry.text)) is not None]
+    every = drawings_of(method, key.marking, DRAWINGS)
+    values = every.values(quantities)[0]
+    right, sorts = np.array([entry.right for entry in key.entries]), [entry.sort for entry in key.entries]
+    whole = spread(values, right, sorts)
+    names = _arrows(method)
+    costs = []
+    for mark in list(every.slips.seen):
+        slips = Slips(seed_of(method.mechanism), _FEWER, lambda one, mark=mark: one == mark)  # type: ignore[misc]
+        alone = spread(Drawings.of(method, pencil_of(key.marking), slips).values(quantities)[0], right, sorts)
+        costs.append(_cost(mark, names, key, alone, whole))
+    told = sorted((cost for cost in costs if max(cost.parts.values()) > _COUNTS), key=lambda cost: -cost.over_all)
+    return Tolerances(key, key.entries, tuple(told), DRAWINGS, float(np.isnan(values).any(axis=1).mean()))
+
+
+def _cost(mark: Mark, names: Mapping[tuple[str, ...], str], key: Key, alone: np.ndarray, whole: np.ndarray) -> Cost:
+    with np.errstate(invalid="ignore", divide="ignore"):
+        parts = np.nan_to_num((alone / whole) ** 2, nan=0.0, posinf=0.0)
+    parts = np.minimum(parts, 1.0)  # both are sampled: of one step's scatter alone there may come out a little more
+    asked = [part for part, entry in zip(parts, key.entries, strict=True) if entry.points]
+    by_text = {entry.text: float(part) for entry, part in zip(key.entries, parts, strict=True)}
+    return Cost(mark, names.get(mark.of, ""), by_text, float(np.mean(asked)) if asked else 0.0)
+
+
+def _arrows(method: Method) -> dict[tuple[str, ...], str]:
+    """What marks call an arrow, with its name in the polygon."""
+    found: dict[tuple[str, ...], str] = {}
+    for construction in (method.velocity, method.acceleration):
+        for step in construction.steps:
+            if isinstance(step, LayOff) and step.term.size is not None:
+                found.setdefault(called(step.term.size), step.term.name(construction.plane))
+    return found

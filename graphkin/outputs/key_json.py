@@ -1,0 +1,161 @@
+"""A key as JSON, and back: all that a problem is marked by. Version 1; SI units, radians."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable
+from typing import Any, cast
+
+import numpy as np
+
+from graphkin.errors import BadKey, Where
+from graphkin.marking.key import Entry, Hypotheses, Key, Marking, Name, Sort, Step
+
+FORMAT, KIND = 1, "graphkin key"
+_DEEP = "nested too deep"
+Json = dict[str, Any]
+
+
+# --- out --------------------------------------------------------------------------------------
+
+
+def key_text(key: Key) -> str:
+    """The file's text: one line a quantity and a mistake, so that it can be read and changed."""
+    data = key_data(key)
+    lines = [f' {_line(name)}: {_line(value)},' for name, value in data.items() if not isinstance(value, list)]
+    lists = [
+        f" {_line(name)}: [\n" + ",\n".join(f"  {_line(item)}" for item in value) + "\n ]"
+        for name, value in data.items()
+        if isinstance(value, list)
+    ]
+    return "{\n" + "\n".join(lines) + "\n" + ",\n".join(lists) + "\n}\n"
+
+
+def key_data(key: Key) -> Json:
+    """As plain data."""
+    marking = key.marking
+    return {
+        "kind": KIND,
+        "format": FORMAT,
+        "name": key.name,
+        "title": dict(key.title),
+        "coincident": key.coincident,
+        "mechanism": key.text,
+        "marking": {
+            "lengths": dict(marking.lengths), "angle": marking.angle, "scales": dict(marking.scales),
+            "sigmas": marking.sigmas, "relative": marking.relative,
+        },
+        "given": list(key.given),
+        "quantities": [{name: getattr(entry, name) for name in Entry.__match_args__} for entry in key.entries],
+        "together": [[round(float(x), 6) for x in row] for row in key.together],
+        "steps": [
+            {"plane": step.plane, "left": list(step.left), "right": list(step.right), "gives": list(step.gives)}
+            for step in key.steps
+        ],
+        "mistakes": [
+            {"names": [list(name) for name in names], "values": _numbers(values), "scatters": _numbers(scatters)}
+            for names, values, scatters in zip(
+                key.singles.names, key.singles.values, key.singles.scatters, strict=True
+            )
+        ],
+    }  # fmt: skip
+
+
+def _line(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+def _numbers(row: np.ndarray) -> list[float | None]:
+    return [float(f"{x:.12g}") if np.isfinite(x) else None for x in row]
+
+
+# --- in ---------------------------------------------------------------------------------------
+
+
+def key_of(text: str, where: Where) -> Key:
+    """The key that a text holds. Raises BadKey."""
+    try:
+        data = json.loads(text, parse_constant=_refused)
+    except RecursionError:
+        raise BadKey(where, _DEEP) from None
+    except ValueError as problem:
+        raise BadKey(where, str(problem)) from None
+    try:
+        return _Reader(where).key(data)
+    except (KeyError, TypeError, ValueError, OverflowError, AttributeError) as problem:
+        raise BadKey(where, f"{type(problem).__name__}: {problem}"[:200]) from None
+
+
+def _refused(constant: str) -> float:
+    raise ValueError(f"{constant} is no number")
+
+
+class _Reader:
+    """Takes plain data apart; whatever is not as it should be raises."""
+
+    def __init__(self, where: Where) -> None:
+        self.where = where
+
+    def key(self, data: Json) -> Key:
+        self._require(isinstance(data, dict) and data.get("kind") == KIND, "kind")
+        self._require(data.get("format") == FORMAT, f"format {data.get('format')!r}, not {FORMAT}")
+        entries = tuple(self._entry(item) for item in data["quantities"])
+        self._require(bool(entries), "quantities")
+        count = len(entries)
+        together = self._table(data["together"], count)
+        self._require(together.shape == (count, count) and np.allclose(together, together.T), "together")
+        text = [data[name] for name in ("name", "mechanism", "coincident")]
+        self._require(all(isinstance(part, str) for part in text), "mechanism")
+        return Key(
+            text[0], text[1], text[2], self._marking(data["marking"]), entries,
+            tuple(self._number(x, "given") for x in data["given"]), together, self._mistakes(data["mistakes"], count),
+            {str(lang): str(title) for lang, title in data["title"].items()},
+            tuple(self._step(item) for item in data["steps"]),
+        )  # fmt: skip
+
+    def _entry(self, item: Json) -> Entry:
+        what = f"quantities: {item['text']}"
+        self._require(isinstance(item["text"], str) and item["sort"] in ("sense", "size", "angle"), what)
+        right, scatter, tolerance, points = (
+            self._number(item[name], what) for name in ("right", "scatter", "tolerance", "points")
+        )
+        self._require(scatter > 0 and tolerance >= 0 and points >= 0 and isinstance(item["unit"], str), what)
+        return Entry(item["text"], item["unit"], cast(Sort, item["sort"]), right, scatter, tolerance, points)
+
+    def _marking(self, item: Json) -> Marking:
+        planes = ("position", "velocity", "acceleration")
+        lengths = {plane: self._number(item["lengths"][plane], plane) for plane in planes}
+        scales = {str(name): self._number(x, "scales") for name, x in item["scales"].items()}
+        angle, sigmas, relative = (self._number(item[name], name) for name in ("angle", "sigmas", "relative"))
+        self._require(min(*lengths.values(), angle, relative) >= 0 and sigmas > 0, "marking")
+        return Marking(lengths, angle, scales, sigmas, relative)
+
+    def _mistakes(self, items: Iterable[Json], count: int) -> Hypotheses:
+        names, values, scatters = [], [], []
+        for item in items:
+            name = tuple(cast(Name, tuple(str(part) for part in one)) for one in item["names"])
+            self._require(bool(name) and all(len(one) == 4 for one in name), "mistakes")
+            names.append(name)
+            values.append(item["values"])
+            scatters.append(item["scatters"])
+        tables = self._table(values, count), self._table(scatters, count)
+        self._require(not np.any(tables[1] <= 0), "mistakes")
+        return Hypotheses(tuple(names), *tables)
+
+    def _step(self, item: Json) -> Step:
+        return Step(str(item["plane"]), *(tuple(map(str, item[name])) for name in ("left", "right", "gives")))
+
+    def _table(self, rows: list[list[float | None]], count: int) -> np.ndarray:
+        """(rows, count); None is NaN."""
+        table = np.array([[math.nan if x is None else self._number(x, "table") for x in row] for row in rows])
+        self._require(all(len(row) == count for row in rows), "table")
+        return table.reshape(len(rows), count)
+
+    def _number(self, value: object, what: str) -> float:
+        self._require(isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value), what)
+        return float(cast(float, value))
+
+    def _require(self, good: bool, what: str) -> None:
+        if not good:
+            raise BadKey(self.where, what)

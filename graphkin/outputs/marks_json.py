@@ -1,0 +1,72 @@
+"""Marks as JSON: the line that programs read, one a submission, and the whole record. Version 1; SI units, radians."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from graphkin.errors import Lang
+from graphkin.marking.diagnosis import Explanation
+from graphkin.marking.graded import Graded
+from graphkin.marking.marked import Judged, Marked
+
+FORMAT = 1
+Json = dict[str, Any]
+
+
+def line(graded: Graded, lang: Lang = "en") -> Json:
+    """What programs get of one submission; a `reason` only where it was not marked, which has no score."""
+    start: Json = {"format": FORMAT, "student": graded.student, "file": graded.file}
+    if graded.marked is None:
+        reason = "" if graded.reason is None else graded.reason.message(lang)
+        return {**start, "status": "not marked", "reason": reason, "score": None, "quantities": {}, "mistakes": []}
+    return {
+        **start,
+        "status": "marked",
+        "score": _rounded(graded.marked.score),
+        "quantities": {one.text: _quantity(one) for one in graded.marked.judged},
+        "mistakes": [_explanation(one) for one in graded.marked.diagnosis.explanations],
+    }
+
+
+def record(graded: Graded, lang: Lang = "en") -> Json:
+    """All of one submission: the line's, with the arithmetic, the mistakes' places, and what was passed over."""
+    whole: Json = {**line(graded, lang), "place": graded.place, "notes": [note.message(lang) for note in graded.notes]}
+    if graded.marked is None:
+        return whole
+    for one in graded.marked.judged:
+        whole["quantities"][one.text] |= {
+            "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
+            "points": one.points, "credit": one.credit,
+        }  # fmt: skip
+    for data, explanation in zip(whole["mistakes"], graded.marked.diagnosis.explanations, strict=True):
+        data["names"] = [[_name(name) for name in names] for names in explanation.names]
+    return {**whole, "evidence": _evidence(graded.marked)}
+
+
+def _quantity(one: Judged) -> Json:
+    return {
+        "given": one.given, "right": one.right, "carried": one.carried, "tolerance": one.tolerance,
+        "verdict": one.verdict, "sense": one.sense,
+    }  # fmt: skip
+
+
+def _explanation(one: Explanation) -> Json:
+    return {
+        "ids": list(one.ids),
+        "probability": _rounded(one.probability),
+        "margin": _rounded(one.margin),
+        "explains": list(one.explains),
+    }
+
+
+def _name(name: tuple[str, str, str, str]) -> Mapping[str, str]:
+    return dict(zip(("id", "way", "of", "form"), name, strict=True))
+
+
+def _evidence(marked: Marked) -> dict[str, float]:
+    return {id: _rounded(weight) for id, weight in marked.diagnosis.evidence.items()}
+
+
+def _rounded(number: float) -> float:
+    return float(f"{number:.6g}") + 0.0

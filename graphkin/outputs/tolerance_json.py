@@ -1,0 +1,65 @@
+"""What paper allows, and how well mistakes are told apart, for programs; SI units, radians."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from graphkin.marking.power import Power
+from graphkin.marking.slips import Mark
+from graphkin.marking.tolerances import Tolerances
+
+Json = dict[str, Any]
+
+
+def tolerance_data(found: Tolerances) -> Json:
+    """Each quantity, and each step of the pencil with its part in the scatter."""
+    marking = found.key.marking
+    length, angle = marking.on_paper
+    return {
+        "format": 1,
+        "name": found.key.name,
+        "pencil": {"length_mm": length, "angle_deg": angle},
+        "sigmas": marking.sigmas,
+        "relative": marking.relative,
+        "scales": dict(marking.scales),
+        "drawings": found.drawings,
+        "failed": found.failed,
+        "quantities": {
+            entry.text: {
+                "unit": entry.unit, "right": entry.right, "scatter": entry.scatter, "tolerance": entry.tolerance,
+                "asked": entry.points > 0,
+            }
+            for entry in found.entries
+        },
+        "steps": [
+            {**_mark(cost.mark), "name": cost.name, "part": cost.over_all, "parts": dict(cost.parts)}
+            for cost in found.costs
+        ],
+    }  # fmt: skip
+
+
+def _mark(mark: Mark) -> Json:
+    return {"plane": mark.plane, "what": mark.what, "of": list(mark.of)}
+
+
+def power_data(power: Power) -> Json:
+    """An object a mistake at a place, and the rates of false alarms."""
+    return {
+        "handed in": list(power.texts),
+        "trials": power.trials,
+        "mistakes": [
+            {
+                **dict(zip(("id", "way", "of", "form"), one.name, strict=True)), "moved": one.moved,
+                "applicable": one.applicable, "wrong": _part(one.wrong), "named": _part(one.named),
+                "alone": _part(one.alone),
+            }
+            for one in power.found
+        ],
+        "right work": {"judged wrong": power.alarms[0], "mistake named": power.alarms[1]},
+        "random numbers": {"mistake named": power.random},
+    }  # fmt: skip
+
+
+def _part(value: float) -> float | None:
+    return value if math.isfinite(value) else None

@@ -1,0 +1,42 @@
+"""Results for Canvas: a gradebook CSV, and a zip of feedback under the very names of the download.
+
+Canvas shows a file of feedback under the name of the one that was handed in, so it must be of the same kind.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from decimal import Decimal
+from pathlib import PurePosixPath
+
+from graphkin.errors import Lang
+from graphkin.platforms.cells import line
+from graphkin.platforms.feedback import Reveal
+from graphkin.platforms.pages import KINDS, Page
+from graphkin.platforms.platform_names import canvas
+from graphkin.platforms.result import Result
+
+_FRONT = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
+
+
+def grades(results: Iterable[Result], assignment: str, most: Decimal) -> Iterator[str]:
+    """The gradebook, row by row; those whose files are not named as Canvas does are not in it."""
+    yield line((*_FRONT, assignment))
+    yield line(("    Points Possible", "", "", "", "", most))
+    for result in results:
+        if (named := canvas(result.file)) is not None:
+            yield line((named.who, named.id, "", "", "", result.total))
+
+
+def feedback(results: Iterable[Result], lang: Lang, reveal: Reveal, page: Page | None) -> Iterator[tuple[str, bytes]]:
+    """The files of the zip. page: in place of graphkin's own where HTML was handed in."""
+    for result in results:
+        named = canvas(result.file)
+        if named is not None and (made := kind(named.name, page)) is not None:
+            yield named.name, made(result, lang, reveal)
+
+
+def kind(name: str, page: Page | None = None) -> Page | None:
+    """What writes feedback of the kind of a file; None where nothing does."""
+    suffix = PurePosixPath(name).suffix.lower()
+    return page if page is not None and suffix in (".html", ".htm") else KINDS.get(suffix)

@@ -1,0 +1,63 @@
+"""The class as a table: a row a submission, in the order of the results; what CSV and XLSX write."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from decimal import Decimal
+
+from graphkin.errors import Lang
+from graphkin.platforms.cells import Cell
+from graphkin.platforms.feedback import suspected, verdict
+from graphkin.platforms.overrides import Overrides
+from graphkin.platforms.result import Line, Result, texts_in
+from graphkin.say.catalogue import say
+
+_FRONT = ("student", "file", "status", "earned", "most", "override", "total", "score percent")
+_BACK = ("diagnosis", "reason")
+
+
+def quantities(results: Iterable[Result]) -> tuple[str, ...]:
+    """All that is asked anywhere, as it is met first."""
+    return tuple(dict.fromkeys(line.name for result in results for line in result.lines))
+
+
+def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang) -> Iterator[list[Cell]]:
+    """The table with its head."""
+    yield _head(names, lang)
+    for result in results:
+        yield _row(result, names, lang)
+
+
+def absent(overrides: Overrides, names: tuple[str, ...]) -> Iterator[list[Cell]]:
+    """Overrides of those who are not among the results gone through so far; they keep a row each."""
+    for each in overrides.rest():
+        yield [each.student, each.file, "", None, None, each.points, *[None] * (2 + 2 * len(names) + len(_BACK))]
+
+
+def _head(names: tuple[str, ...], lang: Lang) -> list[Cell]:
+    front = [say(f"platforms.column {key}", lang) for key in _FRONT]
+    middle = [text for name in names for text in (name, say("platforms.column part earned", lang, name=name))]
+    return [*front, *middle, *(say(f"platforms.column {key}", lang) for key in _BACK)]
+
+
+def _row(result: Result, names: tuple[str, ...], lang: Lang) -> list[Cell]:
+    marked = result.status == "marked"
+    front: list[Cell] = [
+        result.student, result.file, say(f"platforms.status {result.status}", lang),
+        result.earned if marked else None, result.most, result.override, result.total, _percent(result.score),
+    ]  # fmt: skip
+    by_name = {line.name: line for line in result.lines}
+    middle = [cell for name in names for cell in _cells(by_name.get(name), lang)]
+    return [*front, *middle, _diagnosis(result, lang), texts_in([result.reason], lang)[0]]
+
+
+def _percent(score: Decimal | None) -> Decimal | None:
+    return None if score is None else (score * 100).quantize(Decimal("0.01"))
+
+
+def _cells(line: Line | None, lang: Lang) -> tuple[Cell, Cell]:
+    return ("", None) if line is None else (verdict(line, lang), line.points)
+
+
+def _diagnosis(result: Result, lang: Lang) -> str:
+    return suspected(result.suspicions[0], lang) if result.suspicions else ""

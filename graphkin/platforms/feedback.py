@@ -1,0 +1,127 @@
+"""What a student is told about a submission, in stages: hint, mistake, answer."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal
+
+from graphkin.errors import Lang
+from graphkin.marking.scene import MISTAKES
+from graphkin.platforms.numbers import exponentless
+from graphkin.platforms.result import Line, Result, Suspicion, texts_in
+from graphkin.quantities import EDGE
+from graphkin.say.catalogue import say
+from graphkin.say.mistakes import hint, together
+
+Reveal = Literal["hint", "mistake", "answer"]
+"""How much is told: the verdicts, and where to look again; what the numbers are consistent with; the right values."""
+SETS = 4
+"""So many mistakes that cannot be told apart are written out; of more the number is said."""
+
+
+def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
+    """All of it, a sentence a line."""
+    if result.status == "not marked":
+        yield reason(result, lang)
+    for each in result.lines:
+        yield say("feedback.stop", lang, text=quantity(result, each, lang, reveal))
+    yield from diagnosis(result, lang, reveal)
+    yield from (say("feedback.note", lang, note=note) for note in result.notes)
+    if told := override(result, lang):
+        yield told
+    if result.total is not None:
+        yield total(result, lang)
+
+
+def reason(result: Result, lang: Lang) -> str:
+    """Why it was not marked."""
+    told = texts_in([result.reason], lang)[0] or say("feedback.no reason", lang)
+    return say("feedback.not marked why", lang, reason=told)
+
+
+def verdict(line: Line, lang: Lang) -> str:
+    """`wrong, the sense`."""
+    plain = say(f"feedback.verdict {line.verdict}", lang)
+    if line.verdict != "wrong":
+        return plain
+    if not line.unit_right:
+        return say("feedback.wrong unit", lang, verdict=plain)
+    return say("feedback.wrong sense", lang, verdict=plain) if line.sense == "wrong" and line.credit > 0 else plain
+
+
+def quantity(result: Result, line: Line, lang: Lang, reveal: Reveal) -> str:
+    """One quantity: verdict, what was handed in, what it should be where that is told, points."""
+    told = [say("feedback.line", lang, name=line.name, verdict=verdict(line, lang))]
+    told += _numbers(result, line, lang, reveal)
+    if line.most:
+        told.append(say("feedback.points of", lang, points=exponentless(line.points), most=exponentless(line.most)))
+    return say("common.semicolon", lang).join(told)
+
+
+def _numbers(result: Result, line: Line, lang: Lang, reveal: Reveal) -> Iterator[str]:
+    if line.given is not None:
+        yield say("feedback.given", lang, value=_shown(line.given, line.unit))
+    if line.carried is not None and (reveal == "answer" or (reveal == "mistake" and line.verdict == "carried")):
+        yield _carried(result, line, line.carried, lang)
+    if reveal == "answer":
+        right, tolerance = _shown(line.right, line.unit), _shown(line.tolerance, line.unit)
+        yield say("feedback.answer", lang, value=right, tolerance=tolerance)
+
+
+def _carried(result: Result, line: Line, value: float, lang: Lang) -> str:
+    """`judged with your omega 3 = 5.65 rad/s: it should be 3.63 m/s^2: yes`."""
+    units = {other.name: other.unit for other in result.lines}
+    own = say("common.list", lang).join(f"{name} = {_shown(x, units.get(name, ''))}" for name, x in line.own.items())
+    agrees = say("feedback.yes" if line.verdict == "carried" else "feedback.no", lang)
+    return say("feedback.carried", lang, own=own, value=_shown(value, line.unit), agrees=agrees)
+
+
+def _shown(value: float, unit: str) -> str:
+    """In four digits, as a drawing has hardly more."""
+    if unit not in EDGE:
+        return f"{value:.4g} {unit}".rstrip()
+    return f"{value * EDGE[unit].factor:.4g}{EDGE[unit].after}"
+
+
+def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
+    """What the numbers are consistent with, or, as a hint, where to look again."""
+    for one in result.suspicions:
+        if reveal == "hint":
+            yield from _hints(one, lang)
+        else:
+            explained = say("common.list", lang).join(one.explains)
+            told = say("feedback.consistent", lang, explains=explained, mistake=suspected(one, lang))
+            yield say("feedback.stop", lang, text=told)
+
+
+def _hints(one: Suspicion, lang: Lang) -> list[str]:
+    topics = dict.fromkeys(MISTAKES[id].topic for id in one.ids if id in MISTAKES)
+    return [hint(topic, lang) for topic in topics]
+
+
+def suspected(one: Suspicion, lang: Lang) -> str:
+    """The mistakes in words, or by their ids."""
+    told = [together(names, lang) for names in one.names]
+    return joined(told or list(one.ids), lang)
+
+
+def joined(told: list[str], lang: Lang) -> str:
+    """What cannot be told apart, as one."""
+    each = list(dict.fromkeys(text.strip().rstrip(".。") for text in told))
+    if len(each) == 1:
+        return each[0]
+    more = [say("marks.more", lang, count=len(each) - SETS)] if len(each) > SETS else []
+    return say("feedback.one of", lang, mistakes=say("feedback.or", lang).join([*each[:SETS], *more]))
+
+
+def override(result: Result, lang: Lang) -> str:
+    """That the teacher gave the points; nothing where not."""
+    if result.override is None:
+        return ""
+    return say("feedback.override", lang, points=exponentless(result.override), most=exponentless(result.most))
+
+
+def total(result: Result, lang: Lang) -> str:
+    """The points that count. Only of a result that has some."""
+    assert result.total is not None
+    return say("feedback.total", lang, points=exponentless(result.total), most=exponentless(result.most))

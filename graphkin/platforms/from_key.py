@@ -1,0 +1,48 @@
+"""A platform's question, made of a key: numbers as a student types them, and every single mistake's number."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from graphkin.marking.key import Entry, Key
+from graphkin.platforms.question import Part, Question, Text, Wrong
+from graphkin.quantities import EDGE
+from graphkin.say.catalogue import LANGUAGES
+from graphkin.say.mistakes import mistake
+
+_TURN = 2 * math.pi
+
+
+def question_of(id: str, key: Key, text: Text) -> Question:
+    """What a key asks for. id: the student's or the variant's; text: the problem as it is told."""
+    return Question(id, text, tuple(_part(key, n, entry) for n, entry in enumerate(key.entries) if entry.points))
+
+
+def _part(key: Key, column: int, entry: Entry) -> Part:
+    unit = EDGE[entry.unit]
+    return Part(
+        entry.text, entry.right * unit.factor, entry.tolerance * unit.factor, unit.sign, entry.points,
+        tuple(_wrongs(key, column, entry)), tuple(number * unit.factor for number in _also(entry)),
+    )  # fmt: skip
+
+
+def _also(entry: Entry) -> tuple[float, ...]:
+    """An angle is as right with a turn more or less."""
+    if entry.sort != "angle":
+        return ()
+    return (entry.right - math.copysign(_TURN, entry.right),)
+
+
+def _wrongs(key: Key, column: int, entry: Entry) -> Iterator[Wrong]:
+    """What each mistake gives for this quantity, as far as it says anything of it."""
+    factor, mistakes = EDGE[entry.unit].factor, key.singles
+    for names, value, scatter in zip(
+        mistakes.names, mistakes.values[:, column], mistakes.scatters[:, column], strict=True
+    ):
+        if np.isfinite(value) and np.isfinite(scatter):
+            number = abs(float(value)) if entry.sort == "size" else float(value)
+            words = {lang: mistake(names[0], lang) for lang in LANGUAGES}
+            yield Wrong((names[0][0],), number * factor, key.marking.sigmas * float(scatter) * factor, words)

@@ -1,0 +1,292 @@
+"""The formats by name, and their files in a folder: each beside, then renamed, nothing outside the folder."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from decimal import Decimal
+from itertools import chain, islice
+from pathlib import Path
+
+from graphkin.errors import CannotWrite, Lang
+from graphkin.outputs.files import beside
+from graphkin.platforms import (
+    canvas_results,
+    class_table,
+    csv_set,
+    gradescope,
+    moodle_results,
+    moodle_set,
+    prairielearn,
+    qti,
+    xlsx,
+    xuexitong,
+)
+from graphkin.platforms.alternatives import refuse
+from graphkin.platforms.archive import COMMENT, pack
+from graphkin.platforms.cells import BOM, Cell, line
+from graphkin.platforms.class_figure import write_class_figure
+from graphkin.platforms.class_report import ClassReport, class_report, report_record, report_text
+from graphkin.platforms.feedback import Reveal
+from graphkin.platforms.marked_up import clean
+from graphkin.platforms.overrides import Overrides, overridden, read_overrides
+from graphkin.platforms.pages import Page, html
+from graphkin.platforms.platform_names import Named, canvas, moodle
+from graphkin.platforms.question import ProblemSet
+from graphkin.platforms.result import Picture, Result
+from graphkin.say.catalogue import LANGUAGES, in_both, say
+from graphkin.submissions import safe_name
+from graphkin.value import frozen
+
+CLASS_TABLE = "class.csv"
+"""In this table of a results folder teachers write their overrides."""
+_JSON, _ZIP, _TABLE = (b'"graphkin"',), (COMMENT,), (b"override",)
+_REPORT = tuple(title.encode() for title in in_both("class_report.title").values())
+
+
+# --- sets -------------------------------------------------------------------------------------
+
+
+Writer = Callable[[Path, ProblemSet, Lang], None]
+
+
+@frozen
+class SetFormat:
+    """How a set is written: the file's suffix, and what writes it; by `marks` graphkin knows a file of its own."""
+
+    suffix: str
+    write: Writer
+    marks: tuple[bytes, ...]
+
+
+def _packed(members: Callable[[ProblemSet, Lang], Iterator[tuple[str, bytes]]]) -> Writer:
+    return lambda path, problems, lang: pack(path, members(problems, lang))
+
+
+def _whole(made: Callable[[ProblemSet, Lang], bytes]) -> Writer:
+    def write(path: Path, problems: ProblemSet, lang: Lang) -> None:
+        path.write_bytes(made(problems, lang))
+
+    return write
+
+
+def _lines(path: Path, lines: Iterable[str]) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        file.writelines(lines)
+
+
+SETS: Mapping[str, SetFormat] = {
+    "moodle": SetFormat(".xml", _whole(moodle_set.cloze), (b"$course$/graphkin/",)),
+    "moodle-numerical": SetFormat(".xml", _whole(moodle_set.numerical), (b"$course$/graphkin/",)),
+    "qti": SetFormat(".zip", _packed(qti.members), _ZIP),
+    "csv": SetFormat(
+        ".csv", lambda path, problems, lang: _lines(path, csv_set.lines(problems, lang)),
+        tuple(csv_set.head(lang).encode() for lang in LANGUAGES),
+    ),
+    "xuexitong": SetFormat(".docx", _packed(xuexitong.members), _ZIP),
+}  # fmt: skip
+"""By name, as `graphkin problems --format` has them."""
+
+
+def write_set(path: Path, problems: ProblemSet, kind: str, lang: Lang = "en", force: bool = False) -> None:
+    """A set into a file. Raises NoRightNumber, NotForPlatform, FileInTheWay, NoFolder, CannotWrite."""
+    for question in problems.questions:
+        for part in question.parts:
+            refuse(question, part)
+    how = SETS[kind]
+    with beside(path, force, how.marks) as draft:
+        how.write(draft, problems, lang)
+
+
+# --- results ----------------------------------------------------------------------------------
+
+
+@frozen
+class Written:
+    """What was written, and what could not be, in words."""
+
+    paths: tuple[Path, ...]
+    left_out: tuple[str, ...] = ()
+
+
+@frozen
+class Order:
+    """What is to be written.
+
+    results   gone through as often as a format needs it
+    page      makes a student's page of feedback; pictures: those of a student, for PrairieLearn
+    """
+
+    folder: Path
+    results: Iterable[Result]
+    lang: Lang
+    reveal: Reveal
+    assignment: str
+    page: Page | None
+    pictures: Callable[[Result], Sequence[Picture]]
+    force: bool
+    overrides: Overrides
+    most: Decimal
+
+    def __iter__(self) -> Iterator[Result]:
+        """The results, with the teacher's points; what was not marked is of as many as the others."""
+        for result in overridden(self.results, self.overrides):
+            yield result if result.lines else replace(result, most=self.most)
+
+    def lines(self, name: str, lines: Iterable[str], marks: Sequence[bytes]) -> Path:
+        """A file of text in the folder."""
+        path = self.folder / name
+        with beside(path, self.force, marks) as draft:
+            _lines(draft, lines)
+        return path
+
+    def packed(self, name: str, members: Iterable[tuple[str, bytes | Iterable[bytes]]]) -> Path:
+        """An archive in the folder."""
+        path = self.folder / name
+        with beside(path, self.force, _ZIP) as draft:
+            pack(draft, members)
+        return path
+
+
+def write_results(
+    folder: Path, results: Iterable[Result], kind: str, lang: Lang = "en", reveal: Reveal = "answer", *,
+    assignment: str = "graphkin", page: Page | None = None,
+    pictures: Callable[[Result], Sequence[Picture]] = lambda result: (), force: bool = False,
+) -> Written:  # fmt: skip
+    """Results into a folder, which is made where it is not there.
+
+    results  gone through more than once: a list, or what a results file holds (`Stored`)
+    kind     of RESULTS
+
+    Overrides in the folder's class table count in every format. Raises NotAnOverride, Unreadable, FileInTheWay,
+    CannotWrite, and what going through the results raises.
+    """
+    overrides = prepared(folder)
+    most = max((result.most for result in results), default=Decimal(0))
+    return RESULTS[kind](Order(folder, results, lang, reveal, assignment, page, pictures, force, overrides, most))
+
+
+def prepared(folder: Path) -> Overrides:
+    """A folder of results, made where there is none, and the overrides in it.
+
+    Raises CannotWrite, Unreadable, NotAnOverride.
+    """
+    return read_overrides(_made(folder) / CLASS_TABLE)
+
+
+def _made(folder: Path) -> Path:
+    """A folder that is there. Raises CannotWrite."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise CannotWrite(str(folder), error.strerror or str(error)) from None
+    return folder
+
+
+def _table(order: Order) -> Iterator[Sequence[Cell]]:
+    """The class table; those with an override who are not here come last, known when all others are through."""
+    names = class_table.quantities(order.results)
+    return chain(class_table.rows(order, names, order.lang), class_table.absent(order.overrides, names))
+
+
+def _csv(order: Order) -> Written:
+    path = order.lines(CLASS_TABLE, chain([BOM], map(line, _table(order))), _TABLE)
+    return Written((path,), _kept(order))
+
+
+def _xlsx(order: Order) -> Written:
+    members = xlsx.members(_table(order), say("class_report.title", order.lang))
+    return Written((order.packed("class.xlsx", members),), _kept(order))
+
+
+def _kept(order: Order) -> tuple[str, ...]:
+    names = (each.student or each.file for each in order.overrides.rest())
+    return tuple(say("platforms.override kept", order.lang, student=name) for name in names)
+
+
+def _moodle(order: Order) -> Written:
+    grades = order.lines(
+        "moodle-grades.csv", moodle_results.grades(order, order.lang, order.reveal), (b"Identifier,Full name,",),
+    )  # fmt: skip
+    members = moodle_results.feedback(order, order.lang, order.reveal, order.page or html)
+    out = tuple(_unnamed(order, moodle, "Moodle"))
+    return Written((grades, order.packed("moodle-feedback.zip", members)), out)
+
+
+def _canvas(order: Order) -> Written:
+    grades = order.lines(
+        "canvas-grades.csv", canvas_results.grades(order, order.assignment, order.most), (b"Points Possible,",),
+    )  # fmt: skip
+    members = canvas_results.feedback(order, order.lang, order.reveal, order.page)
+    return Written((grades, order.packed("canvas-feedback.zip", members)), tuple(_without_canvas(order)))
+
+
+def _without_canvas(order: Order) -> Iterator[str]:
+    """What does not go back to Canvas: files without its names, and those of kinds that nothing writes."""
+    yield from _unnamed(order, canvas, "Canvas")
+    kinds: Counter[str] = Counter()
+    for result in order.results:
+        named = canvas(result.file)
+        if named is not None and canvas_results.kind(named.name, order.page) is None:
+            kinds[Path(named.name).suffix] += 1
+    for suffix, count in kinds.items():
+        yield say("platforms.no feedback in kind", order.lang, count=count, kind=suffix or "?")
+
+
+def _unnamed(order: Order, named: Callable[[str], Named | None], platform: str) -> Iterator[str]:
+    """That some files have no name of the platform; the first of them as an example."""
+    first, count = "", 0
+    for result in order.results:
+        if named(result.file) is None:
+            first, count = first or result.file, count + 1
+    if count:
+        yield say("platforms.no platform name", order.lang, count=count, file=first, platform=platform)
+
+
+def _gradescope(order: Order) -> Written:
+    return _each(order, "gradescope", lambda result: gradescope.results_json(result, order.lang, order.reveal))
+
+
+def _prairielearn(order: Order) -> Written:
+    def made(result: Result) -> bytes:
+        return prairielearn.results_json(result, order.lang, order.reveal, order.pictures(result))
+
+    return _each(order, "prairielearn", made)
+
+
+def _each(order: Order, platform: str, made: Callable[[Result], bytes]) -> Written:
+    """`results.json` in the folder where there is one submission; else in a folder each, within the platform's."""
+    alone = len([*islice(order.results, 2)]) == 1
+    taken: set[str] = set()
+    for result in order:
+        name = safe_name(result.student)
+        name = safe_name(f"{result.student}\0{result.file}") if name in taken else name
+        taken.add(name)
+        folder = order.folder if alone else _made(order.folder / platform / name)
+        with beside(folder / "results.json", order.force, [f'"platform": "{platform}"'.encode()]) as draft:
+            draft.write_bytes(made(result))
+    return Written((order.folder / "results.json",) if alone else (order.folder / platform,) if taken else ())
+
+
+def _report(order: Order) -> Written:
+    """The class in words, as data and as a figure."""
+    report = class_report(order)
+    words = order.lines("class-report.txt", (f"{line}\n" for line in _report_lines(report, order.lang)), _REPORT)
+    data = order.lines("class-report.json", [json.dumps(report_record(report), ensure_ascii=True) + "\n"], _JSON)
+    figure = order.folder / "class-report.svg"
+    remark = write_class_figure(figure, report, order.lang, order.force)
+    return Written((words, data, figure), () if remark is None else (remark.message(order.lang),))
+
+
+def _report_lines(report: ClassReport, lang: Lang) -> Iterator[str]:
+    yield say("class_report.title", lang)
+    yield from map(clean, report_text(report, lang))
+
+
+RESULTS: Mapping[str, Callable[[Order], Written]] = {
+    "csv": _csv, "xlsx": _xlsx, "moodle": _moodle, "gradescope": _gradescope,
+    "prairielearn": _prairielearn, "canvas": _canvas, "report": _report,
+}  # fmt: skip
+"""By name, as `graphkin grade --format` has them."""

@@ -1,0 +1,26 @@
+"""Mistakes in words: what was done, and where to look again."""
+
+from __future__ import annotations
+
+from graphkin.errors import Lang
+from graphkin.marking.key import Name
+from graphkin.say.catalogue import is_phrase, say
+
+
+def mistake(name: Name, lang: Lang) -> str:
+    """As it was made, a noun phrase; one that is not known here by its id."""
+    id, way, of, form = name
+    for made in (f"mistakes.made {id} {way}", f"mistakes.made {id}"):
+        if is_phrase(made):
+            return say(made, lang, of=of, form=form)
+    return id
+
+
+def together(names: tuple[Name, ...], lang: Lang) -> str:
+    """Mistakes that were made together."""
+    return say("marks.together", lang).join(mistake(name, lang) for name in names)
+
+
+def hint(topic: str, lang: Lang) -> str:
+    """Where to look again, by a mistake's topic."""
+    return say(f"mistakes.look {topic}", lang)

@@ -1,0 +1,109 @@
+"""A problem in words: what is given, off the student's own mechanism file, what is asked, and how to hand it in."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from graphkin.errors import Lang
+from graphkin.marking.handed import asked_of
+from graphkin.mechanism import Mechanism
+from graphkin.quantities import EDGE, Centre, Component, Quantity, Quotient, read
+from graphkin.say import names
+from graphkin.say.catalogue import is_phrase, say
+
+
+def problem(mechanism: Mechanism, student: str, others: Sequence[str], points: Mapping[str, float], lang: Lang) -> str:
+    """The text of one student's problem. others: what else the student is called; points: by question, else 1."""
+    called = " ".join((student, *others))
+    lines = [say("problems.student", lang, student=called), *statement(mechanism, lang), "", say("problems.find", lang)]
+    marked = asked_of(mechanism)
+    for question in mechanism.ask:
+        worth = _worth(points.get(question, 1.0), lang) if question in marked else ""
+        lines.append(f"  {_asked(question, read(mechanism, question))}{worth}")
+    lines += ["", say("problems.hand in", lang), "", f"  student = {_quoted(student)}", "  [answers]"]
+    lines += [f'  "{question}" = ' for question in marked]
+    return "\n".join(lines) + f"\n\n{_MADE}\n"
+
+
+def statement(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
+    """The mechanism and what is given of it, in lines."""
+    yield from (mechanism.headline(lang), "", say("problems.given", lang))
+    yield from (f"  {line}" for line in _given(tomllib.loads(mechanism.text), lang))
+
+
+def remark(shared: Sequence[str], lang: Lang) -> str:
+    """That students have problems much alike."""
+    few = say("common.and", lang).join(shared[:10]) + (" .." if len(shared) > 10 else "")
+    return say("problems.shared", lang, count=len(shared), students=few)
+
+
+_MADE = "-- graphkin problems"
+
+
+def _quoted(text: str) -> str:
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+def _worth(points: float, lang: Lang) -> str:
+    return say("problems.points one" if points == 1 else "problems.points many", lang, points=points)
+
+
+def _asked(question: str, quantity: Quantity | None) -> str:
+    """`ω3 [rad/s]`, `aᵏ_B3B2 [m/s²]`."""
+    if quantity is None:
+        return question
+    sign = EDGE[quantity.unit].sign
+    unit = f" [{sign}]" if sign else ""
+    if isinstance(quantity, Quotient):
+        return f"{_symbol(quantity.top)} / {_symbol(quantity.bottom)}{unit}"
+    return _symbol(quantity) + unit
+
+
+def _symbol(quantity: Quantity) -> str:
+    """`ω3`, `aᵏ_B3B2`, `v_E,y`, `P13`."""
+    if isinstance(quantity, Centre):
+        return quantity.text
+    if isinstance(quantity, Component):
+        return f"{_symbol(quantity.whole)},{quantity.axis}"
+    if not quantity.sites:
+        return names.of_link(quantity.letter, quantity.of)
+    part = f"^{quantity.part}" if quantity.part else ""
+    return names.vector(f"{quantity.letter}{part}_{quantity.of}")
+
+
+# --- what is given ----------------------------------------------------------------------------
+
+
+def _given(document: dict[str, Any], lang: Lang) -> Iterator[str]:
+    """A line a link, pair and driver, in the file's order."""
+    for table, content in document.items():
+        if not is_phrase(f"problems.table {table}"):
+            continue
+        rows = content.items() if table == "links" else [("", row) for row in _rows(content)]
+        for name, row in rows:
+            head = say(f"problems.table {table}", lang) + (f" {name}" if name else "")
+            told = say("common.and", lang).join(_told(key, value, lang) for key, value in row.items())
+            yield f"{head}{say('common.colon', lang)}{told}"
+
+
+def _rows(content: Any) -> list[Any]:
+    return content if isinstance(content, list) else [content]
+
+
+def _told(key: str, value: object, lang: Lang) -> str:
+    known = say(f"problems.key {key}", lang) if is_phrase(f"problems.key {key}") else names.point(key)
+    return f"{known} = {_shown(value, lang)}"
+
+
+def _shown(value: object, lang: Lang) -> str:
+    match value:
+        case bool():
+            return str(value).lower()
+        case dict():
+            return "(" + say("common.and", lang).join(_told(key, inner, lang) for key, inner in value.items()) + ")"
+        case list():
+            return "(" + ", ".join(_shown(inner, lang) for inner in value) + ")"
+        case _:
+            return str(value)

@@ -1,0 +1,23 @@
+"""What students hand in, read: numbers in tables and texts, vectors measured on drawings, whole classes.
+
+    files, archives, class tables --handed_in--> Handed (owner, names and bytes, or a row), one after another
+    Handed + Asked --read_one--> Submission      pure; goes to any executor
+    read = both, with a time limit for each
+
+    documents, tables --Entry--> answers --questions, numbers, scales--> Given
+    drawings: svg, geogebra, dxf --Picture--> letters --> measuring --> Given
+
+Nothing here judges. A file that cannot be read is a Submission with its reason, and stops nothing. A new format of
+answers is a reader that gives a `Document`, of drawings one that gives a `Picture`.
+"""
+
+from graphkin.submissions.class_names import safe_name
+from graphkin.submissions.handed import Handed, handed_in
+from graphkin.submissions.pool import guarded
+from graphkin.submissions.reading import read, read_one
+from graphkin.submissions.submission import Asked, Drawn, Given, Limits, Sense, Submission
+
+__all__ = [
+    "Asked", "Drawn", "Given", "Handed", "Limits", "Sense", "Submission", "guarded", "handed_in", "read", "read_one",
+    "safe_name",
+]  # fmt: skip

@@ -1,0 +1,163 @@
+"""From what stands beside each name to values: scales first, then every answer in SI."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from graphkin.construction import Plane
+from graphkin.errors import (
+    NOWHERE,
+    AnsweredTwice,
+    GraphkinError,
+    NoPaperScale,
+    NotAnAnswer,
+    NotAQuestion,
+    OutOfRange,
+    TooMuch,
+    Where,
+    WrongType,
+)
+from graphkin.quantities import Centre, Moving, Quantity
+from graphkin.submissions import scales
+from graphkin.submissions.numbers import given
+from graphkin.submissions.questions import Questions
+from graphkin.submissions.spelling import plain, short
+from graphkin.submissions.submission import Given, Limits
+from graphkin.value import frozen
+
+Entry = tuple[str, object, Where]
+"""What an answer is called, what is given, and where it stands."""
+
+_NOTHING = {"", "-", "--", "---", "/", "\\", "?", "n/a", "na", "none", "null", "无", "空", "未答", "未作答"}
+
+
+@frozen
+class Answers:
+    """The values by question, the scales stated beside them, and what was passed over."""
+
+    values: Mapping[str, Given]
+    scales: Mapping[Plane, float]
+    notes: tuple[GraphkinError, ...]
+
+
+def answers(entries: Iterable[Entry], questions: Questions, limits: Limits) -> Answers:
+    """Raises TooMuch; whatever is wrong with one answer is in that answer or in the notes."""
+    found: dict[str, Given] = {}
+    notes: list[GraphkinError] = []
+    stated: dict[Plane, float] = {}
+    rest: list[Entry] = []
+    for count, (name, raw, where) in enumerate(entries):
+        if count >= limits.answers:
+            raise TooMuch(Where(where.file), "answers", limits.answers)
+        if (plane := scales.plane_named(name)) is None:
+            rest.append((name, raw, where))
+        elif not _nothing(raw):
+            _state(stated, notes, plane, raw, where)
+    known = scales.stated_by(questions.mechanism) | stated
+    for name, raw, where in rest:
+        if _nothing(raw):
+            continue
+        if (read := questions.read(name)) is None:
+            notes.append(NotAQuestion(where, short(name), tuple(questions.asked.values())))
+            continue
+        question, quantity, unit = read
+        value = _placed(_value(raw, quantity, unit, known), where)
+        found[question] = _joined(found[question], value, question) if question in found else value
+    return Answers(found, stated, tuple(notes))
+
+
+def _state(
+    stated: dict[Plane, float], notes: list[GraphkinError], plane: Plane, raw: object, where: Where
+) -> None:
+    try:
+        stated[plane] = scales.scale(raw, plane)
+    except GraphkinError as fault:
+        notes.append(fault.at(where))
+
+
+def _nothing(raw: object) -> bool:
+    return raw is None or (isinstance(raw, str) and plain(raw).lower() in _NOTHING)
+
+
+def _placed(value: Given, where: Where) -> Given:
+    return replace(value, where=where, fault=value.fault and value.fault.at(where))
+
+
+def _joined(first: Given, second: Given, question: str) -> Given:
+    """Two answers to one question: one where they say the same, else none."""
+    if first.value is None or second.value is None:
+        return first if second.value is None else second
+    if math.isclose(first.value, second.value, rel_tol=1e-9) and first.sense in (None, second.sense):
+        return second
+    fault = AnsweredTwice(second.where, question, first.text[:60], second.text[:60])
+    return replace(first, value=None, vector=None, fault=fault)
+
+
+# --- one value --------------------------------------------------------------------------------
+
+
+def _value(raw: object, quantity: Quantity, unit: str, stated: Mapping[Plane, float]) -> Given:
+    match raw:
+        case bool():
+            return Given(str(raw).lower(), None, fault=NotAnAnswer(NOWHERE, str(raw).lower()))
+        case int() | float():
+            return _number(raw, quantity, unit)
+        case str():
+            return _text(raw, quantity, unit, stated)
+        case {"value": inner, **more} if not isinstance(inner, dict | list):
+            parts = [str(part) for part in (inner, more.get("unit", ""), more.get("sense", "")) if part is not None]
+            return _text(" ".join(parts), quantity, unit, stated)
+        case [x, y]:
+            return _pair(x, y, quantity, unit)
+        case _:
+            return Given("", None, fault=WrongType(NOWHERE, "quantity", type(raw).__name__))
+
+
+def _number(raw: float, quantity: Quantity, unit: str) -> Given:
+    """A bare number; one too long to be printed is none."""
+    try:
+        shown = repr(float(raw)) if isinstance(raw, float) else str(raw) if abs(raw) < 10**30 else "1e999"
+    except OverflowError:
+        shown = "1e999"
+    if not math.isfinite(float(shown)):
+        return Given(shown, None, fault=OutOfRange(NOWHERE, shown))
+    return replace(given(shown, quantity.unit, unit), text=shown)
+
+
+def _text(raw: str, quantity: Quantity, unit: str, stated: Mapping[Plane, float]) -> Given:
+    text = raw.strip()[:400]
+    if isinstance(quantity, Centre | Moving) and (pair := _two(text)) is not None:
+        return replace(_pair(*pair, quantity, unit), text=text)
+    found = given(text, quantity.unit, unit)
+    plane = scales.plane_of(quantity.unit)
+    if plane is None or found.unit not in scales.PAPER or found.value is None:
+        return found
+    mm = found.value * scales.PAPER[found.unit]
+    if plane not in stated:
+        fault = NoPaperScale(NOWHERE, text[:60], plane)
+        return Given(text, None, None, found.unit, fault, paper_mm=mm)
+    return Given(text, mm * stated[plane], None, found.unit, paper_mm=mm)
+
+
+def _two(text: str) -> tuple[str, str] | None:
+    """`(12.3, 40.5) mm`: two numbers in brackets; `;` between decimal commas."""
+    made = plain(text)
+    if not made.startswith(("(", "[")):
+        return None
+    inner, close, unit = made[1:].partition(")" if made[0] == "(" else "]")
+    parts = inner.split(";") if ";" in inner else inner.split(",")
+    return (f"{parts[0]} {unit}", f"{parts[1]} {unit}") if close and len(parts) == 2 else None
+
+
+def _pair(x: object, y: object, quantity: Quantity, unit: str) -> Given:
+    """A place or a vector by its components."""
+    if not isinstance(quantity, Centre | Moving):
+        return Given(f"{x}, {y}"[:60], None, fault=WrongType(NOWHERE, "quantity", "[ .. ]"))
+    halves = [given(str(half), quantity.unit, unit) for half in (x, y)]
+    text = ", ".join(half.text[:60] for half in halves)
+    if (fault := next((half.fault for half in halves if half.value is None), None)) is not None:
+        return Given(text, None, fault=fault)
+    vector = complex(*(half.value or 0.0 for half in halves))
+    return Given(text, abs(vector), None, halves[0].unit, halves[0].fault, vector=vector)

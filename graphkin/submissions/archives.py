@@ -1,0 +1,101 @@
+"""Archives, never unpacked to disk: members are read by name, as many bytes as are allowed and no more."""
+
+from __future__ import annotations
+
+import io
+import zlib
+from collections.abc import Iterator
+from pathlib import Path
+from zipfile import BadZipFile, ZipFile, ZipInfo
+
+from graphkin.errors import BrokenSubmission, TooMuch, Where
+from graphkin.submissions.submission import Limits
+
+_JUNK = ("__MACOSX/", ".DS_Store", "Thumbs.db", "desktop.ini")
+_FLAG_UTF8, _FLAG_LOCKED = 0x800, 0x1
+
+
+def opened(source: bytes | Path, where: Where) -> ZipFile:
+    """Raises BrokenSubmission."""
+    try:
+        return ZipFile(io.BytesIO(source) if isinstance(source, bytes) else source)
+    except (BadZipFile, OSError, ValueError, NotImplementedError, OverflowError) as problem:
+        raise BrokenSubmission(where, "ZIP", str(problem)[:80]) from None
+
+
+def checked_zip(content: bytes, where: Where, limits: Limits) -> None:
+    """Whether a file that is a zip inside (.xlsx, .ggb) is within the limits, before another's reader opens it."""
+    with opened(content, where) as archive:
+        infos = archive.infolist()
+        if len(infos) > limits.members:
+            raise TooMuch(where, "members", limits.members)
+        if sum(info.file_size for info in infos) > 16 * limits.bytes:
+            raise TooMuch(where, "archive", 16 * limits.bytes)
+        for info in infos:
+            _check_ratio(info, where, limits)
+            _check_true_size(archive, info, where)
+
+
+def _check_true_size(archive: ZipFile, info: ZipInfo, where: Where) -> None:
+    """That a member is as large as it says: what is packed behind a small number is a bomb."""
+    try:
+        with archive.open(info) as stream:
+            left = info.file_size + 1
+            while left > 0 and (piece := stream.read(min(left, 1 << 20))):
+                left -= len(piece)
+    except _BROKEN as problem:
+        raise BrokenSubmission(where, "ZIP", type(problem).__name__) from None
+
+
+_BROKEN = (BadZipFile, zlib.error, OSError, ValueError, RuntimeError, NotImplementedError, EOFError, OverflowError)
+
+
+def members(archive: ZipFile, where: Where, limits: Limits) -> Iterator[tuple[str, ZipInfo]]:
+    """The files in it with their names. Raises TooMuch."""
+    infos = [info for info in archive.infolist() if not info.is_dir()]
+    if len(infos) > limits.members:
+        raise TooMuch(where, "members", limits.members)
+    if sum(info.file_size for info in infos) > limits.archive_bytes:
+        raise TooMuch(where, "archive", limits.archive_bytes)
+    for info in infos:
+        name = member_name(info)
+        if not any(part in name for part in _JUNK) and not name.rpartition("/")[2].startswith("._"):
+            yield name, info
+
+
+def member_name(info: ZipInfo) -> str:
+    """Its name as its maker wrote it: archives that say no encoding hold UTF-8 or GBK."""
+    if info.flag_bits & _FLAG_UTF8:
+        return info.filename
+    try:
+        raw = info.filename.encode("cp437")
+    except UnicodeEncodeError:
+        return info.filename
+    for encoding in ("utf-8", "gb18030"):
+        try:
+            return raw.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+    return info.filename
+
+
+def read_member(archive: ZipFile, info: ZipInfo, where: Where, limits: Limits) -> bytes:
+    """Its bytes. Raises TooMuch, BrokenSubmission."""
+    if info.flag_bits & _FLAG_LOCKED:
+        raise BrokenSubmission(where, "ZIP", "password")
+    if info.file_size > limits.bytes:
+        raise TooMuch(where, "bytes", limits.bytes)
+    _check_ratio(info, where, limits)
+    try:
+        with archive.open(info) as stream:
+            content = stream.read(limits.bytes + 1)
+    except _BROKEN as problem:
+        raise BrokenSubmission(where, "ZIP", type(problem).__name__) from None
+    if len(content) > limits.bytes:
+        raise TooMuch(where, "bytes", limits.bytes)
+    return content
+
+
+def _check_ratio(info: ZipInfo, where: Where, limits: Limits) -> None:
+    if info.file_size > 100_000 and info.file_size > limits.ratio * max(1, info.compress_size):
+        raise TooMuch(where, "ratio", limits.ratio)

@@ -1,0 +1,155 @@
+"""A drawing measured: its letters found, its scales known, the size and the direction of every vector taken."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import PurePosixPath
+
+from graphkin.construction import Plane
+from graphkin.errors import GraphkinError, LetterTwice, NoLetters, NoScaleDrawn, Where
+from graphkin.submissions import scales
+from graphkin.submissions.answers import answers
+from graphkin.submissions.documents import read_lines
+from graphkin.submissions.letters import find_letters
+from graphkin.submissions.picture import Picture
+from graphkin.submissions.polygons import Polygon, polygons
+from graphkin.submissions.questions import Questions
+from graphkin.submissions.submission import Asked, Drawn, Given, Limits
+
+_SHORTEST = 1.0
+"""A known vector shorter than this gives no scale [mm]."""
+_KEYS: Mapping[Plane, str] = {"position": "mu_l", "velocity": "mu_v", "acceleration": "mu_a"}
+
+Points = Mapping[tuple[Plane, str], complex]
+Measured = tuple[dict[str, Given], Drawn, list[GraphkinError]]
+
+
+def picture_of(name: str, content: bytes, where: Where, limits: Limits) -> Picture:
+    """What is drawn in a file, by its suffix. Raises BrokenSubmission, TooMuch, WantsExtra."""
+    from graphkin.submissions import dxf, geogebra, svg
+
+    readers: Mapping[str, Callable[[bytes, Where, Limits], Picture]]
+    readers = {".svg": svg.read_svg, ".ggb": geogebra.read_ggb, ".dxf": dxf.read_dxf}
+    return readers[PurePosixPath(name).suffix.lower()](content, where, limits)
+
+
+def measured(
+    name: str,
+    content: bytes,
+    where: Where,
+    asked: Asked,
+    stated: Mapping[Plane, float],
+    questions: Questions,
+    limits: Limits,
+) -> Measured:
+    """The vectors of a drawing's polygons, and what else is written on it. Raises what `picture_of` does, NoLetters."""
+    picture = picture_of(name, content, where, limits)
+    shapes = polygons(asked.mechanism, questions)
+    found = find_letters(picture, shapes, asked.mechanism.points, limits.names)
+    told, written = _told(picture, where, questions, limits)
+    known = {**scales.stated_by(asked.mechanism), **_calibrated(found.points, shapes)}
+    known |= {**picture.scales, **written, **stated}
+    turned = _turned(found.points, shapes) if limits.turned else {}
+    values = _named(picture, known, turned, questions, where)
+    values |= _vectors(found.points, shapes, known, turned, where)
+    if not values and not told and not found.points:
+        raise NoLetters(where, tuple(letter for shape in shapes for letter in shape.letters))
+    notes: list[GraphkinError] = [LetterTwice(where, letter) for letter in found.doubtful]
+    drawn = {plane for plane, _ in found.points}
+    notes += [NoScaleDrawn(where, plane, _KEYS[plane]) for plane in sorted(drawn) if plane not in known]
+    own = {plane for plane in known if plane not in {**picture.scales, **written, **stated}}
+    calibrated = tuple(sorted(own & set(_calibrated(found.points, shapes))))
+    return _with_told(values, told), Drawn(found.points, known, calibrated, turned), notes
+
+
+def _with_told(values: dict[str, Given], told: Mapping[str, Given]) -> dict[str, Given]:
+    """What is written beside what is measured: the written value, with the drawn direction."""
+    for question, given in told.items():
+        drawn = values.get(question)
+        values[question] = given if drawn is None else replace(given, vector=drawn.vector, ends=drawn.ends)
+    return values
+
+
+def _told(
+    picture: Picture, where: Where, questions: Questions, limits: Limits
+) -> tuple[dict[str, Given], Mapping[Plane, float]]:
+    """Answers and scales that are written on a drawing, as `ω3 = 3.92 rad/s`; its other texts are none."""
+    lines = "\n".join(text.text.replace("\n", " ") for text in picture.texts if "=" in text.text)
+    try:
+        found = answers(read_lines(lines, where, limits).entries, questions, limits)
+    except GraphkinError:
+        return {}, {}
+    told = {question: given for question, given in found.values.items() if given.value is not None}
+    return told, found.scales
+
+
+# --- scale and turn ---------------------------------------------------------------------------
+
+
+def _calibrated(points: Points, shapes: Sequence[Polygon]) -> dict[Plane, float]:
+    """SI per mm by the first known vector that is drawn long enough."""
+    found: dict[Plane, float] = {}
+    for shape in shapes:
+        for drawn, value in _first_known(points, shape)[:1]:
+            found[shape.plane] = abs(value) / abs(drawn)
+    return found
+
+
+def _turned(points: Points, shapes: Sequence[Polygon]) -> dict[Plane, float]:
+    """By how much a polygon stands turned, by the same vector [rad]."""
+    return {
+        shape.plane: cmath.phase(drawn / value) for shape in shapes for drawn, value in _first_known(points, shape)[:1]
+    }
+
+
+def _first_known(points: Points, shape: Polygon) -> list[tuple[complex, complex]]:
+    """As drawn [mm] and as it is [SI]."""
+    found = []
+    for vector, value in shape.known:
+        ends = [points.get((shape.plane, letter)) for letter in (vector.tail, vector.head)]
+        if ends[0] is not None and ends[1] is not None and abs(ends[1] - ends[0]) >= _SHORTEST and value:
+            found.append((ends[1] - ends[0], value))
+    return found
+
+
+# --- vectors ----------------------------------------------------------------------------------
+
+
+def _vectors(
+    points: Points, shapes: Sequence[Polygon], known: Mapping[Plane, float], turned: Mapping[Plane, float], where: Where
+) -> dict[str, Given]:
+    """Every vector between two letters that are found, where its plane has a scale."""
+    found: dict[str, Given] = {}
+    for shape in shapes:
+        for vector in shape.vectors:
+            tail, head = (points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
+            if vector.question and tail is not None and head is not None and shape.plane in known:
+                found.setdefault(vector.question, _given(tail, head, shape.plane, known, turned, where))
+    return found
+
+
+def _given(
+    tail: complex,
+    head: complex,
+    plane: Plane,
+    known: Mapping[Plane, float],
+    turned: Mapping[Plane, float],
+    where: Where,
+) -> Given:
+    vector = (head - tail) * known[plane] * cmath.rect(1, -turned.get(plane, 0.0))
+    return Given("", abs(vector), where=where, vector=vector, paper_mm=abs(head - tail), ends=(tail, head))
+
+
+def _named(
+    picture: Picture, known: Mapping[Plane, float], turned: Mapping[Plane, float], questions: Questions, where: Where
+) -> dict[str, Given]:
+    """Arrows that the file itself names after a quantity: `v_B3B2`."""
+    found: dict[str, Given] = {}
+    for arrow in picture.arrows:
+        read = questions.read(arrow.name) if arrow.name else None
+        plane = scales.plane_of(read[1].unit) if read is not None else None
+        if read is not None and plane is not None and plane in known and not read[2]:
+            found.setdefault(read[0], _given(arrow.tail, arrow.head, plane, known, turned, where))
+    return found

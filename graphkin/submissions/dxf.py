@@ -1,0 +1,139 @@
+"""DXF by ezdxf: lines, points, circles and texts, blocks taken apart; in mm by the drawing's own unit."""
+
+from __future__ import annotations
+
+import cmath
+import io
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from graphkin.errors import BrokenSubmission, GraphkinError, TooMuch, WantsExtra, Where
+from graphkin.submissions.picture import Dot, Picture, Text
+from graphkin.submissions.submission import Limits
+
+_MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
+"""By $INSUNITS: unitless counts as mm."""
+_WIDE = 0.8
+"""A letter's width in parts of its height."""
+
+
+def read_dxf(content: bytes, where: Where, limits: Limits) -> Picture:
+    """Raises WantsExtra, BrokenSubmission, TooMuch."""
+    try:
+        from ezdxf import recover
+    except ImportError:
+        raise WantsExtra(where, "DXF", "ezdxf") from None
+    if content.count(b"\n") > 60 * limits.elements:
+        raise TooMuch(where, "elements", limits.elements)
+    try:
+        document, _ = recover.read(io.BytesIO(content))
+        found = list(_Reader(document, where, limits).marks())
+    except (GraphkinError, MemoryError):
+        raise
+    except Exception as problem:  # ezdxf raises whatever it meets in a file that is none
+        raise BrokenSubmission(where, "DXF", type(problem).__name__) from None
+    if not found:
+        raise BrokenSubmission(where, "DXF")
+    lines = tuple(mark for mark in found if isinstance(mark, tuple))
+    return Picture(
+        lines, tuple(m for m in found if isinstance(m, Dot)), tuple(m for m in found if isinstance(m, Text))
+    )  # fmt: skip
+
+
+_Mark = tuple[complex, complex] | Dot | Text
+
+
+class _Reader:
+    """Walks the entities once; blocks are followed as often as the limits allow."""
+
+    def __init__(self, document: Any, where: Where, limits: Limits) -> None:
+        self.document, self.where, self.limits = document, where, limits
+        self.mm = _MM.get(int(document.header.get("$INSUNITS", 0) or 0), 1.0)
+        self.walked = 0
+        self.hidden = {layer.dxf.name.lower() for layer in document.layers if layer.is_off() or layer.is_frozen()}
+
+    def marks(self) -> Iterator[_Mark]:
+        for entity in self.document.modelspace():
+            yield from self._marks(entity, 0)
+
+    def _marks(self, entity: Any, depth: int) -> Iterator[_Mark]:
+        self.walked += 1
+        if self.walked > self.limits.elements:
+            raise TooMuch(self.where, "elements", self.limits.elements)
+        if entity.dxf.get("layer", "0").lower() in self.hidden or entity.dxf.get("invisible", 0):
+            return
+        match entity.dxftype():
+            case "INSERT":
+                yield from self._block(entity, depth)
+            case "LINE":
+                yield self._place(entity.dxf.start), self._place(entity.dxf.end)
+            case "LWPOLYLINE" | "POLYLINE":
+                yield from self._polyline(entity)
+            case "POINT":
+                yield Dot(self._place(entity.dxf.location))
+            case "CIRCLE":
+                yield Dot(self._place(entity.ocs().to_wcs(entity.dxf.center)))
+            case "TEXT" | "ATTRIB":
+                yield from self._text(entity)
+            case "MTEXT":
+                yield from self._mtext(entity)
+            case _:
+                pass
+
+    def _block(self, insert: Any, depth: int) -> Iterator[_Mark]:
+        """What a block shows where it is put, its attributes too."""
+        if depth > min(self.limits.depth, 20):
+            raise TooMuch(self.where, "depth", min(self.limits.depth, 20))
+        if insert.mcount > self.limits.copies:
+            raise TooMuch(self.where, "copies", self.limits.copies)
+        for single in insert.multi_insert() if insert.mcount > 1 else (insert,):
+            for entity in single.virtual_entities():
+                yield from self._marks(entity, depth + 1)
+        for attribute in insert.attribs:
+            yield from self._marks(attribute, depth + 1)
+
+    def _place(self, point: Any) -> complex:
+        place = complex(point.x, point.y) * self.mm
+        if not (cmath.isfinite(place) and abs(place) < 1e9):
+            raise BrokenSubmission(self.where, "DXF", "coordinates")
+        return place
+
+    def _polyline(self, entity: Any) -> Iterator[_Mark]:
+        for piece in entity.virtual_entities():
+            if piece.dxftype() == "LINE":
+                yield from self._marks(piece, 0)
+
+    def _text(self, entity: Any) -> Iterator[Text]:
+        """From where it is aligned to its left end, along its own line."""
+        letters = entity.plain_text().strip()
+        placement = entity.get_placement()
+        anchor = self._place(entity.ocs().to_wcs(placement[1]))
+        right, up = self._axes(entity, entity.dxf.get("rotation", 0.0))
+        tall = float(entity.dxf.height) * self.mm
+        width = _WIDE * tall * len(letters) * float(entity.dxf.get("width", 1.0) or 1.0)
+        name = placement[0].name
+        left = 0.0 if name.endswith("LEFT") or name == "LEFT" else width if name.endswith("RIGHT") else width / 2
+        low = tall if name.startswith("TOP") else tall / 2 if name.startswith("MIDDLE") else 0.0
+        if letters:
+            yield Text(letters[:400], anchor - left * right - low * up, right, up, width, tall, 0.25 * tall)
+
+    def _axes(self, entity: Any, degrees: float) -> tuple[complex, complex]:
+        """The directions of a text's line and across it, as they come to lie."""
+        ocs, turned = entity.ocs(), math.radians(degrees)
+        right = ocs.to_wcs((math.cos(turned), math.sin(turned), 0))
+        up = ocs.to_wcs((-math.sin(turned), math.cos(turned), 0))
+        one, other = complex(right[0], right[1]), complex(up[0], up[1])
+        return one / (abs(one) or 1.0), other / (abs(other) or 1.0)
+
+    def _mtext(self, entity: Any) -> Iterator[Text]:
+        letters = " ".join(entity.plain_text().split())
+        tall = float(entity.dxf.char_height) * self.mm
+        width = _WIDE * tall * len(letters)
+        direction = entity.dxf.text_direction if entity.dxf.hasattr("text_direction") else None
+        degrees = entity.get_rotation() if direction is None else math.degrees(math.atan2(direction.y, direction.x))
+        right = cmath.rect(1, math.radians(degrees))
+        row, column = divmod(int(entity.dxf.attachment_point) - 1, 3)
+        corner = self._place(entity.dxf.insert) - right * width * column / 2 - 1j * right * tall * (1, 0.5, 0)[row]
+        if letters:
+            yield Text(letters[:400], corner, right, 1j * right, width, tall, 0.25 * tall)

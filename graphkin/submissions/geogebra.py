@@ -1,0 +1,139 @@
+"""GeoGebra's .ggb: a zip with `geogebra.xml`. Points by their labels; one of its units counts as a millimetre,
+unless a text of the file says `unit = 10 mm`.
+
+Coordinates in a saved file are what GeoGebra last computed, homogeneous: they are divided by z.
+"""
+
+from __future__ import annotations
+
+import cmath
+import re
+from collections.abc import Iterator, Mapping
+from xml.etree.ElementTree import Element
+
+from graphkin.errors import BrokenSubmission, Where
+from graphkin.submissions import archives
+from graphkin.submissions.picture import Arrow, Dot, Picture, Text
+from graphkin.submissions.submission import Limits
+from graphkin.submissions.svg import xml_root
+
+_POINT = re.compile(r"\(\s*([-+0-9.eE]+)\s*,\s*([-+0-9.eE]+)\s*\)")
+_UNIT = re.compile(r"(?:unit|单位)\s*=\s*([0-9]+(?:\.[0-9]+)?)\s*mm", re.I)
+_VECTOR = re.compile(r"(?:Vector|Vektor|Vecteur)\[\s*(.+)\s*\]", re.I)
+
+
+def read_ggb(content: bytes, where: Where, limits: Limits) -> Picture:
+    """Raises BrokenSubmission, TooMuch."""
+    archives.checked_zip(content, where, limits)
+    with archives.opened(content, where) as archive:
+        inside = next((info for name, info in archives.members(archive, where, limits) if name == "geogebra.xml"), None)
+        if inside is None:
+            raise BrokenSubmission(where, "GeoGebra", "geogebra.xml")
+        xml = archives.read_member(archive, inside, where, limits)
+    root = xml_root(xml, where, "GeoGebra", limits, forbid_dtd=True)
+    construction = root.find("construction")
+    if root.tag != "geogebra" or construction is None:
+        raise BrokenSubmission(where, "GeoGebra")
+    return _picture(construction)
+
+
+def _picture(construction: Element) -> Picture:
+    elements = [element for element in construction if element.tag == "element"]
+    placed = ((element, element.get("label", ""), _place(element)) for element in elements)
+    points = {label: (element, place) for element, label, place in placed if place is not None}
+    places = {label: place for label, (_, place) in points.items()}
+    written = {e.get("label", ""): e.get("exp", "") for e in construction if e.tag == "expression"}
+    dots = [Dot(place, _called(element)) for element, place in points.values()]
+    ends = dict(_ends(construction, places, written))
+    vectors = [element for element in elements if element.get("type") == "vector"]
+    drawn = ((element, ends.get(element.get("label", "")) or _free(element)) for element in vectors)
+    arrows = [Arrow(_called(element), *pair) for element, pair in drawn if pair is not None]
+    texts = [
+        Text(text, places.get("", 0j), 1 + 0j, 1j, 0.0, 0.0)
+        for element in elements
+        if element.get("type") == "text" and "=" in (text := written.get(element.get("label", ""), "").strip('"'))
+    ]
+    return _in_mm(Picture(tuple(ends.values()), tuple(dots), tuple(texts), tuple(arrows)))
+
+
+def _in_mm(picture: Picture) -> Picture:
+    """By `unit = 10 mm`, where a text of the file says so."""
+    told = (_UNIT.search(text.text) for text in picture.texts)
+    mm = next((float(found[1]) for found in told if found is not None), 1.0)
+    if not 1e-6 < mm < 1e6 or mm == 1.0:
+        return picture
+    return Picture(
+        tuple((mm * one, mm * other) for one, other in picture.lines),
+        tuple(Dot(mm * dot.place, dot.name) for dot in picture.dots),
+        picture.texts,
+        tuple(Arrow(arrow.name, mm * arrow.tail, mm * arrow.head) for arrow in picture.arrows),
+    )
+
+
+def _number(element: Element | None, key: str) -> float | None:
+    try:
+        value = float(element.get(key, "")) if element is not None else float("nan")
+    except ValueError:
+        return None
+    return value if abs(value) < 1e12 else None
+
+
+def _place(element: Element) -> complex | None:
+    """Of a point; None for one that is undefined or at infinity."""
+    if element.get("type") != "point":
+        return None
+    x, y, z = (_number(element.find("coords"), key) for key in "xyz")
+    if x is None or y is None or not z or abs(complex(x, y) / z) > 1e9:
+        return None
+    return complex(x, y) / z
+
+
+def _called(element: Element) -> str:
+    """Its caption where one is shown (or its name is the program's own), else its name."""
+    caption, mode = element.find("caption"), element.find("labelMode")
+    shown = caption is not None and mode is not None and mode.get("val") in ("3", "9")
+    name = caption.get("val", "") if shown and caption is not None else element.get("label", "")
+    return name.replace("%n", element.get("label", ""))[:60]
+
+
+def _ends(
+    construction: Element, places: Mapping[str, complex], written: Mapping[str, str]
+) -> Iterator[tuple[str, tuple[complex, complex]]]:
+    """Segments and vectors by the command that made them."""
+    for command in construction.iter("command"):
+        given, made = command.find("input"), command.find("output")
+        if command.get("name") not in ("Segment", "Vector", "Ray", "Line") or given is None or made is None:
+            continue
+        ends = [_point(given.get(key, ""), places) for key in ("a0", "a1") if given.get(key)]
+        ends = [0j, *ends] if len(ends) == 1 and command.get("name") == "Vector" else ends
+        if len(ends) == 2 and ends[0] is not None and ends[1] is not None:
+            yield made.get("a0", ""), (ends[0], ends[1])
+    for label, text in written.items():
+        if (vector := _VECTOR.fullmatch(text.strip())) is not None:
+            parts = re.split(r",(?![^(]*\))", vector[1])
+            ends = [_point(part, places) for part in parts]
+            if len(ends) == 2 and ends[0] is not None and ends[1] is not None:
+                yield label, (ends[0], ends[1])
+
+
+def _point(text: str, places: Mapping[str, complex]) -> complex | None:
+    """By its name, or written as (1, 2)."""
+    name = text.strip()
+    if name in places:
+        return places[name]
+    pair = _POINT.fullmatch(name)
+    try:
+        place = complex(float(pair[1]), float(pair[2])) if pair is not None else None
+    except ValueError:
+        return None
+    return place if place is not None and cmath.isfinite(place) else None
+
+
+def _free(element: Element) -> tuple[complex, complex] | None:
+    """A vector that no two points made, from where it starts."""
+    x, y = (_number(element.find("coords"), key) for key in "xy")
+    if x is None or y is None:
+        return None
+    start = element.find("startPoint")
+    tail = complex(_number(start, "x") or 0.0, _number(start, "y") or 0.0)
+    return tail, tail + complex(x, y)

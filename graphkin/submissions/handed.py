@@ -1,0 +1,207 @@
+"""What there is to read, one hand-in after another: files, folders, the students of an archive, rows of a class table.
+
+Nothing of a student's is parsed here but the cells of a class table; that is `read_one`'s.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from pathlib import Path, PurePosixPath
+
+from graphkin.errors import BrokenSubmission, GraphkinError, NoFile, TooMuch, Unreadable, Where
+from graphkin.submissions import archives
+from graphkin.submissions.class_names import Owner, owner, tidy_id
+from graphkin.submissions.deadline import limited
+from graphkin.submissions.documents import listed
+from graphkin.submissions.submission import Limits
+from graphkin.submissions.tables import Row, csv_cells, rows_of, xlsx_cells
+from graphkin.submissions.texts import decoded
+from graphkin.value import frozen
+
+
+@frozen
+class Handed:
+    """What one student handed in, unread.
+
+    owner    who it seems to be; a file may state an id itself
+    file     as results call it
+    place    line of the class table, or the member's name
+    files    names and bytes
+    row      a row of a class table, instead
+    reason   why there is nothing to read
+    """
+
+    owner: Owner
+    file: str
+    place: str = ""
+    files: tuple[tuple[str, bytes], ...] = ()
+    row: Row | None = None
+    reason: GraphkinError | None = None
+
+    @property
+    def digest(self) -> str:
+        """Of all that it holds, by which a broken-off marking knows it again."""
+        found = hashlib.sha256(repr((self.owner.student, self.file, self.row)).encode("utf-8", "surrogatepass"))
+        for name, content in self.files:
+            found.update(repr((name, len(content))).encode("utf-8", "surrogatepass"))
+            found.update(content)
+        return found.hexdigest()
+
+
+def handed_in(paths: Iterable[str | Path], limits: Limits) -> Iterator[Handed]:
+    """Everything in these files, archives and folders, in order; what cannot be opened comes with its reason."""
+    for path in map(Path, paths):
+        where = Where(str(path))
+        try:
+            yield from _of_path(path, where, limits)
+        except GraphkinError as reason:
+            yield Handed(owner(path.name), str(path), reason=reason)
+        except OSError as problem:
+            yield Handed(owner(path.name), str(path), reason=Unreadable(where, problem.strerror or str(problem)))
+
+
+def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
+    if path.is_dir():
+        yield from _of_folder(path, limits)
+    elif not path.exists():
+        raise NoFile(where, path.name, ())
+    elif not path.is_file():
+        raise Unreadable(where, "not a file")
+    elif path.suffix.lower() == ".zip":
+        yield from _of_archive(path, where, limits)
+    elif path.suffix.lower() in (".csv", ".tsv"):
+        with path.open("rb") as stream:
+            yield from _of_table(rows_of(csv_cells(stream, where), where, limits), path, where, limits)
+    elif path.suffix.lower() in (".xlsx", ".xlsm"):
+        cells = xlsx_cells(_content(path, where, limits), where, limits)
+        yield from _of_table(rows_of(cells, where, limits), path, where, limits)
+    else:
+        yield from _of_file(path, where, limits)
+
+
+def _content(path: Path, where: Where, limits: Limits) -> bytes:
+    with path.open("rb") as stream:
+        content = stream.read(limits.bytes + 1)
+    if len(content) > limits.bytes:
+        raise TooMuch(where, "bytes", limits.bytes)
+    return content
+
+
+def _of_file(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
+    content = _content(path, where, limits)
+    if path.suffix.lower() == ".json" and content.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"[":
+        students = listed(decoded(content, where), where, limits)
+        for number, student in enumerate(students or (), 1):
+            row = Row(student.student, number, tuple((name, value, number) for name, value, _ in student.entries))
+            yield _of_row(row, owner(path.name), str(path))
+        if students:
+            return
+    yield Handed(owner(path.name), str(path), files=((path.name, content),))
+
+
+def _of_table(rows: Iterator[Row], path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
+    """What breaks off in the middle keeps the rows before it."""
+    by_file, line = owner(path.name), 0
+    try:
+        for row in _timed(rows, where, limits):
+            line = row.line
+            yield _of_row(row, by_file, str(path))
+    except GraphkinError as reason:
+        yield Handed(by_file, str(path), place=str(line + 1) if line else "", reason=reason.at(where))
+
+
+def _timed(rows: Iterator[Row], where: Where, limits: Limits) -> Iterator[Row]:
+    """Each row within the time of a submission."""
+    while True:
+        with limited(limits.seconds, where):
+            row = next(rows, None)
+        if row is None:
+            return
+        yield row
+
+
+def _of_row(row: Row, by_file: Owner, file: str) -> Handed:
+    student = Owner(tidy_id(row.student), (), str(row.line)) if row.student.strip() else by_file
+    return Handed(student, file, str(row.line), row=row)
+
+
+def _of_folder(path: Path, limits: Limits) -> Iterator[Handed]:
+    """A folder as an archive that was unpacked; links out of it are not followed."""
+    found = sorted(_walked(path))
+    if len(found) > limits.members:
+        raise TooMuch(Where(str(path)), "members", limits.members)
+    names = [inside.relative_to(path).as_posix() for inside in found]
+    for who, numbers in _grouped(names).items():
+        files, reason = [], None
+        for k in numbers:
+            try:
+                files.append((names[k], _content(found[k], Where(str(found[k])), limits)))
+            except GraphkinError as problem:
+                reason = problem
+            except OSError as problem:
+                reason = Unreadable(Where(str(found[k])), problem.strerror or str(problem))
+        first = names[numbers[0]]
+        yield Handed(who, f"{path}/{first}", first, tuple(files), reason=None if files else reason)
+
+
+def _walked(path: Path) -> Iterator[Path]:
+    for folder, below, files in os.walk(path):
+        below.sort()
+        for name in files:
+            inside = Path(folder, name)
+            if not name.startswith(".") and inside.is_file() and not inside.is_symlink():
+                yield inside
+
+
+def _of_archive(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
+    with archives.opened(path, where) as archive:
+        inside = list(archives.members(archive, where, limits))
+        names = [name for name, _ in inside]
+        if not inside:
+            raise BrokenSubmission(where, "ZIP")
+        for who, numbers in _grouped(names).items():
+            files, reason = [], None
+            for k in numbers:
+                member = Where(f"{path}!{names[k]}")
+                try:
+                    files.append((names[k], archives.read_member(archive, inside[k][1], member, limits)))
+                except GraphkinError as problem:
+                    reason = problem
+            first = names[numbers[0]]
+            yield Handed(who, f"{path}!{first}", first, tuple(files), reason=None if files else reason)
+
+
+def _grouped(names: list[str]) -> dict[Owner, list[int]]:
+    """The files of each hand-in, in the order of the first of each."""
+    root = _root(names)
+    found: dict[str, tuple[Owner, list[int]]] = {}
+    shared = _shared_folders(names)
+    for k, name in enumerate(names):
+        who = owner(name, root, alone=_folder(name) in shared)
+        found.setdefault(who.group, (who, []))[1].append(k)
+    return dict(found.values())
+
+
+def _shared_folders(names: list[str]) -> set[str]:
+    """Folders with several files of one kind: a class's, while a student's own has answers and a drawing."""
+    kinds = Counter((_folder(name), PurePosixPath(name).suffix.lower()) for name in names)
+    return {folder for (folder, _), count in kinds.items() if count > 1}
+
+
+def _folder(name: str) -> str:
+    return name.rpartition("/")[0]
+
+
+def _root(names: list[str]) -> str:
+    """The folder about everything, where it is nobody's own: `homework 3/` of an archive that holds only that."""
+    folder, slash, _ = names[0].partition("/")
+    shared = slash and all(name.startswith(f"{folder}/") for name in names)
+    if not shared or "_assignsubmission_" in folder:
+        return ""
+    below = {name[len(folder) + 1 :].partition("/")[0] for name in names}
+    if len(below) > 1 or len(names) == 1:
+        return f"{folder}/"
+    return f"{folder}/" + _root([name[len(folder) + 1 :] for name in names])

@@ -1,0 +1,305 @@
+"""Which point of a drawing bears which letter.
+
+A letter stands beside its point, and points that a vector joins are joined by a line: among the line ends, dots and
+crossings near a letter the one counts that is nearest, a drawn vector making up for some millimetres.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import combinations, permutations
+
+from graphkin.construction import Plane
+from graphkin.submissions.picture import Dot, Picture, Text
+from graphkin.submissions.polygons import Polygon
+from graphkin.submissions.spelling import plain
+from graphkin.value import frozen
+
+_REACH = 6.0
+"""A letter belongs to no dot farther from it [mm]."""
+_NEAR = 4.0
+"""Nor to the end of a line or a crossing so far from it, which may be anything [mm]."""
+_FARTHER = 0.2
+"""Each millimetre more counts for more than the one before [1/mm]."""
+_JOINED = 2.5
+"""What a vector that is drawn makes up for [mm]."""
+_SAME = 0.2
+"""Closer than this, marks of one point are one [mm]."""
+_END, _LEADER, _CROSSING = 1.5, 2.5, 3.0
+"""A dot is meant before a line's end, that before where a leader from the letter leads to or a crossing [mm]."""
+_TOUCHES = 3.0
+"""A leader begins so near its letter [mm]."""
+_CLEAR = 1.5
+"""By so much the best point must be better than the next [mm]."""
+_CANDIDATES = 12
+_LINES_NEAR = 40
+_ROUNDS = 8
+
+Place = tuple[float, complex]
+"""How far a candidate is from its letter, and where it is [mm]."""
+
+
+@frozen
+class Found:
+    """Where the letters are, by plane and the construction's letter; and those of which it is not clear."""
+
+    points: Mapping[tuple[Plane, str], complex]
+    doubtful: tuple[str, ...]
+
+
+def find_letters(
+    picture: Picture, polygons: Sequence[Polygon], others: Collection[str] = (), names: Sequence[str] = ()
+) -> Found:
+    """Where each letter of each polygon is.
+
+    others  what letters something else: the points of the mechanism
+    names   letters of the dots in the file's order, instead of those that stand beside them
+    """
+    spelled = {name: key for name, key in _spelled(polygons).items() if name not in others}
+    sure = _by_name(picture.dots, names, spelled)
+    written = _written(picture.texts, spelled)
+    points, doubtful = dict(sure), []
+    for polygon in polygons:
+        wanted = {key: texts for key, texts in written.items() if key[0] == polygon.plane and key not in sure}
+        choices = {key[1]: _candidates(picture, texts) for key, texts in wanted.items()}
+        fixed = {letter: place for (plane, letter), place in sure.items() if plane == polygon.plane}
+        chosen = _settled({k: v for k, v in choices.items() if v}, fixed, polygon, picture)
+        for letter, place in chosen.items():
+            if place is None:
+                doubtful.append(letter)
+            else:
+                points[polygon.plane, letter] = place
+    return Found(points, tuple(doubtful))
+
+
+# --- what letters are written -----------------------------------------------------------------
+
+
+def _written(
+    texts: Sequence[Text], spelled: Mapping[str, tuple[Plane, str]]
+) -> dict[tuple[Plane, str], list[Text]]:
+    """The texts of each letter; those with the letter itself where there are any, else those spelled otherwise."""
+    exact: dict[tuple[Plane, str], list[Text]] = {}
+    other: dict[tuple[Plane, str], list[Text]] = {}
+    for text in texts:
+        pieces = _pieces(text.text)
+        for key in _keys(text.text, spelled):
+            (exact if key[1] in pieces else other).setdefault(key, []).append(text)
+    return other | exact
+
+
+def _spelled(polygons: Sequence[Polygon]) -> dict[str, tuple[Plane, str]]:
+    """By every spelling the point it means.
+
+    One without its prime is the acceleration's where no other is so called. One with a capital letter is a polygon's
+    where a number or a prime stands with it.
+    """
+    found: dict[str, tuple[Plane, str]] = {}
+    more: dict[str, tuple[Plane, str]] = {}
+    for polygon in polygons:
+        for letter, alike in polygon.letters.items():
+            found.setdefault(letter, (polygon.plane, letter))
+            for name in alike:
+                more.setdefault(name, (polygon.plane, letter))
+    for polygon in polygons:
+        for letter, alike in polygon.letters.items():
+            for name in alike:
+                more.setdefault(name.replace("'", ""), (polygon.plane, letter))
+        for short, letter in _without_numbers(polygon).items():
+            more.setdefault(short, (polygon.plane, letter))
+    found = more | found
+    large = {name[0].upper() + name[1:]: key for name, key in found.items() if len(name) > 1 or name in ("p", "o")}
+    return large | found
+
+
+def _without_numbers(polygon: Polygon) -> dict[str, str]:
+    """`n'` for `n3'`, where there is one n in this polygon."""
+    short: dict[str, list[str]] = {}
+    for letter in polygon.letters:
+        if re.fullmatch(r"[nk][0-9]+'+", letter):
+            short.setdefault(re.sub("[0-9]", "", letter), []).append(letter)
+    return {name: letters[0] for name, letters in short.items() if len(letters) == 1}
+
+
+def _keys(text: str, spelled: Mapping[str, tuple[Plane, str]]) -> list[tuple[Plane, str]]:
+    """What a text letters: `b₃`, `b_{3}'`, `p, a, d`, `p′(a′, d′)`; nothing where it says anything else."""
+    pieces = _pieces(text)
+    keys = [_key(piece, spelled) for piece in pieces]
+    return [key for key in dict.fromkeys(keys) if key is not None] if keys and all(keys) else []
+
+
+def _pieces(text: str) -> list[str]:
+    if len(text) > 60:
+        return []
+    made = re.sub(r"[_{}$\\^ ]", "", plain(re.sub(r"[,;/()、]|\s{2,}", " , ", text)))
+    return [piece for piece in made.split(",") if piece]
+
+
+def _key(piece: str, spelled: Mapping[str, tuple[Plane, str]]) -> tuple[Plane, str] | None:
+    return spelled.get(piece.replace('"', "''"))
+
+
+def _by_name(
+    dots: Sequence[Dot], names: Sequence[str], spelled: Mapping[str, tuple[Plane, str]]
+) -> dict[tuple[Plane, str], complex]:
+    """Dots whose name the file says; a name at two places is none."""
+    places: dict[tuple[Plane, str], set[complex]] = {}
+    for k, dot in enumerate(dots):
+        name = names[k] if k < len(names) else dot.name
+        for key in _keys(name, spelled) if name else ():
+            if dot.plane in (None, key[0]):
+                places.setdefault(key, set()).add(dot.place)
+    return {key: next(iter(found)) for key, found in places.items() if len(found) == 1}
+
+
+# --- where they belong ------------------------------------------------------------------------
+
+
+def _candidates(picture: Picture, texts: Sequence[Text]) -> list[Place]:
+    """Points near any of a letter's texts, the nearest first."""
+    found: list[Place] = []
+    for text in texts[:8]:
+        near = [(_far(text, dot.place, _REACH), dot.place) for dot in picture.dots]
+        near += [(_END + _far(text, end, _NEAR), end) for line in picture.lines for end in line]
+        near += [(_LEADER + distance, far) for distance, far in _led(picture, text)]
+        near += [(_CROSSING + _far(text, place, _NEAR), place) for place in _crossings(picture, text)]
+        for distance, place in sorted((pair for pair in near if pair[0] < math.inf), key=lambda pair: pair[0]):
+            if all(abs(place - other) > _SAME for _, other in found):
+                found.append((distance, place))
+            if len(found) >= _CANDIDATES:
+                break
+    return sorted(found, key=lambda pair: pair[0])
+
+
+def _far(text: Text, place: complex, reach: float) -> float:
+    """How unlikely it is that a text letters a place, in mm of a letter that stands close by."""
+    distance = text.distance(place)
+    return distance + distance**2 * _FARTHER if distance <= reach else math.inf
+
+
+def _led(picture: Picture, text: Text) -> Iterator[Place]:
+    """The far ends of lines that begin at a text and at nothing else."""
+    for line in picture.lines:
+        for end, far in (line, line[::-1]):
+            distance = text.distance(end)
+            if distance <= _TOUCHES and abs(far - end) <= 2 * _REACH and _free(end, line, picture):
+                yield distance, far
+
+
+def _free(end: complex, own: tuple[complex, complex], picture: Picture) -> bool:
+    marks = (dot.place for dot in picture.dots)
+    ends = (place for line in picture.lines if line is not own for place in line)
+    return all(abs(end - mark) > _SAME for mark in marks) and all(abs(end - other) > _SAME for other in ends)
+
+
+def _crossings(picture: Picture, text: Text) -> Iterator[complex]:
+    """Where lines cross near a text: direction lines are drawn beyond their points."""
+    middle = text.corner + text.right * text.width / 2
+    reach = _REACH + text.width / 2 + text.above
+    near = [line for line in picture.lines if _off(middle, *line) < reach][:_LINES_NEAR]
+    for one, other in combinations(near, 2):
+        place = _crossing(one, other)
+        if place is not None and text.distance(place) <= _REACH:
+            yield place
+
+
+def _crossing(one: tuple[complex, complex], other: tuple[complex, complex]) -> complex | None:
+    a, b = one[1] - one[0], other[1] - other[0]
+    turn = (a.conjugate() * b).imag
+    if abs(turn) <= 0.02 * abs(a) * abs(b):
+        return None
+    along = ((other[0] - one[0]).conjugate() * b).imag / turn
+    place = one[0] + along * a
+    slack = _SAME / abs(a)
+    return place if -slack <= along <= 1 + slack and _off(place, *other) <= _SAME else None
+
+
+def _off(place: complex, start: complex, end: complex) -> float:
+    """The distance of a place from a piece of a line [mm]."""
+    along = end - start
+    share = ((place - start) * along.conjugate()).real / abs(along) ** 2 if along else 0.0
+    return abs(place - start - min(1.0, max(0.0, share)) * along)
+
+
+class _Layout:
+    """Letters on points: what an arrangement of them costs [mm]."""
+
+    def __init__(
+        self, choices: Mapping[str, list[Place]], fixed: Mapping[str, complex], polygon: Polygon, picture: Picture
+    ) -> None:
+        self.choices, self.picture = choices, picture
+        self.far = {(letter, place): distance for letter, places in choices.items() for distance, place in places}
+        self.around: dict[str, set[str]] = {}
+        for vector in polygon.vectors:
+            self.around.setdefault(vector.tail, set()).add(vector.head)
+            self.around.setdefault(vector.head, set()).add(vector.tail)
+        self.chosen = {letter: places[0][1] for letter, places in choices.items()} | dict(fixed)
+        self._through: dict[complex, frozenset[int]] = {}
+
+    def cost(self, changes: Mapping[str, complex]) -> float:
+        """With some letters moved. Each letter: its distance, less for its drawn vectors, more on another's point."""
+        chosen = {**self.chosen, **changes}
+        taken = Counter(_cell(place) for place in chosen.values())
+        total = 0.0
+        for letter in self.choices:
+            place = chosen[letter]
+            others = [chosen[name] for name in self.around.get(letter, ()) if name in chosen]
+            drawn = sum(self._joined(place, other) for other in others) / max(1, len(others))
+            total += self.far[letter, place] - _JOINED * drawn + _JOINED * (taken[_cell(place)] > 1)
+        return total
+
+    def moves(self) -> Iterator[dict[str, complex]]:
+        """A letter to another point of its own; one that takes another's, which moves on; two, three that exchange."""
+        for letter, places in self.choices.items():
+            yield from ({letter: place} for _, place in places if place != self.chosen[letter])
+        for one, other in permutations(self.choices, 2):
+            there = self.chosen[other]
+            if there != self.chosen[one] and (one, there) in self.far:
+                yield from ({one: there, other: place} for _, place in self.choices[other] if place != there)
+        for letters in permutations(self.choices, 3):
+            if letters[0] == min(letters):
+                yield from self._round(letters)
+
+    def _round(self, letters: tuple[str, ...]) -> Iterator[dict[str, complex]]:
+        """Each to the next one's point."""
+        moved = {letter: self.chosen[after] for letter, after in zip(letters, (*letters[1:], letters[0]), strict=True)}
+        if all(move in self.far for move in moved.items()) and len(set(moved.values())) == len(moved):
+            yield moved
+
+    def _joined(self, one: complex, other: complex) -> bool:
+        """Whether a line runs from the one to the other."""
+        return abs(one - other) >= _SAME and bool(self._lines(one) & self._lines(other))
+
+    def _lines(self, place: complex) -> frozenset[int]:
+        if place not in self._through:
+            passing = (k for k, line in enumerate(self.picture.lines) if _off(place, *line) < _SAME)
+            self._through[place] = frozenset(passing)
+        return self._through[place]
+
+
+def _cell(place: complex) -> tuple[float, float]:
+    return round(place.real, 3), round(place.imag, 3)
+
+
+def _settled(
+    choices: Mapping[str, list[Place]], fixed: Mapping[str, complex], polygon: Polygon, picture: Picture
+) -> dict[str, complex | None]:
+    """The best arrangement; None for letters that could as well be elsewhere."""
+    layout = _Layout(choices, fixed, polygon, picture)
+    best = layout.cost({})
+    for _ in range(_ROUNDS):
+        before = best
+        for move in layout.moves():
+            if (cost := layout.cost(move)) < best - 1e-9:
+                layout.chosen.update(move)
+                best = cost
+        if best == before:
+            break
+    found: dict[str, complex | None] = {letter: layout.chosen[letter] for letter in choices}
+    for move in layout.moves():
+        if layout.cost(move) < best + _CLEAR:
+            found.update(dict.fromkeys(move))
+    return found

@@ -1,0 +1,168 @@
+"""A value as students write it: number, unit, sense, sometimes its direction. The units are the mechanism file's own.
+
+A bare number stands in the house's edge unit (mm, deg, rad/s, m/s ..). One comma alone is a decimal comma; beside a
+point, the last of the two is the decimal sign.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+
+from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OtherDimension, SenseDisputed
+from graphkin.loading.units import UNITS, Dimension, read_quantity
+from graphkin.submissions.spelling import plain
+from graphkin.submissions.submission import Given, Sense
+from graphkin.value import frozen
+
+DIMENSIONS: Mapping[str, Dimension | None] = {
+    "rad": "angle", "rad/s": "angular velocity", "rad/s^2": "angular acceleration", "m": "length", "m/s": "velocity",
+    "m/s^2": "acceleration", "1": None,
+}  # fmt: skip
+"""By the SI unit of a quantity, whose units may stand with it."""
+_TURNING = ("angle", "angular velocity", "angular acceleration")
+LONGEST = 200
+"""No value is written with more letters."""
+
+_BODY = r"[0-9]+(?:[ ',.][0-9]+)*[.,]?|[.,][0-9]+"
+_POWER = r"[eE][+-]?[0-9]+| ?(?:\*|x|X) ?10 ?(?:\^|\*\*)? ?\(?[+-]?[0-9]+\)?"
+_NUMBER = re.compile(rf"([+-]?) ?({_BODY})({_POWER})?(?![0-9A-Za-z]*[0-9])")
+_SENSES: tuple[tuple[Sense, re.Pattern[str]], ...] = (
+    ("ccw", re.compile(
+        r"(?:counter|anti)[- ]?clock[- ]?wise|\bccw\b|\bacw\b|[逆反][时時][针針](?:方向)?|逆|[↺⟲🔄]", re.I)),
+    ("cw", re.compile(r"clock[- ]?wise|\bcw\b|[顺順][时時][针針](?:方向)?|[顺順]|[↻⟳🔃]", re.I)),
+)  # fmt: skip
+_BEFORE = re.compile(r"^(?:[^=<>]*=)+ *")
+_PER_SECOND = re.compile(r"(?<=[0-9 ]) ?1 ?/ ?s")
+_ANGLE = re.compile(r"\s*(?:∠|@|\bat\b|,(?= *[+-]?[0-9.]+ *°))\s*", re.I)
+_GROUPS = re.compile(r"[0-9]{1,3}(?:[ ',.][0-9]{3})+")
+
+
+@frozen
+class Written:
+    """A value taken apart: `number` as written, its unit in the house's spelling or as typed, the sense in words."""
+
+    number: float
+    unit: str
+    sense: Sense | None
+    signed: bool
+
+
+def given(text: str, si: str, unit: str = "") -> Given:
+    """What a text gives for a quantity of this SI unit; `unit` is that of its column. Faults come with `NOWHERE`."""
+    size, *direction = _ANGLE.split(plain(text), maxsplit=1)
+    try:
+        found = _in_si(text, written(size, text), DIMENSIONS[si], unit)
+        if direction and found.value is not None:
+            at = written(direction[0], text)
+            turned = read_quantity(_joined(at.number, unit_named(at.unit)) if at.unit else at.number, "angle")
+            return _replaced(found, vector=complex(found.value * math.cos(turned), found.value * math.sin(turned)))
+        return found
+    except GraphkinError as fault:
+        return Given(text, None, fault=fault)
+
+
+def _replaced(found: Given, **changes: object) -> Given:
+    from dataclasses import replace
+
+    return replace(found, **changes)  # type: ignore[arg-type]
+
+
+def _in_si(text: str, value: Written, dimension: Dimension | None, unit: str) -> Given:
+    sense = value.sense if dimension in _TURNING else None
+    sized = abs(value.number) * (-1 if sense == "cw" else 1) if sense else value.number
+    if sense == "ccw" and value.number < 0:
+        raise SenseDisputed(NOWHERE, text[:LONGEST])
+    name = unit_named(value.unit or unit)
+    if dimension is None:
+        if name:
+            raise NotAnAnswer(NOWHERE, text[:LONGEST])
+        return Given(text, read_quantity(sized, "velocity"), sense)
+    try:
+        return Given(text, read_quantity(_joined(sized, name) if name else sized, dimension), sense, _shown(name))
+    except OtherDimension as fault:
+        return Given(text, read_quantity(sized, dimension), sense, _shown(name), fault)
+
+
+def _joined(number: float, unit: str) -> str:
+    return f"{number!r} {unit}"
+
+
+def _shown(unit: str) -> str:
+    return unit.replace("²", "^2")
+
+
+# --- number, unit and sense -------------------------------------------------------------------
+
+
+def written(text: str, whole: str) -> Written:
+    """A plain text taken apart. Raises NotAnAnswer with `whole`, SenseDisputed where both senses are named."""
+    if len(text) > LONGEST:
+        raise NotAnAnswer(NOWHERE, whole[:40] + "..")
+    text = _PER_SECOND.sub("rad/s", _BEFORE.sub("", text))
+    senses: set[Sense] = set()
+    for sense, words in _SENSES:
+        text, times = words.subn(" ", text)
+        senses |= {sense} if times else set()
+    if len(senses) > 1:
+        raise SenseDisputed(NOWHERE, whole[:LONGEST])
+    text = re.sub(r"[(\[] *[)\]]", "", text).strip(" ,;=") if senses else text.strip(" ;=")
+    found = _NUMBER.match(text)
+    if found is None:
+        raise NotAnAnswer(NOWHERE, whole[:LONGEST])
+    sign, body, power = found.groups()
+    value = float(f"{_digits(body, whole)}e{_exponent(power)}")
+    unit = text[found.end() :].strip(" ,;")
+    return Written(-value if sign == "-" else value, unit, next(iter(senses), None), bool(sign))
+
+
+def _exponent(power: str | None) -> int:
+    """Of `e-3`, `*10^-3`."""
+    if power is None:
+        return 0
+    digits = power[1:] if power[0] in "eE" else re.sub(r"^ ?[*xX] ?10 ?(?:\^|\*\*)? ?\(?", "", power).rstrip(")")
+    if len(digits) > 5:
+        raise NotAnAnswer(NOWHERE, power.strip()[:40])
+    return int(digits)
+
+
+def _digits(body: str, whole: str) -> str:
+    """With a point as the decimal sign and no groups: of `3,92`, `1 234.5`, `1.234,5`."""
+    points, commas = body.count("."), body.count(",")
+    decimal = ""
+    if points and commas:
+        decimal = max(".,", key=body.rfind)
+    elif points == 1 or commas == 1:
+        decimal = "." if points else ","
+    head, _, tail = body.rpartition(decimal) if decimal else (body, "", "")
+    if (not tail.isdigit() and tail) or (not head.isdigit() and head and not _GROUPS.fullmatch(head)):
+        raise NotAnAnswer(NOWHERE, whole[:LONGEST])
+    return f"{re.sub('[^0-9]', '', head) or '0'}.{tail or '0'}"
+
+
+_SPELT = (
+    (r"\s+|\\|\$|\{|\}|\bmathrm\b", ""), (r"\*\*", "^"), (r"毫米", "mm"), (r"厘米", "cm"),
+    (r"米", "m"), (r"弧度", "rad"),
+    (r"度|°|degrees?|degs?\b", "deg"), (r"radians?|rads\b", "rad"), (r"分钟?|minutes?|\bmins\b", "min"),
+    (r"秒|seconds?|secs?", "s"), (r"revolutions?|revs\b|转|圈", "rev"), (r"millimet(?:re|er)s?", "mm"),
+    (r"met(?:re|er)s?", "m"), (r"inch(?:es)?", "in"), (r"feet|foot", "ft"), (r"每", "/"), (r"per", "/"),
+    (r"[()\[\]]", ""), (r"²", "^2"), (r"[*.]?s\^?-1", "/s"), (r"[*.]?s\^?-2", "/s^2"), (r"/s/s|/s\*s|/ss", "/s^2"),
+    (r"/s2$", "/s^2"), (r"^1/s", "rad/s"), (r"^/s", "rad/s"), (r"^r(?:ev)?/min", "r/min"), (r"^r/s", "rev/s"),
+)  # fmt: skip
+_SPELT_TESTED = tuple((re.compile(pattern), better) for pattern, better in _SPELT)
+
+
+def unit_named(text: str) -> str:
+    """A unit in the house's spelling, where it is one of the house's; else as typed.
+
+    >>> unit_named("rad·s^-2"), unit_named("弧度/秒²"), unit_named("°"), unit_named("1/s^2"), unit_named("furlong")
+    ('rad/s²', 'rad/s²', 'deg', 'rad/s²', 'furlong')
+    """
+    if not text:
+        return ""
+    name = plain(text[:40]).lower()
+    for pattern, better in _SPELT_TESTED:
+        name = pattern.sub(better, name)
+    house = name.replace("^2", "²")
+    return house if any(house in units for units in UNITS.values()) else text.strip()[:40]

@@ -1,0 +1,202 @@
+"""What a student calls a quantity, made into what `quantities` reads: a normaliser in front, not a second reader.
+
+`w3`, `ω₃`, `omega_3`, `aB3B2k`, `a^k_B3B2`, `v_{B3B2}`, `v C/B`, `α3 (rad/s²)`. Of several readings the first that
+means something in the mechanism counts, and the one nearest to what was typed comes first.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from graphkin.errors import GraphkinError
+from graphkin.loading.names import split_points, tidy
+from graphkin.mechanism import FRAME, Mechanism
+from graphkin.naming import Seen
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, read
+from graphkin.submissions.numbers import unit_named
+from graphkin.submissions.spelling import plain, unaccented
+
+LONGEST = 120
+"""No question is longer."""
+_HEADS = (
+    (r"omega|w|角速度", "omega"), (r"alpha|epsilon|角加速度", "alpha"), (r"theta|phi|转角", "theta"),
+    (r"velocity of|velocity|速度|v", "v"), (r"acceleration of|acceleration|加速度|a", "a"),
+    (r"displacement|位移|s", "s"), (r"x", "x"), (r"y", "y"),
+)  # fmt: skip
+_TURNING = ("omega", "alpha", "theta")
+_GREEK = str.maketrans({
+    "ω": "omega", "Ω": "omega", "ϖ": "omega", "α": "alpha", "ɑ": "alpha", "ε": "epsilon", "ϵ": "epsilon",
+    "θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "τ": "t", "υ": "v", "ν": "v",
+})  # fmt: skip
+_DRESS = re.compile(r"\\(?:vec|overline|bar|mathrm|mathbf|boldsymbol|text|var)?\b|[{}$|\"\\]")
+_PARTS = {"n": "n", "t": "t", "tau": "t", "k": "k", "c": "k", "cor": "k", "coriolis": "k", "r": "r", "x": "x", "y": "y"}
+_PART = "coriolis|cor|tau|[ntkcrxy]"
+_IN_UNIT = re.compile(
+    r"^(.+?)\s*(?:[(\[]([^()\[\]]+(?:\([^()]*\))?[^()\[\]]*)[)\]]"
+    r"|/ ?\(([^()]+)\)|, ?([^,]+)|/ ?([a-z°/^0-9*-]+)| in (.+))$",
+    re.I,
+)
+"""`ω3 (rad/s)`, `ω3 [rad/s]`, `ω3/(rad·s^-1)`, `ω3, rad/s`, `ω3/rad/s`, `ω3 in rad/s`."""
+
+
+class Questions:
+    """The quantities of one mechanism, by whatever name; what was read once is remembered."""
+
+    def __init__(self, mechanism: Mechanism, asked: tuple[str, ...] = ()) -> None:
+        self.mechanism = mechanism
+        self.asked: dict[object, str] = {}
+        self._words: dict[str, list[str]] = {}
+        self._known: dict[str, tuple[str, Quantity, str] | None] = {}
+        for text in asked:
+            if (quantity := _quietly(mechanism, text)) is not None:
+                self.asked.setdefault(_meaning(mechanism, quantity), text)
+                self._words.setdefault(quantity.word, []).append(text)
+
+    def read(self, text: str) -> tuple[str, Quantity, str] | None:
+        """The key's words for what a text names, the quantity, and the unit that stands with it ("" for none)."""
+        if text not in self._known:
+            if len(self._known) > 10_000:
+                self._known.clear()
+            self._known[text] = self._read(text) if len(text) <= LONGEST else None
+        return self._known[text]
+
+    def _read(self, text: str) -> tuple[str, Quantity, str] | None:
+        if (quantity := self._quantity(text)) is not None:
+            return *self._called(quantity), ""
+        cut = _IN_UNIT.match(plain(text))
+        if cut is None or (quantity := self._quantity(cut[1])) is None:
+            return None
+        return *self._called(quantity), unit_named(next(unit for unit in cut.groups()[1:] if unit))
+
+    def _called(self, quantity: Quantity) -> tuple[str, Quantity]:
+        text = quantity.text.replace(" ", "") if isinstance(quantity, Centre) else quantity.text
+        return self.asked.get(_meaning(self.mechanism, quantity), text), quantity
+
+    def _quantity(self, text: str) -> Quantity | None:
+        for candidate in spelled(text):
+            if (found := _quietly(self.mechanism, candidate)) is not None:
+                return found
+            if (link := _by_points(self.mechanism, candidate)) is not None:
+                return _quietly(self.mechanism, link)
+        return self._alone(text)
+
+    def _alone(self, text: str) -> Quantity | None:
+        """A word alone, `a^k`, where the key asks for one such quantity and no other."""
+        word = re.sub(r"[ ^{}_$\\]", "", plain(text).translate(_GREEK)).lower()
+        fits = [asked for name, asked in self._words.items() if name.replace("_", "") == word]
+        return _quietly(self.mechanism, fits[0][0]) if len(fits) == 1 and len(fits[0]) == 1 else None
+
+
+def begins_like_one(text: str) -> bool:
+    """Whether a text begins as quantities do, of whatever mechanism: `ω3`, `aB3B2k`, `v_C`; and no id such as s1."""
+    made = plain(text[:LONGEST]).translate(_GREEK)
+    for pattern, word in _HEADS:
+        head = re.match(pattern, made, re.I)
+        after = "[ _^{0-9]" if word in _TURNING else "[ _^{]|[ntkr]?[A-Z]"
+        if head is not None and re.match(after, made[head.end() :]) is not None:
+            return True
+    return False
+
+
+def _quietly(mechanism: Mechanism, text: str) -> Quantity | None:
+    try:
+        return read(mechanism, text)
+    except GraphkinError:
+        return None
+
+
+def _by_points(mechanism: Mechanism, text: str) -> str | None:
+    """`omega BC` -> `omega 2`: a link by two of its points."""
+    word, _, of = text.partition(" ")
+    points = split_points(of)
+    if word not in ("omega", "alpha") or len(points) != 2:
+        return None
+    links = [name for name, link in mechanism.links.items() if set(points) <= set(link.points) and name != FRAME]
+    return f"{word} {links[0]}" if len(links) == 1 else None
+
+
+# --- spellings --------------------------------------------------------------------------------
+
+
+def spelled(text: str) -> Iterator[str]:
+    """Texts that `quantities` may read, the nearest to what was typed first."""
+    bare = tidy(text.strip())
+    yield bare
+    made = unaccented(_DRESS.sub(" ", plain(bare).translate(_GREEK)))
+    made = re.sub(r"\s+", " ", made).strip()
+    yield made
+    top, slash, bottom = made.partition("/")
+    if slash:
+        yield from (f"{one} / {other}" for one in _one(top.strip()) for other in _one(bottom.strip()))
+        made = f"{top.rstrip()}{bottom.lstrip()}"
+    yield from _one(made)
+
+
+def _one(text: str) -> Iterator[str]:
+    """One quantity: the points as typed, then in capitals."""
+    if re.match(r"[Pp][ _]?\S", text):
+        yield "P" + text[1:].lstrip(" _").replace(" ", "")
+    for pattern, word in _HEADS:
+        head = re.match(pattern, text, re.I)
+        if head is None or head.group() in ("A", "S", "X", "Y"):
+            continue
+        rest = text[head.end() :]
+        yield from _of_moving(word, rest) if word in ("v", "a") else _of_plain(word, rest)
+        if word in ("v", "a"):
+            yield from (_capitals(candidate) for candidate in _of_moving(word, rest))
+
+
+def _of_plain(word: str, rest: str) -> Iterator[str]:
+    of = rest.strip(" _^=:")
+    yield f"{word} {of}"
+    yield f"{word} {re.sub('[ _^]', '', of)}"
+    if word in ("x", "y"):
+        yield f"{word} {of.upper()}"
+
+
+def _of_moving(word: str, rest: str) -> Iterator[str]:
+    """The part may stand before the points or after them, raised or not."""
+    tight = re.sub(r"[ _]", "", rest)
+    marked = re.search(rf"\^\(?({_PART})\)?", tight, re.I)
+    if marked is not None:
+        yield f"{word}_{_PARTS[marked[1].lower()]} {tight[: marked.start()]}{tight[marked.end() :]}"
+        return
+    yield f"{word} {tight}"
+    before, after = re.match(rf"({_PART})(?=[A-Za-z])", tight, re.I), re.search(rf"(?<=[\w']),?({_PART})$", tight, re.I)
+    if before is not None:
+        yield f"{word}_{_PARTS[before[1].lower()]} {tight[before.end():]}"
+    if after is not None:
+        yield f"{word}_{_PARTS[after[1].lower()]} {tight[: after.start()]}"
+
+
+def _capitals(text: str) -> str:
+    """The points of `a_k b3b2` as mechanisms have them; names of links after an @ stay."""
+    word, _, of = text.partition(" ")
+    return f"{word} " + re.sub(r"(@[^,]*)|([^@]+)", lambda run: run[1] or run[2].upper(), of)
+
+
+# --- the same quantity ------------------------------------------------------------------------
+
+
+def _meaning(mechanism: Mechanism, quantity: Quantity) -> object:
+    """What a quantity is, however it is written: B2 is B where link 2 has the point."""
+    match quantity:
+        case Quotient(_, _, top, bottom):
+            return _meaning(mechanism, top), _meaning(mechanism, bottom)
+        case Component(word, _, _, whole):
+            return word, _meaning(mechanism, whole)
+        case Moving(word, _, site, seen_from):
+            return word, _site(mechanism, site), seen_from and _site(mechanism, seen_from)
+        case Place(word, _, _, site):
+            return word, site.point
+        case Centre(word, _, links):
+            return word, frozenset(links)
+        case Rotation(word, of) | Displacement(word, of):
+            return word, of
+        case _:
+            return quantity.text
+
+
+def _site(mechanism: Mechanism, site: Seen) -> tuple[str, str]:
+    return site.point, "" if not site.explicit or site.link in mechanism.owners.get(site.point, ()) else site.link

@@ -1,0 +1,116 @@
+"""What is handed in, as data: no language, no millimetre but those measured on a drawing, no verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import field
+from typing import Literal
+
+from graphkin.construction import Plane
+from graphkin.errors import NOWHERE, GraphkinError, Where
+from graphkin.mechanism import Mechanism
+from graphkin.value import frozen
+
+Sense = Literal["ccw", "cw"]
+
+
+@frozen
+class Asked:
+    """One problem, as far as reading an answer to it goes.
+
+    questions  as the key writes them (`omega 3`, `a_k B3B2`): what a student calls one of them comes out in these
+               words; any other quantity of the mechanism comes out as `quantities` writes it
+    """
+
+    mechanism: Mechanism
+    questions: tuple[str, ...] = ()
+
+
+@frozen
+class Given:
+    """One quantity that was handed in.
+
+    text      as the student wrote it; "" for one measured on a drawing
+    value     in SI, with its sign; a sense in words is its sign (62 cw is -62). None where it cannot be read
+    sense     the sense that was given in words or by an arrow; None where only a sign says it
+    unit      the unit that was written with it, in the house's spelling ("rad/s^2", "mm"); "" where none was
+    fault     why it has no value; or, beside a value, that its unit is of another kind: the number is then taken as
+              if no unit stood there (a unit is a mistake of its own)
+    where     file, line and key
+    vector    size and direction in the mechanism's axes, SI, of one that is measured or given with its angle
+    paper_mm  its length on paper, where a length was handed in and the scale made a value of it
+    ends      tail and head on the page [mm, y up], of one measured on a drawing
+    """
+
+    text: str
+    value: float | None
+    sense: Sense | None = None
+    unit: str = ""
+    fault: GraphkinError | None = None
+    where: Where = NOWHERE
+    vector: complex | None = None
+    paper_mm: float | None = None
+    ends: tuple[complex, complex] | None = None
+
+
+@frozen
+class Drawn:
+    """What was measured on a drawing.
+
+    points      by plane and the construction's letter (`b3'`): where on the page [mm, y up]
+    scales      by plane: SI unit per mm, as used; None where none is known
+    calibrated  the planes whose scale was taken from their known first vector
+    turned      by plane: by how much the drawn polygon stands turned, where it may [rad]
+    """
+
+    points: Mapping[tuple[Plane, str], complex]
+    scales: Mapping[Plane, float]
+    calibrated: tuple[Plane, ...] = ()
+    turned: Mapping[Plane, float] = field(default_factory=dict)
+
+
+@frozen
+class Submission:
+    """What one student handed in, or why it cannot be read.
+
+    student  the id; text of any kind, never a path (`safe_name` makes a file's name of it)
+    file     as results call it: the path, or `class.zip!folder/answer.svg`
+    values   by question, in the key's words
+    reason   why nothing of it can be marked; `values` is empty then
+    notes    what was passed over: a question that is none, a second answer to one, a letter that was not found
+    place    line of a class table, or name of the member of an archive: under which results go back to the platform
+    """
+
+    student: str
+    file: str
+    values: Mapping[str, Given] = field(default_factory=dict)
+    reason: GraphkinError | None = None
+    notes: tuple[GraphkinError, ...] = ()
+    place: str = ""
+    drawn: Drawn | None = None
+
+
+@frozen
+class Limits:
+    """How much of a hostile file is looked at.
+
+    seconds  for one submission; bytes of a file or member; members of an archive, bytes of all of them together, and
+             how much larger than packed; elements and depth of a drawing, copies (`use`, blocks) followed; answers in
+             one file; rows and columns of a class table
+    turned   whether a polygon may stand turned on the page
+    names    names of a drawing's marked points, in the file's order, where it has no letters
+    """
+
+    seconds: float = 10.0
+    bytes: int = 16 << 20
+    members: int = 20_000
+    archive_bytes: int = 2 << 30
+    ratio: float = 200.0
+    elements: int = 50_000
+    depth: int = 100
+    copies: int = 5_000
+    answers: int = 500
+    rows: int = 1_000_000
+    columns: int = 1_000
+    turned: bool = False
+    names: tuple[str, ...] = ()

@@ -1,0 +1,282 @@
+"""SVG as drawing programs save it: layers, transforms, copies, units, texts in pieces; and graphkin's own sheets."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+from xml.etree.ElementTree import Element, ParseError
+
+from graphkin.check.outlines import is_plain, outline
+from graphkin.check.transforms import Affine, Unread, length, numbers_in, transform
+from graphkin.construction import Plane
+from graphkin.errors import BrokenSubmission, TooMuch, Where
+from graphkin.submissions.picture import Arrow, Dot, Picture, Text
+from graphkin.submissions.submission import Limits
+from graphkin.value import frozen
+
+_PX = 25.4 / 96
+_INK = "{http://www.inkscape.org/namespaces/inkscape}"
+_ROLE = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}role"
+_HREF = "{http://www.w3.org/1999/xlink}href"
+_DEFINED = ("defs", "symbol", "marker", "clipPath", "mask", "pattern", "linearGradient", "radialGradient", "filter",
+            "metadata", "title", "desc", "style", "script", "namedview", "foreignObject")  # fmt: skip
+_LINES = ("line", "polyline", "polygon", "path")
+_WIDE, _ABOVE, _BELOW = 0.52, 0.75, 0.22
+"""A letter's width, and how far letters reach over and under their line, in parts of the type's size."""
+_KEYS: Mapping[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
+
+
+def xml_root(content: bytes, where: Where, kind: str, limits: Limits, forbid_dtd: bool = False) -> Element:
+    """The tree of hostile XML. Raises BrokenSubmission, TooMuch."""
+    from defusedxml.common import DefusedXmlException
+    from defusedxml.ElementTree import fromstring
+
+    try:
+        root: Element = fromstring(content, forbid_dtd=forbid_dtd)
+    except (ParseError, DefusedXmlException, ValueError, LookupError, RecursionError) as problem:
+        reason = str(problem) if isinstance(problem, ParseError) else type(problem).__name__
+        raise BrokenSubmission(where, kind, reason[:120]) from None
+    level, depth, count = [root], 0, 0
+    while level:
+        count += len(level)
+        depth += 1
+        if depth > limits.depth:
+            raise TooMuch(where, "depth", limits.depth)
+        if count > limits.elements:
+            raise TooMuch(where, "elements", limits.elements)
+        level = [child for element in level for child in element]
+    return root
+
+
+def read_svg(content: bytes, where: Where, limits: Limits) -> Picture:
+    """Raises BrokenSubmission, TooMuch."""
+    root = xml_root(content, where, "SVG", limits)
+    if _name(root) != "svg":
+        raise BrokenSubmission(where, "SVG")
+    reader = _Reader(root, where, limits)
+    try:
+        found = list(reader.walk(root, _page(root.attrib), _Type()))
+    except Unread as problem:
+        raise BrokenSubmission(where, "SVG", str(problem)) from None
+    except (OverflowError, ZeroDivisionError):
+        raise BrokenSubmission(where, "SVG", "numbers") from None
+    lines = tuple(line for mark in found if isinstance(mark, list) for line in mark)
+    dots = tuple(mark for mark in found if isinstance(mark, Dot))
+    texts = tuple(mark for mark in found if isinstance(mark, Text))
+    return Picture(lines, dots, texts, tuple(reader.arrows), _stated(root))
+
+
+@frozen
+class _Type:
+    """How letters are set, as inherited: size in user units, and where they hang."""
+
+    size: float = 16.0
+    anchor: str = "start"
+    shown: bool = True
+
+
+_Mark = list[tuple[complex, complex]] | Dot | Text
+
+
+class _Reader:
+    """Walks the tree once; copies are followed as often as the limits allow."""
+
+    def __init__(self, root: Element, where: Where, limits: Limits) -> None:
+        self.where, self.limits = where, limits
+        self.by_id = {element.attrib["id"]: element for element in root.iter() if "id" in element.attrib}
+        self.copies = self.walked = self.pieces = 0
+        self.arrows: list[Arrow] = []
+
+    def walk(self, element: Element, affine: Affine, kind: _Type, depth: int = 0) -> Iterator[_Mark]:
+        """The marks of an element's children."""
+        if depth > self.limits.depth:
+            raise TooMuch(self.where, "depth", self.limits.depth)
+        for child in element:
+            yield from self.mark(child, affine, kind, depth)
+
+    def mark(self, element: Element, outer: Affine, above: _Type, depth: int) -> Iterator[_Mark]:
+        name = _name(element)
+        self.walked += 1
+        if self.walked > self.limits.elements:
+            raise TooMuch(self.where, "elements", self.limits.elements)
+        if name in _DEFINED:
+            return
+        kind = _typed(element, above)
+        if not kind.shown:
+            return
+        affine = outer.then(transform(element.attrib.get("transform", "")))
+        if name in ("g", "a", "switch"):
+            yield from self.walk(element, affine, kind, depth + 1)
+        elif name == "svg":
+            yield from self.walk(element, affine.then(_nested(element.attrib)), kind, depth + 1)
+        elif name == "use":
+            yield from self._copy(element, affine, kind, depth)
+        elif name == "text":
+            yield from _texts(element, affine, kind)
+        elif name in ("circle", "ellipse"):
+            yield Dot(_at(affine, element.attrib, "cx", "cy"), *_named(element))
+        elif name in _LINES and is_plain(name, element.attrib):
+            yield self._line(name, element, affine)
+
+    def _copy(self, element: Element, affine: Affine, kind: _Type, depth: int) -> Iterator[_Mark]:
+        self.copies += 1
+        if self.copies > self.limits.copies:
+            raise TooMuch(self.where, "copies", self.limits.copies)
+        if depth > self.limits.depth:
+            raise TooMuch(self.where, "depth", self.limits.depth)
+        href = element.attrib.get("href") or element.attrib.get(_HREF, "")
+        target = self.by_id.get(href.removeprefix("#"))
+        if target is None:
+            return
+        moved = affine.then(Affine(e=length(element.attrib.get("x", "0")), f=length(element.attrib.get("y", "0"))))
+        if _name(target) == "symbol":
+            yield from self.walk(target, moved, _typed(target, kind), depth + 1)
+        else:
+            yield from self.mark(target, moved, kind, depth + 1)
+
+    def _line(self, name: str, element: Element, affine: Affine) -> list[tuple[complex, complex]]:
+        runs = [[affine(z.real, z.imag) for z in run] for run in outline(name, element.attrib)]
+        pieces = [(a, b) for run in runs for a, b in pairwise(run) if a != b]
+        self.pieces += len(pieces)
+        if self.pieces > self.limits.elements:
+            raise TooMuch(self.where, "elements", self.limits.elements)
+        if len(pieces) == 1:
+            self.arrows.append(Arrow(_named(element)[0], *pieces[0]))
+        return pieces
+
+
+def _name(element: Element) -> str:
+    return element.tag.rpartition("}")[2] if isinstance(element.tag, str) else ""
+
+
+def _at(affine: Affine, attributes: Mapping[str, str], x: str, y: str) -> complex:
+    return affine(length(attributes.get(x, "0")), length(attributes.get(y, "0")))
+
+
+def _named(element: Element) -> tuple[str, Plane | None]:
+    """The name that a dot bears in the file: graphkin's own, Inkscape's label, or its id."""
+    attributes = element.attrib
+    plane: Mapping[str, Plane] = {"velocity": "velocity", "acceleration": "acceleration", "position": "position"}
+    if "data-name" in attributes:
+        return attributes["data-name"][:60], plane.get(attributes.get("data-plane", ""))
+    return (attributes.get(f"{_INK}label") or attributes.get("id", ""))[:60], None
+
+
+# --- page and type ----------------------------------------------------------------------------
+
+
+def _page(attributes: Mapping[str, str]) -> Affine:
+    """From the root's units to mm on the page. Without a width in units a pixel is one of 96 to the inch."""
+    box = numbers_in(attributes.get("viewBox", "").replace(",", " "))
+    wide, high = (_millimetres(attributes.get(key, "")) for key in ("width", "height"))
+    if len(box) != 4 or not (box[2] > 0 and box[3] > 0):
+        return Affine(_PX, 0.0, 0.0, _PX, 0.0, 0.0)
+    ratios = [size / unit for size, unit in ((wide, box[2]), (high, box[3])) if size]
+    if attributes.get("preserveAspectRatio", "").strip().startswith("none") and len(ratios) == 2:
+        return Affine(ratios[0], 0.0, 0.0, ratios[1], -box[0] * ratios[0], -box[1] * ratios[1])
+    scale = min(ratios, default=_PX)
+    return Affine(scale, 0.0, 0.0, scale, -box[0] * scale, -box[1] * scale)
+
+
+def _millimetres(text: str) -> float:
+    if not text.strip() or text.strip().endswith("%"):
+        return 0.0
+    return length(re.sub(r"(?<=[0-9])\s+(?=[a-zA-Z])", "", text)) * _PX
+
+
+def _nested(attributes: Mapping[str, str]) -> Affine:
+    """Of an `svg` within: moved, and fitted to its own box."""
+    moved = Affine(e=length(attributes.get("x", "0")), f=length(attributes.get("y", "0")))
+    if "viewBox" not in attributes or not {"width", "height"} <= attributes.keys():
+        return moved
+    inner = _page({**attributes, "width": attributes["width"], "height": attributes["height"]})
+    return moved.then(Affine(inner.a / _PX, 0.0, 0.0, inner.d / _PX, inner.e / _PX, inner.f / _PX))
+
+
+def _typed(element: Element, above: _Type) -> _Type:
+    declared = (declaration.partition(":") for declaration in element.attrib.get("style", "").split(";"))
+    style = {name.strip(): value.strip() for name, _, value in declared}
+    keys = ("font-size", "text-anchor", "display", "visibility")
+    told = {key: style.get(key, element.attrib.get(key, "")) for key in keys}
+    shown = above.shown and told["display"] != "none" and told["visibility"] not in ("hidden", "collapse")
+    return _Type(_size(told["font-size"], above.size), told["text-anchor"] or above.anchor, shown)
+
+
+def _size(text: str, above: float) -> float:
+    try:
+        if text.endswith("%"):
+            return above * float(text[:-1]) / 100
+        if text.endswith("em"):
+            return above * float(text[:-2])
+        return length(text) if text else above
+    except (Unread, ValueError):
+        return above
+
+
+# --- texts ------------------------------------------------------------------------------------
+
+
+def _texts(element: Element, affine: Affine, kind: _Type) -> Iterator[Text]:
+    """A text; of several lines each for itself."""
+    lines = [child for child in element if _name(child) == "tspan" and child.get(_ROLE) == "line"]
+    if len(lines) > 1:
+        for line in lines:
+            yield from _text(line, affine, _typed(line, kind), element)
+    else:
+        yield from _text(element, affine, kind, element)
+
+
+def _text(element: Element, affine: Affine, kind: _Type, whole: Element) -> Iterator[Text]:
+    letters = "".join(_letters(element)).strip()
+    if not letters:
+        return
+    sizes = [_typed(piece, kind).size for piece in element.iter()]
+    x, y = (_first(element, whole, key) for key in "xy")
+    corner = affine(x, y)
+    right, up = affine(x + 1, y) - corner, affine(x, y - 1) - corner
+    scale, tall = abs(right), abs(up)
+    if not (math.isfinite(scale * tall) and scale > 0 and tall > 0):
+        return
+    size = max(sizes[0], *sizes) if len(sizes) > 1 else sizes[0]
+    anchored = _typed(element, kind).anchor
+    width = _WIDE * size * scale * len(letters)
+    start = {"middle": width / 2, "end": width}.get(anchored, 0.0)
+    yield Text(
+        letters[:400], corner - start * right / scale, right / scale, up / tall, width,
+        _ABOVE * size * tall, _BELOW * size * tall,
+    )  # fmt: skip
+
+
+def _letters(element: Element) -> Iterator[str]:
+    """All the letters of a text, without the line breaks between its pieces."""
+    if _name(element) not in ("title", "desc"):
+        yield re.sub(r"\s*\n\s*", "", element.text or "")
+        for child in element:
+            yield from _letters(child)
+            yield re.sub(r"\s*\n\s*", "", child.tail or "")
+
+
+def _first(element: Element, whole: Element, key: str) -> float:
+    """Where a text begins: the first x (y) that one of its pieces has."""
+    for source in (element, whole):
+        value = next((piece.attrib[key] for piece in source.iter() if piece.attrib.get(key, "").strip()), "")
+        if value:
+            return length(value.replace(",", " ").split()[0])
+    return 0.0
+
+
+def _stated(root: Element) -> dict[Plane, float]:
+    """The scales in the metadata of a sheet of graphkin's own."""
+    for element in root.iter():
+        if _name(element) == "sheet" and element.text:
+            try:
+                claims = json.loads(element.text)
+                scales = claims["scales"].items()
+            except (ValueError, RecursionError, KeyError, TypeError, AttributeError):
+                return {}
+            sized = {key: float(v) for key, v in scales if isinstance(v, float | int) and 1e-9 < v < 1e9}
+            return {_KEYS[key]: v for key, v in sized.items() if key in _KEYS}
+    return {}

@@ -1,0 +1,341 @@
+"""Marking: what a pencil allows, verdicts, carried values, keys, and the mistake behind wrong values."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from random_mechanisms import DYADS, dyad
+
+from graphkin import api
+from graphkin.errors import NOWHERE, BadKey
+from graphkin.grading import Pencils, key_for, key_from, marking_of
+from graphkin.marking.diagnosis import added, independent
+from graphkin.marking.making import drawings_of, half_digit
+from graphkin.marking.marked import Judged, Marked, Number, Work
+from graphkin.marking.marker import Marker
+from graphkin.marking.pencil import Pencil
+from graphkin.marking.power import power
+from graphkin.marking.scatter import Drawings, spread
+from graphkin.marking.slips import Mark, Slips
+from graphkin.marking.tolerances import tolerances
+from graphkin.outputs.key_json import key_data, key_of, key_text
+from graphkin.quantities import named
+
+TRIALS = int(os.environ.get("GRAPHKIN_TRIALS", "4"))
+
+
+@cache
+def marker(name: str = "ex3-1") -> Marker:
+    return Marker(key_from(name))
+
+
+def marked(values: dict[str, float | Number], name: str = "ex3-1") -> Marked:
+    numbers = {text: value if isinstance(value, Number) else Number(value) for text, value in values.items()}
+    return marker(name).mark([Work("s", numbers)])[0]
+
+
+def judged(values: dict[str, float | Number], name: str = "ex3-1") -> dict[str, Judged]:
+    return {one.text: one for one in marked(values, name).judged}
+
+
+def ids(values: dict[str, float | Number], name: str = "ex3-1") -> set[str]:
+    found = marked(values, name).diagnosis.explanations
+    return set(found[0].ids) if found else set()
+
+
+# --- the pencil -------------------------------------------------------------------------------
+
+
+def values_by(mark: Mark | None, count: int = 4000, **pencil: float) -> dict[str, np.ndarray]:
+    """What ex3-1 gives over many drawings, with one error of the pencil alone."""
+    method = api.plan(api.load("ex3-1"))
+    scales = {"position": 0.001, "velocity": 0.01, "acceleration": 0.1}
+    lengths = {plane: pencil.get("length", 0.0) * scale for plane, scale in scales.items()}
+    slips = Slips(7, count, None if mark is None else lambda one: one == mark)
+    texts = ("v B2", "v B3", "omega 3", "theta 3", "a_k B3B2", "alpha 3")
+    quantities = [named(method.mechanism, text, NOWHERE) for text in texts]
+    drawings = Drawings.of(method, Pencil(lengths, pencil.get("angle", 0.0)), slips)
+    return dict(zip(texts, drawings.values(quantities)[0].T, strict=True))
+
+
+def test_an_arrow_laid_off_too_long_makes_the_polygon_larger():
+    """v_B2 is 24 mm long: an error of 0.25 mm is 1.04 % of it and of all that is similar to it."""
+    found = values_by(Mark("velocity", "arrow", ("Turning", "1", "A", "B")), length=0.25)
+    part = 0.25 / 24
+    for text, power_of in (("v B2", 1), ("v B3", 1), ("omega 3", 1), ("a_k B3B2", 2)):
+        values = np.abs(found[text])
+        assert np.std(values) / np.mean(values) == pytest.approx(power_of * part, rel=0.05), text
+
+
+def test_a_pencil_without_errors_gives_the_right_values():
+    found = values_by(None, 10)
+    assert np.ptp(found["alpha 3"]) < 1e-9
+    assert found["alpha 3"][0] == pytest.approx(62.2239, rel=1e-5)
+
+
+def test_a_length_read_wrong_and_an_angle_read_wrong():
+    read = values_by(Mark("velocity", "reading", ("p", "b3")), length=0.25)["omega 3"]
+    assert np.std(read) == pytest.approx(0.25 * 0.01 / 0.0692, rel=0.06)  # of pb3, over l_BD
+    angle = values_by(Mark("position", "reading", ("theta 3",)), angle=0.01)["theta 3"]
+    assert np.std(angle) == pytest.approx(0.01, rel=0.05)
+
+
+def test_scatter_grows_with_the_pencil():
+    marking = marking_of(marker().method)
+    entries, method = marker().key.entries, marker().method
+    right, sorts = np.array([entry.right for entry in entries]), [entry.sort for entry in entries]
+    small, large = (
+        spread(drawings_of(method, marking_of(method, Pencils(k, k)), 500).values(marker().quantities)[0], right, sorts)
+        for k in (0.02, 0.04)
+    )
+    assert marking.lengths["velocity"] == pytest.approx(0.25 * 0.01)
+    assert large / small == pytest.approx(np.full(len(entries), 2.0), rel=0.05)
+
+
+def test_slips_hang_on_the_seed_and_the_mark_alone():
+    mark = Mark("velocity", "line", ("p",))
+    assert np.array_equal(Slips(1, 5).of(mark), Slips(1, 5).of(mark))
+    assert not np.array_equal(Slips(1, 5).of(mark), Slips(2, 5).of(mark))
+    assert not np.array_equal(Slips(1, 5).of(mark), Slips(1, 5).of(mark, 1))
+
+
+@pytest.mark.parametrize(("value", "unit", "half"), [(3.919, "rad/s", 0.005), (0.3208, "m/s", 0.0005),
+                                                     (62.2, "rad/s^2", 0.05), (0.5056, "rad", math.radians(0.05)),
+                                                     (0.0589, "m", 5e-5)])  # fmt: skip
+def test_three_printed_digits(value: float, unit: str, half: float):
+    assert half_digit(value, unit) == pytest.approx(half)
+    assert half_digit(-value, unit) == pytest.approx(half)
+
+
+def test_three_digits_are_right_without_any_scatter():
+    exact = Marker(key_for(api.load("ex3-1"), Pencils(0.0, 0.0)))
+    found = exact.mark([Work("s", {"omega 3": Number(-3.92), "alpha 3": Number(62.3)})])[0].judged
+    assert [one.verdict for one in found if one.given is not None] == ["right", "right"]
+    assert exact.mark([Work("s", {"omega 3": Number(-3.95)})])[0].judged[1].verdict == "wrong"
+
+
+def test_parts_of_the_scatter_add_up():
+    """One error at a time, squared and added, is about the whole: they are independent and small."""
+    found = tolerances(marker().key, marker().method)
+    for text in ("omega 3", "alpha 3", "a_k B3B2"):
+        assert sum(cost.parts[text] for cost in found.costs) == pytest.approx(1.0, abs=0.25), text
+    worst = found.worst("omega 3")
+    assert worst is not None
+    assert worst.name == "v_B2"
+
+
+def test_fixed_tolerances():
+    key = key_for(api.load("ex3-1"), Pencils(relative=0.02))
+    assert key.entries[key.number("omega 3") or 0].tolerance == pytest.approx(0.02 * 3.91933, rel=1e-4)
+    wide = key_for(api.load("ex3-1"), Pencils(sigmas=6))
+    assert wide.entries[1].tolerance == pytest.approx(2 * marker().key.entries[1].tolerance)
+
+
+# --- verdicts ---------------------------------------------------------------------------------
+
+RIGHT = {"omega 2": -3.92, "omega 3": -3.92, "alpha 2": 62.2, "alpha 3": 62.2, "a_k B3B2": 2.51}
+
+
+def test_right_work():
+    found = marked(RIGHT)
+    assert {one.verdict for one in found.judged} == {"right"}
+    assert found.score == 1.0
+    assert found.diagnosis.explanations == ()
+
+
+def test_other_right_ways():
+    """The other order of two coincident points, another coincident point, sizes with a sign."""
+    found = marked({"v B2B3": 0.321, "a_k B2B3": 2.51, "v B3B2": -0.321, "v C3C2": 0.32, "v C": 0.188, "omega 3": -3.92})
+    assert {one.verdict for one in found.judged if one.given is not None} == {"right"}
+    assert found.diagnosis.explanations == ()
+
+
+@pytest.mark.parametrize("values", [
+    {"omega 3": -5.65, "a_k B3B2": 3.63, "alpha 3": 68.7},
+    {"omega 3": -3.0, "a_k B3B2": 1.925},
+    {"v B3B2": 0.25, "a_k B3B2": 1.96},
+    {"a_k B3B2": 1.25, "alpha 3": 37.1},
+])  # fmt: skip
+def test_what_follows_is_carried(values: dict[str, float]):
+    first, *rest = (judged(values)[text] for text in values)
+    assert first.verdict == "wrong"
+    for one in rest:
+        assert one.verdict == "carried", one.text
+        assert one.credit == 1.0
+        assert first.text in one.own
+        assert one.carried == pytest.approx(one.given, rel=0.02)
+
+
+def test_the_right_value_counts_first():
+    """A slip in writing one value down takes nothing from the next, though that does not follow from it."""
+    found = judged({"omega 3": -9.0, "a_k B3B2": 2.51, "alpha 3": 62.2})
+    assert [found[text].verdict for text in ("omega 3", "a_k B3B2", "alpha 3")] == ["wrong", "right", "right"]
+
+
+@pytest.mark.parametrize("own", [0.0, 10.0, -10.0, 25.0, -0.5, 1e308, -1e300])
+def test_guard(own: float):
+    """Nought, the crank's own omega, what is far off: nothing follows from them."""
+    follows = 2 * own * 0.3208 if abs(own) < 1e10 else 1.0
+    found = judged({"omega 3": own, "a_k B3B2": abs(follows)})
+    assert found["a_k B3B2"].verdict == "wrong"
+    assert "omega 3" in found["a_k B3B2"].refused
+
+
+def test_missing_lowers_nothing_else():
+    found = marked({"alpha 3": 62.2})
+    assert {one.text: one.verdict for one in found.judged} == {**dict.fromkeys(RIGHT, "missing"), "alpha 3": "right"}
+    assert found.score == pytest.approx(0.2)
+
+
+def test_sense_and_unit_by_themselves():
+    found = judged({"omega 3": 3.92, "alpha 3": 62.2, "omega 2": Number(-3.92, unit_right=False)})
+    assert (found["omega 3"].verdict, found["omega 3"].sense, found["omega 3"].credit) == ("wrong", "wrong", 0.5)
+    assert (found["alpha 3"].verdict, found["alpha 3"].sense) == ("right", "right")
+    assert (found["omega 2"].verdict, found["omega 2"].unit_right, found["omega 2"].credit) == ("wrong", False, 0.5)
+
+
+def test_angles_count_modulo_a_turn():
+    found = judged({"theta 2": math.radians(28.97 + 360), "theta 3": math.radians(93.59 - 360)}, "ex3-5")
+    assert [found[text].verdict for text in ("theta 2", "theta 3")] == ["right", "right"]
+
+
+def test_points_of_questions():
+    key = key_for(api.load("ex3-1"), points={"omega 3": 3.0, "alpha 3": 1.0})
+    found = Marker(key).mark([Work("s", {"omega 3": Number(-3.92)})])[0]
+    assert found.score == pytest.approx(0.75)
+    assert [one.text for one in found.judged] == ["omega 3", "alpha 3"]
+
+
+# --- diagnosis --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("values", "expected"), [
+    ({"omega 3": -3.92, "alpha 3": 12.46, "a_k B3B2": 0.0, "a_r B3B2": 2.17}, "coriolis-omitted"),
+    ({"omega 3": -3.92, "alpha 3": -37.3, "a_k B3B2": 2.51, "a_r B3B2": 4.52}, "coriolis-reversed"),
+    ({"omega 3": -3.92, "alpha 3": 37.3, "a_k B3B2": 1.26}, "coriolis-half"),
+    ({"omega 3": -5.65, "alpha 3": 68.7, "a_k B3B2": 3.63}, "wrong-length"),
+    ({"omega 3": -5.45, "alpha 3": 68.2, "a_k B3B2": 3.50}, "sliding-as-turning"),
+    ({"omega 3": 2.868, "alpha 3": 19.1, "a_k B3B2": 1.97}, "sliding-across"),
+    ({"omega 3": -2.683, "v B3B2": 0.0712, "a_k B3B2": 0.382, "alpha 3": 12.5}, "driver-along-crank"),
+    ({"omega 3": -3.92, "a_k B3B2": 2.51, "alpha 3": 91.0}, "normal-outward"),
+    ({"omega 3": -3.92, "a_k B3B2": 2.51, "alpha 3": 76.6}, "normal-omitted"),
+    ({"omega 3": -37.4, "a_k B3B2": 2.51, "alpha 3": 62.2}, "conversion"),
+])  # fmt: skip
+def test_the_mistake_behind_a_wrong_number(values: dict[str, float], expected: str):
+    assert expected in ids(values)
+
+
+def test_mistakes_of_equal_consequences_are_one_set():
+    assert ids({"omega 3": -3.92, "alpha 3": 12.46}) >= {"coriolis-omitted", "block-omega", "coriolis-not-turned"}
+
+
+def test_what_fits_nothing_gets_nothing():
+    assert ids({"omega 3": -3.92, "alpha 3": 20.0, "a_k B3B2": 5.1, "v B3B2": 0.27}) == set()
+
+
+def test_two_mistakes_where_there_are_values_enough():
+    """The wrong length for omega 3, and the Coriolis term left out."""
+    values = {"v B3": 0.271, "v B3B2": 0.321, "omega 3": -5.65, "omega 2": -5.65, "a_k B3B2": 0.0}
+    hypotheses, key = marker().pairs, marker().key
+    row = next(k for k, names in enumerate(hypotheses.names)
+               if {name[0] for name in names} == {"wrong-length", "coriolis-omitted"} and "l_CD" in names[0])  # fmt: skip
+    values |= {text: float(hypotheses.values[row, key.number(text)]) for text in ("alpha 3", "a_n B3D", "a_t B3D")}
+    found = marked(values).diagnosis.explanations
+    assert found
+    assert any({name[0] for name in names} == {"wrong-length", "coriolis-omitted"} for names in found[0].names)
+    assert ids({"omega 3": -5.65, "a_k B3B2": 0.0, "alpha 3": values["alpha 3"]}) == set()
+
+
+def test_independent_values():
+    key = marker().key
+    there = np.array([entry.text in ("omega 2", "omega 3", "alpha 2", "alpha 3", "a_k B3B2") for entry in key.entries])
+    assert independent(key, there) == 3
+
+
+def test_explains_and_margin():
+    one = marked({"omega 3": -3.92, "alpha 3": -37.3, "a_k B3B2": 2.51, "a_r B3B2": 4.52}).diagnosis.explanations[0]
+    assert set(one.explains) == {"alpha 3", "a_r B3B2"}
+    assert 0.9 < one.probability <= 1.0
+    assert one.margin > 3
+
+
+def test_evidence_adds_up_over_problems():
+    two = [
+        marked({"omega 3": -3.92, "alpha 3": -37.3}).diagnosis,
+        marked({"omega 3": 2.165, "alpha 3": -8.0}, "p3-4a").diagnosis,
+    ]
+    total = added(two)
+    assert total["coriolis-reversed"] == pytest.approx(sum(one.evidence.get("coriolis-reversed", 0.0) for one in two))
+
+
+@pytest.mark.parametrize("name", ["ex3-1", "ex3-5", *DYADS])
+def test_power(name: str):
+    """Students who make a mistake with a pencil are told which; right work and random numbers are told nothing."""
+    machine = marker(name) if name.startswith("ex") else random_problem(name)
+    found = power(machine, TRIALS)
+    tried = [one for one in found.found if one.applicable and one.moved > 6]
+    assert len(tried) > 20
+    assert np.mean([one.named for one in tried]) > 0.95
+    assert found.alarms[1] <= 0.01
+    assert found.random <= 0.02
+
+
+def random_problem(kind: str, seed: int = 0) -> Marker:
+    """A random mechanism with a dyad of a kind, such as a teacher would take: its drawing fails nowhere, and most
+    values can be measured."""
+    while True:
+        machine = dyad(kind, seed := seed + 1)
+        key = key_for(machine)
+        wide = [entry.tolerance > 0.3 * abs(entry.right) for entry in key.entries]
+        if np.mean(wide) < 0.3:
+            return Marker(key, api.plan(machine))
+
+
+# --- keys -------------------------------------------------------------------------------------
+
+
+def test_a_key_is_read_as_it_was_written():
+    key = marker().key
+    text = key_text(key)
+    again = key_of(text, NOWHERE)
+    assert key_text(again) == text
+    work = [Work("s", {"omega 3": Number(-5.65), "a_k B3B2": Number(3.63), "v C": Number(0.19)})]
+    mine, its = marker().mark(work)[0], Marker(again).mark(work)[0]
+    assert [(one.verdict, one.own) for one in mine.judged] == [(one.verdict, one.own) for one in its.judged]
+    assert mine.diagnosis.explanations[0].ids == its.diagnosis.explanations[0].ids
+
+
+def test_the_same_mechanism_gives_the_same_key():
+    assert key_text(key_from("ex3-1")) == key_text(marker().key)
+
+
+def test_a_changed_key_counts():
+    entries = [replace(entry, right=-4.5, tolerance=0.1) if entry.text == "omega 3" else entry
+               for entry in marker().key.entries]  # fmt: skip
+    changed = Marker(replace(marker().key, entries=tuple(entries)))
+    assert changed.mark([Work("s", {"omega 3": Number(-4.45)})])[0].judged[1].verdict == "right"
+
+
+def broken_keys() -> list[str]:
+    whole = key_data(marker().key)
+    changes: list[dict[str, object]] = [
+        {"kind": "x"}, {"format": 2}, {"quantities": []}, {"quantities": [{}]}, {"together": [[1.0]]}, {"given": ["a"]},
+        {"mistakes": [{"names": [["a"]], "values": [], "scatters": []}]}, {"mistakes": 3}, {"marking": {}}, {"mechanism": 7},
+        {"title": []}, {"steps": None}, {"together": None},
+    ]  # fmt: skip
+    texts = [json.dumps({**whole, **change}) for change in changes]
+    nan = json.dumps(whole).replace(str(whole["marking"]["angle"]), "NaN")
+    return [*texts, "", "{", "[]", "null", "[" * 100_000, nan, key_text(marker().key)[:-100]]
+
+
+def test_broken_keys_are_refused():
+    for text in broken_keys():
+        with pytest.raises(BadKey):
+            key_of(text, NOWHERE)
+

@@ -1,0 +1,220 @@
+"""Problem sets: each student's own numbers, the same again whenever they are drawn, and always solvable on paper."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from graphkin import api, library, loading
+from graphkin.cli import main
+from graphkin.errors import GraphkinError, NoRange, NotATemplate, NoVariant, OutOfRange, StudentTwice, UnknownQuantity
+from graphkin.outputs.files import FileInTheWay
+from graphkin.platforms import write_problems
+from graphkin.problems import Student, read_template, roster, variants, well_posed
+from graphkin.say.problems import problem
+from graphkin.submissions import Asked, read
+
+TEXT = """# a comment with AB = { from = 1, to = 2 } in it
+title  = { en = "Four-bar # with a slide", zh = "含移动副的四杆机构" }
+ask    = ["omega 3", "alpha 3", "a_k B3B2"]   # { from = 1, to = 2 }
+
+[points]
+"omega 3" = 2
+"alpha 3" = 3
+
+[frame]
+name = "4"
+A = [0, 0]
+D = [{ from = 74, to = 84, step = 0.5 }, 0]
+
+[links.1]
+AB = { from = 20, to = 28, step = 1 }   # crank
+
+[links.2]
+points = ["B"]
+
+[links.3]
+DC = 48
+
+[[slide]]
+block = "2"
+point = "B"
+guide = "3"
+through = "C"
+from = "DC"
+angle = 100
+
+[[driver]]
+vector = "AB"
+angle = { from = 30, to = 150, step = 5 }
+omega = { from = "60 rpm", to = "120 rpm", step = "10 rpm" }
+
+[sketch]
+C = [65, 46]
+"""
+
+
+@pytest.fixture
+def template(tmp_path: Path) -> Path:
+    path = tmp_path / "slide.toml"
+    path.write_text(TEXT, encoding="utf-8")
+    return path
+
+
+def test_a_template_is_its_own_text_with_numbers_in_it(template: Path):
+    read_one = read_template(template)
+    assert [each.name for each in read_one.ranges] == ["frame.D.0", "links.1.AB", "driver.0.angle", "driver.0.omega"]
+    assert [each.count for each in read_one.ranges] == [21, 9, 25, 7]
+    text = read_one.text([1, 0, 6, 3])
+    assert "D = [74.5, 0]" in text
+    assert "AB = 20   # crank" in text
+    assert 'omega = "90 rpm"' in text
+    assert "# a comment with AB = { from = 1, to = 2 } in it" in text
+    assert "[points]" not in text
+    assert read_one.points == {"omega 3": 2, "alpha 3": 3, "a_k B3B2": 1}
+    assert read_one.mechanism([1, 0, 6, 3]).drivers[0].rate == pytest.approx(3 * math.pi)
+
+
+def test_numbers_hang_on_seed_and_id_and_on_no_order(template: Path):
+    read_one, students = read_template(template), roster("12")
+    found = {v.student.id: v.numbers for v in variants(read_one, students, "7")}
+    again = {v.student.id: v.numbers for v in variants(read_one, students[::-1], "7")}
+    few = {v.student.id: v.numbers for v in variants(read_one, students[3:6], "7")}
+    assert found == again
+    assert few.items() <= found.items()
+    assert found != {v.student.id: v.numbers for v in variants(read_one, students, "8")}
+    assert len(set(found.values())) == len(found)
+
+
+def test_every_variant_is_posed_well(template: Path):
+    for variant in variants(read_template(template), roster("25"), "3"):
+        found = well_posed(variant.mechanism)
+        assert not isinstance(found, str)
+        plot = api.replay(api.plan(variant.mechanism))
+        assert min(abs(float(sine)) for sine in plot.sines.values()) > math.sin(math.radians(5))
+        a = plot.acceleration
+        sides = [abs(complex(a[n]) - complex(a[m])) for m, n in (("k'", "b3'"), ("n3'", "b3'"), ("p'", "b2'"), ("b2'", "k'"))]
+        assert min(sides[:2]) > 0.02 * max(sides)
+
+
+@pytest.mark.parametrize(("change", "error"), [
+    (("{ from = 20, to = 28, step = 1 }", "{ from = 28, to = 20, step = 1 }"), NoRange),
+    (("{ from = 20, to = 28, step = 1 }", "{ from = 20, to = 28, step = 0 }"), NoRange),
+    (("{ from = 20, to = 28, step = 1 }", "{ from = nan, to = 28, step = 1 }"), NoRange),
+    (("{ from = 20, to = 28, step = 1 }", "{ from = 20, to = 1e300, step = 1 }"), NoRange),
+    (("{ from = 20, to = 28, step = 1 }", "{ from = 20, to = 28, step = 1e-9 }"), NoRange),
+    (('to = "120 rpm"', 'to = "120 rad/s"'), NoRange),
+    (('"omega 3" = 2', '"omega 9" = 2'), UnknownQuantity),
+    (('"omega 3" = 2', '"omega 3" = -2'), OutOfRange),
+    (("DC = 48", "DC = 480"), GraphkinError),
+    (('omega = { from = "60 rpm", to = "120 rpm", step = "10 rpm" }', "omega = 0"), NoVariant),
+    (("angle = 100", "angle = 100\nspeed = 3"), GraphkinError),
+])  # fmt: skip
+def test_what_is_wrong_with_a_template_is_said(
+    template: Path, change: tuple[str, str], error: type[GraphkinError], monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr("graphkin.problems.draws._HOPELESS", 3)
+    monkeypatch.setattr("graphkin.problems.draws._TRIES", 20)
+    assert change[0] in TEXT
+    template.write_text(TEXT.replace(*change), encoding="utf-8")
+    with pytest.raises(error) as caught:
+        variants(read_template(template), roster("1"), "1")
+    assert caught.value.message("zh") != caught.value.message("en")
+
+
+def test_a_template_without_ranges(tmp_path: Path):
+    (tmp_path / "a.toml").write_text(api.load("ex3-1").text, encoding="utf-8")
+    with pytest.raises(NotATemplate):
+        read_template(tmp_path / "a.toml")
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "gb18030", "utf-16"])
+def test_a_roster_in_any_encoding(tmp_path: Path, encoding: str):
+    path = tmp_path / "class.csv"
+    path.write_bytes("姓名,学号\n王小明,2027001\n李雷,2027002\n,\n".encode(encoding))
+    assert roster(str(path)) == (Student("2027001", (("姓名", "王小明"),)), Student("2027002", (("姓名", "李雷"),)))
+
+
+def test_a_bare_list_and_a_number(tmp_path: Path):
+    (tmp_path / "a.csv").write_text("s1\ns2\n")
+    assert [s.id for s in roster(str(tmp_path / "a.csv"))] == ["s1", "s2"]
+    assert [s.id for s in roster("10")][0:10:9] == ["s01", "s10"]
+    (tmp_path / "a.csv").write_text("student\ns1\ns1\n")
+    with pytest.raises(StudentTwice):
+        roster(str(tmp_path / "a.csv"))
+
+
+def test_what_is_written(template: Path, tmp_path: Path):
+    students = (Student("../../evil"), Student("a/b", (("name", "Ann"),)), Student("A"), Student("a"))
+    found = variants(read_template(template), students, "1")
+    folder = tmp_path / "out" / "set"
+    paths = list(write_problems(folder, read_template(template), found, "1", "en"))
+    assert sorted(path.name for path in folder.iterdir()) == sorted(path.name for path in paths)
+    assert {path.name for path in tmp_path.iterdir()} == {"out", "slide.toml"}
+    listed = json.loads((folder / "set.json").read_text("utf-8"))
+    for variant in found:
+        entry = listed["students"][variant.student.id]
+        assert loading.load(folder / entry["file"]).text.split("\n", 1)[1] == variant.mechanism.text
+    assert "Ann" in (folder / listed["students"]["a/b"]["file"]).with_suffix(".txt").read_text("utf-8")
+    before = {path: path.read_bytes() for path in paths}
+    list(write_problems(folder, read_template(template), found, "1", "en"))
+    assert before == {path: path.read_bytes() for path in paths}
+    (folder / "set.json").write_text("mine")
+    with pytest.raises(FileInTheWay):
+        list(write_problems(folder, read_template(template), found, "2", "en"))
+    assert before[paths[0]] == paths[0].read_bytes()
+
+
+def test_the_form_in_a_problem_reads_back_however_it_is_filled_in(template: Path, tmp_path: Path):
+    (variant,) = variants(read_template(template), roster("1"), "1")
+    list(write_problems(tmp_path / "set", read_template(template), (variant,), "1", "zh"))
+    problem = (tmp_path / "set" / "s1.txt").read_text("utf-8")
+    form = problem[problem.index("  student =") : problem.index("--")]
+    filled = form.replace('"omega 3" = ', '"omega 3" = 3.9 顺时针').replace('"a_k B3B2" = ', '"a_k B3B2" = 2.5 m/s²')
+    for name in ("a.toml", "a.txt"):
+        (tmp_path / name).write_text(filled, encoding="utf-8")
+        (found,) = read([tmp_path / name], Asked(variant.mechanism, variant.mechanism.ask))
+        assert (found.student, found.reason) == ("s1", None)
+        assert {q: v.value for q, v in found.values.items()} == {"omega 3": -3.9, "a_k B3B2": 2.5}
+
+
+def test_few_variants_are_shared_and_said(template: Path, tmp_path: Path):
+    narrow = TEXT.replace("from = 74, to = 84, step = 0.5", "from = 78, to = 79, step = 1").replace("from = 20, to = 28", "from = 24, to = 25")
+    fixed = narrow.replace("{ from = 30, to = 150, step = 5 }", "60").replace('{ from = "60 rpm", to = "120 rpm", step = "10 rpm" }', "10")
+    template.write_text(fixed, encoding="utf-8")
+    found = variants(read_template(template), roster("5"), "1")
+    assert sum(variant.shared for variant in found) >= 1
+    result = CliRunner().invoke(main, ["problems", str(template), "--students", "5", "-o", str(tmp_path / "set"), "--lang", "en"])
+    assert "note: " in result.stderr
+
+
+def test_the_command(template: Path, tmp_path: Path):
+    out = tmp_path / "set"
+    result = CliRunner().invoke(main, ["problems", str(template), "--students", "3", "--seed", "x", "-o", str(out), "--lang", "zh"])
+    assert result.exit_code == 0, result.output
+    assert len(list(out.glob("*.toml"))) == 3
+    bad = CliRunner().invoke(main, ["problems", str(template), "--students", str(tmp_path / "no.csv"), "-o", str(out)])
+    assert bad.exit_code == 3
+    assert "no.csv" in bad.stderr
+
+
+@pytest.mark.parametrize(
+    ("question", "shown"),
+    [
+        ("omega 3", "ω3 [rad/s] (1 point)"), ("theta 3", "θ3 [°] (1 point)"), ("v_y C", "v_C,y [m/s] (1 point)"),
+        ("a_k B3B2", "aᵏ_B3B2 [m/s²] (1 point)"), ("x C", "x_C [mm] (1 point)"), ("omega 3 / omega 2", "ω3 / ω2 (1 point)"),
+        ("P13", "P13 [mm]"),
+    ],
+)  # fmt: skip
+def test_what_is_asked_is_written_as_in_a_book(question: str, shown: str):
+    """What is no number has no points, and no line in the form."""
+    mechanism = loading.loads(re.sub("(?m)^ask .*", f'ask = ["{question}"]', library.load("ex3-1").text))
+    assert mechanism.ask == (question,)
+    lines = problem(mechanism, "s1", (), {}, "en").splitlines()
+    assert f"  {shown}" in lines
+    assert (f'  "{question}" = ' in lines) == ("point" in shown)

@@ -1,0 +1,303 @@
+"""Answers as students hand them in: numbers, names of quantities, files and whole classes."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import os
+import pickle
+import sys
+import time
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from graphkin import api
+from graphkin.errors import (
+    NOWHERE,
+    AnsweredTwice,
+    HandedTwice,
+    NoPaperScale,
+    OtherDimension,
+    TooMuch,
+    UnknownStudent,
+    WantsExtra,
+)
+from graphkin.submissions import Asked, Limits, guarded, handed_in, read, read_one, safe_name
+from graphkin.submissions.answers import answers
+from graphkin.submissions.class_names import owner
+from graphkin.submissions.numbers import given
+from graphkin.submissions.questions import Questions
+from graphkin.submissions.scales import scale
+
+MECHANISM = api.load("ex3-1")
+ASKED = Asked(MECHANISM, (*MECHANISM.ask, "v B", "v B3B2"))
+TURN, ACCELERATION, SPEED = "rad/s", "rad/s^2", "m/s"
+
+NUMBERS = (
+    ("3.92", TURN, 3.92, None), ("−3,92 rad/s", TURN, -3.92, None), ("62 rad/s^2 ccw", ACCELERATION, 62, "ccw"),
+    ("62 rad/s² (cw)", ACCELERATION, -62, "cw"), ("顺时针 3.92 rad/s", TURN, -3.92, "cw"),
+    ("3.92 弧度/秒，逆时针", TURN, 3.92, "ccw"), ("-62 cw", ACCELERATION, -62, "cw"), ("60°", "rad", math.pi / 3, None),
+    ("120 r/min", TURN, 4 * math.pi, None), ("120 转/分", TURN, 4 * math.pi, None), ("3.92 rad/s clockwise", TURN, -3.92, "cw"),
+    ("3.92 counter-clockwise", TURN, 3.92, "ccw"), ("anticlockwise 3.92", TURN, 3.92, "ccw"), ("3.92 rad·s⁻¹ ↻", TURN, -3.92, "cw"),
+    ("1.25×10⁻³ m/s", SPEED, 1.25e-3, None), ("1.2e3 mm/s", SPEED, 1.2, None), ("1,234.5 mm/s", SPEED, 1.2345, None),
+    ("1.234,5 mm/s", SPEED, 1.2345, None), ("1 234,5 mm/s", SPEED, 1.2345, None), ("ω3 = 3.92 rad/s", TURN, 3.92, None),
+    ("62 1/s^2", ACCELERATION, 62, None), ("62.2 rad/s/s", ACCELERATION, 62.2, None), ("＋３．９２", TURN, 3.92, None),
+    (".5", "1", 0.5, None), ("250", "m", 0.25, None), ("9.84 in", "m", 0.249936, None), ("3.92 RPM", TURN, 3.92 * math.pi / 30, None),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "unit", "value", "sense"), NUMBERS)
+def test_a_number_as_it_is_written(text, unit, value, sense):
+    found = given(text, unit)
+    assert found.value == pytest.approx(value, rel=1e-12)
+    assert (found.sense, found.fault) == (sense, None)
+
+
+@pytest.mark.parametrize("text", [
+    "", "abc", "nan", "inf", "-inf", "1e308", "1e999999999", "9" * 150, "3.92.1", "3 92", "5 5", "3.9 ± 0.1", "0x10", "1_000",
+    "-62 ccw", "3 ccw or cw", "1,2,3", "..", "-", "1e", "3.92 furlong", "=cmd|' /C calc'!A0", "3,92,", "x" * 5000,
+])  # fmt: skip
+def test_what_is_no_number_has_no_value(text):
+    found = given(text, TURN)
+    assert found.value is None
+    for lang in ("en", "zh"):
+        assert found.fault.at(NOWHERE).message(lang)
+
+
+def test_a_unit_of_another_kind_is_told_beside_the_number():
+    found = given("3.9 m/s", TURN)
+    assert found.value == 3.9
+    assert isinstance(found.fault, OtherDimension)
+
+
+def test_a_direction_beside_a_size():
+    assert given("0.32 m/s ∠ 90°", SPEED).vector == pytest.approx(0.32j)
+
+
+QUESTIONS = {
+    "omega 3": "w3|ω3|omega_3|ω₃|OMEGA 3|\\omega_{3}|$\\omega_3$|ω3 (rad/s)|ω3/(rad·s^-1)|ω3 [r/min]|omega DC|角速度3|w_3, rad/s",
+    "alpha 3": "alpha3|ε3|α_3|α₃ (rad/s²)|角加速度 3",
+    "a_k B3B2": "aB3B2k|a^k_B3B2|a_B3B2^k|akB3B2|a_k_B3B2|a^{k}_{B_3B_2}|ak|aᵏB3B2|akb3b2|ab3b2k|a_cor B3B2|a_k B3/B2",
+    "v B3B2": "vB3B2|v_{B3B2}|v B3/B2|vb3b2|v_{B_3B_2}|V_B3B2|v⃗_B3B2|速度 B3B2",
+    "v B": "vB|v_B2|v B1|v_{B}",
+    "a_n B3D": "aⁿB3D|a^n_B3D|aB3Dn|a_n B3/D",
+    "a_t B3D": "aτB3D|a^τ_B3D|a^t_{B3D}|aB3Dt",
+    "v_x C": "vCx|v_C_x|v_x_C",
+    "theta 3": "θ3|φ3|theta_3",
+    "P13": "p_13|P_{13}|P 13",
+    "omega 3/omega 1": "ω3/ω1|omega 3 / omega 1|w3/w1",
+    "a_r B2B3": "a^r_B2B3|arB2B3",
+}
+
+
+@pytest.mark.parametrize(("key", "text"), [(key, text) for key, texts in QUESTIONS.items() for text in [key, *texts.split("|")]])
+def test_a_question_as_it_is_typed(key, text):
+    found = Questions(MECHANISM, ASKED.questions).read(text)
+    assert found is not None
+    assert found[0] == key
+
+
+@pytest.mark.parametrize("text", ["hello", "omega", "a", "B3", "omega 9", "v Z", "", "student", "x" * 500, "a_k B", "{" * 50])
+def test_what_names_nothing(text):
+    assert Questions(MECHANISM, ASKED.questions).read(text) is None
+
+
+@pytest.mark.parametrize("text", [
+    "0.01", "0.01 (m/s)/mm", "0.01 m/s/mm", "1 mm = 0.01 m/s", "100 mm : 1 m/s", "10 mm/s per mm", "0.01 m/(s·mm)",
+    "0.01 m·s⁻¹/mm", "1cm=0.1m/s",
+])  # fmt: skip
+def test_a_scale_as_it_is_stated(text):
+    assert scale(text, "velocity") == pytest.approx(0.01)
+
+
+def test_lengths_on_paper():
+    questions = Questions(api.load("ex3-5"), ())
+    found = answers([("v C", "32 mm", NOWHERE), ("a C", "32 mm", NOWHERE), ("μv", "0.02 (m/s)/mm", NOWHERE)], questions, Limits())
+    assert found.values["v C"].value == pytest.approx(0.64)
+    assert found.values["v C"].paper_mm == 32
+    stated = "acceleration" in questions.mechanism.scales
+    assert stated or isinstance(found.values["a C"].fault, NoPaperScale)
+
+
+def test_one_question_answered_twice():
+    found = answers([("w3", 3.92, NOWHERE), ("ω3", "3.92 ccw", NOWHERE), ("ω2", 1, NOWHERE), ("w2", 2, NOWHERE)], Questions(MECHANISM), Limits())
+    assert found.values["omega 3"].value == 3.92
+    assert isinstance(found.values["omega 2"].fault, AnsweredTwice)
+
+
+# --- files ------------------------------------------------------------------------------------
+
+TOML = 'student = "s1"\n[answers]\n"omega 3" = 3.92\n"alpha 3" = "62 rad/s^2 ccw"\n"a_k B3B2" = 2.5\n'
+OWN = {
+    "a.toml": TOML.encode(),
+    "b.json": json.dumps({"学号": "s1", "answers": {"ω3": "3,92", "α3": {"value": 62, "unit": "rad/s^2", "sense": "ccw"}, "ak": 2.5}}).encode(),
+    "c.csv": "学号;ω3 (rad/s);α3;ak\ns1;3,92;62 逆时针;2,5\n".encode("gb18030"),
+    "d.csv": "question,value,unit,sense\nstudent,s1\nomega 3,3.92,rad/s,\nalpha3,62,rad/s^2,ccw\nak,2.5,,\n".encode("utf-16"),
+    "e.csv": "student,s1\nomega 3,3.92\nalpha 3,62 ccw\nak,2.5\n".encode("utf-8-sig"),
+    "f.txt": "学号：s1\nω3 = 3.92 rad/s\nα3 = 62 rad/s² 逆时针\na^k_B3B2 = 2500 mm/s²\n".encode(),
+}
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_one_students_file(tmp_path: Path, name: str):
+    (tmp_path / name).write_bytes(OWN[name])
+    (found,) = read([tmp_path / name], ASKED)
+    assert (found.student, found.reason) == ("s1", None)
+    values = {question: value.value for question, value in found.values.items()}
+    assert values == pytest.approx({"omega 3": 3.92, "alpha 3": 62, "a_k B3B2": 2.5})
+    assert found.values["alpha 3"].sense == "ccw"
+    assert pickle.loads(pickle.dumps(found)) == found
+
+
+def test_a_class_in_one_table_streams(tmp_path: Path):
+    path = tmp_path / "class.csv"
+    with path.open("w", encoding="utf-8-sig", newline="") as stream:
+        table = csv.writer(stream)
+        table.writerow(["Student ID", "name", "ω3", "α3 (deg/s²)"])
+        table.writerows([f"s{k}", "x", f"{k / 100} cw", ""] for k in range(1, 1001))
+    found = list(read([path], ASKED))
+    assert [(s.student, s.place) for s in found[:2]] == [("s1", "2"), ("s2", "3")]
+    assert [s.values["omega 3"].value for s in found] == [-k / 100 for k in range(1, 1001)]
+    assert all("alpha 3" not in s.values for s in found)
+    assert next(iter(handed_in([path], Limits()))).row.student == "s1"
+
+
+def test_a_workbook(tmp_path: Path):
+    openpyxl = pytest.importorskip("openpyxl", reason="openpyxl reads workbooks; it is an extra")
+    book = openpyxl.Workbook()
+    for row in (["学号", "ω3", "α3"], [1001, -3.92, 62.2], ["x7", "3.9 rad/s cw", None]):
+        book.active.append(row)
+    book.save(tmp_path / "class.xlsx")
+    found = list(read([tmp_path / "class.xlsx"], ASKED))
+    assert [(s.student, {q: v.value for q, v in s.values.items()}) for s in found] == [
+        ("1001", {"omega 3": -3.92, "alpha 3": 62.2}), ("x7", {"omega 3": -3.9}),
+    ]  # fmt: skip
+
+
+def test_a_workbook_without_its_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setitem(sys.modules, "openpyxl", None)
+    (tmp_path / "class.xlsx").write_bytes(b"PK")
+    (found,) = read([tmp_path / "class.xlsx"], ASKED)
+    assert isinstance(found.reason, WantsExtra)
+    assert "pip install openpyxl" in found.reason.message("zh")
+
+
+def zipped(path: Path, members: dict[str, bytes]) -> Path:
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in members.items():
+            archive.writestr(name, content)
+    return path
+
+
+ANSWER = TOML.replace('student = "s1"', "").encode()
+
+
+def test_moodles_download(tmp_path: Path):
+    members = {
+        "First Last_123_assignsubmission_file_/answers.toml": ANSWER,
+        "王 小明_124_assignsubmission_file_/work/a.pdf": b"%PDF",
+        "王 小明_124_assignsubmission_file_/b.toml": ANSWER,
+        "Bad One_125_assignsubmission_file_/a.json": b"{",
+        "Big One_126_assignsubmission_file_/a.json": b"0" * 3_000_000,
+        "__MACOSX/x_127_assignsubmission_file_/._a": b"",
+    }
+    found = list(read([zipped(tmp_path / "m.zip", members)], ASKED))
+    assert [(s.student, s.reason is None) for s in found] == [("123", True), ("124", True), ("125", False), ("126", False)]
+    assert found[0].file == f"{tmp_path / 'm.zip'}!First Last_123_assignsubmission_file_/answers.toml"
+    assert isinstance(found[3].reason, TooMuch)
+    assert len(found[1].notes) == 1
+
+
+def test_canvas_download_and_nested_folders(tmp_path: Path):
+    members = {
+        "studenttest_3143_207797_name.toml": ANSWER,
+        "late_LATE_3144_207798_a.toml": ANSWER,
+        "late_LATE_3144_207799_b.csv": b"question,value\nv B3B2,0.3\n",
+    }
+    found = list(read([zipped(tmp_path / "c.zip", members)], ASKED))
+    assert [s.student for s in found] == ["3143", "3144"]
+    assert found[1].values["v B3B2"].value == 0.3
+    nested = {"hw 3/group a/s1.toml": ANSWER, "hw 3/group a/s2.toml": ANSWER, "hw 3/s3/a.toml": ANSWER, "hw 3/s3/b.json": b'{"v B": 1}'}
+    found = list(read([zipped(tmp_path / "n.zip", nested)], ASKED))
+    assert sorted(s.student for s in found) == ["s1", "s2", "s3"]
+
+
+def test_a_key_for_each_student(tmp_path: Path):
+    """The platform's word for who handed in goes before the file's."""
+    folder = "_assignsubmission_file_/a.toml"
+    members = {f"First Last_123{folder}": ANSWER, f"No One_9{folder}": ANSWER, f"Not Me_124{folder}": TOML.encode(), f"By Id_125{folder}": TOML.encode()}
+    found = list(read([zipped(tmp_path / "m.zip", members)], {"Participant 123": ASKED, "Not Me": ASKED, "s1": ASKED}.get))
+    assert [s.student for s in found] == ["Participant 123", "9", "Not Me", "s1"]
+    assert [type(s.reason) for s in found] == [type(None), UnknownStudent, type(None), type(None)]
+
+
+def test_a_second_submission_is_not_marked_beside_the_first(tmp_path: Path):
+    (tmp_path / "a.toml").write_text(TOML)
+    (tmp_path / "b.toml").write_text(TOML)
+    first, second = read([tmp_path / "a.toml", tmp_path / "b.toml"], ASKED)
+    assert first.reason is None
+    assert isinstance(second.reason, HandedTwice)
+
+
+def test_workers_give_the_same_in_the_same_order(tmp_path: Path):
+    rows = "".join(f"s{k},{k}\n" for k in range(40))
+    (tmp_path / "class.csv").write_text("student,omega 3\n" + rows)
+    assert list(read([tmp_path / "class.csv"], ASKED, workers=1)) == list(read([tmp_path / "class.csv"], ASKED))
+
+
+def test_what_hangs_is_given_up(tmp_path: Path):
+    (tmp_path / "a.txt").write_text(("a" * 400 + "\n") * 2000 + "w3 = 1\n")
+    (found,) = (read_one(handed, ASKED, Limits(seconds=1e-6)) for handed in handed_in([tmp_path / "a.txt"], Limits()))
+    assert type(found.reason).__name__ == "TookTooLong"
+
+
+def hangs_or_dies(number: int) -> int:
+    if number == 3:
+        os._exit(9)
+    while number == 5:
+        time.sleep(0.1)
+    return number
+
+
+def test_what_hangs_or_dies_takes_nobody_with_it():
+    """A worker that is only slow to start is given its time: none of the others is lost to it."""
+    found = guarded(hangs_or_dies, range(7), 1, 0.1, lambda number, why: why)
+    assert list(found) == [0, 1, 2, "died", 4, "hung", 6]
+
+
+def test_a_table_that_hangs_is_given_up(tmp_path: Path):
+    (tmp_path / "a.csv").write_text("student,w3\n" + "," * 2_000_000 + "\n" + ("\n" * 2_000_000))
+    (found,) = read([tmp_path / "a.csv"], ASKED, Limits(seconds=0.05))
+    assert type(found.reason).__name__ in ("TookTooLong", "BrokenSubmission")
+
+
+@pytest.mark.parametrize("student", ["s1", "../../etc/passwd", "a/b", "CON", "学号1", "", ".", "x" * 500, "A", "a", "a b", "\ud800", "nul\0"])
+def test_no_id_is_a_path(student: str):
+    name = safe_name(student)
+    assert name == name.strip(". /\\") != ""
+    assert not set(name) & set('/\\:*?"<>|\0')
+    assert len(name) < 100
+
+
+def test_ids_that_differ_have_names_that_differ():
+    ids = ["A", "a", "a b", "a-b", "a/b", "a\\b", "学", "..", "", "con", "CON"]
+    assert len({safe_name(student).lower() for student in ids}) == len(ids)
+    assert owner("x/../../y.toml").student != ""
+
+
+def test_nothing_else_is_needed_to_read_a_row():
+    """A class of 100,000 at 300 a second leaves the reader a tenth of its time."""
+    table = io.StringIO("student,w3,alpha 3,ak\n" + "".join(f"s{k},3.9 cw,62,2.5\n" for k in range(300)))
+    from graphkin.submissions.handed import Handed
+    from graphkin.submissions.tables import rows_of
+
+    rows = rows_of(((k, row) for k, row in enumerate(csv.reader(table), 1)), NOWHERE, Limits())
+    handed = [Handed(owner("c.csv"), "c.csv", str(row.line), row=row) for row in rows]
+    start = time.process_time()
+    found = [read_one(each, ASKED) for each in handed]
+    assert time.process_time() - start < 1.0
+    assert all(len(s.values) == 3 for s in found)
