@@ -18,7 +18,7 @@ from graphkin.quantities import named
 from graphkin.running import replay_all
 from graphkin.say import names
 from graphkin.say.centre_explained import centre_entries, explain_centres
-from graphkin.say.entries import Calculation, Sentence
+from graphkin.say.entry import Calculation, Sentence
 
 GEARED_MOTOR = """
 [frame]

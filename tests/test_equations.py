@@ -31,7 +31,7 @@ from random_mechanisms import (
 import graphkin
 from graphkin import library
 from graphkin.equations import document, write_html, write_tex, write_text
-from graphkin.equations.ledger import values
+from graphkin.equations.legend import values
 from graphkin.equations.model import model_of
 from graphkin.equations.text import symbol_text
 from graphkin.equations.written import written

@@ -15,7 +15,7 @@ from graphkin.errors import GraphkinError
 from graphkin.finding.dimensions import dimension, replaced
 from graphkin.outputs import svg
 from graphkin.say.finding_table import table_lines
-from graphkin.sheet.found_sheet import drawn as drawn_positions
+from graphkin.sheet.finding_sheet import drawn as drawn_positions
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Text
 from graphkin.sheet.obstacles import bounds

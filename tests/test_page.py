@@ -23,13 +23,13 @@ from graphkin.sheet.about_sheet import about_sheet
 from graphkin.sheet.centre_sheet import centre_sheet
 from graphkin.sheet.fit import Extent, cut_out
 from graphkin.sheet.gallery_sheet import side_by_side
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Stroke, Text
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.page import Page, Panel, step_sheets
 from graphkin.sheet.paper import Room
 from graphkin.sheet.scales import finer
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
 
 PACKAGE = Path(graphkin.__file__).parent

@@ -15,7 +15,7 @@ from graphkin.loading import loads
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_count, step_sheets
-from graphkin.sheet.labels import Room, Wanted, settle
+from graphkin.sheet.labels import settle
 from graphkin.sheet.lettering import (
     Run,
     advance,
@@ -30,7 +30,9 @@ from graphkin.sheet.lettering import (
 )
 from graphkin.sheet.marks import PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import bounds
+from graphkin.sheet.paper import Room
 from graphkin.sheet.scales import finer, finest
+from graphkin.sheet.wanted import Wanted
 
 
 @cache

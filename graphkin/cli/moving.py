@@ -172,7 +172,7 @@ def find(
     found = finding.find(method, condition, ranges, by)
     click.echo(json_line(finding.as_json(found)) if as_json else "\n".join(lines(found, lang)))
     if output is not None:
-        from graphkin.sheet.found_sheet import drawn
+        from graphkin.sheet.finding_sheet import drawn
 
         _draw_found(output, drawn(method, found, lang, paper=paper), force)
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from itertools import count
 
 from graphkin.analytic import Motion
-from graphkin.equations.ledger import Ledger
+from graphkin.equations.legend import Legend
 from graphkin.equations.readers import angle_readers, difference
 from graphkin.equations.symbols import NO_ANGLE, Angle, Symbol
 from graphkin.mechanism import FRAME, Driver
@@ -44,7 +44,7 @@ class Bodies:
     """
 
     structure: Structure
-    ledger: Ledger
+    ledger: Legend
     drawn: Motion
     angles: dict[str, Angle] = field(default_factory=dict)
     base: dict[str, Symbol | None] = field(default_factory=dict)

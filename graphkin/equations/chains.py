@@ -7,7 +7,7 @@ import cmath
 from graphkin.analytic import Motion
 from graphkin.equations.bodies import quarters
 from graphkin.equations.expressions import Sum, one, phasor
-from graphkin.equations.ledger import Entry, Reader, Unit
+from graphkin.equations.legend import Entry, Reader, Unit
 from graphkin.equations.model import Model
 from graphkin.equations.polygons import way
 from graphkin.equations.readers import place

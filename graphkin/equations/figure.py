@@ -15,7 +15,6 @@ from graphkin.equations.symbols import Symbol
 from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.fit import corners, cut_out
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.marks import Arc, Mark, Place, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import mechanism_figure
@@ -24,6 +23,7 @@ from graphkin.sheet.paper import Paper
 from graphkin.sheet.plain_mechanism import mechanism_places
 from graphkin.sheet.scales import finest
 from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
 
 _ROOM = complex(130.0, 95.0)

@@ -8,7 +8,7 @@ from graphkin.equations.chains import Chain, asked_points, chain, vectors
 from graphkin.equations.complex_method import complex_sides, listed, ring
 from graphkin.equations.expressions import Sum
 from graphkin.equations.layout import Grid, Letter, Node, Op, Row
-from graphkin.equations.ledger import Entry, Reader
+from graphkin.equations.legend import Entry, Reader
 from graphkin.equations.matrices import matrices
 from graphkin.equations.model import Model
 from graphkin.equations.page import Page

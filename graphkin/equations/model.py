@@ -9,7 +9,7 @@ from graphkin.analytic import Motion
 from graphkin.construction import Plot
 from graphkin.equations.bodies import Bodies
 from graphkin.equations.expressions import Sum
-from graphkin.equations.ledger import Ledger, settled, values
+from graphkin.equations.legend import Legend, settled, values
 from graphkin.equations.polygons import Arrows, Polygon, closed
 from graphkin.equations.rolling import Rolling, rolling
 from graphkin.equations.symbols import Angle, Symbol
@@ -52,7 +52,7 @@ class Model:
     """
 
     method: Method
-    ledger: Ledger
+    ledger: Legend
     bodies: Bodies
     arrows: Arrows
     tasks: tuple[Task, ...]
@@ -76,7 +76,7 @@ class Model:
 
 def model_of(method: Method) -> Model:
     """Write the loops of a planned mechanism. Raises where the drawn position is a dead point, or the roads differ."""
-    ledger, found = Ledger(), proved(method)
+    ledger, found = Legend(), proved(method)
     drawn = found.exact
     bodies = Bodies(method.structure, ledger, drawn)
     arrows = Arrows(bodies, ledger)

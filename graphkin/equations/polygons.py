@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 from graphkin.equations.bodies import Bodies, quarters
 from graphkin.equations.expressions import Sum, Term, one, phasor
-from graphkin.equations.ledger import Ledger
+from graphkin.equations.legend import Legend
 from graphkin.equations.readers import slide_readers
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.mechanism import FRAME
@@ -77,7 +77,7 @@ class Arrows:
     """Makes the arrows of links and slides, each once."""
 
     bodies: Bodies
-    ledger: Ledger
+    ledger: Legend
     arms: dict[tuple[str, frozenset[str]], Arrow] = field(default_factory=dict)
     slides: dict[str, Symbol] = field(default_factory=dict)
 

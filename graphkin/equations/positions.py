@@ -9,7 +9,7 @@ import numpy as np
 from graphkin.equations.dyads import Split, single, unit
 from graphkin.equations.expressions import Sum, Term, cross, dot, number, one, phasor, squared
 from graphkin.equations.layout import Call, Frac, Letter, Node, Num, Op, Pow, Root, Row
-from graphkin.equations.ledger import Ledger
+from graphkin.equations.legend import Legend
 from graphkin.equations.page import Page
 from graphkin.equations.pretty import ZERO, Pretty, added
 from graphkin.equations.symbols import Angle, Symbol
@@ -29,7 +29,7 @@ class Solver:
 
     page: Page
     pretty: Pretty
-    ledger: Ledger
+    ledger: Legend
     values: Values
     low: str
 

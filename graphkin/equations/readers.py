@@ -11,7 +11,7 @@ import cmath
 import numpy as np
 
 from graphkin.analytic import Motion
-from graphkin.equations.ledger import Reader
+from graphkin.equations.legend import Reader
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Slide

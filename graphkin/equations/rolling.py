@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphkin.analytic import Motion
 from graphkin.equations.expressions import Sum, Term, number, one
-from graphkin.equations.ledger import values
+from graphkin.equations.legend import values
 from graphkin.equations.polygons import Arrows
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.planning.equivalent import Contact

@@ -9,7 +9,7 @@ from graphkin.equations.document import By, Document
 from graphkin.equations.expressions import Sum, Term
 from graphkin.equations.figure import figure
 from graphkin.equations.layout import Call, Exp, Letter, Node, Op, Row, Word
-from graphkin.equations.ledger import Entry
+from graphkin.equations.legend import Entry
 from graphkin.equations.matrix_method import write_matrix
 from graphkin.equations.model import Model, model_of
 from graphkin.equations.page import Page

@@ -8,12 +8,12 @@
 a quantity changes, so that a greatest value is as exact as a zero.
 """
 
-from graphkin.finding.answers import Found, Interval, Position
+from graphkin.finding.answers import Findings, Interval, Position
 from graphkin.finding.data import as_json
 from graphkin.finding.find import check_limit, find, limit
 from graphkin.finding.varying import VaryingRow, VaryingTable, table_json, vary
 
 __all__ = [
-    "Found", "Interval", "Position", "VaryingRow", "VaryingTable", "as_json", "check_limit", "find", "limit",
+    "Findings", "Interval", "Position", "VaryingRow", "VaryingTable", "as_json", "check_limit", "find", "limit",
     "table_json", "vary",
 ]  # fmt: skip

@@ -95,7 +95,7 @@ class Speeds:
 
 
 @frozen
-class Found:
+class Findings:
     """The answer to one condition.
 
     swept       number of the driver by whose value positions are named; looked: from where to where [rad, m]

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from graphkin.finding.answers import Found, Interval, Phase, Position, SlowPoint, Speeds
+from graphkin.finding.answers import Findings, Interval, Phase, Position, SlowPoint, Speeds
 
 Json = dict[str, Any]
 
 
-def as_json(found: Found) -> Json:
+def as_json(found: Findings) -> Json:
     """One object; parts that have nothing to say are left out."""
     data: Json = {
         "format": 1,
@@ -38,7 +38,7 @@ def as_json(found: Found) -> Json:
     return data | {key: part for key, part in parts.items() if part not in (None, [])}
 
 
-def _position(found: Found, position: Position) -> Json:
+def _position(found: Findings, position: Position) -> Json:
     values = {name: _finite(value) for name, value in zip(found.quantities, position.values)}
     return {"drivers": list(position.drivers), "values": values, "kind": position.kind}
 
@@ -47,7 +47,7 @@ def _finite(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def _interval(found: Found, part: Interval) -> Json:
+def _interval(found: Findings, part: Interval) -> Json:
     return {key: _position(found, getattr(part, key)) for key in ("begin", "end", "peak")}
 
 
@@ -55,13 +55,13 @@ def _phase(phase: Phase) -> Json:
     return {"growing": phase.up, "angle": phase.angle, "time": phase.time, "mean_speed": phase.mean}
 
 
-def _slow(found: Found, entry: SlowPoint) -> Json:
+def _slow(found: Findings, entry: SlowPoint) -> Json:
     return {
         "drivers": list(entry.position.drivers), "line": list(entry.points), "from_first": entry.along,
         "length": entry.length, "place": [entry.place.real, entry.place.imag], "speed": entry.speed,
     }  # fmt: skip
 
 
-def _speeds(found: Found, entry: Speeds) -> Json:
+def _speeds(found: Findings, entry: Speeds) -> Json:
     rates = {driver.name: rate for driver, rate in zip(found.drivers, entry.rates)}
     return {"drivers": list(entry.position.drivers), "rates": rates, "factor": entry.factor, "value": entry.value}

@@ -10,7 +10,7 @@ import numpy as np
 
 from graphkin.errors import BadCondition, NegativeSize, Where
 from graphkin.finding import conditions
-from graphkin.finding.answers import Found, Position
+from graphkin.finding.answers import Findings, Position
 from graphkin.finding.comparing import difference, holding, intervals, nearest
 from graphkin.finding.conditions import WHERE, Comparison, Extreme, Scaling, Slowest
 from graphkin.finding.extremes import Extremes, extremes, stroke
@@ -22,7 +22,7 @@ from graphkin.planning import Method
 from graphkin.sweeps import Course, Road, Series, course, prove
 
 
-def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = "construction") -> Found:
+def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = "construction") -> Findings:
     """All positions with a property.
 
     condition  `v C = 0`, `theta 5 = 30`, `omega 2 = omega 3`, `a E > 3 g`, `max v E`, `min ..`, `range theta 3`,
@@ -65,7 +65,7 @@ def _over(method: Method, ranges: Sequence[str], names: tuple[str, ...], by: Roa
     return stretch(moved, tuple(ranges), names, by)
 
 
-def limit(moved: Course, text: str, ranges: Sequence[str] = (), by: Road = "construction") -> Found:
+def limit(moved: Course, text: str, ranges: Sequence[str] = (), by: Road = "construction") -> Findings:
     """Where the size of a quantity passes a limit: `a E 3 g`, `omega 3 5 rad/s`. Its `intervals` say where."""
     wanted = conditions.limit(text)
     where = Where("--limit")
@@ -84,13 +84,13 @@ def check_limit(mechanism: Mechanism, text: str) -> None:
 
 def _blank(
     method: Method, wanted: conditions.Condition, swept: int, names: tuple[str, ...], drawn: tuple[Series, ...]
-) -> Found:
+) -> Findings:
     """Nothing found yet."""
     units, guided = tuple(entry.unit for entry in drawn), tuple(entry.along is not None for entry in drawn)
-    return Found(wanted, method.mechanism, method.drivers, swept, None, False, (False, False), names, units, guided)
+    return Findings(wanted, method.mechanism, method.drivers, swept, None, False, (False, False), names, units, guided)
 
 
-def _looked(method: Method, wanted: conditions.Condition, drawn: tuple[Series, ...], over: Stretch) -> Found:
+def _looked(method: Method, wanted: conditions.Condition, drawn: tuple[Series, ...], over: Stretch) -> Findings:
     """Nothing found yet on a stretch."""
     swept = over.course.swept
     blank = _blank(method, wanted, swept, over.names, drawn)
@@ -100,7 +100,7 @@ def _looked(method: Method, wanted: conditions.Condition, drawn: tuple[Series, .
 
 def _compared(
     method: Method, wanted: Comparison, drawn: tuple[Series, ...], over: Stretch, where: Where = WHERE
-) -> Found:
+) -> Findings:
     two_sides = difference(over, wanted, drawn, where)
     blank = _looked(method, wanted, drawn, over)
     if two_sides.everywhere:
@@ -112,7 +112,7 @@ def _compared(
     return replace(blank, positions=positions, nearest=None if positions else nearest(two_sides))
 
 
-def _extreme(method: Method, wanted: Extreme, drawn: tuple[Series, ...], over: Stretch) -> Found:
+def _extreme(method: Method, wanted: Extreme, drawn: tuple[Series, ...], over: Stretch) -> Findings:
     found, blank = extremes(over), _looked(method, wanted, drawn, over)
     if found.level:
         zero = float(np.nanmax(np.abs(found.curve.values), initial=0.0)) <= over.noise(drawn[0].unit)

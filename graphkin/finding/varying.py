@@ -13,7 +13,7 @@ import numpy as np
 from graphkin import loading
 from graphkin.errors import BadRange, GraphkinError, NoDimension, NoSuchDriver
 from graphkin.finding import conditions
-from graphkin.finding.answers import Found
+from graphkin.finding.answers import Findings
 from graphkin.finding.data import as_json
 from graphkin.finding.dimensions import WHERE, DimensionPlace, dimension, replaced, value_at
 from graphkin.finding.find import find
@@ -37,7 +37,7 @@ class VaryingRow:
     """What was found with one value of the dimension; `error` says why nothing could be looked for."""
 
     value: float
-    found: Found | None
+    found: Findings | None
     error: GraphkinError | None
 
 
@@ -124,7 +124,7 @@ def _driven(
         yield _row(value, lambda held=held: find(method, condition, (*ranges, held), by))  # type: ignore[misc]
 
 
-def _row(value: float, look: Callable[[], Found]) -> VaryingRow:
+def _row(value: float, look: Callable[[], Findings]) -> VaryingRow:
     try:
         return VaryingRow(value, look(), None)
     except GraphkinError as error:

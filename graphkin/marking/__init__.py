@@ -12,8 +12,8 @@ from graphkin.marking.follow import Followed, Own, replay_with
 from graphkin.marking.hand import Hand, Hands
 from graphkin.marking.redrawing import Redrawing, redraw
 from graphkin.marking.rewrite import Edit, Mistaken, Rewrite, Written
+from graphkin.marking.right_ways import OtherWay, other_methods, other_ways
 from graphkin.marking.scene import MISTAKES, Mistake
-from graphkin.marking.ways import OtherWay, other_methods, other_ways
 
 __all__ = [
     "MISTAKES", "Arrows", "Consequences", "Edit", "Followed", "Hand", "Hands", "Mistake",

@@ -9,9 +9,9 @@ from graphkin.construction import Construction, Facts, Fit, Roll, Site
 from graphkin.geometry import Value
 from graphkin.mechanism import Driver, Mechanism
 from graphkin.planning.candidates import SetAside
-from graphkin.planning.drawn import facts_of
 from graphkin.planning.special import Ternary
 from graphkin.planning.stages import Bridge, Group, Stage
+from graphkin.planning.starting_facts import facts_of
 from graphkin.planning.structure import Structure
 from graphkin.value import frozen
 

@@ -9,10 +9,10 @@ from graphkin.construction import Construction, Meet, Plot, Swing, replay
 from graphkin.errors import HigherClass
 from graphkin.mechanism import Mechanism
 from graphkin.planning.assembly import assemble
-from graphkin.planning.bypass import with_ways
 from graphkin.planning.candidates import SetAside
-from graphkin.planning.drawn import facts_of, refuse_contacts_apart, with_sides
+from graphkin.planning.drawn_position import as_drawn
 from graphkin.planning.equivalent import contacts, lower_pairs
+from graphkin.planning.kept_tracks import with_ways
 from graphkin.planning.labels import Labels, coincident_points
 from graphkin.planning.method import Method
 from graphkin.planning.motion import motion
@@ -20,7 +20,7 @@ from graphkin.planning.position import position
 from graphkin.planning.repeated import as_aside, repeated
 from graphkin.planning.special import special_points, with_special_points
 from graphkin.planning.stages import Group, Loop, Mesh, Stage, stages
-from graphkin.planning.standing import as_drawn
+from graphkin.planning.starting_facts import facts_of, refuse_contacts_apart, with_sides
 from graphkin.planning.structure import Structure
 
 

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from graphkin.construction import Plot, replay
 from graphkin.geometry import Value
 from graphkin.planning.assembly import refuse_bad_positions
-from graphkin.planning.drawn import refuse_contacts_apart
 from graphkin.planning.method import Method
+from graphkin.planning.starting_facts import refuse_contacts_apart
 
 
 def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:

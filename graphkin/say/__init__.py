@@ -25,7 +25,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-_WHERE = dict.fromkeys(("Arrow", "Calculation", "Entry", "Heading", "Sentence", "VectorEquation"), "entries")
+_WHERE = dict.fromkeys(("Arrow", "Calculation", "Entry", "Heading", "Sentence", "VectorEquation"), "entry")
 _WHERE |= dict.fromkeys(("derivation", "explain", "vector_equations"), "explained")
 _WHERE |= {"say": "catalogue"}
 
@@ -36,7 +36,7 @@ __all__ = [
 
 if TYPE_CHECKING:
     from graphkin.say.catalogue import say
-    from graphkin.say.entries import Arrow, Calculation, Entry, Heading, Sentence, VectorEquation
+    from graphkin.say.entry import Arrow, Calculation, Entry, Heading, Sentence, VectorEquation
     from graphkin.say.explained import derivation, explain, vector_equations
 
 

@@ -10,8 +10,8 @@ from graphkin.centres import Centres, advantages, as_json
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
 from graphkin.say.centre_steps import CentreReader
-from graphkin.say.centre_uses import uses
-from graphkin.say.entries import Entry, Heading
+from graphkin.say.centre_velocities import uses
+from graphkin.say.entry import Entry, Heading
 from graphkin.say.layout import lines
 
 Json = Mapping[str, Any]

@@ -12,7 +12,7 @@ from graphkin.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.centre_steps import CentreReader
-from graphkin.say.entries import Calculation, Entry, Sentence
+from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.numbers import degrees, number
 from graphkin.value import frozen
 

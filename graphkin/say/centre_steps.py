@@ -29,7 +29,7 @@ from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Cam, CircularSlot, Pair, Slide
 from graphkin.say import names
 from graphkin.say.catalogue import say
-from graphkin.say.entries import Entry, Heading, Sentence
+from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.numbers import number
 from graphkin.value import frozen
 

@@ -33,7 +33,7 @@ from graphkin.construction import (
     Turning,
 )
 from graphkin.say import names
-from graphkin.say.entries import Arrow, Calculation, Entry, Sentence, VectorEquation
+from graphkin.say.entry import Arrow, Calculation, Entry, Sentence, VectorEquation
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
 from graphkin.say.sizes import known_size, size_row

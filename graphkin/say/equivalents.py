@@ -26,7 +26,7 @@ from graphkin.mechanism import FRAME
 from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, Slot, rod_name
 from graphkin.pairs import Roll as RollingPair
 from graphkin.say import names
-from graphkin.say.entries import Entry, Sentence
+from graphkin.say.entry import Entry, Sentence
 from graphkin.say.numbers import degrees, number
 from graphkin.say.reading import Reading
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.say.entries import Entry, VectorEquation
+from graphkin.say.entry import Entry, VectorEquation
 from graphkin.say.equations import worded
 from graphkin.say.given import given
 from graphkin.say.layout import lines

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphkin.errors import Lang
-from graphkin.finding.answers import Found, Interval, Phase, Position, SlowPoint, Speeds
+from graphkin.finding.answers import Findings, Interval, Phase, Position, SlowPoint, Speeds
 from graphkin.finding.conditions import Comparison, Scaling, Slowest
 from graphkin.mechanism import Driver
 from graphkin.quantities import driven
@@ -23,19 +23,19 @@ def _rate(driver: Driver, value: float) -> str:
     return quantity(value, "m/s" if driver.kind == "slide" else "rad/s")
 
 
-def _at(found: Found, position: Position) -> str:
+def _at(found: Findings, position: Position) -> str:
     """`AB = 26.38 deg, ram = 90 mm`: the driver by which positions are named first."""
     order = sorted(range(len(found.drivers)), key=lambda k: k != found.swept)
     return ", ".join(f"{found.drivers[k].name} = {_driven(found.drivers[k], position.drivers[k])}" for k in order)
 
 
-def _gravity(found: Found) -> bool:
+def _gravity(found: Findings) -> bool:
     """Whether the condition itself speaks of g."""
     wanted = found.condition
     return isinstance(wanted, Comparison) and (wanted.size or wanted.other.rstrip().endswith("g"))
 
 
-def _values(found: Found, position: Position) -> str:
+def _values(found: Findings, position: Position) -> str:
     size = isinstance(found.condition, Comparison) and found.condition.size
     values = map(abs, position.values) if size else position.values
     entries = zip(found.quantities, found.units, values)
@@ -45,13 +45,13 @@ def _values(found: Found, position: Position) -> str:
 # --- lines ------------------------------------------------------------------------------------
 
 
-def lines(found: Found, lang: Lang = "en") -> Iterator[str]:
+def lines(found: Findings, lang: Lang = "en") -> Iterator[str]:
     """Everything found, for the terminal; nothing twice."""
     for line in dict.fromkeys(_lines(found, lang)):
         yield line.replace(" deg", "°") if lang == "zh" else line
 
 
-def _lines(found: Found, lang: Lang) -> Iterator[str]:
+def _lines(found: Findings, lang: Lang) -> Iterator[str]:
     wanted = found.condition
     yield f"{wanted.text}" + (f"  ({_looked(found, lang)})" if found.looked else "")
     if isinstance(wanted, Slowest):
@@ -62,7 +62,7 @@ def _lines(found: Found, lang: Lang) -> Iterator[str]:
         yield from (f"  {line}" for line in _results(found, lang))
 
 
-def _looked(found: Found, lang: Lang) -> str:
+def _looked(found: Findings, lang: Lang) -> str:
     assert found.looked is not None
     driver = found.drivers[found.swept]
     low, high = (_driven(driver, end) for end in found.looked)
@@ -73,7 +73,7 @@ def _looked(found: Found, lang: Lang) -> str:
     return text + (say("finding.turn", lang) if found.turn else "")
 
 
-def _results(found: Found, lang: Lang) -> Iterator[str]:
+def _results(found: Findings, lang: Lang) -> Iterator[str]:
     if found.everywhere:
         yield _level(found, lang)
         return
@@ -92,7 +92,7 @@ def _results(found: Found, lang: Lang) -> Iterator[str]:
     yield from (say(f"finding.note {note}", lang) for note in found.notes)
 
 
-def _level(found: Found, lang: Lang) -> str:
+def _level(found: Findings, lang: Lang) -> str:
     """A condition met everywhere, or a quantity that never changes."""
     if found.zero:
         return say("finding.nothing", lang)
@@ -101,13 +101,13 @@ def _level(found: Found, lang: Lang) -> str:
     return say("finding.level", lang, values=_values(found, found.positions[0]))
 
 
-def _line(found: Found, position: Position, lang: Lang) -> str:
+def _line(found: Findings, position: Position, lang: Lang) -> str:
     said = say(f"finding.kind {position.kind}", lang)
     line = f"{_at(found, position)}{say('common.colon', lang)}{_values(found, position)}"
     return line + (f"  ({said})" if said else "")
 
 
-def _interval(found: Found, part: Interval, lang: Lang) -> str:
+def _interval(found: Findings, part: Interval, lang: Lang) -> str:
     driver = found.drivers[found.swept]
     ends = []
     for position in (part.begin, part.end):
@@ -119,7 +119,7 @@ def _interval(found: Found, part: Interval, lang: Lang) -> str:
     return f"{span}{say('common.colon', lang)}" + say("finding.peak", lang, **peak)
 
 
-def _swing(found: Found, lang: Lang) -> Iterator[str]:
+def _swing(found: Findings, lang: Lang) -> Iterator[str]:
     if found.swing is None or "goes round" in found.notes:
         return
     key = "finding.stroke" if found.condition.text.startswith("stroke") else "finding.swing"
@@ -130,7 +130,7 @@ def _swing(found: Found, lang: Lang) -> Iterator[str]:
         yield say("finding.ratio", lang, value=exact(found.stroke.ratio))
 
 
-def _phase(found: Found, name: str, phase: Phase, lang: Lang) -> str:
+def _phase(found: Findings, name: str, phase: Phase, lang: Lang) -> str:
     called = say(f"finding.phase {name}", lang, way=say("finding.up" if phase.up else "finding.down", lang))
     driver, angle = found.drivers[found.swept].name, quantity(phase.angle, "rad")
     text = say("finding.phase", lang, name=called, driver=driver, angle=angle)
@@ -139,7 +139,7 @@ def _phase(found: Found, name: str, phase: Phase, lang: Lang) -> str:
     return text + say("finding.time", lang, time=exact(phase.time), mean=quantity(phase.mean, f"{found.units[0]}/s"))
 
 
-def _slow(found: Found, entry: SlowPoint, lang: Lang) -> str:
+def _slow(found: Findings, entry: SlowPoint, lang: Lang) -> str:
     first, second = entry.points
     data = {"at": _at(found, entry.position), "line": first + second, "speed": quantity(entry.speed, "m/s")}
     if entry.along is None:
@@ -149,7 +149,7 @@ def _slow(found: Found, entry: SlowPoint, lang: Lang) -> str:
     return say(f"finding.slow {key}", lang, first=first, second=second, along=along, **data)
 
 
-def _scaling(found: Found, wanted: Scaling, lang: Lang) -> Iterator[str]:
+def _scaling(found: Findings, wanted: Scaling, lang: Lang) -> Iterator[str]:
     order = sorted(range(len(found.drivers)), key=lambda k: k != wanted.driver)
     for entry in found.speeds:
         yield _speeds(found, entry, order, lang)
@@ -160,7 +160,7 @@ def _scaling(found: Found, wanted: Scaling, lang: Lang) -> Iterator[str]:
             yield say("finding.square", lang, accelerations=_accelerations(found, entry))
 
 
-def _speeds(found: Found, entry: Speeds, order: list[int], lang: Lang) -> str:
+def _speeds(found: Findings, entry: Speeds, order: list[int], lang: Lang) -> str:
     names = [f"{_letter(found.drivers[k])} = {_rate(found.drivers[k], entry.rates[k])}" for k in order]
     name, unit = found.quantities[0], found.units[0]
     value, now = quantity(entry.position.values[0], unit), quantity(entry.value, unit)
@@ -174,13 +174,13 @@ def _letter(driver: Driver) -> str:
     return f"{'v' if driver.kind == 'slide' else 'omega'} {driver.name}"
 
 
-def _accelerations(found: Found, entry: Speeds) -> str:
+def _accelerations(found: Findings, entry: Speeds) -> str:
     pairs = [(driver, driver.acceleration * entry.factor**2) for driver in found.drivers if driver.acceleration]
     units = {"slide": "m/s^2"}
     return ", ".join(f"{driver.name}: {quantity(a, units.get(driver.kind, 'rad/s^2'))}" for driver, a in pairs)
 
 
-def caption(found: Found, position: Position) -> str:
+def caption(found: Findings, position: Position) -> str:
     """What stands under a position on the sheet: `AB = 26.38 deg: v C = 0 m/s`."""
     at = f"{found.drivers[found.swept].name} = {_driven(found.drivers[found.swept], position.drivers[found.swept])}"
     values = _values(found, position)

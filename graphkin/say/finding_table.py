@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphkin.errors import Lang
-from graphkin.finding.answers import Found
+from graphkin.finding.answers import Findings
 from graphkin.finding.conditions import Comparison, Extreme, Scaling, Slowest
 from graphkin.finding.dimensions import DimensionPlace
 from graphkin.finding.varying import VaryingTable
@@ -36,7 +36,7 @@ def _shown(value: float, place: DimensionPlace) -> str:
     return f"{value * EDGE[unit].factor:.6g}"
 
 
-def header(found: Found, lang: Lang) -> list[str]:
+def header(found: Findings, lang: Lang) -> list[str]:
     """Names of the columns."""
     at = say("finding.column at", lang, driver=found.drivers[found.swept].name)
     match found.condition:
@@ -55,7 +55,7 @@ def header(found: Found, lang: Lang) -> list[str]:
             return [say("finding.column along", lang, first=first), say("finding.column speed", lang)]
 
 
-def summary(found: Found) -> list[str]:
+def summary(found: Findings) -> list[str]:
     """The cells of one row; `-` for what is not there."""
     match found.condition:
         case Extreme(which=which):
@@ -71,11 +71,11 @@ def summary(found: Found) -> list[str]:
             return ["-" if first.along is None else quantity(first.along, "m"), quantity(first.speed, "m/s")]
 
 
-def _driven(found: Found, value: float) -> str:
+def _driven(found: Findings, value: float) -> str:
     return quantity(value, "m" if found.drivers[found.swept].kind == "slide" else "rad")
 
 
-def _extreme(found: Found, which: str) -> list[str]:
+def _extreme(found: Findings, which: str) -> list[str]:
     unit = found.units[0]
     if which in ("max", "min"):
         chosen = [p for p in found.positions if p.kind != "largest"]
@@ -88,7 +88,7 @@ def _extreme(found: Found, which: str) -> list[str]:
     return cells if which == "range" else [*cells, f"{found.stroke.ratio:.6g}" if found.stroke else "-"]
 
 
-def _places(found: Found) -> str:
+def _places(found: Findings) -> str:
     if found.everywhere:
         return "="
     told = [_driven(found, p.drivers[found.swept]) for p in found.positions]

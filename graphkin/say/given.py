@@ -7,7 +7,7 @@ from math import degrees
 
 from graphkin.mechanism import FRAME, Driver, Pose
 from graphkin.say import names
-from graphkin.say.entries import Entry, Heading, Sentence
+from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
 from graphkin.say.redundancy import redundant_constraints

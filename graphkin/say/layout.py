@@ -7,7 +7,7 @@ from typing import assert_never
 
 from graphkin.errors import Lang
 from graphkin.say.catalogue import close, say
-from graphkin.say.entries import Calculation, Entry, Heading, Sentence, VectorEquation
+from graphkin.say.entry import Calculation, Entry, Heading, Sentence, VectorEquation
 from graphkin.say.text_table import aligned, padded, width
 
 

@@ -21,7 +21,7 @@ from graphkin.construction import (
     Term,
 )
 from graphkin.say import names
-from graphkin.say.entries import Calculation
+from graphkin.say.entry import Calculation
 from graphkin.say.numbers import degrees, number
 from graphkin.say.reading import ROUNDING, Reading
 from graphkin.value import frozen

@@ -23,7 +23,7 @@ from graphkin.construction import (
     Touch,
 )
 from graphkin.say import names
-from graphkin.say.entries import Entry, Heading, Sentence
+from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equations import equation, known_arrow
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading

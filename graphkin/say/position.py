@@ -34,7 +34,7 @@ from graphkin.construction import (
 from graphkin.geometry import cross, dot
 from graphkin.mechanism import FRAME
 from graphkin.say import names
-from graphkin.say.entries import Calculation, Entry, Heading, Sentence
+from graphkin.say.entry import Calculation, Entry, Heading, Sentence
 from graphkin.say.equivalents import equivalents
 from graphkin.say.numbers import degrees, number
 from graphkin.say.reading import Reading

@@ -11,7 +11,7 @@ from graphkin.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import touching
 from graphkin.say import names
-from graphkin.say.entries import Calculation, Entry, Sentence
+from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import ROUNDING, Reading

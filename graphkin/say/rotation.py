@@ -8,7 +8,7 @@ from graphkin.construction import Image, Measure
 from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.say import names
-from graphkin.say.entries import Calculation, Entry, Sentence
+from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import ROUNDING

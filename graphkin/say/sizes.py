@@ -6,7 +6,7 @@ from typing import assert_never
 
 from graphkin.construction import Coriolis, Drawn, Driven, Normal, Relative, Size, Span, Tangential, Term, Turning
 from graphkin.say import names
-from graphkin.say.entries import Calculation
+from graphkin.say.entry import Calculation
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
 from graphkin.value import frozen

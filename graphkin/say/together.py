@@ -24,7 +24,7 @@ from graphkin.construction import (
 )
 from graphkin.mechanism import FRAME
 from graphkin.say import names
-from graphkin.say.entries import Calculation, Entry, Sentence
+from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.numbers import degrees, number
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading

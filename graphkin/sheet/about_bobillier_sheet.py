@@ -12,12 +12,12 @@ from graphkin.errors import Lang
 from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.curves import clipped
 from graphkin.sheet.fit import enlarged
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, plain, point_label, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place
 from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.plain_mechanism import shown_places
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
 

@@ -15,7 +15,6 @@ from graphkin.mechanism import FRAME
 from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.curves import circle, clipped
 from graphkin.sheet.fit import enlarged
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, joined, plain, quantity_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
 from graphkin.sheet.page import Sheet
@@ -23,6 +22,7 @@ from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import arrow_head
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
 

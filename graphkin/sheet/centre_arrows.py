@@ -11,11 +11,11 @@ from graphkin.drafting import Far
 from graphkin.sheet.centre_lines import reach_of
 from graphkin.sheet.centre_places import Line as PaperLine
 from graphkin.sheet.centre_places import OnPaper, Spot, centre_label, clipped
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run, number, plain
 from graphkin.sheet.marks import Mark, Place, VectorMark
 from graphkin.sheet.obstacles import tree
 from graphkin.sheet.symbols import BLOCK
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
 
 INFINITY: Label = plain(" → ∞ ")

@@ -7,7 +7,6 @@ from graphkin.sheet.cams import equivalents
 from graphkin.sheet.centre_arrows import centre_arrows
 from graphkin.sheet.centre_lines import centre_lines
 from graphkin.sheet.centre_places import SAME, OnPaper, Spot, centre_label
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run, joined
 from graphkin.sheet.marks import Disc, Mark, PointMark
 from graphkin.sheet.mechanism_figure import mechanism_figure
@@ -15,6 +14,7 @@ from graphkin.sheet.plain_mechanism import mechanism_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.specials import specials
 from graphkin.sheet.symbols import HINGE
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
 
 _CIRCLE, _DOT = 1.0, 0.5

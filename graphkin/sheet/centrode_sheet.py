@@ -14,12 +14,12 @@ from graphkin.running.path import along
 from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.curves import clipped
 from graphkin.sheet.fit import corners, enlarged
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, link_label, plain, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.plain_mechanism import shown_places
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
 
 _ROUND = 0.75

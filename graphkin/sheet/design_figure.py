@@ -35,10 +35,10 @@ from graphkin.drafting import (
 )
 from graphkin.sheet.alone import Alone
 from graphkin.sheet.curves import clipped
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
 from graphkin.sheet.marks import Arc, Disc, Stroke
 from graphkin.sheet.paper import PenName
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
 

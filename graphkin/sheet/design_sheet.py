@@ -19,12 +19,12 @@ from graphkin.say.design import error, mechanism_of
 from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.design_figure import DesignFigure
 from graphkin.sheet.fit import enlarged
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
 from graphkin.sheet.marks import Text
 from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import LABEL
 from graphkin.sheet.plain_mechanism import shown_places
+from graphkin.sheet.wanted import Wanted
 from graphkin.value import frozen
 
 _COLUMN, _LINE = 42.0, 6.2

@@ -8,11 +8,11 @@ import math
 from graphkin.mechanism import FRAME, Driver
 from graphkin.pairs import Line
 from graphkin.sheet import symbols
-from graphkin.sheet.grounds import ground_way
-from graphkin.sheet.labels import Wanted
+from graphkin.sheet.fixed_link import ground_way
 from graphkin.sheet.lettering import Label, between, joined, quantity_label
 from graphkin.sheet.marks import Place
 from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.wheels import circles, wheels_of
 from graphkin.sheet.window import Figure
 

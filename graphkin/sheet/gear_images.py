@@ -9,9 +9,9 @@ from collections.abc import Iterator, Sequence
 from graphkin.construction import Measure, Plot, Roll, Simultaneous
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window, first_steps
 from graphkin.value import frozen

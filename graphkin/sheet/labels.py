@@ -20,8 +20,6 @@ from graphkin.sheet.obstacles import Tree, tree
 from graphkin.sheet.paper import Room
 from graphkin.sheet.wanted import Candidate, Wanted
 
-__all__ = ["Settled", "Wanted", "settle"]
-
 _CLEAR, _EASY = 0.45, 1.3
 """What a label keeps from lines at least, and likes to keep [mm]."""
 _TOUCH = 0.05

@@ -8,12 +8,12 @@ import math
 from graphkin.linkages import Report
 from graphkin.linkages.linkage import LinkagePosition
 from graphkin.sheet import symbols
-from graphkin.sheet.grounds import away_from
-from graphkin.sheet.labels import Wanted
+from graphkin.sheet.fixed_link import away_from
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.linkage_figure import on_paper
 from graphkin.sheet.marks import Arc, Mark, Place, Stroke
 from graphkin.sheet.paper import BODY
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
 
 _FOOT = 15.0

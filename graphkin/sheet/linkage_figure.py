@@ -14,13 +14,13 @@ from graphkin.linkages.placement import posed
 from graphkin.mechanism import FRAME
 from graphkin.sheet import symbols
 from graphkin.sheet.fit import Extent
-from graphkin.sheet.grounds import grounds
-from graphkin.sheet.labels import Wanted
+from graphkin.sheet.fixed_link import grounds
 from graphkin.sheet.lettering import Label, Run, point_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke
 from graphkin.sheet.mechanism_figure import moving_links
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
 
 Row = Sequence[LinkagePosition]

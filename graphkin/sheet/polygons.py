@@ -10,10 +10,10 @@ from graphkin.construction import LETTER, Construction, Given, Plot, Site, Term
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.sheet import gear_images
 from graphkin.sheet.gear_images import GearImage
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import joined, point_label, vector_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke, VectorMark
 from graphkin.sheet.skeleton import hull, in_line
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 

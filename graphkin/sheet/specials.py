@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping
 from graphkin.construction import Along, Arc, Direction, Meet, Plot, Ray, Site, Touch
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import plain, point_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
 from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import arrow_head
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, first_steps
 from graphkin.value import frozen
 

@@ -10,10 +10,10 @@ from typing import Any
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Gear, Line, Pair, Roll
 from graphkin.sheet import symbols
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
 from graphkin.value import frozen
 

@@ -24,8 +24,8 @@ from graphkin.construction import (
     Touch,
 )
 from graphkin.planning import Method
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.marks import Mark, Place
+from graphkin.sheet.wanted import Wanted
 from graphkin.value import frozen
 
 Entry = Mark | Wanted

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from graphkin.errors import Lang
-from graphkin.finding import Found
+from graphkin.finding import Findings
 from graphkin.planning import Method
 from graphkin.running.reaching import moved_to
 from graphkin.say.finding import caption
@@ -11,7 +11,7 @@ from graphkin.sheet import Sheet
 from graphkin.sheet.gallery_sheet import MOST, side_by_side
 
 
-def drawn(method: Method, found: Found, lang: Lang = "en", *, paper: str | None = None) -> tuple[Sheet, int] | None:
+def drawn(method: Method, found: Findings, lang: Lang = "en", *, paper: str | None = None) -> tuple[Sheet, int] | None:
     """The sheet, and how many positions found no room on it; None where no position was found that can be drawn.
 
     Raises UnknownPaper; DeadPoint or NotReached for a position that can be told but not drawn.

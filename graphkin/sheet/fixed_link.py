@@ -8,10 +8,10 @@ from graphkin.mechanism import FRAME
 from graphkin.pairs import Slide
 from graphkin.sheet import symbols
 from graphkin.sheet.cams import follower
-from graphkin.sheet.labels import Wanted
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
 
 _REACH = 13.0

@@ -30,7 +30,7 @@ class Entry:
 
 
 @dataclass
-class Ledger:
+class Legend:
     """All symbols with their entries, in the order they came up.
 
     alias   how angles fixed to one another are called: θ2 = θ3 + γ
@@ -77,12 +77,12 @@ def _family(symbol: Symbol) -> tuple[Symbol, ...]:
     return tuple(found)
 
 
-def values(ledger: Ledger, motion: Motion) -> dict[Symbol, Value]:
+def values(ledger: Legend, motion: Motion) -> dict[Symbol, Value]:
     """Every symbol's value at a motion, in SI units: scalars, or arrays over positions."""
     return {symbol: entry.read(motion) for symbol, entry in ledger.entries.items()}
 
 
-def settled(ledger: Ledger, found: Mapping[Symbol, Value]) -> dict[Symbol, Value]:
+def settled(ledger: Legend, found: Mapping[Symbol, Value]) -> dict[Symbol, Value]:
     """Single values without the rounding of what is zero: nothing beside the largest of its unit is 0.
 
     Velocities are held against ω r, accelerations against ω² r: an α that cancels leaves no other α to compare with.

@@ -16,10 +16,10 @@ from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, W
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning.assembly import assemble, extent, refuse_open
 from graphkin.planning.candidates import SetAside
-from graphkin.planning.drawn import facts_of, with_sides
 from graphkin.planning.position import position
 from graphkin.planning.repeated import as_aside, still_repeated
 from graphkin.planning.stages import stages
+from graphkin.planning.starting_facts import facts_of, with_sides
 from graphkin.planning.structure import Structure
 from graphkin.quantities import EDGE, driven
 from graphkin.tolerances import ROUNDED

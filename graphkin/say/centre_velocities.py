@@ -15,7 +15,7 @@ from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.centre_levers import LeverReader
 from graphkin.say.centre_steps import CentreReader
-from graphkin.say.entries import Calculation, Entry, Heading, Sentence
+from graphkin.say.entry import Calculation, Entry, Heading, Sentence
 from graphkin.say.numbers import number
 
 _RATES = ("alpha", "a", "a_n", "a_t", "a_k", "a_r")
