@@ -31,7 +31,7 @@ class Carried:
 
     agrees      whether the handed-in value does; sense_only: whether it would, with the other sense
     given       what was handed in; unused: own wrong values that are not carried on
-    enters      by own quantity, what it moves (students, n)
+    enters      by own quantity, what would follow otherwise without it (students, n)
     """
 
     texts: tuple[str, ...]
@@ -83,7 +83,7 @@ class Problem:
         moved, tolerance = self._moved(whole, self.table.right), self._tolerance(whole)
         values = np.where(moved, whole, np.nan)
         enters = {
-            int(j): self._moved(self._values(given, used & (np.arange(used.shape[1]) == j)), self.table.right) & moved
+            int(j): self._moved(whole, self._values(given, used & (np.arange(used.shape[1]) != j))) & moved
             for j in np.flatnonzero(used.any(axis=0))
         }
         texts = tuple(entry.text for entry in self.key.entries)
