@@ -1,0 +1,148 @@
+"""A GeoGebra construction as it is written down: objects in the order in which they hang on one another.
+
+GeoGebra reads what it saves: an `<expression>` or a `<command>`, followed by an `<element>` for each object made, with
+how it is shown. Labels are plain ones, so that formulas can name them; what a reader sees is the caption.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from xml.sax.saxutils import quoteattr
+
+Colour = tuple[int, int, int]
+BLACK: Colour = (0, 0, 0)
+GREY: Colour = (150, 150, 150)
+
+_SHOWN_AS_CAPTION = 3
+_NAME = re.compile(r"([A-Za-df-hj-w])(_\{\d\w*\})?('*)")
+"""Letters that stand for nothing else in a formula (e, i, x, y and z do), as people write them."""
+
+
+class Protocol:
+    """What is written so far. Every method adds one object and gives its label, by which later ones name it."""
+
+    def __init__(self) -> None:
+        self._lines: list[str] = []
+        self._count = 0
+        self._labels: set[str] = set()
+
+    def text(self) -> str:
+        """The objects as XML, one element a line."""
+        return "\n".join(self._lines)
+
+    def number(self, formula: str) -> str:
+        """A number that is only counted with."""
+        return self._formula(self._label("q"), formula, "numeric", _unseen())
+
+    def constant(self, name: str, value: float, unit: str) -> str:
+        """A number that a reader may change in the list of objects."""
+        shown = f'<value val="{value!r}"/>' + "".join(_seen(f"{name} [{unit}]", BLACK, drawn=False))
+        return self._element(self._label("g"), "numeric", shown)
+
+    def slider(self, name: str, value: float, least: float, most: float, step: float, at: complex) -> str:
+        """A slider, `at` in units of the drawing."""
+        bounds = f'<slider min="{least!r}" max="{most!r}" absoluteScreenLocation="false" width="60" ' + (
+            f'x="{at.real!r}" y="{at.imag!r}" fixed="true" horizontal="true" showAlgebra="true"/>'
+        )
+        shown = "".join(_seen(name, BLACK)) + f'<animation step="{step!r}" speed="1" type="0" playing="false"/>'
+        return self._element(self._label("d"), "numeric", f'<value val="{value!r}"/>{bounds}{shown}')
+
+    def free_point(self, name: str, at: complex, colour: Colour) -> str:
+        """A point that can be dragged."""
+        return self._element(self._named(name), "point", _point(at, name, colour))
+
+    def point(self, name: str, formula: str, at: complex, colour: Colour) -> str:
+        """A point by a formula. `at`: where it lies now; a point without a name is not shown."""
+        return self._formula(self._named(name), formula, "point", _point(at, name, colour))
+
+    def vector(self, name: str, tail: str, head: str, colour: Colour) -> str:
+        """An arrow between two points, with its name."""
+        width = '<lineStyle thickness="5" type="0" typeHidden="1"/>'
+        shown = "".join(_seen(name, colour)) if name else _unseen()
+        return self._command("Vector", (tail, head), "u", "vector", shown + width)
+
+    def direction(self, formula: str) -> str:
+        """A direction that is not drawn, as a vector from the origin."""
+        return self._formula(self._label("w"), formula, "vector", _unseen())
+
+    def line(self, through: str, direction: str, *, across: bool = False) -> str:
+        """A thin line through a point along a direction, or at right angles to it."""
+        name = "OrthogonalLine" if across else "Line"
+        return self._command(name, (through, direction), "h", "line", _thin())
+
+    def circle(self, about: str, radius: str) -> str:
+        """A thin circle."""
+        return self._command("Circle", (about, radius), "c", "conic", _thin())
+
+    def segment(self, tail: str, head: str) -> str:
+        """A side of a link."""
+        shown = '<show object="true" label="false"/><objColor r="0" g="0" b="0" alpha="0.0"/>'
+        return self._command("Segment", (tail, head), "s", "segment", shown + '<lineStyle thickness="6" type="0"/>')
+
+    def crossing(self, one: str, other: str, which: int = 0) -> str:
+        """Where two lines cross, or the first or second crossing of a circle; not shown."""
+        order = (str(which),) if which else ()
+        return self._command("Intersect", (one, other, *order), "i", "point", _unseen())
+
+    def matrix(self, formula: str) -> str:
+        """A list of lists."""
+        return self._formula(self._label("m"), formula, "list", _unseen())
+
+    def note(self, formula: str, at: complex) -> str:
+        """A line of text; `formula` as GeoGebra joins texts and numbers."""
+        place = f'<startPoint x="{at.real!r}" y="{at.imag!r}" z="1.0"/>'
+        shown = '<show object="true" label="false"/><objColor r="0" g="0" b="0" alpha="0.0"/>'
+        return self._formula(self._label("t"), formula, "text", shown + '<fixed val="true"/>' + place)
+
+    def _label(self, letter: str) -> str:
+        self._count += 1
+        return f"{letter}_{{{self._count}}}"
+
+    def _named(self, name: str) -> str:
+        """A point's own name where GeoGebra takes it for a label, primes first: b_{3}' is b'_{3} there."""
+        parts = _NAME.fullmatch(name)
+        label = f"{parts[1]}{parts[3]}{parts[2] or ''}" if parts is not None else ""
+        if not label or label in self._labels:
+            return self._label("P")
+        self._labels.add(label)
+        return label
+
+    def _formula(self, label: str, formula: str, kind: str, shown: str) -> str:
+        self._lines.append(f'<expression label="{label}" exp={quoteattr(formula)} type="{kind}"/>')
+        return self._element(label, kind, shown)
+
+    def _command(self, name: str, given: tuple[str, ...], letter: str, kind: str, shown: str) -> str:
+        label = self._label(letter)
+        inputs = " ".join(f"a{k}={quoteattr(text)}" for k, text in enumerate(given))
+        self._lines.append(f'<command name="{name}"><input {inputs}/><output a0="{label}"/></command>')
+        return self._element(label, kind, shown)
+
+    def _element(self, label: str, kind: str, shown: str) -> str:
+        self._lines.append(f'<element type="{kind}" label="{label}">{shown}</element>')
+        return label
+
+
+def _seen(caption: str, colour: Colour, *, drawn: bool = True) -> Iterator[str]:
+    """The children of an element that is shown with its caption, in GeoGebra's order."""
+    red, green, blue = colour
+    yield f'<show object="{str(drawn).lower()}" label="{str(drawn).lower()}"/>'
+    yield f'<objColor r="{red}" g="{green}" b="{blue}" alpha="0.0"/><layer val="0"/>'
+    yield f'<labelMode val="{_SHOWN_AS_CAPTION}"/><caption val={quoteattr(caption)}/>'
+
+
+def _unseen() -> str:
+    return '<show object="false" label="false"/><auxiliary val="true"/>'
+
+
+def _thin() -> str:
+    red, green, blue = GREY
+    return (
+        f'<show object="true" label="false"/><objColor r="{red}" g="{green}" b="{blue}" alpha="0.0"/>'
+        '<auxiliary val="true"/><lineStyle thickness="1" type="10"/>'
+    )
+
+
+def _point(at: complex, name: str, colour: Colour) -> str:
+    seen = "".join(_seen(name, colour)) if name else _unseen()
+    return f'{seen}<coords x="{at.real!r}" y="{at.imag!r}" z="1.0"/><pointSize val="3"/>'

@@ -1,0 +1,256 @@
+"""The steps of a construction as objects of GeoGebra, so that everything hangs on the drivers' sliders."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import assert_never
+
+from graphkin.construction import (
+    Arc,
+    Chain,
+    Construction,
+    Fit,
+    Given,
+    Image,
+    InStep,
+    LayOff,
+    Measure,
+    Meet,
+    Plane,
+    Plot,
+    Ray,
+    Roll,
+    Simultaneous,
+    Swing,
+    Touch,
+    slide_key,
+)
+from graphkin.outputs.geogebra.formulas import NOTHING, Pair, between, grouped, minus, plus, product, value
+from graphkin.outputs.geogebra.protocol import Colour, Protocol
+from graphkin.outputs.geogebra.state import ORDERS, State
+from graphkin.value import frozen
+
+Row = tuple[str, Mapping[str, str]]
+"""known + sum of coefficient * unknown = 0, as formulas."""
+
+
+@frozen
+class Draughtsman:
+    """Draws one plane. `captions`: what its points are called, where they are shown; `origin` in units of the drawing."""
+
+    construction: Construction
+    plot: Plot
+    state: State
+    captions: Mapping[str, str]
+    colour: Colour
+    origin: complex
+
+    @property
+    def plane(self) -> Plane:
+        return self.construction.plane
+
+    @property
+    def order(self) -> int:
+        return ORDERS[self.plane]
+
+    @property
+    def scale(self) -> float:
+        return self.state.scales[self.plane]
+
+    @property
+    def points(self) -> dict[str, str]:
+        return self.state.points[self.plane]
+
+    @property
+    def protocol(self) -> Protocol:
+        return self.state.protocol
+
+    def draw(self) -> None:
+        """Every step in order."""
+        for step in self.construction.steps:
+            match step:
+                case Given():
+                    self._given(step)
+                case LayOff():
+                    assert step.term.size is not None
+                    arrow = self.state.arrow(step.term.size, self.plane).times(value(1 / self.scale))
+                    self._point(step.tip, f"{self.points[step.start]} {'-' if step.backwards else '+'} {arrow.point}")
+                case Ray() | Arc():
+                    pass  # alone it fixes no point
+                case Meet():
+                    self._meet(step)
+                case Swing():
+                    way = self.state.bound(self.state.arm(step.pivot, step.through))
+                    angle = self.state.swing(step.span, step.slide, way, step.side)
+                    self.state.settle(0, self.state.facts.turns[step.link].base, angle)
+                case Image():
+                    self._image(step)
+                case Measure():
+                    self._measure(step)
+                case Roll():
+                    self._roll(step)
+                case Touch():
+                    self._touch(step)
+                case Simultaneous():
+                    self._together(step)
+                case Fit():
+                    raise AssertionError("links that are fitted are refused before")
+                case _:
+                    assert_never(step)
+
+    # --- points ---
+
+    def _at(self, name: str) -> complex:
+        """Where a point lies now."""
+        return self.origin + complex(self.plot.points(self.plane)[name]) / self.scale
+
+    def _point(self, name: str, formula: str) -> None:
+        caption = self.captions.get(name, "")
+        self.points[name] = self.protocol.point(caption, formula, self._at(name), self.colour)
+
+    def _given(self, step: Given) -> None:
+        if step.point == self.construction.pole and any(
+            isinstance(later, Meet) and later.point == step.point for later in self.construction.steps
+        ):
+            return  # a pole found last
+        self.points[step.point] = self.protocol.free_point(
+            self.captions.get(step.point, ""), self._at(step.point), self.colour
+        )
+        if step.point == self.construction.pole:
+            self._fixed()
+
+    def _fixed(self) -> None:
+        """What never moves is on the pole."""
+        given = [step for step in self.construction.steps if isinstance(step, Given)]
+        self.points.update({name: self.points[self.construction.pole] for step in given for name in step.also})
+
+    def _meet(self, step: Meet) -> None:
+        first, second = self._place(step.first), self._place(step.second)
+        if isinstance(step.second, Ray):
+            self._point(step.point, self.protocol.crossing(first, second))
+        else:
+            one, other = (self.protocol.crossing(first, second, k) for k in (1, 2))
+            self._point(step.point, f"If[{self._ahead(step, one, other)} > 0, {one}, {other}]")
+        if step.point == self.construction.pole:
+            self._fixed()
+
+    def _ahead(self, step: Meet, one: str, other: str) -> str:
+        """Positive where `one` is the crossing that is meant."""
+        assert isinstance(step.second, Arc)
+        if isinstance(step.first, Ray):
+            along, across = self.state.direction(step.first.direction)
+            return product(str(step.side), (along.turned if across else along).dot(between(other, one)))
+        centres = between(self.points[step.first.about], self.points[step.second.about])
+        return product(str(step.side), centres.cross(between(self.points[step.first.about], one)))
+
+    def _place(self, line: Ray | Arc) -> str:
+        """A line or a circle on which a point must lie."""
+        if isinstance(line, Ray):
+            along, across = self.state.direction(line.direction)
+            return self.protocol.line(self.points[line.through], self.protocol.direction(along.point), across=across)
+        radius = self.state.bound(self.state.span(line.reach))
+        return self.protocol.circle(self.points[line.about], f"sqrt({radius.square}) / {value(self.scale)}")
+
+    def _image(self, step: Image) -> None:
+        """The first point, and the known side turned and stretched as the link has it."""
+        first, second, third = step.corners
+        start, end = (self.points[name] for name in step.base)
+        shape = self.state.facts.shapes[step.link]
+        if all(corner in shape for corner in step.corners):
+            ratio = (shape[third] - shape[first]) / (shape[second] - shape[first])
+            new = between(start, end).by(Pair(value(ratio.real), value(ratio.imag)))
+        else:
+            side, arm = (self.state.bound(self.state.arm(first, other)) for other in (second, third))
+            turned = Pair(side.dot(arm), side.cross(arm)).times(f"1 / {grouped(side.square)}")
+            new = between(start, end).by(self.state.bound(turned))
+        self._point(step.point, f"{start} + {new.point}")
+
+    def _touch(self, step: Touch) -> None:
+        centre = self.points[step.centre]
+        if step.slide:
+            offset = self.state.guide(step.slide).turned.times(value(step.offset / self.scale))
+        else:
+            offset = between(centre, self.points[step.other]).times(value(step.ratio))
+        self._point(step.point, f"{centre} + {offset.point}")
+
+    # --- what is read off ---
+
+    def _measure(self, step: Measure) -> None:
+        arrow = self.state.bound(between(self.points[step.tail], self.points[step.head]))
+        if step.quantity == "theta":
+            assert step.span is not None
+            span = self.state.bound(self.state.span(step.span))
+            base = self.state.facts.turns[step.of].base
+            self.state.settle(0, base, minus(arrow.angle, span.angle))
+        elif step.quantity in ("omega", "alpha"):
+            arm = self.state.bound(self.state.arm(*step.lever))
+            rate = f"{product(value(self.scale), arm.cross(arrow))} / {grouped(arm.square)}"
+            base = self.state.facts.turns[step.of].base
+            self.state.settle(self.order, base, minus(rate, self.state.relative(step.of, self.order)))
+        else:
+            along = self.state.guide(step.of).dot(arrow)
+            self.state.displace(self.order, step.of, product(value(step.sign * self.scale), along))
+
+    def _roll(self, step: Roll) -> None:
+        unknown = {step.angle, slide_key(step.slide) if step.slide else ""} - {""}
+        rest, coefficients = self._in_step(step.contact, unknown)
+        formula = f"-{grouped(rest)} / {grouped(' + '.join(coefficients.values()))}"
+        if step.angle:
+            self.state.settle(self.order, step.angle, formula, counted=True)
+        else:
+            self.state.displace(self.order, step.slide, formula)
+
+    def _in_step(self, contact: InStep, unknown: set[str]) -> Row:
+        """What a rolling contact asks for: turns since the drawn position, or rates, that add up to nothing."""
+        coefficients: dict[str, float] = {}
+        rest, facts = "0", self.state.facts
+        for link, coefficient in contact.angles:
+            base = facts.turns[link].base
+            drawn = facts.drawn.get(link, 0.0) if self.order == 0 else 0.0
+            if base in unknown:
+                coefficients[base] = coefficients.get(base, 0.0) + coefficient
+            turned = self.state.relative(link, self.order) if base in unknown else self.state.turn(link, self.order)
+            rest = plus(rest, product(value(coefficient), minus(turned, value(drawn))))
+        for slide, share in contact.way or ((contact.slide, 1.0),) * bool(contact.slide):
+            coefficient, key = contact.on_slide * share, slide_key(slide)
+            drawn = facts.drawn[key] if self.order == 0 else 0.0
+            if key in unknown:
+                coefficients[key] = coefficients.get(key, 0.0) + coefficient
+                rest = plus(rest, value(-coefficient * drawn))
+            else:
+                moved = minus(self.state.slides[self.order][slide], value(drawn))
+                rest = plus(rest, product(value(coefficient), moved))
+        return rest, {name: value(number) for name, number in coefficients.items()}
+
+    # --- what is solved together ---
+
+    def _together(self, step: Simultaneous) -> None:
+        names = (*step.angles, *map(slide_key, step.slides))
+        rows = [row for chain in step.chains for row in self._chain(chain)]
+        rows += [self._in_step(contact, set(names)) for contact in step.contacts]
+        matrix = "{" + ", ".join("{" + ", ".join(row.get(n, "0") for n in names) + "}" for _, row in rows) + "}"
+        right = "{" + ", ".join("{" + minus("0", rest) + "}" for rest, _ in rows) + "}"
+        left, known = self.protocol.matrix(matrix), self.protocol.matrix(right)
+        if len(rows) != len(names):
+            left, known = (self.protocol.matrix(f"Transpose[{left}] * {side}") for side in (left, known))
+        found = self.protocol.matrix(f"Invert[{left}] * {known}")
+        for k, base in enumerate(step.angles, 1):
+            self.state.settle(self.order, base, f"Element[{found}, {k}, 1]")
+        for k, slide in enumerate(step.slides, len(step.angles) + 1):
+            self.state.displace(self.order, slide, f"Element[{found}, {k}, 1]")
+
+    def _chain(self, chain: Chain) -> Iterator[Row]:
+        """A closed chain of arrows along x and along y."""
+        known, arrows = NOTHING, dict[str, Pair]()
+        for size, sign in chain.known:
+            known += self.state.arrow(size, self.plane).times(str(sign))
+        for unknown in chain.unknown:
+            if unknown.slide:
+                name, arrow = slide_key(unknown.slide), self.state.guide(unknown.slide).times(str(unknown.sign))
+            else:
+                name = self.state.facts.turns[unknown.link].base
+                arrow = self.state.arm(unknown.tail, unknown.head).turned.times(str(unknown.sign))
+                known += arrow.times(self.state.relative(unknown.link, self.order))
+            arrows[name] = arrows.get(name, NOTHING) + arrow
+        yield known.x, {name: arrow.x for name, arrow in arrows.items()}
+        yield known.y, {name: arrow.y for name, arrow in arrows.items()}
