@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
+import io
 import math
+import re
+import shutil
+import subprocess
+import zipfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -62,3 +69,45 @@ def test_every_point_moves_with_the_slider(name: str):
 def _labels(found: Reckoned, point: str) -> list[str]:
     caption = written(point_label(point))
     return [label for label, text in found.captions.items() if text == caption]
+
+
+@pytest.mark.skipif(shutil.which("geogebra") is None or shutil.which("xvfb-run") is None, reason="no GeoGebra here")
+def test_the_real_program_turns_the_crank(tmp_path: Path):
+    """GeoGebra opens the file with its slider at a dozen places and nothing else known; it says what it makes of it."""
+    drawing = graphkin.Drawing.of(graphkin.load("ex3-5"))
+    method, scales = drawing.method, scales_of(drawing.method, drawing.plot, "en")
+    content = ggb(method, drawing.plot, scales, "en")
+    drawn = float(method.facts().values[0])
+    with ThreadPoolExecutor(2) as both:
+        places = [drawn + k * math.tau / PLACES for k in range(PLACES)]
+        told = list(both.map(lambda k: _told(content, math.degrees(places[k]), tmp_path / str(k)), range(PLACES)))
+    for place, said in zip(places, told, strict=True):
+        plot = graphkin.replay(method, [place])
+        for plane, label, pole in (("velocity", "c", "p"), ("acceleration", "c'", "p'")):
+            there = (_said(said, label) - _said(said, pole)) * scales[plane]
+            assert abs(there - plot.points(plane)[label]) < 0.01 * scales[plane]
+
+
+def _told(content: bytes, degrees: float, folder: Path) -> str:
+    """What GeoGebra says of each object, the slider moved and every other place forgotten."""
+    folder.mkdir()
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        text = archive.read("geogebra.xml").decode()
+    lines = text.splitlines()
+    for k, line in enumerate(lines):
+        if "<slider" in line:
+            lines[k] = re.sub(r'<value val="[^"]*"', f'<value val="{degrees!r}"', line)
+        elif "<coords" in line and k and "<expression" in lines[k - 1]:
+            lines[k] = re.sub("<coords[^>]*>", "", line)
+    with zipfile.ZipFile(folder / "a.ggb", "w") as archive:
+        archive.writestr("geogebra.xml", "\n".join(lines))
+    command = ["xvfb-run", "-a", "geogebra", f"--regressionFile={folder / 'a.txt'}", str(folder / "a.ggb")]
+    subprocess.run(command, check=True, capture_output=True, timeout=120)
+    return (folder / "a.txt").read_text(encoding="utf-8")
+
+
+def _said(told: str, label: str) -> complex:
+    """A point's place: the last two numbers of its line, before the 1 that free points end with."""
+    line = next(line for line in told.splitlines() if line.startswith(f"Point {label} ="))
+    numbers = line.rpartition("= ")[2].split()
+    return complex(float(numbers[0]), float(numbers[1]))

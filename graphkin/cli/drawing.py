@@ -15,6 +15,7 @@ from graphkin.cli.shared import (
     angle_option,
     at_option,
     coincident_option,
+    drawing_option,
     drawn,
     force_option,
     json_line,
@@ -23,7 +24,6 @@ from graphkin.cli.shared import (
     method_option,
     read,
     speaking,
-    svg_option,
     told_each,
 )  # fmt: skip
 from graphkin.errors import GraphkinError, Lang
@@ -34,7 +34,8 @@ if TYPE_CHECKING:
 
 @click.command()
 @mechanism_argument
-@svg_option("SVG to write; - for stdout.", to_stdout=True)
+@drawing_option
+@click.option("--dpi", type=click.FloatRange(20, 2400), default=200.0, show_default=True, help="Dots per inch of .png.")
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
 @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
@@ -46,36 +47,38 @@ if TYPE_CHECKING:
 @lang_option
 @speaking
 def draw(
-    mechanism: str, output: Path | None, only: Plane | None, paper: str | None, steps: Path | None, force: bool,
+    mechanism: str, output: Path | None, dpi: float, only: Plane | None, paper: str | None, steps: Path | None, force: bool,
     coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
-    """Draw the mechanism and its polygons to scale, as SVG.
+    """Draw the mechanism and its polygons to scale: a sheet, or a construction that moves in GeoGebra (.ggb).
 
     \b
     Example:
       graphkin draw ex3-1 -o sheet.svg --lang zh
+      graphkin draw ex3-1 -o sheet.pdf
       graphkin draw ex3-7 --angle 120 --steps steps
     """
-    from graphkin.outputs import svg
+    from graphkin.outputs import drawings, svg
 
     machine = read(mechanism)
     output = output or Path(f"{machine.name}.svg")
     drawing = drawn(machine, coincident, method, angles, displacements)
     sheet = drawing.sheet(paper=paper, lang=lang, only=only)
-    pages = [(output, svg.svg(sheet))]
+    written = drawings.WRITERS[output.suffix.lower() or ".svg"]
+    pages = [(output, written(drawings.Picture(sheet, drawing.method, drawing.plot, lang, dpi)))]
     if steps is not None:
         pages += [
-            (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page))
+            (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page).encode())
             for k, page in enumerate(drawing.step_sheets(paper=paper, lang=lang, only=only), 1)
         ]
     if str(output) == "-":
-        click.echo(pages.pop(0)[1], nl=False)
+        click.echo(pages.pop(0)[1].decode(), nl=False)
     if steps is not None:
         steps.mkdir(parents=True, exist_ok=True)
     for path, _ in pages:
-        svg.refuse(path, force)
-    for path, text in pages:
-        svg.write(path, text, force)
+        drawings.refuse(path, force)
+    for path, content in pages:
+        drawings.write(path, content, force)
         click.echo(str(path), err=str(output) == "-")
 
 

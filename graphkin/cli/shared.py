@@ -64,18 +64,25 @@ by_option = click.option(
     "--by", type=click.Choice(["construction", "analysis"]), default="construction", show_default=True,
     help="Replay the construction at every position, or solve the loop equations there.",
 )  # fmt: skip
-def svg_option(told: str, to_stdout: bool = False) -> Callable[[_Command], _Command]:
+DRAWN_AS = (".svg", ".pdf", ".png", ".dxf", ".ggb", ".tex")
+"""The kinds of files that a position is drawn as: those of `outputs.drawings`."""
+
+
+def svg_option(
+    told: str, to_stdout: bool = False, kinds: tuple[str, ...] = (".svg",)
+) -> Callable[[_Command], _Command]:
     """`-o`: a drawing, written as SVG; another kind of file is refused before anything is done."""
 
     def checked(ctx: click.Context, option: click.Parameter, path: Path | None) -> Path | None:
-        if path is not None and path.suffix.lower() != ".svg" and not (to_stdout and str(path) == "-"):
-            raise click.UsageError(f"{path}: the file to write must end in .svg", ctx)
+        if path is not None and path.suffix.lower() not in kinds and not (to_stdout and str(path) == "-"):
+            raise click.UsageError(f"{path}: the file to write must end in {' or '.join(kinds)}", ctx)
         return path
 
     kind = click.Path(path_type=Path, dir_okay=False)
     return click.option("-o", "--output", type=kind, callback=checked, help=told)
 
 
+drawing_option = svg_option(f"{', '.join(DRAWN_AS)} to write; - for SVG on stdout.", to_stdout=True, kinds=DRAWN_AS)
 force_option = click.option("--force", is_flag=True, help="Replace a file that graphkin did not write.")
 mechanism_argument = click.argument("mechanism", metavar="MECHANISM")
 

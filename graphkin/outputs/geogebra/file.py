@@ -25,6 +25,7 @@ from graphkin.sheet.window import PLANES, Window
 _COLOURS: Mapping[Plane, Colour] = {"position": BLACK, "velocity": (11, 79, 156), "acceleration": (163, 32, 13)}
 _GAP = 30.0
 """Between the figures, in units of the drawing [mm]."""
+MARK = b"graphkin sheet"
 _MADE = (1980, 1, 1, 0, 0, 0)
 """The date of what is in the zip: always the same, as the bytes are to be."""
 
@@ -203,5 +204,6 @@ def _document(title: str, protocol: Protocol, origins: Mapping[Plane, complex]) 
 def _zipped(document: str) -> bytes:
     held = io.BytesIO()
     with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.comment = MARK
         archive.writestr(zipfile.ZipInfo("geogebra.xml", _MADE), document.encode())
     return held.getvalue()

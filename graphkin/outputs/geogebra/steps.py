@@ -36,7 +36,7 @@ Row = tuple[str, Mapping[str, str]]
 
 @frozen
 class Draughtsman:
-    """Draws one plane. `captions`: what its points are called, where they are shown; `origin` in units of the drawing."""
+    """Draws one plane. `captions`: what is written at its points; `origin` in units of the drawing."""
 
     construction: Construction
     plot: Plot

@@ -1,0 +1,79 @@
+"""A drawing of one position as a file, by the ending of its name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from graphkin.construction import Plot
+from graphkin.errors import Lang
+from graphkin.outputs.files import beside
+from graphkin.outputs.files import refuse as refuse_file
+from graphkin.planning import Method
+from graphkin.sheet import Sheet
+from graphkin.value import frozen
+
+
+@frozen
+class Picture:
+    """What a format is made of: the sheet; for a GeoGebra file, what the sheet shows."""
+
+    sheet: Sheet
+    method: Method
+    plot: Plot
+    lang: Lang
+    dpi: float = 200.0
+
+
+def _svg(picture: Picture) -> bytes:
+    from graphkin.outputs.svg import svg
+
+    return svg(picture.sheet).encode()
+
+
+def _pdf(picture: Picture) -> bytes:
+    from graphkin.outputs.paged import pdf
+
+    return pdf(picture.sheet, picture.lang)
+
+
+def _png(picture: Picture) -> bytes:
+    from graphkin.outputs.paged import png
+
+    return png(picture.sheet, picture.dpi)
+
+
+def _dxf(picture: Picture) -> bytes:
+    from graphkin.outputs.dxf import dxf
+
+    return dxf(picture.sheet)
+
+
+def _tikz(picture: Picture) -> bytes:
+    from graphkin.outputs.tikz import tikz
+
+    return tikz(picture.sheet).encode()
+
+
+def _ggb(picture: Picture) -> bytes:
+    from graphkin.outputs.geogebra import ggb
+
+    return ggb(picture.method, picture.plot, picture.sheet.scales, picture.lang)
+
+
+WRITERS: Mapping[str, Callable[[Picture], bytes]] = {
+    ".svg": _svg, ".pdf": _pdf, ".png": _png, ".dxf": _dxf, ".ggb": _ggb, ".tex": _tikz,
+}  # fmt: skip
+"""By the file's ending."""
+_MARKS = (b"https://graphkin.invalid/sheet/1", b"graphkin sheet")
+
+
+def refuse(path: Path, force: bool) -> None:
+    """Whether a drawing may be written there; several are all asked before the first is written."""
+    refuse_file(path, force, _MARKS)
+
+
+def write(path: Path, content: bytes, force: bool) -> None:
+    """Beside, then renamed. Raises FileInTheWay, NoFolder, CannotWrite."""
+    with beside(path, force, _MARKS) as draft:
+        draft.write_bytes(content)

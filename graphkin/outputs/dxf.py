@@ -1,0 +1,133 @@
+"""A sheet as DXF, in true millimetres: a layer a plane, arrows as lines with filled heads, names as text.
+
+Needs ezdxf. A drawing program has y up: the foot of the paper is y = 0.
+"""
+
+from __future__ import annotations
+
+import cmath
+import io
+import math
+from typing import Any, assert_never
+
+from graphkin.outputs.extras import needed
+from graphkin.sheet import Sheet
+from graphkin.sheet.lettering import Label, box
+from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.paper import PENS, PenName
+
+MARK = b"graphkin sheet"
+_LAYERS = {"": 7, "mechanism": 7, "velocity": 5, "acceleration": 1, "centres": 3, "labels": 7}
+"""Each layer with its colour, as AutoCAD numbers them."""
+_NAMES = {"position": "mechanism"}
+_HEAD = 2.8
+_CAP = 0.66
+"""Height of a capital letter against the em: what a drawing program calls the height of a text."""
+
+
+def dxf(sheet: Sheet) -> bytes:
+    """The DXF file of a sheet, the same bytes for the same sheet. Raises NeedsExtra without ezdxf."""
+    ezdxf = needed("ezdxf", "dxf")
+    before = ezdxf.options.write_fixed_meta_data_for_testing
+    ezdxf.options.write_fixed_meta_data_for_testing = True
+    try:
+        document = ezdxf.new("R2010", units=4)
+        document.header["$LWDISPLAY"] = 1
+        document.header.custom_vars.append("Creator", MARK.decode())
+        document.styles.add("letters", font="times.ttf")
+        for name, colour in _LAYERS.items():
+            if name:
+                document.layers.add(name, color=colour)
+        _Page(document.modelspace(), sheet).draw()
+        for name in sorted(document.entitydb.dxf_types_in_use()):  # else in an order that changes
+            document.classes.add_class(name)
+        held = io.StringIO()
+        document.write(held)
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = before
+    return held.getvalue().encode(document.output_encoding)
+
+
+class _Page:
+    """The marks of one sheet, painted into a space of the document."""
+
+    def __init__(self, space: Any, sheet: Sheet) -> None:
+        self.space, self.sheet = space, sheet
+
+    def draw(self) -> None:
+        for mark in self.sheet.marks:
+            self._mark(mark)
+
+    def _mark(self, mark: Mark) -> None:
+        match mark:
+            case Stroke():
+                look = self._look(mark.pen, mark.shows.plane if mark.shows is not None else "")
+                self._filled([self._xy(place) for place in mark.places], mark)
+                self.space.add_lwpolyline([self._xy(p) for p in mark.places], close=mark.closed, dxfattribs=look)
+            case Disc():
+                look = self._look(mark.pen, mark.shows.plane if mark.shows is not None else "")
+                self.space.add_circle(self._xy(mark.centre), mark.radius, dxfattribs=look)
+            case Arc():
+                start, end = -math.degrees(mark.start), -math.degrees(mark.start + mark.sweep)
+                if mark.sweep > 0:
+                    start, end = end, start
+                self.space.add_arc(self._xy(mark.centre), mark.radius, start, end, dxfattribs=self._look(mark.pen, ""))
+            case VectorMark():
+                self._arrow(mark)
+            case PointMark():
+                look = self._look("outline", mark.plane)
+                self.space.add_circle(self._xy(mark.at), mark.radius, dxfattribs=look)
+            case Text():
+                self._text(mark)
+            case _:
+                assert_never(mark)
+
+    def _xy(self, place: Place) -> tuple[float, float]:
+        return round(place.real, 6), round(self.sheet.paper.height - place.imag, 6)
+
+    def _look(self, pen: PenName, plane: str) -> dict[str, Any]:
+        """Layer and width [hundredths of a millimetre, of the widths that DXF knows]."""
+        width = round(100 * PENS[pen].width)
+        known = (13, 18, 25, 35, 50, 70, 100)
+        return {"layer": _NAMES.get(plane, plane) or "0", "lineweight": min(known, key=lambda w: abs(w - width))}
+
+    def _filled(self, corners: list[tuple[float, float]], mark: Stroke) -> None:
+        if mark.fill == "ink" and len(corners) > 2:
+            hatch = self.space.add_hatch(dxfattribs={"layer": "0"})
+            hatch.paths.add_polyline_path(corners, is_closed=True)
+
+    def _arrow(self, mark: VectorMark) -> None:
+        """The line as long as the vector is; the head lies on it."""
+        look = self._look("vector", mark.plane)
+        start, end = complex(*self._xy(mark.start)), complex(*self._xy(mark.end))
+        self.space.add_line((start.real, start.imag), (end.real, end.imag), dxfattribs=look)
+        if mark.length > 0.05:
+            length = min(_HEAD, mark.length / 2)
+            along = cmath.rect(length, cmath.phase(end - start))
+            corners = (end, end - along + along * 0.16j, end - along - along * 0.16j)
+            self.space.add_solid([(c.real, c.imag) for c in corners], dxfattribs={"layer": look["layer"]})
+
+    def _text(self, mark: Text) -> None:
+        _, _, depth = box(mark.label, mark.size)
+        x, y = self._xy(mark.at)
+        look = {"layer": "labels", "style": "letters", "char_height": mark.size * _CAP, "attachment_point": 7}
+        self.space.add_mtext(stacked(mark.label), dxfattribs={**look, "insert": (x, y - depth)})
+
+
+def stacked(label: Label) -> str:
+    """A label as MTEXT writes it: a part and a subscript are stacked (`a\\Sn^ CB;`)."""
+    text, waiting = "", ""
+    for run in label:
+        letters = run.text.replace("\\", "\\\\").replace("{", "\\{").replace("}", "\\}").replace(";", "\\;")
+        if run.place == "sub":
+            waiting += letters
+            continue
+        if run.place == "sup":
+            text, waiting = f"{text}{{\\H0.7x;\\S{letters}^ {waiting};}}", ""
+            continue
+        text, waiting = f"{text}{_low(waiting)}{letters}", ""
+    return text + _low(waiting)
+
+
+def _low(letters: str) -> str:
+    return f"{{\\H0.7x;\\S^ {letters};}}" if letters else ""

@@ -1,0 +1,50 @@
+"""A sheet as PDF in its true size, by typst; or as PNG, by resvg.
+
+The PDF says how it is to be read aloud, and asks for no scaling when printed; the same sheet gives the same bytes.
+"""
+
+from __future__ import annotations
+
+import struct
+import zlib
+
+from graphkin.errors import Lang
+from graphkin.outputs.extras import needed
+from graphkin.outputs.svg import svg
+from graphkin.sheet import Sheet
+
+MARK = b"graphkin sheet"
+_PAGE = """#set document(title: sys.inputs.title, author: "graphkin sheet", date: none)
+#set text(lang: sys.inputs.lang)
+#set page(width: {width}mm, height: {height}mm, margin: 0mm)
+#image(bytes(sys.inputs.svg), format: "svg", width: {width}mm, height: {height}mm, alt: sys.inputs.alt)
+"""
+
+
+def pdf(sheet: Sheet, lang: Lang) -> bytes:
+    """One page as large as the paper, after PDF/UA-1. Raises NeedsExtra without typst."""
+    typst = needed("typst", "pdf")
+    title = sheet.mechanism.headline(lang)
+    page = _PAGE.format(width=sheet.paper.width, height=sheet.paper.height)
+    inputs = {"svg": svg(sheet), "title": title, "alt": title, "lang": lang}
+    made: bytes = typst.compile(page.encode(), sys_inputs=inputs, timestamp=0, pdf_standards=["ua-1"], format="pdf")
+    return made
+
+
+def png(sheet: Sheet, dpi: float) -> bytes:
+    """The sheet at so many dots per inch. Raises NeedsExtra without resvg-py."""
+    resvg = needed("resvg_py", "png")
+    made = bytes(resvg.svg_to_bytes(svg_string=svg(sheet), dpi=dpi, background="#ffffff"))
+    return _signed(made, dpi)
+
+
+def _signed(content: bytes, dpi: float) -> bytes:
+    """The picture with who made it, and how large it is meant to be."""
+    first = 8 + 25  # the signature, and the chunk that every PNG begins with
+    metres = round(dpi / 0.0254)
+    told = _chunk(b"tEXt", b"Software\0" + MARK) + _chunk(b"pHYs", struct.pack(">IIB", metres, metres, 1))
+    return content[:first] + told + content[first:]
+
+
+def _chunk(kind: bytes, data: bytes) -> bytes:
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))

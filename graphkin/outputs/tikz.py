@@ -1,0 +1,111 @@
+"""A sheet as TikZ: a LaTeX file that stands alone, or whose `tikzpicture` is copied into another, in true millimetres."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from typing import assert_never
+
+from graphkin.sheet import Sheet
+from graphkin.sheet.lettering import Label
+from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.paper import PENS, PenName
+
+MARK = b"% graphkin sheet"
+_POINT = 72.27 / 25.4
+"""TeX's points in a millimetre."""
+_FILLS: dict[Fill, str] = {"none": "", "paper": "fill=white", "ink": "fill=black", "grey": "fill=black!13"}
+_SIGNS = {
+    "μ": r"$\mu$", "ω": r"$\omega$", "α": r"$\alpha$", "θ": r"$\theta$", "φ": r"$\varphi$", "ψ": r"$\psi$",
+    "γ": r"$\gamma$", "°": r"$^\circ$", "·": r"$\cdot$", "→": r"$\to$", "×": r"$\times$", "²": r"$^2$", "³": r"$^3$",
+    "′": r"$'$", "−": r"$-$", "⊥": r"$\perp$", "∥": r"$\parallel$", "∠": r"$\angle$", "√": r"$\surd$",
+    "\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
+} | {sign: f"\\{sign}" for sign in "#$%&_{}"}  # fmt: skip
+_WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
+
+
+def tikz(sheet: Sheet) -> str:
+    """The LaTeX text of a sheet."""
+    drawn = [line for mark in sheet.marks for line in _mark(mark)]
+    chinese = [r"\usepackage[fontset=fandol]{ctex}"] if any(map(_WIDE.search, drawn)) else []
+    paper = sheet.paper
+    return "\n".join(
+        [
+            MARK.decode() + ": one unit is a millimetre of the sheet" + ("; compile with xelatex" if chinese else ""),
+            r"\documentclass{standalone}",
+            r"\usepackage{tikz}",
+            r"\usetikzlibrary{arrows.meta}",
+            r"\usepackage{newtxtext,newtxmath}" if not chinese else r"\usepackage{newtxmath}",
+            *chinese,
+            r"\begin{document}",
+            r"\begin{tikzpicture}[x=1mm, y=-1mm, line cap=round, line join=round,",
+            r"  letters/.style={anchor=base west, inner sep=0pt, outer sep=0pt},",
+            r"  arrow/.style={-{Stealth[length=2.8mm, width=0.9mm]}}]",
+            rf"\useasboundingbox (0, 0) rectangle ({_mm(paper.width)}, {_mm(paper.height)});",
+            *drawn,
+            r"\end{tikzpicture}",
+            r"\end{document}",
+            "",
+        ]
+    )
+
+
+def _mark(mark: Mark) -> Iterator[str]:
+    match mark:
+        case Stroke():
+            ends = " -- ".join(map(_place, mark.places)) + (" -- cycle" if mark.closed else "")
+            yield rf"\draw[{_pen(mark.pen, mark.fill)}] {ends};"
+        case Disc():
+            yield rf"\draw[{_pen(mark.pen, mark.fill)}] {_place(mark.centre)} circle[radius={_mm(mark.radius)}];"
+        case Arc():
+            start = mark.centre + mark.radius * complex(math.cos(mark.start), math.sin(mark.start))
+            turn = f"start angle={_mm(math.degrees(mark.start))}, delta angle={_mm(math.degrees(mark.sweep))}"
+            yield rf"\draw[{_pen(mark.pen)}] {_place(start)} arc[{turn}, radius={_mm(mark.radius)}];"
+        case VectorMark():
+            head = ", arrow" if mark.length > 0.05 else ""
+            yield rf"\draw[{_pen('vector')}{head}] {_place(mark.start)} -- {_place(mark.end)};"
+        case PointMark():
+            yield rf"\draw[{_pen('outline', mark.fill)}] {_place(mark.at)} circle[radius={_mm(mark.radius)}];"
+        case Text():
+            size = f"{mark.size * _POINT:.2f}"
+            font = rf"\fontsize{{{size}}}{{{size}}}\selectfont"
+            yield rf"\node[letters, font={font}] at {_place(mark.at)} {{{_tex(mark.label)}}};"
+        case _:
+            assert_never(mark)
+
+
+def _pen(pen: PenName, fill: Fill = "none") -> str:
+    kind = PENS[pen]
+    dashes = " ".join(f"{'on' if k % 2 == 0 else 'off'} {_mm(dash)}mm" for k, dash in enumerate(kind.dashes))
+    look = [f"line width={_mm(kind.width)}mm", f"dash pattern={dashes}" if dashes else "", _FILLS[fill]]
+    return ", ".join(filter(None, look))
+
+
+def _tex(label: Label) -> str:
+    """Runs in text style; a part stands above the subscript it goes with."""
+    text, low = "", ""
+    for run in label:
+        letters = "".join(_SIGNS.get(letter, letter) for letter in run.text)
+        letters = rf"\textit{{{letters}}}" if run.italic else letters
+        if run.place == "sub":
+            low += letters
+        elif run.place == "sup":
+            text, low = text + _scripts(letters, low), ""
+        else:
+            text, low = text + _scripts("", low) + letters, ""
+    return text + _scripts("", low)
+
+
+def _scripts(high: str, low: str) -> str:
+    if not high and not low:
+        return ""
+    return "$" + (rf"^{{\text{{{high}}}}}" if high else "") + (rf"_{{\text{{{low}}}}}" if low else "") + "$"
+
+
+def _place(place: Place) -> str:
+    return f"({_mm(place.real)}, {_mm(place.imag)})"
+
+
+def _mm(length: float) -> str:
+    return f"{round(length, 4) + 0.0:g}" if abs(length) < 1000 else f"{length:.4f}"

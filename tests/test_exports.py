@@ -1,0 +1,116 @@
+"""Drawings as files of other programs, each read back by a reader that graphkin does not write with."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import graphkin
+from graphkin.cli import main
+from graphkin.outputs import drawings
+from graphkin.sheet.marks import VectorMark
+
+NAMES = ("ex3-1", "ex3-4", "p3-22", "curved-slot")
+
+
+def _picture(name: str) -> drawings.Picture:
+    drawing = graphkin.Drawing.of(graphkin.load(name))
+    return drawings.Picture(drawing.sheet(), drawing.method, drawing.plot, "en")
+
+
+def _ends(picture: drawings.Picture) -> list[tuple[complex, complex]]:
+    """Of every vector, from the foot of the paper up [mm]."""
+    up = complex(0, picture.sheet.paper.height)
+    vectors = [mark for mark in picture.sheet.marks if isinstance(mark, VectorMark)]
+    return [(up + v.start.conjugate(), up + v.end.conjugate()) for v in vectors]
+
+
+def _hold(found: list[tuple[complex, complex]], wanted: list[tuple[complex, complex]]) -> None:
+    """Every vector is there to 0.01 mm."""
+    for start, end in wanted:
+        assert min(max(abs(start - a), abs(end - b)) for a, b in found) < 0.01
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_dxf_holds_every_vector(name: str, tmp_path: Path):
+    ezdxf = pytest.importorskip("ezdxf")
+    picture = _picture(name)
+    path = tmp_path / "a.dxf"
+    path.write_bytes(drawings.WRITERS[".dxf"](picture))
+    document = ezdxf.readfile(path)
+    assert document.header["$INSUNITS"] == 4
+    lines = document.modelspace().query("LINE")
+    _hold([(complex(*e.dxf.start.vec2), complex(*e.dxf.end.vec2)) for e in lines], _ends(picture))
+    assert {line.dxf.layer for line in lines} >= {"velocity", "acceleration"}
+    assert not document.audit().errors
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_tikz_holds_every_vector(name: str):
+    picture = _picture(name)
+    text = drawings.WRITERS[".tex"](picture).decode()
+    number = r"(-?[\d.]+)"
+    lines = re.findall(rf"arrow\] \({number}, {number}\) -- \({number}, {number}\);", text)
+    up = picture.sheet.paper.height
+    found = [(complex(float(a), up - float(b)), complex(float(c), up - float(d))) for a, b, c, d in lines]
+    _hold(found, [(a, b) for a, b in _ends(picture) if abs(a - b) > 0.05])
+
+
+def test_tikz_compiles(tmp_path: Path):
+    if shutil.which("pdflatex") is None:
+        pytest.skip("no TeX here")
+    (tmp_path / "a.tex").write_bytes(drawings.WRITERS[".tex"](_picture("ex3-1")))
+    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "a.tex"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, check=False)
+    assert done.returncode == 0, done.stdout[-2000:]
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_pdf_is_as_large_as_the_paper(lang: str, tmp_path: Path):
+    pytest.importorskip("typst")
+    pypdf = pytest.importorskip("pypdf")
+    path = tmp_path / "a.pdf"
+    done = CliRunner().invoke(main, ["draw", "ex3-1", "-o", str(path), "--lang", lang])
+    assert done.exit_code == 0, done.output
+    first = path.read_bytes()
+    page = pypdf.PdfReader(path).pages[0]
+    assert abs(float(page.mediabox.width) - 210 * 72 / 25.4) < 0.01
+    assert abs(float(page.mediabox.height) - 297 * 72 / 25.4) < 0.01
+    assert CliRunner().invoke(main, ["draw", "ex3-1", "-o", str(path), "--lang", lang]).exit_code == 0
+    assert path.read_bytes() == first
+
+
+def test_png_says_how_large_it_is(tmp_path: Path):
+    pytest.importorskip("resvg_py")
+    image = pytest.importorskip("PIL.Image")
+    path = tmp_path / "a.png"
+    assert CliRunner().invoke(main, ["draw", "ex3-5", "-o", str(path), "--dpi", "100"]).exit_code == 0
+    with image.open(path) as picture:
+        assert picture.size == (827, 1169)
+        assert abs(picture.info["dpi"][0] - 100) < 0.1
+
+
+@pytest.mark.parametrize("kind", drawings.WRITERS)
+def test_a_file_of_another_is_kept(kind: str, tmp_path: Path):
+    path = tmp_path / f"a{kind}"
+    path.write_bytes(b"mine")
+    done = CliRunner().invoke(main, ["draw", "ex3-1", "-o", str(path)])
+    assert done.exit_code == 3
+    assert path.read_bytes() == b"mine"
+    path.unlink()
+    for _ in range(2):
+        done = CliRunner().invoke(main, ["draw", "ex3-1", "-o", str(path)])
+        assert done.exit_code == 0, done.output
+
+
+def test_a_package_that_is_missing_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setitem(__import__("sys").modules, "ezdxf", None)
+    done = CliRunner().invoke(main, ["draw", "ex3-1", "-o", str(tmp_path / "a.dxf")])
+    assert done.exit_code == 3
+    assert "graphkin[dxf]" in done.output
+    assert not list(tmp_path.iterdir())
