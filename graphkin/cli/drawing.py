@@ -47,8 +47,8 @@ if TYPE_CHECKING:
 @lang_option
 @speaking
 def draw(
-    mechanism: str, output: Path | None, dpi: float, only: Plane | None, paper: str | None, steps: Path | None, force: bool,
-    coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
+    mechanism: str, output: Path | None, dpi: float, only: Plane | None, paper: str | None, steps: Path | None,
+    force: bool, coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Draw the mechanism and its polygons to scale: a sheet, or a construction that moves in GeoGebra (.ggb).
 

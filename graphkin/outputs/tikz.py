@@ -1,4 +1,4 @@
-"""A sheet as TikZ: a LaTeX file that stands alone, or whose `tikzpicture` is copied into another, in true millimetres."""
+"""A sheet as TikZ, in true millimetres: a LaTeX file that stands alone, or whose picture is copied into another."""
 
 from __future__ import annotations
 
