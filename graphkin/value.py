@@ -68,17 +68,30 @@ def _filling(cls: Any) -> Callable[..., None]:
     defaults = {field.name: field.default for field in fields(cls) if field.default is not MISSING}
     makers = {field.name: field.default_factory for field in fields(cls) if field.default_factory is not MISSING}
     post = getattr(cls, "__post_init__", None)
+    rests = {
+        count: {name: defaults[name] for name in names[count:]}
+        for count in range(len(names) + 1) if defaults.keys() >= {*names[count:]}
+    }  # fmt: skip
+    """What a number of values by place leaves to the defaults, where it may."""
 
     def fill(self: Any, *args: Any, **given: Any) -> None:
         data = self.__dict__
+        rest = None if given else rests.get(len(args))
+        if rest is not None:
+            data.update(zip(names, args))
+            data.update(rest)
+        else:
+            fill_by_name(data, args, given)
+        if post is not None:
+            post(self)
+
+    def fill_by_name(data: dict[str, Any], args: tuple[Any, ...], given: dict[str, Any]) -> None:
         data.update(defaults)
         data.update(zip(names, args), **given)
         if makers:
             data.update((name, make()) for name, make in makers.items() if name not in data)
         if data.keys() != known or len(args) > len(names) or not given.keys().isdisjoint(names[: len(args)]):
             raise TypeError(f"{cls.__name__} wants {', '.join(names)}; given: {len(args)} by place, {[*given]}")
-        if post is not None:
-            post(self)
 
     return fill
 

@@ -102,7 +102,7 @@ def patterns() -> dict[str, str]:
     """What the package asks for, and where."""
     found: dict[str, str] = {}
     for path in readers():
-        tree = ast.parse(path.read_text("utf-8"))
+        tree = parsed(path)
         functions = [node for node in tree.body for node in ast.walk(node) if isinstance(node, Function)]
         for inside in [*functions, tree]:
             for call in (node for node in ast.walk(inside) if isinstance(node, ast.Call) and node.args):
@@ -112,6 +112,11 @@ def patterns() -> dict[str, str]:
                 place = f"{path.relative_to(PACKAGE)}:{call.lineno}"
                 found |= dict.fromkeys(asked(call.args[0], inside), place)
     return found
+
+
+@cache
+def compiled() -> tuple[re.Pattern[str], ...]:
+    return tuple(re.compile(pattern) for pattern in patterns() if pattern)
 
 
 def in_one(call: ast.Call, functions: list[Function]) -> bool:
@@ -125,31 +130,38 @@ def texts() -> frozenset[str]:
 
 
 @cache
-def made() -> frozenset[str]:
+def made() -> re.Pattern[str]:
     """Texts that the code makes of a word and something open, as patterns: `f"{pivot} chosen"`."""
     patterns = (next(asked(node, node)) for node in nodes() if isinstance(node, ast.JoinedStr))
-    return frozenset(pattern for pattern in patterns if re.search("[a-z]{4}", pattern))
+    return re.compile("|".join(sorted({pattern for pattern in patterns if re.search("[a-z]{4}", pattern)})))
 
 
 def nodes() -> Iterator[ast.AST]:
-    return (node for path in readers() for node in ast.walk(ast.parse(path.read_text("utf-8"))))
+    return (node for path in readers() for node in ast.walk(parsed(path)))
 
 
+@cache
+def parsed(path: Path) -> ast.Module:
+    return ast.parse(path.read_text("utf-8"))
+
+
+@cache
 def is_known(word: str) -> bool:
-    return word in texts() or word.isdigit() or any(re.fullmatch(pattern, word) for pattern in made())
+    return word in texts() or word.isdigit() or made().fullmatch(word) is not None
 
 
 def test_what_is_asked_for_exists():
+    names = "\n".join(catalogue())
     missing = {
         place: pattern for pattern, place in patterns().items()
-        if not pattern or not any(re.fullmatch(pattern, name) for name in catalogue())
+        if not pattern or not re.search(f"^(?:{pattern})$", names, re.MULTILINE)
     }  # fmt: skip
     assert not missing
 
 
 def is_asked_for(name: str) -> bool:
     """By itself, or as one of a family whose other words the code knows."""
-    found = [match for pattern in patterns() if pattern and (match := re.fullmatch(pattern, name))]
+    found = [match for pattern in compiled() if (match := pattern.fullmatch(name))]
     return any(all(map(is_known, match.groups())) for match in found)
 
 
@@ -186,19 +198,19 @@ def imports_lang(tree: ast.AST) -> bool:
 
 
 def test_subjects_know_no_language():
-    knowing = {part(path) for path in PACKAGE.rglob("*.py") if imports_lang(ast.parse(path.read_text("utf-8")))}
+    knowing = {part(path) for path in PACKAGE.rglob("*.py") if imports_lang(parsed(path))}
     assert knowing <= SPOKEN | TITLED | EDGE
 
 
 def test_formulas_know_no_language():
-    files = [path for path in (PACKAGE / "equations").glob("*.py") if imports_lang(ast.parse(path.read_text("utf-8")))]
+    files = [path for path in (PACKAGE / "equations").glob("*.py") if imports_lang(parsed(path))]
     assert {path.stem for path in files} == {"document", "figure", "page", "written"}
 
 
 def test_subjects_hold_no_chinese():
     """Beside docstrings: what is to be read stands in the catalogue, in errors, and on sheets; `submissions` read what
     students write, in either language, and a format of a platform may have words of its own."""
-    holding = {part(path) for path in readers() if any(map(is_chinese, said_in(ast.parse(path.read_text("utf-8")))))}
+    holding = {part(path) for path in readers() if any(map(is_chinese, said_in(parsed(path))))}
     assert holding <= {"errors", "sheet", "outputs", "platforms", "submissions"}
 
 

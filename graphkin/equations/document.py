@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Literal
 
 from graphkin.equations.layout import Node
@@ -40,7 +41,14 @@ class Table:
     rows: tuple[tuple[str | Node, ...], ...]
 
 
-Block = Heading | Sentence | Display | Table | Sheet
+@frozen
+class Drawing:
+    """A figure, drawn where it is asked for: text has none."""
+
+    draw: Callable[[], Sheet]
+
+
+Block = Heading | Sentence | Display | Table | Drawing
 
 
 @frozen

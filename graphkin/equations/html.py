@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import assert_never
 from xml.sax.saxutils import escape, quoteattr
 
-from graphkin.equations.document import Block, Display, Document, Heading, Sentence, Table
+from graphkin.equations.document import Block, Display, Document, Drawing, Heading, Sentence, Table
 from graphkin.equations.layout import Node, Op, Row
 from graphkin.equations.mathml import mathml
 from graphkin.outputs.svg import inline
@@ -51,8 +51,9 @@ def _block(block: Block) -> str:
             return f'<div class="equation"><div class="rows">{rows}</div><span>({block.number})</span></div>'
         case Table():
             return _table(block)
-        case Sheet():
-            return f"<figure>{svg(block)}<figcaption>{escape(block.title)}</figcaption></figure>"
+        case Drawing():
+            sheet = block.draw()
+            return f"<figure>{svg(sheet)}<figcaption>{escape(sheet.title)}</figcaption></figure>"
         case _:
             assert_never(block)
 

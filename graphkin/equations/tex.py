@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from graphkin.equations.document import Block, Display, Document, Heading, Sentence, Table
+from graphkin.equations.document import Block, Display, Document, Drawing, Heading, Sentence, Table
 from graphkin.equations.latex import latex, words
 from graphkin.equations.layout import Grid, Node, Row
 from graphkin.equations.tikz import tikz
-from graphkin.sheet import Sheet
 
 _PREAMBLE = r"""\usepackage[margin=20mm]{geometry}
 \usepackage{amsmath}
@@ -48,8 +47,9 @@ def _block(block: Block) -> str:
             return _display(block)
         case Table():
             return _table(block)
-        case Sheet():
-            return f"\\begin{{center}}\n{tikz(block)}\n\n{words(block.title)}\n\\end{{center}}"
+        case Drawing():
+            sheet = block.draw()
+            return f"\\begin{{center}}\n{tikz(sheet)}\n\n{words(sheet.title)}\n\\end{{center}}"
         case _:
             assert_never(block)
 

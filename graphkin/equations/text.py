@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Sequence
 from typing import assert_never
 
-from graphkin.equations.document import Block, Display, Document, Heading, Sentence, Table
+from graphkin.equations.document import Block, Display, Document, Drawing, Heading, Sentence, Table
 from graphkin.equations.layout import (
     Call,
     Exp,
@@ -26,7 +26,6 @@ from graphkin.equations.layout import (
 )  # fmt: skip
 from graphkin.equations.symbols import Symbol
 from graphkin.say.text_table import aligned, padded, width
-from graphkin.sheet import Sheet
 
 _DOTS = {0: "", 1: "\u0307", 2: "\u0308"}
 _POWERS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -53,7 +52,7 @@ def _block(block: Block) -> list[str]:
             return _display(block)
         case Table():
             return _table(block)
-        case Sheet():
+        case Drawing():
             return []
         case _:
             assert_never(block)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from graphkin.equations.complex_method import listed, write_complex
-from graphkin.equations.document import By, Document
+from graphkin.equations.document import By, Document, Drawing
 from graphkin.equations.expressions import Sum, Term
 from graphkin.equations.figure import figure
 from graphkin.equations.layout import Call, Exp, Letter, Node, Op, Row, Word
@@ -34,7 +36,7 @@ def written(model: Model, by: By, lang: Lang) -> Document:
     """The document, filling the model's legend."""
     page = Page(lang)
     page.say("equations.every vector", euler=_euler())
-    page.add(figure(model, say("equations.figure", lang), lang))
+    page.add(Drawing(partial(figure, model, say("equations.figure", lang), lang)))
     _given(model, page)
     if not model.tasks:
         page.say("equations.no loop")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from itertools import chain, count
 
 from graphkin.construction import (
     Across,
@@ -99,12 +100,10 @@ class Polygon:
     def between(self, letter: str, link: str, of: str) -> str:
         """A corner of the polygon that is no point of the mechanism: n3', k'."""
         stem = letter if letter == "k" else letter + self.structure.mechanism.called(link)
-        for more in ("", *(str(k) for k in range(1, 1000))):
-            dot = "_" if more and stem[-1].isdigit() else ""
-            name = f"{stem}{dot}{more}'"
-            if name not in self.nodes and name not in self.reserved:
-                return self.new(name, of)
-        raise AssertionError("a thousand corners of one name")
+        dot = "_" if stem[-1].isdigit() else ""
+        numbered = (f"{stem}{dot}{k}'" for k in count(1))
+        names = chain([f"{stem}'"], numbered)
+        return self.new(next(name for name in names if name not in self.nodes and name not in self.reserved), of)
 
     def known(self, site: Site) -> bool:
         key = self.key(site)

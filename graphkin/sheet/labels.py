@@ -136,9 +136,9 @@ class _Table:
         self.owner = np.array(owners)
         middle = np.array([(spot.middle.real, spot.middle.imag) for spot in self.candidates])
         half = np.array(sizes)
-        self.low, self.high = middle - half, middle + half
+        self.low, self.high = np.asfortranarray(middle - half), np.asfortranarray(middle + half)
         anchors = [spot.middle if spot.anchor is None else spot.anchor for spot in self.candidates]
-        self.anchor = np.array([(anchor.real, anchor.imag) for anchor in anchors])
+        self.anchor = np.array([(anchor.real, anchor.imag) for anchor in anchors], order="F")
         self.begin = np.clip(self.anchor, self.low, self.high)
         self.led = np.array([spot.anchor is not None for spot in self.candidates])
         self.cost = np.array([spot.cost for spot in self.candidates])
@@ -151,8 +151,10 @@ class _Table:
     def _judge(self, room: Room) -> Any:
         """Which candidates touch nothing drawn; near misses and bad places are written into the cost."""
         known = self.known
-        hits = np.bincount(known.touched(self.low - _CLEAR, self.high + _CLEAR), minlength=len(self.candidates))
         near = np.bincount(known.touched(self.low - _EASY, self.high + _EASY), minlength=len(self.candidates))
+        maybe = np.flatnonzero(near)
+        rows = maybe[known.touched(self.low[maybe] - _CLEAR, self.high[maybe] + _CLEAR)]
+        hits = np.bincount(rows, minlength=len(self.candidates))
         self.cost += 0.45 * np.minimum(near, 6) + self.prices.line * np.minimum(hits, 5)
         inside = np.all(self.low >= (room.left, room.top), axis=1)
         inside &= np.all(self.high <= (room.right, room.bottom), axis=1)
@@ -162,23 +164,19 @@ class _Table:
 
     def choose(self) -> list[int]:
         """Greedy: who has the least freedom first. The row each label takes."""
-        count = int(self.owner.max()) + 1
-        chosen: dict[int, int] = {}
-        while len(chosen) < count:
-            left = np.bincount(self.owner[self.free], minlength=count)
-            best = self._best(count)
-            label = min((k for k in range(count) if k not in chosen), key=lambda k: (left[k], -best[k], k))
-            rows = np.flatnonzero(self.owner == label)
-            row = int(rows[np.argmin(self.cost[rows])])
+        count = int(self.owner[-1]) + 1
+        first = np.searchsorted(self.owner, np.arange(count + 1))
+        chosen, waiting = np.empty(count, dtype=np.intp), np.arange(count)
+        while len(waiting):
+            left = np.bincount(self.owner[self.free], minlength=count)[waiting]
+            best = np.minimum.reduceat(self.cost, first[:-1])[waiting]
+            next_ = int(np.lexsort((-best, left))[0])
+            label = waiting[next_]
+            row = first[label] + int(np.argmin(self.cost[first[label] : first[label + 1]]))
             chosen[label] = row
-            self._take(row)
-        return [chosen[k] for k in range(count)]
-
-    def _best(self, count: int) -> Any:
-        """The cost of each label's best place."""
-        best = np.full(count, np.inf)
-        np.minimum.at(best, self.owner, self.cost)
-        return best
+            waiting = np.delete(waiting, next_)
+            self._take(int(row))
+        return [int(row) for row in chosen]
 
     def _take(self, row: int) -> None:
         """A label lies here now: places over it are bad ones."""
@@ -189,7 +187,9 @@ class _Table:
     def _against(self, row: int, rows: Any = slice(None)) -> tuple[Any, Any]:
         """Candidates (of some rows) that lie on the one in this row; those whose leader does, or on its leader."""
         low, high, apart = self.low[rows], self.high[rows], self.prices.apart
-        clash = np.all(low < self.high[row] + apart, axis=1) & np.all(high > self.low[row] - apart, axis=1)
+        left, top = self.low[row] - apart
+        right, bottom = self.high[row] + apart
+        clash = (low[:, 0] < right) & (low[:, 1] < bottom) & (high[:, 0] > left) & (high[:, 1] > top)
         crossed = self.led[rows] & _cross(self.begin[rows], self.anchor[rows], self.low[row], self.high[row])
         if self.led[row]:
             crossed |= _cross(self.begin[row], self.anchor[row], low, high)
@@ -240,9 +240,9 @@ def _cross(start: Any, end: Any, low: Any, high: Any) -> Any:
     way = end - start
     way = np.where(np.abs(way) < 1e-9, 1e-9, way)
     first, second = (low - start) / way, (high - start) / way
-    enter = np.minimum(first, second).max(axis=-1)
-    leave = np.maximum(first, second).min(axis=-1)
-    return np.maximum(enter, 0.0) <= np.minimum(leave, 1.0)
+    enter, leave = np.minimum(first, second), np.maximum(first, second)
+    entered, left = np.maximum(enter[..., 0], enter[..., 1]), np.minimum(leave[..., 0], leave[..., 1])
+    return np.maximum(entered, 0.0) <= np.minimum(left, 1.0)
 
 
 def _meet(start: Any, end: Any, other_start: Any, other_end: Any) -> Any:
