@@ -14,7 +14,7 @@ from graphkin.construction import Given, Plane, Plot
 from graphkin.loading import loads
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
-from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_count, step_sheets
+from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_sheets
 from graphkin.sheet.labels import settle
 from graphkin.sheet.lettering import (
     Run,
@@ -175,7 +175,7 @@ def test_only_some_planes() -> None:
 @pytest.mark.parametrize("name", ["ex3-1", "fig3-1", "p3-14", "s3-sieve", "p3-12", "p3-8"])
 def test_steps_build_up_the_whole_drawing(name: str) -> None:
     method, plot = solved(name)
-    last = step_count(method)
+    last = len(method.acts)
     whole = {(m.plane, m.name) for m in drawn(name).marks if isinstance(m, VectorMark)}
     before: set[tuple[Plane, str]] = set()
     for step in range(1, last + 1):
@@ -190,7 +190,7 @@ def test_steps_build_up_the_whole_drawing(name: str) -> None:
 
 def test_steps_lie_over_one_another() -> None:
     method, plot = solved("ex3-5")
-    early, late = (sheet(method, plot, upto=step) for step in (16, step_count(method)))
+    early, late = (sheet(method, plot, upto=step) for step in (5, len(method.acts)))
     places = {(m.plane, m.name): m.at for m in late.marks if isinstance(m, PointMark)}
     assert all(places[m.plane, m.name] == m.at for m in early.marks if isinstance(m, PointMark))
 
@@ -198,7 +198,7 @@ def test_steps_lie_over_one_another() -> None:
 def test_a_series_of_steps_is_each_step_by_itself() -> None:
     method, plot = solved("ex3-1")
     series = list(step_sheets(method, plot))
-    assert len(series) == step_count(method)
+    assert len(series) == len(method.acts)
     assert all(page.marks == sheet(method, plot, upto=k).marks for k, page in enumerate(series, 1) if k % 5 == 0)
 
 

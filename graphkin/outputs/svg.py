@@ -30,8 +30,8 @@ NAMESPACE = "https://graphkin.invalid/sheet/1"
 MARKS = (NAMESPACE.encode(),)
 _LATIN = "Times New Roman, Liberation Serif, Tinos, serif"
 _CHINESE = "Noto Serif CJK SC, Source Han Serif SC, Songti SC, SimSun, WenQuanYi Micro Hei, serif"
-_WIDE = re.compile(r"([\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]+)")
-_INK, _NEW = "#000000", "#c00000"
+_WIDE = re.compile(r"([\u221a\u2225\u22a5\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]+)")
+_INK, _NEW, _GREY = "#000000", "#c00000", "#707070"
 _FILLS: dict[Fill, str] = {"none": "none", "paper": "#ffffff", "ink": _INK, "grey": "#dddddd"}
 _CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 _TIP = 2.8
@@ -160,7 +160,7 @@ class _Pen:
         """Width, dashes, colour and filling."""
         kind = PENS[pen]
         element["fill"] = _NEW if fill == "ink" and new else _FILLS[fill]
-        element["stroke"] = _NEW if new else _INK
+        element["stroke"] = _NEW if new else _GREY if kind.grey else _INK
         element["stroke-width"] = mm(kind.width * (1.6 if new else 1))
         if kind.dashes:
             element["stroke-dasharray"] = " ".join(mm(dash) for dash in kind.dashes)
@@ -186,7 +186,7 @@ class _Pen:
 
     def _vector(self, mark: VectorMark) -> Any:
         element = self.drawing.line(_xy(mark.start), _xy(mark.end))
-        self._line(element, "vector", mark.new)
+        self._line(element, "solved" if mark.solved else "vector", mark.new)
         if mark.length > 0.05:
             _head(element, mark.new, 1.0 if mark.length > 1.6 * _TIP else 0.5)
         return element

@@ -26,8 +26,7 @@ from graphkin.sheet.mechanism_sheet import scales_of
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PAPERS, Paper
 from graphkin.sheet.scales import TooLargeForPaper, UnknownPaper
-from graphkin.sheet.window import step_count
 
 __all__ = [
-    "PAPERS", "Paper", "Sheet", "TooLargeForPaper", "UnknownPaper", "scales_of", "sheet", "step_count", "step_sheets",
+    "PAPERS", "Paper", "Sheet", "TooLargeForPaper", "UnknownPaper", "scales_of", "sheet", "step_sheets",
 ]  # fmt: skip

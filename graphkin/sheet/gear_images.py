@@ -9,11 +9,12 @@ from collections.abc import Iterator, Sequence
 from graphkin.construction import Measure, Plot, Roll, Simultaneous
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
+from graphkin.planning.acts import pages
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.wheels import Wheel, wheels_of
-from graphkin.sheet.window import Figure, Window, first_steps
+from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
 _LEAST = 0.4
@@ -62,19 +63,19 @@ def _centre(method: Method, wheel: Wheel) -> str | None:
 
 
 def _known(method: Method, link: str) -> int:
-    """The step in which a link's angular velocity is found; the first of the plane for a driven one."""
-    base, first = method.structure.base(link), first_steps(method)["velocity"] + 1
-    for number, step in enumerate(method.velocity.steps, start=first):
+    """The act in which a link's angular velocity is found; the first of the plane for a driven one."""
+    base, page = method.structure.base(link), pages(method)
+    for step in method.velocity.steps:
         match step:
             case Measure(quantity="omega", of=of) if method.structure.base(of) == base:
-                return number
+                return page["velocity", step]
             case Roll(angle=angle) if angle == base:
-                return number
+                return page["velocity", step]
             case Simultaneous(angles=angles) if base in angles:
-                return number
+                return page["velocity", step]
             case _:
                 pass
-    return first
+    return next(act.page for act in method.acts if act.plane == "velocity")
 
 
 def circles(

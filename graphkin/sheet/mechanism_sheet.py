@@ -8,10 +8,15 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
+from typing import Literal
 
 from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
+from graphkin.planning.acts import births, pages
+from graphkin.say.plane import Polygon as Spoken
+from graphkin.say.reading import Reading
+from graphkin.sheet.drafted import Drafted
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.gear_images import GearImage, gear_images
 from graphkin.sheet.layout import Layout, lay_out, papers_for
@@ -26,9 +31,10 @@ from graphkin.sheet.results import Table, tables
 from graphkin.sheet.scales import KEYS, TooLargeForPaper
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, strip_height
-from graphkin.sheet.window import PLANES, Figure, Window, births, constructions, first_steps, step_count
+from graphkin.sheet.window import PLANES, Figure, Window, constructions
 from graphkin.value import frozen
 
+Style = Literal["construction", "result", "given"]
 _CROWDED, _EASED = 8, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
 _MORE = (2, 4)
@@ -49,6 +55,7 @@ def mechanism_sheet(
     paper: str | None = None,
     lang: Lang = "en",
     only: Plane | Collection[Plane] | None = None,
+    style: Style = "construction",
     upto: int | None = None,
 ) -> Sheet:
     """Draw a mechanism and its polygons to scale.
@@ -56,11 +63,13 @@ def mechanism_sheet(
     plot   the method replayed at one position
     paper  a key of `PAPERS`; the smallest that fits where left out
     only   the plane or planes to draw; all three where left out
-    upto   draw the construction as far as this step (1 to `step_count(method)`), its newest marks emphasised
+    style  "construction": how the polygons are drawn, too; "result": what comes of it; "given": the mechanism with
+           what is known of it, and nothing that would have to be found
+    upto   draw the construction as far as this act (1 to `len(method.acts)`), its newest marks emphasised
 
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
-    work = _Work(_Planes(method, plot), _planes(only), tables(method, plot, lang), lang)
+    work = _Work(_Planes(method, plot, style), _planes(only), tables(method, plot, lang), lang)
     if upto is not None:
         return _staged(work, paper).upto(upto)
     best = _divided(work, paper)
@@ -76,8 +85,8 @@ def mechanism_step_sheets(
     only: Plane | Collection[Plane] | None = None,
 ) -> Iterator[Sheet]:
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
-    work = _Work(_Planes(method, plot), _planes(only), tables(method, plot, lang), lang)
-    yield from step_sheets(_staged(work, paper), range(1, step_count(method) + 1))
+    work = _Work(_Planes(method, plot, "construction"), _planes(only), tables(method, plot, lang), lang)
+    yield from step_sheets(_staged(work, paper), range(1, len(method.acts) + 1))
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -87,7 +96,8 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 
 def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
     """The scales of the sheet, without its last lettering."""
-    return _divided(_Work(_Planes(method, plot), PLANES, tables(method, plot, lang), lang), None).layout.scales
+    work = _Work(_Planes(method, plot, "construction"), PLANES, tables(method, plot, lang), lang)
+    return _divided(work, None).layout.scales
 
 
 @frozen
@@ -96,6 +106,7 @@ class _Planes:
 
     method: Method
     plot: Plot
+    style: Style
 
     def construction(self, plane: Plane) -> Construction:
         return constructions(self.method)[plane]
@@ -113,12 +124,16 @@ class _Planes:
         return gear_images(self.method, self.plot) if plane == "velocity" else []
 
     def figure(self, plane: Plane, window: Window) -> Figure:
-        born = births(self.construction(plane), first_steps(self.method)[plane])
+        born = births(self.method, plane)
         if plane == "position":
             skeleton = Skeleton(self.method.mechanism, self.plot, window, born)
             return mechanism_figure(skeleton, self.method, self.values(plane))
-        construction = self.construction(plane)
-        return polygon_figure(Polygon(self.method.mechanism, construction, self.plot, window, born, self.gears(plane)))
+        return polygon_figure(self.polygon(plane, window))
+
+    def polygon(self, plane: Plane, window: Window) -> Polygon:
+        born, gears = births(self.method, plane), self.gears(plane)
+        drafted = self.style == "construction"
+        return Polygon(self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted)
 
     def extent(self, plane: Plane) -> Extent:
         """How large the plane's points are, and how far its signs reach beyond them."""
@@ -212,7 +227,19 @@ class _Work:
         """One plane's figure under its heading; with `stages`, over the lines of the pencil."""
         drawing, room, window = self.drawing, layout.rooms[plane], layout.window(plane, self.extents[plane])
         before = [*heading(HEADINGS[self.lang][plane], plane, window.scale, room)]
-        if stages:
-            first = first_steps(drawing.method)[plane]
-            before += pencil_lines(drawing.construction(plane), drawing.plot, window, room, first)
-        return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), plane=plane)
+        if stages and plane == "position":
+            before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
+        more = self.drafted(layout, plane, window) if drawing.style == "construction" else None
+        return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
+
+    def drafted(self, layout: Layout, plane: Plane, window: Window) -> Drafted | None:
+        """How a polygon is constructed; nothing of the mechanism's own figure."""
+        if plane == "position":
+            return None
+        acts = [act for act in self.drawing.method.acts if act.plane == plane]
+        return Drafted(self.drawing.polygon(plane, window), Spoken(self.reading(layout), plane), acts)
+
+    def reading(self, layout: Layout) -> Reading:
+        """What the words read, at the scales of the sheet."""
+        scales = {key: layout.scales.get(plane, 1.0) for plane, key in KEYS.items()}
+        return Reading(self.drawing.method, self.drawing.plot, scales, self.lang)

@@ -11,11 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import SupportsFloat
+from typing import Protocol, SupportsFloat
 
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
+from graphkin.sheet.free_room import Added
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
@@ -55,6 +56,16 @@ def step_sheets(whole: Sheet, steps: Iterable[int]) -> Iterator[Sheet]:
     return (whole.upto(step) for step in steps)
 
 
+class Last(Protocol):
+    """What is drawn last on a figure."""
+
+    def lines(self) -> list[Mark]:
+        """What labels should keep off, where that costs nothing."""
+
+    def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
+        """What there is room for, among figure and labels."""
+
+
 @frozen
 class Panel:
     """A figure in its room.
@@ -62,6 +73,7 @@ class Panel:
     figure         on paper already, with the labels it wants; window: through which it is seen
     room           where its labels may stand [mm]
     before, after  what is painted before it (its heading), and after its labels (its caption)
+    more           what is drawn last, where figure and labels have left room; labels keep off its lines if they can
     plane          whose origin and scale the sheet tells; None for a figure whose scale it does not
     """
 
@@ -71,6 +83,7 @@ class Panel:
     before: tuple[Mark, ...] = ()
     after: tuple[Mark, ...] = ()
     plane: Plane | None = "position"
+    more: Last | None = None
 
     @property
     def drawn(self) -> list[Mark]:
@@ -112,7 +125,7 @@ class Page:
 
     def lettered(self, far: bool = True) -> Lettered:
         """With its labels; `far`: where some of a panel find no place near what they name, all may go farther off."""
-        return Lettered(self, [settle(one.figure.wanted, one.drawn, one.room, far) for one in self.panels])
+        return Lettered(self, [settle(one.figure.wanted, one.drawn, one.room, far) for one in self.panels], far)
 
     def sheet(self) -> Sheet:
         return self.lettered().sheet
@@ -124,6 +137,7 @@ class Lettered:
 
     page: Page
     labels: list[Settled]
+    far: bool = True
 
     @property
     def clashes(self) -> list[int]:
@@ -137,7 +151,18 @@ class Lettered:
     @cached_property
     def crowded(self) -> int:
         """How many labels stand off from what they name, at the end of a leader."""
-        return sum(isinstance(mark, Stroke) for settled in self.labels for mark in settled.marks)
+        return sum(map(_leaders, self.labels))
+
+    def _finished(self, panel: Panel, settled: Settled) -> list[Mark]:
+        """A panel with what is drawn last."""
+        if panel.more is None:
+            return [*panel.drawn, *settled.marks, *panel.after]
+        off = settle(panel.figure.wanted, [*panel.drawn, *panel.more.lines()], panel.room, self.far)
+        if _worth(off) <= _worth(settled):
+            settled = off
+        standing = [*panel.drawn, *settled.marks, *panel.after]
+        added = panel.more(standing, panel.room)
+        return [*added.under, *standing, *added.over]
 
     @property
     def sheet(self) -> Sheet:
@@ -145,7 +170,7 @@ class Lettered:
         foot = [] if page.strip is None else strip(page.strip, page.mechanism, page.paper, page.scales, page.lang)
         marks = [*foot, *page.base]
         for panel, settled in zip(page.panels, self.labels, strict=True):
-            marks += [*panel.drawn, *settled.marks, *panel.after]
+            marks += self._finished(panel, settled)
         return Sheet(
             paper=page.paper,
             marks=tuple(marks),
@@ -156,6 +181,15 @@ class Lettered:
             title=page.title or page.mechanism.headline(page.lang),
             lang=page.lang,
         )
+
+
+def _leaders(settled: Settled) -> int:
+    return sum(isinstance(mark, Stroke) for mark in settled.marks)
+
+
+def _worth(settled: Settled) -> tuple[int, int, int]:
+    """Labels without a place, labels left out, leaders: the less the better."""
+    return settled.clashes, -sum(isinstance(mark, Text) for mark in settled.marks), _leaders(settled)
 
 
 def heading(text: str, plane: Plane, scale: float, room: Room) -> tuple[Mark, ...]:

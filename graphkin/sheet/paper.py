@@ -72,7 +72,10 @@ PAPERS: Mapping[str, Paper] = {
 LARGE = (PAPERS["A3-landscape"], PAPERS["A3"])
 """Tried, too, where a smaller one holds all but leaves it little room."""
 
-PenName = Literal["visible", "outline", "vector", "thin", "hatch", "dashed", "centre", "construction", "leader"]
+PenName = Literal[
+    "visible", "outline", "vector", "solved", "thin", "hatch", "dashed", "centre", "construction", "direction",
+    "measured", "leader",
+]  # fmt: skip
 
 
 @frozen
@@ -81,17 +84,21 @@ class Pen:
 
     width: float
     dashes: tuple[float, ...] = ()
+    grey: bool = False
 
 
 PENS: Mapping[PenName, Pen] = {
     "visible": Pen(0.7),  # links
     "outline": Pen(0.5),  # blocks, hinges, pivots, the drawing frame
     "vector": Pen(0.35),
+    "solved": Pen(0.5),  # arrows that the construction found
     "thin": Pen(0.25),  # images, tables
     "hatch": Pen(0.18),
     "dashed": Pen(0.25, (2.0, 1.0)),
     "centre": Pen(0.25, (6.0, 1.0, 0.6, 1.0)),
     "construction": Pen(0.18),
+    "direction": Pen(0.18, grey=True),  # lines of a polygon's construction
+    "measured": Pen(0.18, (3.0, 1.2), grey=True),  # lengths of the mechanism that the solution uses
     "leader": Pen(0.13),
 }
 

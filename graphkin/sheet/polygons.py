@@ -23,7 +23,11 @@ _SAME = 0.15
 
 @frozen
 class Polygon:
-    """One plane's polygon through a window. `born`: the step in which each of its points is found; `gears`: images."""
+    """One plane's polygon through a window.
+
+    born    the act in which each of its points is found; gears: images
+    solving whether arrows that the construction finds are told from those it starts from
+    """
 
     mechanism: Mechanism
     construction: Construction
@@ -31,6 +35,7 @@ class Polygon:
     window: Window
     born: Mapping[str, int]
     gears: list[GearImage] = field(default_factory=list)
+    solving: bool = False
 
     @cached_property
     def points(self) -> dict[str, Place]:
@@ -64,7 +69,8 @@ class Polygon:
         for name, term in self.construction.vectors().items():
             drawn.add((term.tail, term.head))
             if term.tail in self.points and term.head in self.points:
-                yield self._vector(name, term.tail, term.head, self._sites(term), term.part)
+                solved = self.solving and term.size is None
+                yield self._vector(name, term.tail, term.head, self._sites(term), term.part, solved)
         pole = self.construction.pole
         for name in self.points:
             node = self.construction.nodes.get(name)
@@ -73,10 +79,12 @@ class Polygon:
             if node.site.point not in self.mechanism.unnamed:
                 yield self._vector(f"{LETTER[self.construction.plane]}_{node.of}", pole, name, (node.site,))
 
-    def _vector(self, name: str, tail: str, head: str, sites: tuple[Site, ...], part: str = "") -> VectorMark:
+    def _vector(
+        self, name: str, tail: str, head: str, sites: tuple[Site, ...], part: str = "", solved: bool = False
+    ) -> VectorMark:
         start, end, step = self.points[tail], self.points[head], self.step(tail, head)
         named = tuple(map(named_site, sites))
-        return VectorMark(self.construction.plane, name, tail, head, start, end, step, sites=named, part=part)
+        return VectorMark(self.construction.plane, name, tail, head, start, end, step, False, named, part, solved)
 
     def _sites(self, term: Term) -> tuple[Site, ...]:
         """What an arrow is the motion of, and what it is seen from."""
