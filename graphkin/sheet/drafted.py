@@ -13,6 +13,7 @@ from itertools import pairwise
 from graphkin.construction import Image, LayOff, Meet, Ray, Term
 from graphkin.planning.acts import Act
 from graphkin.say.plane import Polygon as Spoken
+from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Added, FreeRoom
 from graphkin.sheet.lettering import box, plain
@@ -55,11 +56,16 @@ class _Line:
 
 @frozen
 class Drafted:
-    """A polygon's construction. spoken: the same polygon as it is worded; acts: those of its plane."""
+    """A polygon's construction.
+
+    spoken  the same polygon as it is worded; acts: those of its plane
+    loose   equations that have no place of their own over the figure
+    """
 
     polygon: Polygon
     spoken: Spoken
     acts: Sequence[Act]
+    loose: Sequence[EquationBlock] = ()
 
     def lines(self) -> list[Mark]:
         """The direction lines as far as they like to go on past where they meet, for labels to keep off."""
@@ -80,6 +86,11 @@ class Drafted:
         for line, tip in marked:
             want = Wanted(formula(line.text), tip, gap=-0.2, away=(tip - line.meeting), size=LEAST, step=line.page)
             added.over.extend(free.letters(want))
+        for block in self.loose:
+            if (corner := free.corner(block.size)) is not None:
+                letters = list(block.marks(corner))
+                free.add(letters)
+                added.over.extend(letters)
         return added
 
     # --- direction lines --------------------------------------------------------------------------

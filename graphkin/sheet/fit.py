@@ -20,6 +20,8 @@ _LETTERS = 6.5
 """What labels need around a figure [mm]."""
 _LEAST = 5.0
 """Points in less room than this are no figure [mm]."""
+_TOO_HIGH = 1e6
+"""Higher than any room [mm]."""
 _CLOSE = 1 + 1e-9
 """What is too large by rounding alone still fits."""
 
@@ -31,6 +33,7 @@ class Extent:
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
     given   its scale where the file gives one; labels: how much is lettered in it
+    over    width and height of what stands over it, side by side and one under the other [mm]
     """
 
     low: complex
@@ -41,6 +44,14 @@ class Extent:
     bottom: float
     given: float | None = None
     labels: int = 10
+    over: tuple[complex, complex] | None = None
+
+    def head(self, wide: Any) -> Any:
+        """Height of what stands over it in rooms of this width [mm]; more than any has in those too narrow for it."""
+        if self.over is None:
+            return 0.0
+        beside, stacked = self.over
+        return np.where(wide >= beside.real, beside.imag, np.where(wide >= stacked.real, stacked.imag, _TOO_HIGH))
 
     @classmethod
     def of(

@@ -17,6 +17,8 @@ from graphkin.value import frozen
 
 _CLEAR = 0.6
 """What is added keeps this from everything there [mm]."""
+_EDGE, _GRID = 2.0, 3.0
+"""What a rectangle keeps from all others; how finely places for it are tried [mm]."""
 _STEPS = 0.5
 """How finely a line is shortened [mm]."""
 
@@ -68,6 +70,14 @@ class FreeRoom:
         cost = np.where(self.free(middle - size, middle + size), [spot.cost for spot in near], np.inf)
         best = int(np.argmin(cost))
         return near[best].middle if np.isfinite(cost[best]) else None
+
+    def corner(self, size: complex) -> Place | None:
+        """The upper left corner of the uppermost free rectangle of a size; None where there is none."""
+        xs = np.arange(self.room.left + _EDGE, self.room.right - size.real - _EDGE, _GRID)
+        ys = np.arange(self.room.top + _EDGE, self.room.bottom - size.imag - _EDGE, _GRID)
+        low = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2)
+        found = np.flatnonzero(self.free(low - _EDGE, low + (size.real, size.imag) + _EDGE)) if len(low) else []
+        return complex(*low[found[0]]) if len(found) else None
 
     def letters(self, want: Wanted) -> list[Mark]:
         """A label where there is room for it, else nothing."""

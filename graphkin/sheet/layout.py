@@ -25,6 +25,8 @@ from graphkin.value import frozen
 
 HEAD = 7.5
 """Height of a figure's heading [mm]."""
+HEAD_LEFT = 3.0
+"""From the side of a room to its heading [mm]."""
 HEAD_WIDTH = 76.0
 """Width of a heading with its scale [mm]."""
 _MECHANISM = 1.3
@@ -41,16 +43,20 @@ Height = Callable[[Paper], float]
 
 @frozen
 class Layout:
-    """A paper divided: a room and a scale for each plane, and the strip for tables and title."""
+    """A paper divided: a room and a scale for each plane, and the strip for tables and title.
+
+    headed  the planes over whose figures there is room for their equations
+    """
 
     paper: Paper
     rooms: Mapping[Plane, Room]
     scales: Mapping[Plane, float]
     strip: Room
+    headed: tuple[Plane, ...] = ()
 
     def window(self, plane: Plane, extent: Extent) -> Window:
         """The figure with all its signs in the middle of its room, under its heading."""
-        return extent.window(self.rooms[plane].inset(0, HEAD, 0), self.scales[plane])
+        return extent.window(_under(self.rooms[plane], extent), self.scales[plane])
 
 
 def papers_for(name: str | None) -> list[Paper]:
@@ -95,6 +101,22 @@ def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: S
     raise _too_large(extents, strip_height, candidates)
 
 
+def headed(
+    layout: Layout, extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper], coarser: float
+) -> Layout:
+    """As the layout, with what stands over figures for as many as have room for it: on paper of the same size, none
+    drawn more than so much coarser."""
+    over = [plane for plane, extent in extents.items() if extent.over is not None]
+    area = layout.paper.width * layout.paper.height
+    same = [paper for paper in papers if paper.width * paper.height == area]
+    for planes in (over, *([plane] for plane in over if len(over) > 1)):
+        wanted = {plane: e if plane in planes else replace(e, over=None) for plane, e in extents.items()}
+        found = _best(same, wanted, strip_height) if planes else None
+        if found is not None and all(found.scales[p] <= layout.scales[p] * coarser for p in extents):
+            return replace(found, headed=tuple(planes))
+    return layout
+
+
 def _best(papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Height) -> Layout | None:
     """The first of the best divisions, None where nothing fits."""
     best, found = -math.inf, None
@@ -112,7 +134,13 @@ def _best(papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height
 
 def _scales(extent: Extent, room: Room) -> Any:
     """The scale at which a figure fits each of many rooms under its heading; NaN where it does not."""
-    return np.where(room.right - room.left >= HEAD_WIDTH, extent.scales_in(room.inset(0, HEAD, 0)), math.nan)
+    return np.where(room.right - room.left >= HEAD_WIDTH, extent.scales_in(_under(room, extent)), math.nan)
+
+
+def _under(room: Room, extent: Extent) -> Room:
+    """A room without what stands over the figure: its heading, and its equations."""
+    head = extent.head(room.right - room.left - 2 * HEAD_LEFT)
+    return room.inset(0, HEAD + (head if np.ndim(head) else float(head)), 0)
 
 
 def _picked(paper: Paper, rooms: Mapping[Plane, Room], scales: Mapping[Plane, Any], strip: Room, share: int) -> Layout:
@@ -133,7 +161,7 @@ def _score(extents: Mapping[Plane, Extent], scales: Mapping[Plane, Any], rooms: 
         wide, high = extent.size.real / scales[plane], extent.size.imag / scales[plane]
         total += _worth(plane, np.maximum(wide, high), extent.labels)
         spare_x = room.right - room.left - wide - extent.reach.real
-        spare_y = room.bottom - room.top - HEAD - high - extent.reach.imag
+        spare_y = room.bottom - _under(room, extent).top - high - extent.reach.imag
         total += 0.15 * np.log(1 + np.minimum(spare_x, spare_y))
     corners = [rooms[plane].top + 0.3 * rooms[plane].left for plane in extents]
     in_order = np.all([first <= second for first, second in pairwise(corners)], axis=0)

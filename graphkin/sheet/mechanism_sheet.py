@@ -14,12 +14,15 @@ from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.planning.acts import births, pages
+from graphkin.say.catalogue import say
 from graphkin.say.plane import Polygon as Spoken
+from graphkin.say.polygons import polygon as told
 from graphkin.say.reading import Reading
 from graphkin.sheet.drafted import Drafted
+from graphkin.sheet.equation_rows import EquationBlock, equation_blocks, head_of, laid_out
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.gear_images import GearImage, gear_images
-from graphkin.sheet.layout import Layout, lay_out, papers_for
+from graphkin.sheet.layout import HEAD, HEAD_LEFT, Layout, headed, lay_out, papers_for
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
@@ -37,6 +40,8 @@ from graphkin.value import frozen
 Style = Literal["construction", "result", "given"]
 _CROWDED, _EASED = 8, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
+_COARSER = 1.34
+"""So much coarser a figure may be drawn to have room for its equations over it."""
 _MORE = (2, 4)
 """So many times its labels count for a plane where some found no place."""
 HEADINGS: dict[Lang, dict[Plane, str]] = {
@@ -183,7 +188,19 @@ class _Work:
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
-        return {plane: self.drawing.extent(plane) for plane in self.planes}
+        return {plane: replace(self.drawing.extent(plane), over=self._over(plane)) for plane in self.planes}
+
+    def _over(self, plane: Plane) -> tuple[complex, complex] | None:
+        return head_of(self.blocks[plane]) if self.blocks.get(plane) else None
+
+    @cached_property
+    def blocks(self) -> dict[Plane, list[EquationBlock]]:
+        """The equations of each polygon as the words print them."""
+        if self.drawing.style != "construction":
+            return {}
+        rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
+        reading = self.reading({})
+        return {plane: equation_blocks(told(reading, plane), rows) for plane in self.planes if plane != "position"}
 
     @cached_property
     def notes(self) -> dict[Plane, Label]:
@@ -200,7 +217,9 @@ class _Work:
     def layout(self, papers: Sequence[Paper], crowded: Collection[Plane] = (), more: int = 1) -> Layout:
         """The best division; crowded planes count as if they had more labels."""
         extents = {p: replace(e, labels=e.labels * more) if p in crowded else e for p, e in self.extents.items()}
-        return lay_out(extents, partial(strip_height, found=self.found), papers)
+        height = partial(strip_height, found=self.found)
+        plain = lay_out({plane: replace(extent, over=None) for plane, extent in extents.items()}, height, papers)
+        return headed(plain, extents, height, papers, _COARSER)
 
     def roomier(self, composed: _Composed, papers: Sequence[Paper]) -> _Composed:
         """The same size of paper divided for the planes where labels found no place, if there are and that helps."""
@@ -225,8 +244,13 @@ class _Work:
 
     def panel(self, layout: Layout, plane: Plane, stages: bool) -> Panel:
         """One plane's figure under its heading; with `stages`, over the lines of the pencil."""
-        drawing, room, window = self.drawing, layout.rooms[plane], layout.window(plane, self.extents[plane])
+        drawing, room = self.drawing, layout.rooms[plane]
+        extent = self.extents[plane] if plane in layout.headed else replace(self.extents[plane], over=None)
+        window = layout.window(plane, extent)
         before = [*heading(HEADINGS[self.lang][plane], plane, window.scale, room)]
+        if plane in layout.headed:
+            corner, wide = complex(room.left + HEAD_LEFT, room.top + HEAD), room.size.real - 2 * HEAD_LEFT
+            before += laid_out(self.blocks[plane], corner, wide)
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         more = self.drafted(layout, plane, window) if drawing.style == "construction" else None
@@ -237,9 +261,10 @@ class _Work:
         if plane == "position":
             return None
         acts = [act for act in self.drawing.method.acts if act.plane == plane]
-        return Drafted(self.drawing.polygon(plane, window), Spoken(self.reading(layout), plane), acts)
+        loose = [] if plane in layout.headed else self.blocks[plane]
+        return Drafted(self.drawing.polygon(plane, window), Spoken(self.reading(layout.scales), plane), acts, loose)
 
-    def reading(self, layout: Layout) -> Reading:
-        """What the words read, at the scales of the sheet."""
-        scales = {key: layout.scales.get(plane, 1.0) for plane, key in KEYS.items()}
+    def reading(self, drawn: Mapping[Plane, float]) -> Reading:
+        """What the words read, at the scales of the planes that are drawn."""
+        scales = {key: drawn.get(plane, 1.0) for plane, key in KEYS.items()}
         return Reading(self.drawing.method, self.drawing.plot, scales, self.lang)
