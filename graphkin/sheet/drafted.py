@@ -70,7 +70,7 @@ class Drafted:
     def lines(self) -> list[Mark]:
         """The direction lines as far as they like to go on past where they meet, for labels to keep off."""
         sides = [(line, side) for line in self._lines() for side in line.ways]
-        return [Stroke((line.meeting, line.meeting + side * _LIKED), "direction") for line, side in sides]
+        return [Stroke((line.foot, line.meeting, line.meeting + side * _LIKED), "direction") for line, side in sides]
 
     def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
         """All of it among what stands there."""
@@ -87,10 +87,11 @@ class Drafted:
             want = Wanted(formula(line.text), tip, gap=-0.2, away=(tip - line.meeting), size=LEAST, step=line.page)
             added.over.extend(free.letters(want))
         for block in self.loose:
-            if (corner := free.corner(block.size)) is not None:
-                letters = list(block.marks(corner))
-                free.add(letters)
-                added.over.extend(letters)
+            corner = free.corner(block.size)
+            letters = [] if corner is None else list(block.marks(corner))
+            free.add(letters)
+            added.over.extend(letters)
+            added.left_out.extend([] if letters else [block])
         return added
 
     # --- direction lines --------------------------------------------------------------------------
@@ -171,8 +172,9 @@ def _drawn(line: _Line, free: FreeRoom, added: Added) -> Place | None:
     """The line from its foot past the meeting point; where it ends if it goes on far enough to bear its mark."""
     reach, on = max(((free.reach(line.meeting, side, _BEYOND), side) for side in line.ways), key=lambda found: found[0])
     tip = line.meeting + on * reach if reach >= _SHORT else line.meeting
-    if abs(tip - line.foot) > _NOTHING:
-        added.under.append(Stroke((line.foot, tip), "direction", step=line.page))
+    start = line.meeting - on * max(0.0, free.reach(line.meeting, -on, abs(line.meeting - line.foot)))
+    if abs(tip - start) > _NOTHING:
+        added.under.append(Stroke((start, tip), "direction", step=line.page))
     return tip if tip != line.meeting else None
 
 

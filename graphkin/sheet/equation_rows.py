@@ -90,3 +90,16 @@ def laid_out(blocks: Sequence[EquationBlock], corner: Place, room: float) -> lis
         marks += block.marks(corner)
         corner += block.size.real + _BETWEEN if beside else 1j * block.size.imag
     return marks
+
+
+def flowed(blocks: Sequence[EquationBlock], room: float) -> list[list[EquationBlock]]:
+    """Line by line as many as a width holds [mm]; one that is wider than that is left out."""
+    lines: list[list[EquationBlock]] = []
+    for block in blocks:
+        if block.size.real > room:
+            continue
+        if lines and head_of([*lines[-1], block])[0].real <= room:
+            lines[-1].append(block)
+        else:
+            lines.append([block])
+    return lines

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import bounds, tree
@@ -25,10 +26,11 @@ _STEPS = 0.5
 
 @frozen
 class Added:
-    """What is drawn beneath a figure, and what over it."""
+    """What is drawn beneath a figure, and what over it; equations for which there is no room."""
 
     under: list[Mark] = field(default_factory=list)
     over: list[Mark] = field(default_factory=list)
+    left_out: list[EquationBlock] = field(default_factory=list)
 
 
 class FreeRoom:

@@ -42,6 +42,8 @@ _CROWDED, _EASED = 8, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
 _COARSER = 1.34
 """So much coarser a figure may be drawn to have room for its equations over it."""
+_TRIALS = 3
+"""How often equations are moved into the strip, whose height leaves figures less room."""
 _MORE = (2, 4)
 """So many times its labels count for a plane where some found no place."""
 HEADINGS: dict[Lang, dict[Plane, str]] = {
@@ -77,8 +79,18 @@ def mechanism_sheet(
     work = _Work(_Planes(method, plot, style), _planes(only), tables(method, plot, lang), lang)
     if upto is not None:
         return _staged(work, paper).upto(upto)
-    best = _divided(work, paper)
-    return (work.on(best.layout, far=True) if best.lettered.lost else best).lettered.sheet
+    return _whole(work, paper).sheet
+
+
+def _whole(work: _Work, paper: str | None) -> Lettered:
+    """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
+    for _ in range(_TRIALS):
+        best = _divided(work, paper)
+        whole = (work.on(best.layout, far=True) if best.lettered.lost else best).lettered
+        if not whole.left_out:
+            break
+        work = replace(work, apart=[*work.apart, *whole.left_out])
+    return whole
 
 
 def mechanism_step_sheets(
@@ -100,9 +112,9 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 
 
 def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
-    """The scales of the sheet, without its last lettering."""
+    """The scales of the sheet."""
     work = _Work(_Planes(method, plot, "construction"), PLANES, tables(method, plot, lang), lang)
-    return _divided(work, None).layout.scales
+    return _whole(work, None).page.scales
 
 
 @frozen
@@ -179,12 +191,13 @@ def _divided(work: _Work, paper: str | None) -> _Composed:
 
 @frozen
 class _Work:
-    """What does not depend on the paper."""
+    """What does not depend on the paper; `apart`: equations that go into the strip."""
 
     drawing: _Planes
     planes: tuple[Plane, ...]
     found: list[Table]
     lang: Lang
+    apart: Sequence[EquationBlock] = ()
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
@@ -200,7 +213,8 @@ class _Work:
             return {}
         rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
         reading = self.reading({})
-        return {plane: equation_blocks(told(reading, plane), rows) for plane in self.planes if plane != "position"}
+        found = {plane: equation_blocks(told(reading, plane), rows) for plane in self.planes if plane != "position"}
+        return {plane: [block for block in blocks if block not in self.apart] for plane, blocks in found.items()}
 
     @cached_property
     def notes(self) -> dict[Plane, Label]:
@@ -217,7 +231,7 @@ class _Work:
     def layout(self, papers: Sequence[Paper], crowded: Collection[Plane] = (), more: int = 1) -> Layout:
         """The best division; crowded planes count as if they had more labels."""
         extents = {p: replace(e, labels=e.labels * more) if p in crowded else e for p, e in self.extents.items()}
-        height = partial(strip_height, found=self.found)
+        height = partial(strip_height, found=self.found, equations=self.apart)
         plain = lay_out({plane: replace(extent, over=None) for plane, extent in extents.items()}, height, papers)
         return headed(plain, extents, height, papers, _COARSER)
 
@@ -238,7 +252,7 @@ class _Work:
         """Everything on a divided paper; with `far`, labels of a crowd go far off to find a place."""
         method, plot = self.drawing.method, self.drawing.plot
         panels = [self.panel(layout, plane, stages) for plane in self.planes]
-        foot = Strip(layout.strip, [] if stages else self.found, self.notes)
+        foot = Strip(layout.strip, [] if stages else self.found, self.notes, equations=[] if stages else self.apart)
         page = Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, foot)
         return _Composed(layout, page.lettered(far))
 

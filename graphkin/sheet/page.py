@@ -16,6 +16,7 @@ from typing import Protocol, SupportsFloat
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
+from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.free_room import Added
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import plain, width
@@ -153,24 +154,31 @@ class Lettered:
         """How many labels stand off from what they name, at the end of a leader."""
         return sum(map(_leaders, self.labels))
 
-    def _finished(self, panel: Panel, settled: Settled) -> list[Mark]:
-        """A panel with what is drawn last."""
+    @cached_property
+    def finished(self) -> list[tuple[Settled, Added]]:
+        """Each panel's labels, and what is drawn last where they have left room."""
+        return [self._finished(panel, settled) for panel, settled in zip(self.page.panels, self.labels, strict=True)]
+
+    def _finished(self, panel: Panel, settled: Settled) -> tuple[Settled, Added]:
         if panel.more is None:
-            return [*panel.drawn, *settled.marks, *panel.after]
+            return settled, Added()
         off = settle(panel.figure.wanted, [*panel.drawn, *panel.more.lines()], panel.room, self.far)
         if _worth(off) <= _worth(settled):
             settled = off
-        standing = [*panel.drawn, *settled.marks, *panel.after]
-        added = panel.more(standing, panel.room)
-        return [*added.under, *standing, *added.over]
+        return settled, panel.more([*panel.drawn, *settled.marks, *panel.after], panel.room)
+
+    @property
+    def left_out(self) -> list[EquationBlock]:
+        """Equations for which no figure has room."""
+        return [block for _, added in self.finished for block in added.left_out]
 
     @property
     def sheet(self) -> Sheet:
         page = self.page
         foot = [] if page.strip is None else strip(page.strip, page.mechanism, page.paper, page.scales, page.lang)
         marks = [*foot, *page.base]
-        for panel, settled in zip(page.panels, self.labels, strict=True):
-            marks += self._finished(panel, settled)
+        for panel, (settled, added) in zip(page.panels, self.finished, strict=True):
+            marks += [*added.under, *panel.drawn, *settled.marks, *panel.after, *added.over]
         return Sheet(
             paper=page.paper,
             marks=tuple(marks),

@@ -8,6 +8,7 @@ from dataclasses import field
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
+from graphkin.sheet.equation_rows import EquationBlock, flowed, head_of, laid_out
 from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room
@@ -23,9 +24,10 @@ _BAR = 9.0
 _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
 
 
-def strip_height(paper: Paper, found: Sequence[Table] = ()) -> float:
+def strip_height(paper: Paper, found: Sequence[Table] = (), equations: Sequence[EquationBlock] = ()) -> float:
     """What the strip needs on a paper [mm]."""
-    return max(_LEAST_HEIGHT, height_of(arranged([*found], _room(paper))) + 1 + _BAR)
+    lines = sum(head_of(line)[0].imag for line in flowed(equations, _room(paper)))
+    return max(_LEAST_HEIGHT, height_of(arranged([*found], _room(paper))) + lines + 1 + _BAR)
 
 
 def _room(paper: Paper) -> float:
@@ -37,12 +39,14 @@ class Strip:
     """What stands at the foot of a sheet beside title, source and scales.
 
     found  tables of results; notes: what stands beside a plane's scale; further: scales that no figure tells
+    equations  those that have no room over their polygons
     """
 
     room: Room
     found: Sequence[Table] = ()
     notes: Mapping[Plane, Label] = field(default_factory=dict)
     further: Mapping[Plane, float] = field(default_factory=dict)
+    equations: Sequence[EquationBlock] = ()
 
 
 def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane, float], lang: Lang) -> list[Mark]:
@@ -53,7 +57,12 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
         Stroke((complex(room.left, room.top), complex(room.right, room.top)), "outline"),
         Stroke((complex(edge, room.top), complex(edge, room.bottom)), "outline"),
     ]
-    marks += drawn_tables(arranged([*asked.found], _room(paper)), complex(room.left + 3, room.top + 1.5))
+    tiers, corner = arranged([*asked.found], _room(paper)), complex(room.left + 3, room.top + 1.5)
+    marks += drawn_tables(tiers, corner)
+    corner += 1j * height_of(tiers)
+    for line in flowed(asked.equations, _room(paper)):
+        marks += laid_out(line, corner, _room(paper))
+        corner += 1j * head_of(line)[0].imag
     marks += _check_bar(complex(room.left + 3, room.bottom - 3.2), lang)
     marks += _words(machine, complex(edge + 3, room.top), {**scales, **asked.further}, asked.notes, lang)
     return marks
