@@ -25,6 +25,9 @@ from graphkin.sheet.titleblock import Strip, strip
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
+HEAD_WIDTH = 76.0
+"""A figure's heading with its scale beside it is no wider [mm]."""
+
 
 @frozen
 class Sheet:
@@ -159,6 +162,7 @@ class Lettered:
 
 
 def heading(text: str, plane: Plane, scale: float, room: Room) -> tuple[Mark, ...]:
-    """What a figure is, and its scale, in the upper left corner of its room."""
+    """What a figure is, and its scale, in the upper left corner of its room; one under the other in a narrow one."""
     label, at = plain(text), complex(room.left + 3, room.top + 5.5)
-    return Text(label, at, LABEL), Text(written(plane, scale), at + width(label, LABEL) + 4, LABEL)
+    beside = width(label, LABEL) + 4 if room.size.real >= HEAD_WIDTH else 5.5j
+    return Text(label, at, LABEL), Text(written(plane, scale), at + beside, LABEL)
