@@ -19,7 +19,7 @@ from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.page import HEAD_WIDTH
-from graphkin.sheet.paper import LARGE, PAPERS, Paper, Room
+from graphkin.sheet.paper import LARGE, PAPERS, USUAL, Paper, Room
 from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, finer
 from graphkin.sheet.window import Window
 from graphkin.value import frozen
@@ -60,15 +60,15 @@ class Layout:
 
 def under_heading(room: Room) -> Room:
     """What the heading leaves of a room, or of many."""
-    head = np.where(room.right - room.left < HEAD_WIDTH, HEAD + _SECOND, HEAD)
+    head: Any = np.where(room.right - room.left < HEAD_WIDTH, HEAD + _SECOND, HEAD)
     return Room(room.left, room.top + (head if head.ndim else float(head)), room.right, room.bottom)
 
 
 def papers_for(name: str | None) -> list[Paper]:
-    """The paper asked for, or all."""
+    """The paper asked for, or the usual ones."""
     if name is not None and name not in PAPERS:
         raise UnknownPaper(name, ", ".join(PAPERS))
-    return [PAPERS[name]] if name is not None else list(PAPERS.values())
+    return [PAPERS[name]] if name is not None else list(USUAL)
 
 
 def divided(paper: Paper, height: float) -> tuple[Room, Room]:
