@@ -12,6 +12,7 @@ from functools import cached_property, partial
 from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
+from graphkin.sheet.arrows import heads_apart, side_by_side
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.gear_images import GearImage, gear_images
 from graphkin.sheet.layout import Layout, lay_out, papers_for
@@ -118,7 +119,8 @@ class _Planes:
             skeleton = Skeleton(self.method.mechanism, self.plot, window, born)
             return mechanism_figure(skeleton, self.method, self.values(plane))
         construction = self.construction(plane)
-        return polygon_figure(Polygon(self.method.mechanism, construction, self.plot, window, born, self.gears(plane)))
+        polygon = Polygon(self.method.mechanism, construction, self.plot, window, born, self.gears(plane))
+        return heads_apart(side_by_side(polygon_figure(polygon)))
 
     def extent(self, plane: Plane) -> Extent:
         """How large the plane's points are, and how far its signs reach beyond them."""
