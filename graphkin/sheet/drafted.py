@@ -70,7 +70,7 @@ class Drafted:
     def lines(self) -> list[Mark]:
         """The direction lines as far as they like to go on past where they meet, for labels to keep off."""
         sides = [(line, side) for line in self._lines() for side in line.ways]
-        return [Stroke((line.foot, line.meeting, line.meeting + side * _LIKED), "direction") for line, side in sides]
+        return [Stroke((line.foot, line.meeting, line.meeting + side * _LIKED), "construction") for line, side in sides]
 
     def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
         """All of it among what stands there."""
@@ -138,7 +138,7 @@ class Drafted:
             return
         a, b = a / abs(a) * _SQUARE, b / abs(b) * _SQUARE
         step = self.polygon.step(one.tail, one.head, other.head)
-        yield Stroke((corner + a, corner + a + b, corner + b), "direction", step=step)
+        yield Stroke((corner + a, corner + a + b, corner + b), "construction", step=step)
 
     # --- numbers ----------------------------------------------------------------------------------
 
@@ -149,7 +149,7 @@ class Drafted:
         if want is None or middle is None:
             return []
         wide, up, down = box(want.label, want.size)
-        ring = Disc(middle, _RING, "direction", step=act.page)
+        ring = Disc(middle, _RING, "construction", step=act.page)
         found: list[Mark] = [ring, Text(want.label, middle + complex(-wide / 2, (up - down) / 2), want.size, act.page)]
         free.add(found)
         return found
@@ -174,7 +174,7 @@ def _drawn(line: _Line, free: FreeRoom, added: Added) -> Place | None:
     tip = line.meeting + on * reach if reach >= _SHORT else line.meeting
     start = line.meeting - on * max(0.0, free.reach(line.meeting, -on, abs(line.meeting - line.foot)))
     if abs(tip - start) > _NOTHING:
-        added.under.append(Stroke((start, tip), "direction", step=line.page))
+        added.under.append(Stroke((start, tip), "construction", step=line.page))
     return tip if tip != line.meeting else None
 
 

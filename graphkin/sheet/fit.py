@@ -25,6 +25,15 @@ _TOO_HIGH = 1e6
 _CLOSE = 1 + 1e-9
 """What is too large by rounding alone still fits."""
 
+Over = tuple[complex, complex]
+"""Width and height of what stands over a figure: side by side, and one under the other [mm]."""
+
+
+def height_over(over: Over, wide: Any) -> Any:
+    """Its height in rooms of this width [mm]; more than any has in those too narrow for it."""
+    beside, stacked = over
+    return np.where(wide >= beside.real, beside.imag, np.where(wide >= stacked.real, stacked.imag, _TOO_HIGH))
+
 
 @frozen
 class Extent:
@@ -33,7 +42,7 @@ class Extent:
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
     given   its scale where the file gives one; labels: how much is lettered in it
-    over    width and height of what stands over it, side by side and one under the other [mm]
+    over    what stands over it
     """
 
     low: complex
@@ -44,14 +53,7 @@ class Extent:
     bottom: float
     given: float | None = None
     labels: int = 10
-    over: tuple[complex, complex] | None = None
-
-    def head(self, wide: Any) -> Any:
-        """Height of what stands over it in rooms of this width [mm]; more than any has in those too narrow for it."""
-        if self.over is None:
-            return 0.0
-        beside, stacked = self.over
-        return np.where(wide >= beside.real, beside.imag, np.where(wide >= stacked.real, stacked.imag, _TOO_HIGH))
+    over: Over | None = None
 
     @classmethod
     def of(

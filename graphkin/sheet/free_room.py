@@ -78,7 +78,7 @@ class FreeRoom:
         xs = np.arange(self.room.left + _EDGE, self.room.right - size.real - _EDGE, _GRID)
         ys = np.arange(self.room.top + _EDGE, self.room.bottom - size.imag - _EDGE, _GRID)
         low = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2)
-        found = np.flatnonzero(self.free(low - _EDGE, low + (size.real, size.imag) + _EDGE)) if len(low) else []
+        found: Any = np.flatnonzero(self.free(low - _EDGE, low + (size.real, size.imag) + _EDGE)) if len(low) else ()
         return complex(*low[found[0]]) if len(found) else None
 
     def letters(self, want: Wanted) -> list[Mark]:

@@ -16,8 +16,12 @@ from graphkin.value import frozen
 
 SMALL = 0.68
 """Size of sub- and superscripts, against the letters they belong to."""
+_LEAST = 2.5
+"""They are no smaller than this, where what they belong to is not [mm]."""
 _DROP, _RISE = 0.22, -0.40
 _ASCENT, _DESCENT = 0.68, 0.20
+_BOLD = 1.08
+"""How much wider bold letters are."""
 
 _ROMAN = (
     "250 333 408 500 500 833 778 180 333 333 500 564 250 333 250 278 500 500 500 500 500 500 500 500 500 500 278 278 "
@@ -57,12 +61,13 @@ _CJK = re.compile(r"[\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
 
 @frozen
 class Run:
-    """Letters in one style. `back`: it stands above the subscript before it (a^n_CB, stacked)."""
+    """Letters in one style. `back`: it stands above the subscript before it (a^n_CB, stacked); `bold`: what is asked."""
 
     text: str
     italic: bool = False
     place: Literal["base", "sub", "sup"] = "base"
     back: bool = False
+    bold: bool = False
 
 
 Label = tuple[Run, ...]
@@ -80,7 +85,16 @@ def advance(text: str, italic: bool = False) -> float:
 
 def run_width(run: Run, size: float) -> float:
     """Width of a run of a label lettered at `size` [mm]."""
-    return advance(run.text, run.italic) * size * (1.0 if run.place == "base" else SMALL)
+    return advance(run.text, run.italic) * run_size(run, size) * (_BOLD if run.bold else 1.0)
+
+
+def run_size(run: Run, size: float) -> float:
+    """How large a run of a label is lettered [mm]."""
+    return size if run.place == "base" else max(SMALL * size, min(size, _LEAST))
+
+
+def bold(label: Label) -> Label:
+    return tuple(replace(run, bold=True) for run in label)
 
 
 def scripts(label: Label, size: float) -> list[tuple[Run, float, float]]:
@@ -106,7 +120,8 @@ def width(label: Label, size: float) -> float:
 def box(label: Label, size: float) -> tuple[float, float, float]:
     """Width, height above the base line, depth below it [mm]."""
     places = {run.place for run in label}
-    up = _ASCENT if "sup" not in places else -_RISE + _ASCENT * SMALL
+    small = run_size(Run("", place="sup"), size) / size
+    up = _ASCENT if "sup" not in places else -_RISE + _ASCENT * small
     down = _DROP + 0.05 if "sub" in places else (_DESCENT if _hangs(label) else 0.04)
     return width(label, size), up * size, down * size
 

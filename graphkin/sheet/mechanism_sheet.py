@@ -18,11 +18,12 @@ from graphkin.say.catalogue import say
 from graphkin.say.plane import Polygon as Spoken
 from graphkin.say.polygons import polygon as told
 from graphkin.say.reading import Reading
+from graphkin.sheet.arrows import heads_apart, side_by_side
 from graphkin.sheet.drafted import Drafted
 from graphkin.sheet.equation_rows import EquationBlock, equation_blocks, head_of, laid_out
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.gear_images import GearImage, gear_images
-from graphkin.sheet.layout import HEAD, HEAD_LEFT, Layout, headed, lay_out, papers_for
+from graphkin.sheet.layout import HEAD_LEFT, Layout, headed, lay_out, papers_for, under_heading
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
@@ -141,11 +142,10 @@ class _Planes:
         return gear_images(self.method, self.plot) if plane == "velocity" else []
 
     def figure(self, plane: Plane, window: Window) -> Figure:
-        born = births(self.method, plane)
         if plane == "position":
-            skeleton = Skeleton(self.method.mechanism, self.plot, window, born)
+            skeleton = Skeleton(self.method.mechanism, self.plot, window, births(self.method, plane))
             return mechanism_figure(skeleton, self.method, self.values(plane))
-        return polygon_figure(self.polygon(plane, window))
+        return heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
 
     def polygon(self, plane: Plane, window: Window) -> Polygon:
         born, gears = births(self.method, plane), self.gears(plane)
@@ -263,8 +263,8 @@ class _Work:
         window = layout.window(plane, extent)
         before = [*heading(HEADINGS[self.lang][plane], plane, window.scale, room)]
         if plane in layout.headed:
-            corner, wide = complex(room.left + HEAD_LEFT, room.top + HEAD), room.size.real - 2 * HEAD_LEFT
-            before += laid_out(self.blocks[plane], corner, wide)
+            corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
+            before += laid_out(self.blocks[plane], corner, room.size.real - 2 * HEAD_LEFT)
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         more = self.drafted(layout, plane, window) if drawing.style == "construction" else None

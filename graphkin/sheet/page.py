@@ -8,10 +8,10 @@ the business of the `.._sheet` files: each says which figures it has and what go
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Protocol, SupportsFloat
+from typing import Literal, Protocol, SupportsFloat
 
 from graphkin.construction import Plane
 from graphkin.errors import Lang
@@ -27,18 +27,35 @@ from graphkin.sheet.titleblock import Strip, strip
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
+HEAD_WIDTH = 76.0
+"""A figure's heading with its scale beside it is no wider [mm]."""
+
+LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
+_LAYERS: Mapping[Plane, LayerName] = {
+    "position": "mechanism", "velocity": "velocity", "acceleration": "acceleration",
+}  # fmt: skip
+
+
+@frozen
+class Layer:
+    """What a drawing program shows or hides as one; `plane`: whose colour its marks have."""
+
+    name: LayerName
+    marks: tuple[Mark, ...]
+    plane: Plane | None = None
+
 
 @frozen
 class Sheet:
     """A finished drawing.
 
-    marks    in the order of painting [mm, y down]
+    layers   in the order of painting [mm, y down]
     scales   by plane [m/mm, (m/s)/mm, (m/s²)/mm]; origins: where each plane's origin lies on the paper
     drivers  their values at the drawn position [rad, m]
     """
 
     paper: Paper
-    marks: tuple[Mark, ...]
+    layers: tuple[Layer, ...]
     scales: Mapping[Plane, float]
     origins: Mapping[Plane, Place]
     mechanism: Mechanism
@@ -46,10 +63,27 @@ class Sheet:
     title: str
     lang: Lang
 
+    @property
+    def marks(self) -> tuple[Mark, ...]:
+        """Of all layers."""
+        return tuple(mark for layer in self.layers for mark in layer.marks)
+
     def upto(self, step: int) -> Sheet:
         """What is there after a step of the construction; its own marks are new."""
-        marks = (mark for mark in self.marks if mark.step is None or mark.step <= step)
-        return replace(self, marks=tuple(replace(m, new=True) if m.step == step else m for m in marks))
+
+        def drawn(mark: Mark) -> Mark | None:
+            later = mark.step is not None and mark.step > step
+            return None if later else replace(mark, new=True) if mark.step == step else mark
+
+        return self.redrawn(drawn)
+
+    def redrawn(self, change: Callable[[Mark], Mark | None]) -> Sheet:
+        """Every mark changed, or left out."""
+        layers = []
+        for layer in self.layers:
+            changed = (change(mark) for mark in layer.marks)
+            layers.append(replace(layer, marks=tuple(mark for mark in changed if mark is not None)))
+        return replace(self, layers=tuple(layers))
 
 
 def step_sheets(whole: Sheet, steps: Iterable[int]) -> Iterator[Sheet]:
@@ -175,13 +209,9 @@ class Lettered:
     @property
     def sheet(self) -> Sheet:
         page = self.page
-        foot = [] if page.strip is None else strip(page.strip, page.mechanism, page.paper, page.scales, page.lang)
-        marks = [*foot, *page.base]
-        for panel, (settled, added) in zip(page.panels, self.finished, strict=True):
-            marks += [*added.under, *panel.drawn, *settled.marks, *panel.after, *added.over]
         return Sheet(
             paper=page.paper,
-            marks=tuple(marks),
+            layers=tuple(self._layers()),
             scales=page.scales,
             origins={plane: window.origin for plane, window in page.windows.items()},
             mechanism=page.mechanism,
@@ -189,6 +219,38 @@ class Lettered:
             title=page.title or page.mechanism.headline(page.lang),
             lang=page.lang,
         )
+
+    def _layers(self) -> Iterator[Layer]:
+        """What is under the figures, each plane's, and over all of it the leaders and the letters."""
+        page = self.page
+        yield Layer("sheet", (*self._foot(), *page.base))
+        drawn: dict[Plane, list[Mark]] = {}
+        letters: list[tuple[Plane | None, Mark]] = []
+        for panel, (settled, added) in zip(page.panels, self.finished, strict=True):
+            figure = drawn.setdefault(panel.plane or "position", [])
+            figure += [*added.under, *panel.drawn, *panel.after]
+            figure += [mark for mark in added.over if not isinstance(mark, Text)]
+            letters += [(panel.plane, mark) for mark in (*settled.marks, *added.over)]
+        for plane, marks in drawn.items():
+            yield Layer(_LAYERS[plane], tuple(marks), plane)
+        led = (mark for settled, _ in self.finished for mark in settled.marks if not isinstance(mark, Text))
+        yield Layer("leaders", tuple(led))
+        accented = (replace(mark, accent=mark.accent or plane) for plane, mark in letters if isinstance(mark, Text))
+        yield Layer("labels", tuple(accented))
+
+    def _foot(self) -> list[Mark]:
+        """Title, results, and the scales that are not over their figures."""
+        page = self.page
+        if page.strip is None:
+            return []
+        over = [mark for marks in (page.base, *(panel.before for panel in page.panels)) for mark in marks]
+        said = {mark.label for mark in over if isinstance(mark, Text)}
+        scales = {
+            plane: scale
+            for plane, scale in page.scales.items()
+            if written(plane, scale) not in said or plane in page.strip.notes
+        }
+        return strip(page.strip, page.mechanism, page.paper, scales, page.lang)
 
 
 def _leaders(settled: Settled) -> int:
@@ -201,6 +263,7 @@ def _worth(settled: Settled) -> tuple[int, int, int]:
 
 
 def heading(text: str, plane: Plane, scale: float, room: Room) -> tuple[Mark, ...]:
-    """What a figure is, and its scale, in the upper left corner of its room."""
+    """What a figure is, and its scale, in the upper left corner of its room; one under the other in a narrow one."""
     label, at = plain(text), complex(room.left + 3, room.top + 5.5)
-    return Text(label, at, LABEL), Text(written(plane, scale), at + width(label, LABEL) + 4, LABEL)
+    beside = width(label, LABEL) + 4 if room.size.real >= HEAD_WIDTH else 5.5j
+    return Text(label, at, LABEL), Text(written(plane, scale), at + beside, LABEL)

@@ -83,8 +83,8 @@ class Polygon:
         self, name: str, tail: str, head: str, sites: tuple[Site, ...], part: str = "", solved: bool = False
     ) -> VectorMark:
         start, end, step = self.points[tail], self.points[head], self.step(tail, head)
-        named = tuple(map(named_site, sites))
-        return VectorMark(self.construction.plane, name, tail, head, start, end, step, False, named, part, solved)
+        plane, named = self.construction.plane, tuple(map(named_site, sites))
+        return VectorMark(plane, name, tail, head, start, end, step, sites=named, part=part, solved=solved)
 
     def _sites(self, term: Term) -> tuple[Site, ...]:
         """What an arrow is the motion of, and what it is seen from."""
@@ -178,25 +178,16 @@ def _point_names(polygon: Polygon) -> list[Wanted]:
 
 
 def _vector_names(polygon: Polygon, vectors: list[VectorMark]) -> list[Wanted]:
-    """A label for each arrow that has a length; arrows on one another share it."""
+    """A label for each arrow that has a length."""
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
-    groups: list[list[VectorMark]] = []
-    for vector in vectors:
-        if vector.length < _SAME:
-            continue
-        for group in groups:
-            if _same(group[0], vector):
-                group.append(vector)
-                break
-        else:
-            groups.append([vector])
     wanted: list[Wanted] = []
-    for group in groups:
-        first = group[0]
-        label = joined([vector_label(v.name) for v in group[:2]], " = ")
-        away = (first.start + first.end) / 2 - middle
-        spare = all(_told(polygon, vector) for vector in group)
-        wanted.append(Wanted(label, first.start, first.end, away=away, step=first.step, spare=spare))
+    for vector in vectors:
+        if vector.length >= _SAME:
+            away, spare = (vector.start + vector.end) / 2 - middle, _told(polygon, vector)
+            label = vector_label(vector.name)
+            wanted.append(
+                Wanted(label, vector.start, vector.end, away=away, step=vector.step, spare=spare, of=vector.name)
+            )
     return wanted
 
 
@@ -204,7 +195,3 @@ def _told(polygon: Polygon, vector: VectorMark) -> bool:
     """Whether an arrow is an absolute motion: its head bears the letter of the point, and says as much."""
     at_pole = vector.tail == polygon.construction.pole and vector.head in polygon.named
     return at_pole and vector.name == f"{LETTER[polygon.construction.plane]}_{polygon.of(vector.head)}"
-
-
-def _same(one: VectorMark, other: VectorMark) -> bool:
-    return abs(one.start - other.start) < _SAME and abs(one.end - other.end) < _SAME

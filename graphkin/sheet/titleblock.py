@@ -31,7 +31,7 @@ def strip_height(paper: Paper, found: Sequence[Table] = (), equations: Sequence[
 
 
 def _room(paper: Paper) -> float:
-    return paper.width - 2 * paper.margin - _WIDE - 6
+    return paper.frame.size.real - _WIDE - 6
 
 
 @frozen
@@ -64,7 +64,7 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
         marks += laid_out(line, corner, _room(paper))
         corner += 1j * head_of(line)[0].imag
     marks += _check_bar(complex(room.left + 3, room.bottom - 3.2), lang)
-    marks += _words(machine, complex(edge + 3, room.top), {**scales, **asked.further}, asked.notes, lang)
+    marks += _words(machine, complex(edge + 3, room.top), room.bottom - 3, {**scales, **asked.further}, asked.notes, lang)
     return marks
 
 
@@ -72,7 +72,7 @@ def frame(paper: Paper) -> Mark:
     """The drawing frame."""
     room = paper.frame
     low, high = complex(room.left, room.top), complex(room.right, room.bottom)
-    return Stroke((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), "outline", closed=True)
+    return Stroke((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), "visible", closed=True)
 
 
 def _check_bar(at: Place, lang: Lang) -> list[Mark]:
@@ -85,7 +85,7 @@ def _check_bar(at: Place, lang: Lang) -> list[Mark]:
 
 
 def _words(
-    machine: Mechanism, corner: Place, scales: Mapping[Plane, float], notes: Mapping[Plane, Label], lang: Lang
+    machine: Mechanism, corner: Place, foot: float, scales: Mapping[Plane, float], notes: Mapping[Plane, Label], lang: Lang
 ) -> list[Mark]:
     """Title, source, scales, and what drew it; each line shrunk or broken to the block."""
     marks: list[Mark] = []
@@ -103,7 +103,7 @@ def _words(
         if plane in notes:
             marks.append(Text(notes[plane], pen + width(written(plane, scale), BODY) + 2.5, LEAST))
     made: Label = plain("graphkin")
-    marks.append(Text(made, complex(corner.real + _WIDE - 6 - width(made, LEAST), pen.imag), LEAST))
+    marks.append(Text(made, complex(corner.real + _WIDE - 6 - width(made, LEAST), foot), LEAST))
     return marks
 
 

@@ -39,6 +39,7 @@ class Wanted:
     gap   how far the symbol at the point, or the line's width, reaches [mm]
     away  the side it likes (any length; 0 for none)
     spare  what it says can be read from other labels too
+    of     the name of the arrow it names
     parts  the label in parts that come with steps of their own; else it is one
     """
 
@@ -51,6 +52,7 @@ class Wanted:
     step: int | None = None
     spare: bool = False
     parts: tuple[tuple[Label, int | None], ...] = ()
+    of: str = ""
 
     def texts(self, at: Place) -> Iterator[Text]:
         """Its letters, from the left end of the base line."""
