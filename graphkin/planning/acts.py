@@ -1,4 +1,4 @@
-"""Acts of the pencil: what one sentence of a solution tells it to do, and the number that both drawing and words give it.
+"""Acts of the pencil: what one sentence of a solution tells it to do, and the number that drawing and words give it.
 
 An arrow is laid off, two lines are drawn to where they meet, a figure similar to a link gives a point: each is one
 act. What leads to it (the pole, the two lines) and what is then measured belong to it.
@@ -77,6 +77,23 @@ def births(method: Method, plane: Plane) -> Mapping[str, int]:
             for name in made(step):
                 found.setdefault(name, act.page)
     return found
+
+
+def rate_found(method: Method, plane: Plane, link: str) -> int | None:
+    """The act in which a link's rotation is found in a polygon's plane; None for one that is driven."""
+    base = method.structure.base(link)
+    for act in method.acts:
+        for step in act.steps if act.plane == plane else ():
+            match step:
+                case Measure(quantity="omega" | "alpha", of=of) if method.structure.base(of) == base:
+                    return act.page
+                case Roll(angle=angle) if angle == base:
+                    return act.page
+                case Simultaneous(angles=angles) if base in angles:
+                    return act.page
+                case _:
+                    pass
+    return None
 
 
 def _groups(construction: Construction, unnamed: Collection[str]) -> Iterator[tuple[tuple[Step, ...], Step]]:

@@ -38,14 +38,14 @@ class FreeRoom:
 
     def __init__(self, standing: Sequence[Mark], room: Room) -> None:
         self.room = room
-        self._marks = list(standing)
-        self._tree = tree(self._marks)
+        self.marks = list(standing)
+        self._tree = tree(self.marks)
         self._letters = _boxes([mark for mark in standing if isinstance(mark, Text)])
 
     def add(self, marks: Sequence[Mark]) -> None:
         """These lie on the paper now, too."""
-        self._marks += marks
-        self._tree = tree(self._marks)
+        self.marks += marks
+        self._tree = tree(self.marks)
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
 
     def free(self, low: Any, high: Any) -> Any:
@@ -73,12 +73,13 @@ class FreeRoom:
         best = int(np.argmin(cost))
         return near[best].middle if np.isfinite(cost[best]) else None
 
-    def corner(self, size: complex) -> Place | None:
-        """The upper left corner of the uppermost free rectangle of a size; None where there is none."""
+    def corner(self, size: complex, from_below: bool = False) -> Place | None:
+        """The upper left corner of the uppermost (or lowest) free rectangle of a size; None where there is none."""
         xs = np.arange(self.room.left + _EDGE, self.room.right - size.real - _EDGE, _GRID)
         ys = np.arange(self.room.top + _EDGE, self.room.bottom - size.imag - _EDGE, _GRID)
-        low = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2)
-        found: Any = np.flatnonzero(self.free(low - _EDGE, low + (size.real, size.imag) + _EDGE)) if len(low) else ()
+        low = np.stack(np.meshgrid(xs, ys[::-1] if from_below else ys), axis=-1).reshape(-1, 2)
+        high = low + np.array((size.real, size.imag))
+        found: Any = np.flatnonzero(self.free(low - _EDGE, high + _EDGE)) if len(low) else ()
         return complex(*low[found[0]]) if len(found) else None
 
     def letters(self, want: Wanted) -> list[Mark]:

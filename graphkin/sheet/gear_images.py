@@ -6,10 +6,10 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
-from graphkin.construction import Measure, Plot, Roll, Simultaneous
+from graphkin.construction import Plot
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.acts import pages
+from graphkin.planning.acts import rate_found
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
 from graphkin.sheet.wanted import Wanted
@@ -29,7 +29,7 @@ class GearImage:
     at: complex
     radius: float
     centre: str
-    step: int
+    step: int | None
 
     @property
     def corners(self) -> Iterator[complex]:
@@ -62,20 +62,10 @@ def _centre(method: Method, wheel: Wheel) -> str | None:
     return next((name for name, site in at_centre if site is not None and site.link in owners), None)
 
 
-def _known(method: Method, link: str) -> int:
+def _known(method: Method, link: str) -> int | None:
     """The act in which a link's angular velocity is found; the first of the plane for a driven one."""
-    base, page = method.structure.base(link), pages(method)
-    for step in method.velocity.steps:
-        match step:
-            case Measure(quantity="omega", of=of) if method.structure.base(of) == base:
-                return page["velocity", step]
-            case Roll(angle=angle) if angle == base:
-                return page["velocity", step]
-            case Simultaneous(angles=angles) if base in angles:
-                return page["velocity", step]
-            case _:
-                pass
-    return next(act.page for act in method.acts if act.plane == "velocity")
+    first = next((act.page for act in method.acts if act.plane == "velocity"), None)
+    return rate_found(method, "velocity", link) or first
 
 
 def circles(

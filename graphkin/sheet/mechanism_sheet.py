@@ -18,6 +18,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.plane import Polygon as Spoken
 from graphkin.say.polygons import polygon as told
 from graphkin.say.reading import Reading
+from graphkin.sheet.annotated import Annotated
 from graphkin.sheet.arrows import heads_apart, side_by_side
 from graphkin.sheet.drafted import Drafted
 from graphkin.sheet.equation_rows import EquationBlock, equation_blocks, head_of, laid_out
@@ -26,7 +27,7 @@ from graphkin.sheet.gear_images import GearImage, gear_images
 from graphkin.sheet.layout import HEAD_LEFT, Layout, headed, lay_out, papers_for, under_heading
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
-from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
+from graphkin.sheet.page import Last, Lettered, Page, Panel, Sheet, heading, step_sheets
 from graphkin.sheet.paper import LARGE, Paper
 from graphkin.sheet.pencil import pencil_lines
 from graphkin.sheet.plain_mechanism import shown_places
@@ -143,9 +144,11 @@ class _Planes:
 
     def figure(self, plane: Plane, window: Window) -> Figure:
         if plane == "position":
-            skeleton = Skeleton(self.method.mechanism, self.plot, window, births(self.method, plane))
-            return mechanism_figure(skeleton, self.method, self.values(plane))
+            return mechanism_figure(self.skeleton(window), self.method, self.values(plane))
         return heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
+
+    def skeleton(self, window: Window) -> Skeleton:
+        return Skeleton(self.method.mechanism, self.plot, window, births(self.method, "position"))
 
     def polygon(self, plane: Plane, window: Window) -> Polygon:
         born, gears = births(self.method, plane), self.gears(plane)
@@ -270,10 +273,10 @@ class _Work:
         more = self.drafted(layout, plane, window) if drawing.style == "construction" else None
         return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
 
-    def drafted(self, layout: Layout, plane: Plane, window: Window) -> Drafted | None:
-        """How a polygon is constructed; nothing of the mechanism's own figure."""
+    def drafted(self, layout: Layout, plane: Plane, window: Window) -> Last:
+        """How a polygon is constructed, and what of the mechanism is used for it."""
         if plane == "position":
-            return None
+            return Annotated(self.drawing.skeleton(window), self.reading(layout.scales), self.planes)
         acts = [act for act in self.drawing.method.acts if act.plane == plane]
         loose = [] if plane in layout.headed else self.blocks[plane]
         return Drafted(self.drawing.polygon(plane, window), Spoken(self.reading(layout.scales), plane), acts, loose)
