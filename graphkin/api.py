@@ -28,6 +28,7 @@ from graphkin.value import frozen
 if TYPE_CHECKING:
     from graphkin.outputs.notebook import Shown
     from graphkin.quantities import Answer
+    from graphkin.sheet import Style
     from graphkin.sweeps import Road, Sweep
 
 __all__ = ["Drawing", "load", "plan", "replay", "sweep"]
@@ -126,12 +127,15 @@ class Drawing:
 
         return cls(method.mechanism, method, proved(method, values).plot)
 
-    def sheet(self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None) -> Shown:
-        """The sheet: mechanism and polygons to scale, in millimetres on paper."""
+    def sheet(
+        self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, style: Style = "construction"
+    ) -> Shown:
+        """The sheet: mechanism and polygons to scale, in millimetres on paper; `style`: with their construction, as
+        results alone, or only the mechanism with what is given."""
         from graphkin.outputs.notebook import shown
         from graphkin.sheet import sheet
 
-        return shown(sheet(self.method, self.plot, paper=paper, lang=lang, only=only))
+        return shown(sheet(self.method, self.plot, paper=paper, lang=lang, only=only, style=style))
 
     def step_sheets(
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None

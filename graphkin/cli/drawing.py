@@ -30,6 +30,7 @@ from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
     from graphkin.construction import Plane
+    from graphkin.sheet import Style
 
 
 @click.command()
@@ -37,6 +38,8 @@ if TYPE_CHECKING:
 @svg_option("SVG to write; - for stdout.", to_stdout=True)
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
 @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
+@click.option("--style", type=click.Choice(["construction", "result", "given"]), default="construction",
+              show_default=True, help="How polygons are drawn, too; results; or only what is given, no answer.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
 @force_option
 @coincident_option
@@ -46,7 +49,8 @@ if TYPE_CHECKING:
 @lang_option
 @speaking
 def draw(
-    mechanism: str, output: Path | None, only: Plane | None, paper: str | None, steps: Path | None, force: bool,
+    mechanism: str, output: Path | None, only: Plane | None, paper: str | None, style: Style, steps: Path | None,
+    force: bool,
     coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Draw the mechanism and its polygons to scale, as SVG.
@@ -58,10 +62,12 @@ def draw(
     """
     from graphkin.outputs import svg
 
+    if style == "given" and (steps is not None or only not in (None, "position")):
+        raise click.UsageError("--style given draws the mechanism alone: leave out --steps and other planes")
     machine = read(mechanism)
     output = output or Path(f"{machine.name}.svg")
     drawing = drawn(machine, coincident, method, angles, displacements)
-    sheet = drawing.sheet(paper=paper, lang=lang, only=only)
+    sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style)
     pages = [(output, svg.svg(sheet))]
     if steps is not None:
         pages += [

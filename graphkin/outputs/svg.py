@@ -383,6 +383,8 @@ def _metadata(sheet: Sheet) -> ET.Element:
         "scales": {KEYS[plane]: scale for plane, scale in sheet.scales.items()},
         "origin": {plane: _rounded(origin) for plane, origin in sheet.origins.items()},
     }
+    if sheet.given:  # the file may tell answers, in a remark
+        data |= {"style": "given", "mechanism": "", "drivers": []}
     drawn = [(_class(mark), told) for mark in sheet.marks if (told := stated(mark))]
     data["drawn"] = sorted([kind, *sorted(f"{key}={value}" for key, value in told.items())] for kind, told in drawn)
     texts = [mark for mark in sheet.marks if isinstance(mark, Text)]

@@ -32,6 +32,8 @@ from graphkin.value import frozen
 _RADII = (7.0, 9.5, 12.0, 15.0)
 """Of the arcs that show how a link turns [mm]."""
 _TURNS = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
+_SHORT = 5.0
+"""A shorter length is told by words alone [mm]."""
 _HALF = 0.9
 """Half of the width that an arc with its head takes [mm]."""
 _LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": ("α", "acceleration")}
@@ -54,10 +56,10 @@ class Annotated:
     def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
         """All of it among what stands there."""
         free, added = FreeRoom(standing, room), Added()
-        for rotation in self._asked():
-            added.over.extend(self._arc(rotation, free))
         for one, other in measured_lengths(self.reading) if self.planes else ():
             self._length(one, other, free, added)
+        for rotation in self._asked():
+            added.over.extend(self._arc(rotation, free))
         if self.planes:
             added.over.extend(_written(dimensions(self.reading), free))
         return added
@@ -67,16 +69,15 @@ class Annotated:
     def _length(self, one: str, other: str, free: FreeRoom, added: Added) -> None:
         """A thin line between two points with the length it has, where there is room for its letters."""
         start, end = self.skeleton.at(one), self.skeleton.at(other)
-        way = end - start
-        if abs(way) < 2 or free.reach(start, way / abs(way), abs(way)) < abs(way):
+        if abs(end - start) < _SHORT or not (pieces := free.pieces(start, end)):
             return
         step = self.skeleton.step(one, other)
         want = Wanted(formula(length(self.reading, one, other)), start, end, gap=0.5, size=LEAST, step=step)
         if letters := free.letters(want):
             added.over.extend(letters)
-            line = Stroke((start, end), "measured", step=step)
-            added.under.append(line)
-            free.add([line])
+            lines = [Stroke(piece, "measured", step=step) for piece in pieces]
+            added.under.extend(lines)
+            free.add(lines)
 
     # --- rotations --------------------------------------------------------------------------------
 

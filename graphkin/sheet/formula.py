@@ -9,7 +9,7 @@ from graphkin.sheet.lettering import Label, Run, point_label
 _RAISED = dict(zip("ⁿᵗᵏʳ²³", "ntkr23", strict=True))
 _SIGN = re.compile(r"([A-Za-zα-ωṡ]\u0308?)([ⁿᵗᵏʳ]*)(?:_([^\s()/|²³·]+)|(\d+))([²³]?)(?![A-Za-z])")
 _POINT = re.compile(r"[A-Z][0-9]*′*")
-_POINTS = re.compile(rf"(?<=[⊥∥→])(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→)")
+_POINTS = re.compile(rf"(?<=[⊥∥→])(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)")
 _ANY = re.compile(f"(?P<points>{_POINTS.pattern})|(?P<sign>{_SIGN.pattern})")
 
 

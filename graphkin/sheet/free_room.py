@@ -64,6 +64,18 @@ class FreeRoom:
         bad |= np.any(np.all(places[None] > low, axis=-1) & np.all(places[None] < high, axis=-1), axis=0)
         return float(way[np.argmax(bad)] - _STEPS) if bad.any() else most
 
+    def pieces(self, start: Place, end: Place) -> list[tuple[Place, Place]]:
+        """What of a line lies clear of letters."""
+        length = abs(end - start)
+        along, done = (end - start) / length, 0.0
+        found: list[tuple[Place, Place]] = []
+        while done < length:
+            reach = self.reach(start + along * done, along, length - done)
+            if reach > _STEPS:
+                found.append((start + along * done, start + along * (done + reach)))
+            done += max(reach, 0.0) + _STEPS
+        return found
+
     def place(self, want: Wanted, half: complex) -> Place | None:
         """The middle of the best free place near what is named; None where there is none without a leader."""
         near = [spot for spot in want.candidates(half) if spot.anchor is None]

@@ -24,6 +24,7 @@ from graphkin.sheet.drafted import Drafted
 from graphkin.sheet.equation_rows import EquationBlock, equation_blocks, head_of, laid_out
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.gear_images import GearImage, gear_images
+from graphkin.sheet.given_tables import given_tables
 from graphkin.sheet.layout import HEAD_LEFT, Layout, headed, lay_out, papers_for, under_heading
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
@@ -78,10 +79,18 @@ def mechanism_sheet(
 
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
+    if style == "given":
+        return _given(_Planes(method, plot, style), paper, lang)
     work = _Work(_Planes(method, plot, style), _planes(only), tables(method, plot, lang), lang)
     if upto is not None:
         return _staged(work, paper).upto(upto)
     return _whole(work, paper).sheet
+
+
+def _given(drawing: _Planes, paper: str | None, lang: Lang) -> Sheet:
+    """The mechanism alone, with what the problem gives and asks."""
+    reading = Reading(drawing.method, drawing.plot, dict.fromkeys(KEYS.values(), 1.0), lang)
+    return replace(_whole(_Work(drawing, ("position",), given_tables(reading), lang), paper).sheet, given=True)
 
 
 def _whole(work: _Work, paper: str | None) -> Lettered:

@@ -52,6 +52,7 @@ class Sheet:
     layers   in the order of painting [mm, y down]
     scales   by plane [m/mm, (m/s)/mm, (m/s²)/mm]; origins: where each plane's origin lies on the paper
     drivers  their values at the drawn position [rad, m]
+    given    it shows what is given, and nothing that would have to be found
     """
 
     paper: Paper
@@ -62,6 +63,7 @@ class Sheet:
     drivers: tuple[float, ...]
     title: str
     lang: Lang
+    given: bool = False
 
     @property
     def marks(self) -> tuple[Mark, ...]:
