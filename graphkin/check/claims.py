@@ -19,8 +19,9 @@ from graphkin.construction import Plane
 from graphkin.mechanism import Mechanism
 from graphkin.seal import seal
 
-WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+|[−-][0-9]+)?)")
-"""A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm; 2×10⁻⁵ and 10⁻⁵ with their exponents raised."""
+WRITTEN = re.compile(r"(?<![/·])μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+|[−-][0-9]+)?)")
+"""A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm; 2×10⁻⁵ and 10⁻⁵ with their exponents raised. What is
+divided by one, v/μ_v = 24 mm, is a length."""
 Letters = tuple[str, complex]
 """A text, and where it begins [mm, y up]."""
 _SAME, _APART = 1.0, 3.0

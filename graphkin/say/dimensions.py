@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import pairwise
+from math import degrees
 
 from graphkin.construction import LayOff, Measure, Normal, Step, Tangential, Term, Turning
 from graphkin.geometry import cross
@@ -91,11 +92,14 @@ def _radius(reading: Reading, link: str, radius: float) -> str:
 
 def _rates(reading: Reading) -> Iterator[str]:
     facts = reading.plot.facts
-    for driver, rate, more in zip(reading.mechanism.drivers, facts.rates, facts.accelerations, strict=True):
+    table = zip(reading.mechanism.drivers, facts.values, facts.rates, facts.accelerations, strict=True)
+    for driver, value, rate, more in table:
         turning = driver.kind != "slide"
+        if driver.kind == "angle" and driver.value is not None:
+            yield f"{reading.against(driver, 'φ')} = {number(degrees(float(value)))}°"
         units = ("rad/s", "rad/s²") if turning else ("m/s", "m/s²")
         symbols = ("ω", "α") if turning else ("ṡ", "s̈")
-        for symbol, value, unit in zip(symbols, (float(rate), float(more)), units, strict=True):
-            if value:
+        for symbol, size, unit in zip(symbols, (float(rate), float(more)), units, strict=True):
+            if size:
                 name = reading.against(driver, symbol) if turning else names.of_slide(symbol, driver.link)
-                yield f"{name} = {number(abs(value) if turning else value)} {unit}"
+                yield f"{name} = {number(abs(size) if turning else size)} {unit}"

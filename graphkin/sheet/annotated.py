@@ -32,6 +32,8 @@ from graphkin.value import frozen
 _RADII = (7.0, 9.5, 12.0, 15.0)
 """Of the arcs that show how a link turns [mm]."""
 _TURNS = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
+_NARROWER = (75.0, 50.0, 30.0)
+"""What is given is written in shorter lines where long ones have no room [mm]."""
 _SHORT = 5.0
 """A shorter length is told by words alone [mm]."""
 _HALF = 0.9
@@ -130,8 +132,10 @@ def _accented(mark: Mark, plane: Plane) -> Mark:
 
 def _written(texts: Sequence[str], free: FreeRoom) -> list[Mark]:
     """What is given, in lines at the foot of the figure; nothing where it has no room."""
-    lines = WrittenLines.of([formula(text) for text in texts], free.room.size.real - 8, LEAST)
-    corner = free.corner(lines.size, from_below=True) if lines.lines else None
-    found: list[Mark] = [] if corner is None else [*lines.marks(corner)]
-    free.add(found)
-    return found
+    for wide in (free.room.size.real - 8, *_NARROWER):
+        lines = WrittenLines.of([formula(text) for text in texts], wide, LEAST)
+        if lines.lines and (corner := free.corner(lines.size, from_below=True)) is not None:
+            found: list[Mark] = [*lines.marks(corner)]
+            free.add(found)
+            return found
+    return []

@@ -20,6 +20,7 @@ from graphkin.say.polygons import polygon as told
 from graphkin.say.reading import Reading
 from graphkin.sheet.annotated import Annotated
 from graphkin.sheet.arrows import heads_apart, side_by_side
+from graphkin.sheet.captions import Captions
 from graphkin.sheet.drafted import Drafted
 from graphkin.sheet.equation_rows import EquationBlock, equation_blocks, head_of, laid_out
 from graphkin.sheet.fit import Extent
@@ -28,7 +29,7 @@ from graphkin.sheet.given_tables import given_tables
 from graphkin.sheet.layout import HEAD_LEFT, Layout, headed, lay_out, papers_for, under_heading
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
-from graphkin.sheet.page import Last, Lettered, Page, Panel, Sheet, heading, step_sheets
+from graphkin.sheet.page import Last, Lettered, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import LARGE, Paper
 from graphkin.sheet.pencil import pencil_lines
 from graphkin.sheet.plain_mechanism import shown_places
@@ -75,7 +76,7 @@ def mechanism_sheet(
     only   the plane or planes to draw; all three where left out
     style  "construction": how the polygons are drawn, too; "result": what comes of it; "given": the mechanism with
            what is known of it, and nothing that would have to be found
-    upto   draw the construction as far as this act (1 to `len(method.acts)`), its newest marks emphasised
+    upto   draw the construction as far as this act of those planes, counted from 1, its newest marks emphasised
 
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
@@ -83,24 +84,24 @@ def mechanism_sheet(
         return _given(_Planes(method, plot, style), paper, lang)
     work = _Work(_Planes(method, plot, style), _planes(only), tables(method, plot, lang), lang)
     if upto is not None:
-        return _staged(work, paper).upto(upto)
-    return _whole(work, paper).sheet
+        return next(_staged(work, paper, [upto]))
+    return _whole(work, paper).lettered.sheet
 
 
 def _given(drawing: _Planes, paper: str | None, lang: Lang) -> Sheet:
     """The mechanism alone, with what the problem gives and asks."""
     reading = Reading(drawing.method, drawing.plot, dict.fromkeys(KEYS.values(), 1.0), lang)
-    return replace(_whole(_Work(drawing, ("position",), given_tables(reading), lang), paper).sheet, given=True)
+    return replace(_whole(_Work(drawing, ("position",), given_tables(reading), lang), paper).lettered.sheet, given=True)
 
 
-def _whole(work: _Work, paper: str | None) -> Lettered:
+def _whole(work: _Work, paper: str | None) -> _Composed:
     """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
     for _ in range(_TRIALS):
         best = _divided(work, paper)
-        whole = (work.on(best.layout, far=True) if best.lettered.lost else best).lettered
-        if not whole.left_out:
+        whole = work.on(best.layout, far=True) if best.lettered.lost else best
+        if not whole.lettered.left_out:
             break
-        work = replace(work, apart=[*work.apart, *whole.left_out])
+        work = replace(work, apart=[*work.apart, *whole.lettered.left_out])
     return whole
 
 
@@ -114,7 +115,7 @@ def mechanism_step_sheets(
 ) -> Iterator[Sheet]:
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
     work = _Work(_Planes(method, plot, "construction"), _planes(only), tables(method, plot, lang), lang)
-    yield from step_sheets(_staged(work, paper), range(1, len(method.acts) + 1))
+    yield from _staged(work, paper)
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -125,7 +126,7 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
     """The scales of the sheet."""
     work = _Work(_Planes(method, plot, "construction"), PLANES, tables(method, plot, lang), lang)
-    return _whole(work, None).page.scales
+    return _whole(work, None).layout.scales
 
 
 @frozen
@@ -181,9 +182,13 @@ class _Composed:
     lettered: Lettered
 
 
-def _staged(work: _Work, paper: str | None) -> Sheet:
-    """The pencil's own lines are there too, and no results; the paper is that of the sheet without them."""
-    return work.on(_divided(work, paper).layout, stages=True, far=True).lettered.sheet
+def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
+    """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
+    layout, drawing = _whole(work, paper).layout, work.drawing
+    whole = work.on(layout, stages=True, far=True).lettered.sheet
+    others = {} if work.planes == PLANES else scales_of(drawing.method, drawing.plot, work.lang)
+    captions = Captions.of(work.reading({**others, **layout.scales}), work.planes)
+    return (captions.sheet(whole, number, layout.strip) for number in numbers or range(1, len(captions.acts) + 1))
 
 
 def _divided(work: _Work, paper: str | None) -> _Composed:

@@ -26,11 +26,12 @@ _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实�
 
 def strip_height(paper: Paper, found: Sequence[Table] = (), equations: Sequence[EquationBlock] = ()) -> float:
     """What the strip needs on a paper [mm]."""
-    lines = sum(head_of(line)[0].imag for line in flowed(equations, _room(paper)))
-    return max(_LEAST_HEIGHT, height_of(arranged([*found], _room(paper))) + lines + 1 + _BAR)
+    lines = sum(head_of(line)[0].imag for line in flowed(equations, tables_room(paper)))
+    return max(_LEAST_HEIGHT, height_of(arranged([*found], tables_room(paper))) + lines + 1 + _BAR)
 
 
-def _room(paper: Paper) -> float:
+def tables_room(paper: Paper) -> float:
+    """Width that the strip leaves beside the title [mm]."""
     return paper.frame.size.real - _WIDE - 6
 
 
@@ -57,11 +58,11 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
         Stroke((complex(room.left, room.top), complex(room.right, room.top)), "outline"),
         Stroke((complex(edge, room.top), complex(edge, room.bottom)), "outline"),
     ]
-    tiers, corner = arranged([*asked.found], _room(paper)), complex(room.left + 3, room.top + 1.5)
+    tiers, corner = arranged([*asked.found], tables_room(paper)), complex(room.left + 3, room.top + 1.5)
     marks += drawn_tables(tiers, corner)
     corner += 1j * height_of(tiers)
-    for line in flowed(asked.equations, _room(paper)):
-        marks += laid_out(line, corner, _room(paper))
+    for line in flowed(asked.equations, tables_room(paper)):
+        marks += laid_out(line, corner, tables_room(paper))
         corner += 1j * head_of(line)[0].imag
     marks += _check_bar(complex(room.left + 3, room.bottom - 3.2), lang)
     marks += _words(machine, complex(edge + 3, room.top), room.bottom - 3, {**scales, **asked.further}, asked.notes, lang)
