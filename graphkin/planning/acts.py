@@ -101,7 +101,7 @@ def _groups(construction: Construction, unnamed: Collection[str]) -> Iterator[tu
     groups: list[tuple[list[Step], Step]] = []
     begun: list[Step] = []
     for step in construction.steps:
-        if isinstance(step, Measure | Roll) and groups and not begun:
+        if groups and not begun and (isinstance(step, Measure | Roll) or _nameless(step, unnamed)):
             groups[-1][0].append(step)
             continue
         begun.append(step)
@@ -113,11 +113,16 @@ def _groups(construction: Construction, unnamed: Collection[str]) -> Iterator[tu
     return ((tuple(steps), done) for steps, done in groups)
 
 
+def _nameless(step: Step, unnamed: Collection[str]) -> bool:
+    """A point that nobody named, as where a guide's line begins: there with what it belongs to."""
+    return isinstance(step, Image) and step.point in unnamed
+
+
 def _finishes(step: Step, unnamed: Collection[str]) -> bool:
     """Whether a sentence of its own tells of it; a point without a name is told where it is needed."""
     match step:
-        case Image(point=point):
-            return point not in unnamed
+        case Image():
+            return not _nameless(step, unnamed)
         case LayOff() | Meet() | Swing() | Touch() | Fit():
             return True
         case Given() | Ray() | Arc() | Measure() | Roll() | Simultaneous():

@@ -56,7 +56,7 @@ def _table() -> dict[str, tuple[float, float]]:
 _WIDTHS = _table()
 _CORNER = re.compile(r"([nkt])([^\W\d_]\w*?)(?:_(\d+))?('+)")
 _EQUIVALENT = re.compile(r"e [a-z]+(\d*)")
-_CJK = re.compile(r"[\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
+_CJK = re.compile(r"[\u2460-\u2473\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
 
 
 @frozen
