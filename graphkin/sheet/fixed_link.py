@@ -17,7 +17,7 @@ from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
 
 _REACH, _AWAY, _STUB = 13.0, 18.0, 6.5
-"""How far a fixed guide is drawn to each side of its block; where a bar lies over one side, on the other and there [mm]."""
+"""How far a fixed guide is drawn to each side of its block; away from a bar over it, and under it [mm]."""
 _OVER = math.cos(math.radians(12))
 """A bar lies over a guide that leaves its block under a smaller angle."""
 

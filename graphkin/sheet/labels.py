@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Mark, Stroke
+from graphkin.sheet.marks import Disc, Mark, Stroke
 from graphkin.sheet.nearness import Arrows
 from graphkin.sheet.obstacles import Tree, tree
 from graphkin.sheet.paper import Room
@@ -27,6 +27,8 @@ _TOUCH = 0.05
 """Closer than this to a box's edge is not yet on it [mm]."""
 _ROUNDS = 8
 """How often labels of a crowd may make way for one another."""
+_DOT = 0.3
+"""Where a leader meets an arrow is a dot of this radius, so that it is plain which of two it means [mm]."""
 _NEIGHBOUR = 15.0
 """So near to a label without a place, others that say nothing new are left out [mm]."""
 
@@ -83,6 +85,8 @@ def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: boo
         marks += want.texts(corner)
         if spot.anchor is not None:
             marks.append(_leader(spot, complex(wide, up + down) / 2, want))
+            if want.of:
+                marks.append(Disc(spot.anchor, _DOT, "leader", "ink", step=want.step))
     return Settled(marks, len(clashing))
 
 

@@ -15,7 +15,7 @@ from graphkin.planning import Method
 from graphkin.sheet.arrows import heads_apart, side_by_side
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.gear_images import GearImage, gear_images
-from graphkin.sheet.layout import Layout, lay_out, papers_for
+from graphkin.sheet.layout import Layout, cut_to, lay_out, papers_for
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
@@ -51,21 +51,24 @@ def mechanism_sheet(
     lang: Lang = "en",
     only: Plane | Collection[Plane] | None = None,
     upto: int | None = None,
+    tight: bool = False,
 ) -> Sheet:
     """Draw a mechanism and its polygons to scale.
 
     plot   the method replayed at one position
-    paper  a key of `PAPERS`; the smallest that fits where left out
+    paper  a key of `PAPERS`; the smallest that fits where left out, cut to a single figure
+    tight  cut to the figures, without frame, table and title, for another document
     only   the plane or planes to draw; all three where left out
     upto   draw the construction as far as this step (1 to `step_count(method)`), its newest marks emphasised
 
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
-    work = _Work(_Planes(method, plot), _planes(only), tables(method, plot, lang), lang)
+    work = _Work(_Planes(method, plot), _planes(only), [] if tight else tables(method, plot, lang), lang, tight)
     if upto is not None:
         return _staged(work, paper).upto(upto)
-    best = _divided(work, paper)
-    return (work.on(best.layout, far=True) if best.lettered.lost else best).lettered.sheet
+    layout = _cut(work, paper)
+    best = work.on(layout)
+    return (work.on(layout, far=True) if best.lettered.lost else best).lettered.sheet
 
 
 def mechanism_step_sheets(
@@ -75,9 +78,10 @@ def mechanism_step_sheets(
     paper: str | None = None,
     lang: Lang = "en",
     only: Plane | Collection[Plane] | None = None,
+    tight: bool = False,
 ) -> Iterator[Sheet]:
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
-    work = _Work(_Planes(method, plot), _planes(only), tables(method, plot, lang), lang)
+    work = _Work(_Planes(method, plot), _planes(only), [] if tight else tables(method, plot, lang), lang, tight)
     yield from step_sheets(_staged(work, paper), range(1, step_count(method) + 1))
 
 
@@ -141,7 +145,15 @@ class _Composed:
 
 def _staged(work: _Work, paper: str | None) -> Sheet:
     """The pencil's own lines are there too, and no results; the paper is that of the sheet without them."""
-    return work.on(_divided(work, paper).layout, stages=True, far=True).lettered.sheet
+    return work.on(_cut(work, paper), stages=True, far=True).lettered.sheet
+
+
+def _cut(work: _Work, paper: str | None) -> Layout:
+    """The paper divided; cut to a single figure, where it was not asked for."""
+    layout = _divided(work, paper).layout
+    if len(work.planes) > 1 or not (work.tight or paper is None):
+        return layout
+    return cut_to(layout, work.planes[0], work.extents[work.planes[0]])
 
 
 def _divided(work: _Work, paper: str | None) -> _Composed:
@@ -167,6 +179,7 @@ class _Work:
     planes: tuple[Plane, ...]
     found: list[Table]
     lang: Lang
+    tight: bool = False
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
@@ -187,6 +200,8 @@ class _Work:
     def layout(self, papers: Sequence[Paper], crowded: Collection[Plane] = (), more: int = 1) -> Layout:
         """The best division; crowded planes count as if they had more labels."""
         extents = {p: replace(e, labels=e.labels * more) if p in crowded else e for p, e in self.extents.items()}
+        if self.tight:
+            return lay_out(extents, lambda paper: 0.0, [replace(paper, margin=0.0) for paper in papers])
         return lay_out(extents, partial(strip_height, found=self.found), papers)
 
     def roomier(self, composed: _Composed, papers: Sequence[Paper]) -> _Composed:
@@ -206,9 +221,9 @@ class _Work:
         """Everything on a divided paper; with `far`, labels of a crowd go far off to find a place."""
         method, plot = self.drawing.method, self.drawing.plot
         panels = [self.panel(layout, plane, stages) for plane in self.planes]
-        foot = Strip(layout.strip, [] if stages else self.found, self.notes)
-        page = Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, foot)
-        return _Composed(layout, page.lettered(far))
+        foot = None if self.tight else Strip(layout.strip, [] if stages else self.found, self.notes)
+        lettered = Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, foot).lettered(far)
+        return _Composed(layout, lettered.trimmed if self.tight else lettered)
 
     def panel(self, layout: Layout, plane: Plane, stages: bool) -> Panel:
         """One plane's figure under its heading; with `stages`, over the lines of the pencil."""

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from math import ceil
 from typing import Literal, SupportsFloat
 
 from graphkin.construction import Plane
@@ -19,6 +20,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
+from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import LABEL, Paper, Room
 from graphkin.sheet.scales import written
 from graphkin.sheet.titleblock import Strip, strip
@@ -28,6 +30,8 @@ from graphkin.value import frozen
 HEAD_WIDTH = 76.0
 """A figure's heading with its scale beside it is no wider [mm]."""
 
+_EDGE = 3.0
+"""What stays free beyond the figures of a trimmed page [mm]."""
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
 _LAYERS: Mapping[Plane, LayerName] = {
     "position": "mechanism", "velocity": "velocity", "acceleration": "acceleration",
@@ -174,6 +178,15 @@ class Lettered:
         return sum(isinstance(mark, Stroke) for settled in self.labels for mark in settled.marks)
 
     @property
+    def trimmed(self) -> Lettered:
+        """On a paper that ends where the figures do."""
+        page, paper = self.page, self.page.paper
+        drawn = [mark for panel in page.panels for mark in panel.drawn]
+        _, _, right, bottom = bounds([*drawn, *(mark for settled in self.labels for mark in settled.marks)])
+        wide, high = min(paper.width, ceil(right + _EDGE)), min(paper.height, ceil(bottom + _EDGE))
+        return replace(self, page=replace(page, paper=replace(paper, width=float(wide), height=float(high))))
+
+    @property
     def sheet(self) -> Sheet:
         page = self.page
         return Sheet(
@@ -196,7 +209,8 @@ class Lettered:
             drawn.setdefault(panel.plane or "position", []).extend([*panel.drawn, *panel.after])
         for plane, marks in drawn.items():
             yield Layer(_LAYERS[plane], tuple(marks), plane)
-        settled = [(panel.plane, mark) for panel, one in zip(page.panels, self.labels, strict=True) for mark in one.marks]
+        planes = [panel.plane for panel in page.panels]
+        settled = [(plane, mark) for plane, one in zip(planes, self.labels, strict=True) for mark in one.marks]
         yield Layer("leaders", tuple(mark for _, mark in settled if not isinstance(mark, Text)))
         letters = (replace(mark, accent=plane) for plane, mark in settled if isinstance(mark, Text))
         yield Layer("labels", tuple(letters))

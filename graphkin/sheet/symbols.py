@@ -84,7 +84,7 @@ def plate(corners: Sequence[Place], shows: Shows, step: int | None = None) -> li
 
 
 def hinge_beside(at: Place, side: complex, step: int | None = None) -> list[Mark]:
-    """The circle of a hinge at a link that goes on: it touches the link's line on the side of the one that ends there."""
+    """The circle of a hinge at a link that goes on: it touches that link's line, on the side of the one that ends."""
     return [Disc(at + (HINGE + 0.35) * side, HINGE, "outline", "paper", step=step)]
 
 
