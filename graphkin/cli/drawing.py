@@ -30,6 +30,7 @@ from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
     from graphkin.construction import Plane
+    from graphkin.outputs.svg import Ink
     from graphkin.sheet import Style
 
 
@@ -40,6 +41,9 @@ if TYPE_CHECKING:
 @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
 @click.option("--style", type=click.Choice(["construction", "result", "given"]), default="construction",
               show_default=True, help="How polygons are drawn, too; results; or only what is given, no answer.")
+@click.option("--tight", is_flag=True, help="The figures alone, cut to their size, for Word and LaTeX.")
+@click.option("--ink", type=click.Choice(["accent", "black"]), default="accent", show_default=True,
+              help="A colour a plane, or black alone.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
 @force_option
 @coincident_option
@@ -49,9 +53,9 @@ if TYPE_CHECKING:
 @lang_option
 @speaking
 def draw(
-    mechanism: str, output: Path | None, only: Plane | None, paper: str | None, style: Style, steps: Path | None,
-    force: bool,
-    coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
+    mechanism: str, output: Path | None, only: Plane | None, paper: str | None, style: Style, tight: bool, ink: Ink,
+    steps: Path | None, force: bool, coincident: str, method: str, angles: tuple[float, ...],
+    displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Draw the mechanism and its polygons to scale, as SVG.
 
@@ -67,12 +71,12 @@ def draw(
     machine = read(mechanism)
     output = output or Path(f"{machine.name}.svg")
     drawing = drawn(machine, coincident, method, angles, displacements)
-    sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style)
-    pages = [(output, svg.svg(sheet))]
+    sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight)
+    pages = [(output, svg.svg(sheet, ink))]
     if steps is not None:
         pages += [
-            (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page))
-            for k, page in enumerate(drawing.step_sheets(paper=paper, lang=lang, only=only), 1)
+            (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page, ink))
+            for k, page in enumerate(drawing.step_sheets(paper=paper, lang=lang, only=only, tight=tight), 1)
         ]
     if str(output) == "-":
         click.echo(pages.pop(0)[1], nl=False)

@@ -250,7 +250,7 @@ _HEADS: Mapping[Half, str] = {
 
 @frozen
 class Colours:
-    """What marks are painted with: an accent a plane, or black alone; where some marks are new, only those stand out."""
+    """What marks are painted with: an accent a plane, or black alone; of a stage, only what is new stands out."""
 
     ink: Ink
     staged: bool
@@ -299,7 +299,8 @@ def _value(mark: VectorMark, scales: Mapping[Plane, float]) -> str:
 
 def _described(sheet: Sheet) -> str:
     """What is on the sheet, at which scales."""
-    return "; ".join(f"{HEADINGS[sheet.lang][plane]}, {_read(written(plane, at))}" for plane, at in sheet.scales.items())
+    words = HEADINGS[sheet.lang]
+    return "; ".join(f"{words[plane]}, {_read(written(plane, scale))}" for plane, scale in sheet.scales.items())
 
 
 def _read(label: Label) -> str:
@@ -385,6 +386,8 @@ def _metadata(sheet: Sheet) -> ET.Element:
     }
     if sheet.given:  # the file may tell answers, in a remark
         data |= {"style": "given", "mechanism": "", "drivers": []}
+    if not sheet.paper.margin:
+        data["tight"] = True
     drawn = [(_class(mark), told) for mark in sheet.marks if (told := stated(mark))]
     data["drawn"] = sorted([kind, *sorted(f"{key}={value}" for key, value in told.items())] for kind, told in drawn)
     texts = [mark for mark in sheet.marks if isinstance(mark, Text)]

@@ -41,9 +41,11 @@ class Captions:
         texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
         return cls([act for act in reading.method.acts if act.plane in planes], texts, reading.lang)
 
-    def sheet(self, whole: Sheet, number: int, strip: Room) -> Sheet:
-        """The drawing as far as one of the acts, counted from 1, with its sentence in the strip."""
+    def sheet(self, whole: Sheet, number: int, strip: Room | None) -> Sheet:
+        """The drawing as far as one of the acts, counted from 1, with its sentence in the strip if there is one."""
         act, drawn = self.acts[number - 1], whole.upto(self.acts[number - 1].page)
+        if strip is None:
+            return drawn
         below, *others = drawn.layers
         marks = self._marks(act, number, strip, tables_room(whole.paper))
         return replace(drawn, layers=(replace(below, marks=(*below.marks, *marks)), *others))

@@ -103,6 +103,19 @@ def _freely(extent: Extent, strip_height: Height, papers: Sequence[Paper]) -> La
         return lay_out({"position": replace(extent, given=None)}, strip_height, papers)
 
 
+def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
+    """A paper with one figure, no higher than that figure and the strip need; without a frame, no wider either."""
+    need, paper = extent.size / layout.scales[plane] + extent.reach, layout.paper
+    strip = layout.strip.size.imag
+    over = extent.over[1].real + 2 * HEAD_LEFT if extent.over is not None else 0.0
+    wide = paper.width if paper.margin else min(paper.width, max(HEAD_WIDTH, math.ceil(over), math.ceil(need.real)))
+    head = under_heading(Room(0.0, 0.0, replace(paper, width=wide).frame.size.real, 0.0), extent.over).top
+    high = min(paper.height, 2.0 * paper.margin + strip + math.ceil(head + need.imag))
+    cut = replace(paper, width=wide, height=high)
+    field, foot = divided(cut, strip)
+    return Layout(cut, {plane: field}, layout.scales, foot, layout.headed)
+
+
 def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: Sequence[Paper]) -> Layout:
     """The smallest of the papers that holds all.
 

@@ -61,7 +61,7 @@ _CJK = re.compile(r"[\u2460-\u2473\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-
 
 @frozen
 class Run:
-    """Letters in one style. `back`: it stands above the subscript before it (a^n_CB, stacked); `bold`: what is asked."""
+    """Letters in one style. `back`: it stands over the subscript before it (a^n_CB, stacked); `bold`: asked for."""
 
     text: str
     italic: bool = False

@@ -26,7 +26,7 @@ from graphkin.sheet.equation_rows import EquationBlock, equation_blocks, head_of
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.gear_images import GearImage, gear_images
 from graphkin.sheet.given_tables import given_tables
-from graphkin.sheet.layout import HEAD_LEFT, Layout, headed, lay_out, papers_for, under_heading
+from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, cut_to, headed, lay_out, papers_for, under_heading
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.page import Last, Lettered, Page, Panel, Sheet, heading
@@ -68,11 +68,13 @@ def mechanism_sheet(
     only: Plane | Collection[Plane] | None = None,
     style: Style = "construction",
     upto: int | None = None,
+    tight: bool = False,
 ) -> Sheet:
     """Draw a mechanism and its polygons to scale.
 
     plot   the method replayed at one position
-    paper  a key of `PAPERS`; the smallest that fits where left out
+    paper  a key of `PAPERS`; the smallest that fits where left out, cut to a single figure
+    tight  cut to the figures, without frame, table and title, for another document
     only   the plane or planes to draw; all three where left out
     style  "construction": how the polygons are drawn, too; "result": what comes of it; "given": the mechanism with
            what is known of it, and nothing that would have to be found
@@ -81,25 +83,27 @@ def mechanism_sheet(
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
     if style == "given":
-        return _given(_Planes(method, plot, style), paper, lang)
-    work = _Work(_Planes(method, plot, style), _planes(only), tables(method, plot, lang), lang)
+        return _given(_Planes(method, plot, style), paper, lang, tight)
+    work = _Work(_Planes(method, plot, style), _planes(only), [] if tight else tables(method, plot, lang), lang, tight)
     if upto is not None:
         return next(_staged(work, paper, [upto]))
     return _whole(work, paper).lettered.sheet
 
 
-def _given(drawing: _Planes, paper: str | None, lang: Lang) -> Sheet:
+def _given(drawing: _Planes, paper: str | None, lang: Lang, tight: bool) -> Sheet:
     """The mechanism alone, with what the problem gives and asks."""
     reading = Reading(drawing.method, drawing.plot, dict.fromkeys(KEYS.values(), 1.0), lang)
-    return replace(_whole(_Work(drawing, ("position",), given_tables(reading), lang), paper).lettered.sheet, given=True)
+    work = _Work(drawing, ("position",), [] if tight else given_tables(reading), lang, tight)
+    return replace(_whole(work, paper).lettered.sheet, given=True)
 
 
 def _whole(work: _Work, paper: str | None) -> _Composed:
     """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
     for _ in range(_TRIALS):
-        best = _divided(work, paper)
-        whole = work.on(best.layout, far=True) if best.lettered.lost else best
-        if not whole.lettered.left_out:
+        layout = _cut(work, paper)
+        best = work.on(layout)
+        whole = work.on(layout, far=True) if best.lettered.lost else best
+        if not whole.lettered.left_out or work.tight:
             break
         work = replace(work, apart=[*work.apart, *whole.lettered.left_out])
     return whole
@@ -112,10 +116,11 @@ def mechanism_step_sheets(
     paper: str | None = None,
     lang: Lang = "en",
     only: Plane | Collection[Plane] | None = None,
+    tight: bool = False,
 ) -> Iterator[Sheet]:
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
-    work = _Work(_Planes(method, plot, "construction"), _planes(only), tables(method, plot, lang), lang)
-    yield from _staged(work, paper)
+    found = [] if tight else tables(method, plot, lang)
+    yield from _staged(_Work(_Planes(method, plot, "construction"), _planes(only), found, lang, tight), paper)
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -188,7 +193,16 @@ def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iter
     whole = work.on(layout, stages=True, far=True).lettered.sheet
     others = {} if work.planes == PLANES else scales_of(drawing.method, drawing.plot, work.lang)
     captions = Captions.of(work.reading({**others, **layout.scales}), work.planes)
-    return (captions.sheet(whole, number, layout.strip) for number in numbers or range(1, len(captions.acts) + 1))
+    strip = None if work.tight else layout.strip
+    return (captions.sheet(whole, number, strip) for number in numbers or range(1, len(captions.acts) + 1))
+
+
+def _cut(work: _Work, paper: str | None) -> Layout:
+    """The paper divided; cut to a single figure, where it was not asked for."""
+    layout = _divided(work, paper).layout
+    if len(work.planes) > 1 or not (work.tight or paper is None):
+        return layout
+    return cut_to(layout, work.planes[0], work.extent(layout, work.planes[0]))
 
 
 def _divided(work: _Work, paper: str | None) -> _Composed:
@@ -214,6 +228,7 @@ class _Work:
     planes: tuple[Plane, ...]
     found: list[Table]
     lang: Lang
+    tight: bool = False
     apart: Sequence[EquationBlock] = ()
 
     @cached_property
@@ -248,7 +263,9 @@ class _Work:
     def layout(self, papers: Sequence[Paper], crowded: Collection[Plane] = (), more: int = 1) -> Layout:
         """The best division; crowded planes count as if they had more labels."""
         extents = {p: replace(e, labels=e.labels * more) if p in crowded else e for p, e in self.extents.items()}
-        height = partial(strip_height, found=self.found, equations=self.apart)
+        height: Height = partial(strip_height, found=self.found, equations=self.apart)
+        if self.tight:
+            height, papers = (lambda paper: 0.0), [replace(paper, margin=0.0) for paper in papers]
         plain = lay_out({plane: replace(extent, over=None) for plane, extent in extents.items()}, height, papers)
         return headed(plain, extents, height, papers, _COARSER)
 
@@ -270,14 +287,14 @@ class _Work:
         method, plot = self.drawing.method, self.drawing.plot
         panels = [self.panel(layout, plane, stages) for plane in self.planes]
         foot = Strip(layout.strip, [] if stages else self.found, self.notes, equations=[] if stages else self.apart)
-        page = Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, foot)
-        return _Composed(layout, page.lettered(far))
+        strip = None if self.tight else foot
+        lettered = Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, strip).lettered(far)
+        return _Composed(layout, lettered.trimmed if self.tight else lettered)
 
     def panel(self, layout: Layout, plane: Plane, stages: bool) -> Panel:
         """One plane's figure under its heading; with `stages`, over the lines of the pencil."""
         drawing, room = self.drawing, layout.rooms[plane]
-        extent = self.extents[plane] if plane in layout.headed else replace(self.extents[plane], over=None)
-        window = layout.window(plane, extent)
+        window = layout.window(plane, self.extent(layout, plane))
         before = [*heading(HEADINGS[self.lang][plane], plane, window.scale, room)]
         if plane in layout.headed:
             corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
@@ -286,6 +303,10 @@ class _Work:
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         more = self.drafted(layout, plane, window) if drawing.style == "construction" else None
         return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
+
+    def extent(self, layout: Layout, plane: Plane) -> Extent:
+        """With its equations over it, where they have room there."""
+        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], over=None)
 
     def drafted(self, layout: Layout, plane: Plane, window: Window) -> Last:
         """How a polygon is constructed, and what of the mechanism is used for it."""

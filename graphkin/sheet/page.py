@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from math import ceil
 from typing import Literal, Protocol, SupportsFloat
 
 from graphkin.construction import Plane
@@ -21,6 +22,7 @@ from graphkin.sheet.free_room import Added
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
+from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import LABEL, Paper, Room
 from graphkin.sheet.scales import written
 from graphkin.sheet.titleblock import Strip, strip
@@ -30,6 +32,8 @@ from graphkin.value import frozen
 HEAD_WIDTH = 76.0
 """A figure's heading with its scale beside it is no wider [mm]."""
 
+_EDGE = 3.0
+"""What stays free beyond the figures of a trimmed page [mm]."""
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
 _LAYERS: Mapping[Plane, LayerName] = {
     "position": "mechanism", "velocity": "velocity", "acceleration": "acceleration",
@@ -207,6 +211,17 @@ class Lettered:
     def left_out(self) -> list[EquationBlock]:
         """Equations for which no figure has room."""
         return [block for _, added in self.finished for block in added.left_out]
+
+    @property
+    def trimmed(self) -> Lettered:
+        """On a paper that ends where the figures do."""
+        page, paper = self.page, self.page.paper
+        drawn = [mark for panel in page.panels for mark in panel.drawn]
+        for settled, added in self.finished:
+            drawn += [*settled.marks, *added.under, *added.over]
+        _, _, right, bottom = bounds(drawn)
+        wide, high = min(paper.width, ceil(right + _EDGE)), min(paper.height, ceil(bottom + _EDGE))
+        return replace(self, page=replace(page, paper=replace(paper, width=float(wide), height=float(high))))
 
     @property
     def sheet(self) -> Sheet:

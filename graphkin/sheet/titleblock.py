@@ -65,7 +65,8 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
         marks += laid_out(line, corner, tables_room(paper))
         corner += 1j * head_of(line)[0].imag
     marks += _check_bar(complex(room.left + 3, room.bottom - 3.2), lang)
-    marks += _words(machine, complex(edge + 3, room.top), room.bottom - 3, {**scales, **asked.further}, asked.notes, lang)
+    block = Room(edge + 3, room.top, room.right - 3, room.bottom - 3)
+    marks += _words(machine, block, {**scales, **asked.further}, asked.notes, lang)
     return marks
 
 
@@ -86,11 +87,11 @@ def _check_bar(at: Place, lang: Lang) -> list[Mark]:
 
 
 def _words(
-    machine: Mechanism, corner: Place, foot: float, scales: Mapping[Plane, float], notes: Mapping[Plane, Label], lang: Lang
+    machine: Mechanism, room: Room, scales: Mapping[Plane, float], notes: Mapping[Plane, Label], lang: Lang
 ) -> list[Mark]:
     """Title, source, scales, and what drew it; each line shrunk or broken to the block."""
     marks: list[Mark] = []
-    pen = corner + 1.2j
+    pen = complex(room.left, room.top) + 1.2j
     title = machine.headline(lang)
     large = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else 0.85 * TITLE
     for text, size in ((title, large), (machine.source, LEAST + 0.2)):
@@ -104,7 +105,7 @@ def _words(
         if plane in notes:
             marks.append(Text(notes[plane], pen + width(written(plane, scale), BODY) + 2.5, LEAST))
     made: Label = plain("graphkin")
-    marks.append(Text(made, complex(corner.real + _WIDE - 6 - width(made, LEAST), foot), LEAST))
+    marks.append(Text(made, complex(room.right - width(made, LEAST), room.bottom), LEAST))
     return marks
 
 
