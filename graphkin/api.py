@@ -28,6 +28,7 @@ from graphkin.value import frozen
 if TYPE_CHECKING:
     from graphkin.outputs.notebook import Shown
     from graphkin.quantities import Answer
+    from graphkin.sheet import Style
     from graphkin.sweeps import Road, Sweep
 
 __all__ = ["Drawing", "load", "plan", "replay", "sweep"]
@@ -126,21 +127,25 @@ class Drawing:
 
         return cls(method.mechanism, method, proved(method, values).plot)
 
-    def sheet(self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None) -> Shown:
-        """The sheet: mechanism and polygons to scale, in millimetres on paper."""
+    def sheet(
+        self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, style: Style = "construction",
+        tight: bool = False,
+    ) -> Shown:  # fmt: skip
+        """The sheet: mechanism and polygons to scale, in millimetres on paper; `style`: with their construction, as
+        results alone, or only the mechanism with what is given; `tight`: the figures alone."""
         from graphkin.outputs.notebook import shown
         from graphkin.sheet import sheet
 
-        return shown(sheet(self.method, self.plot, paper=paper, lang=lang, only=only))
+        return shown(sheet(self.method, self.plot, paper=paper, lang=lang, only=only, style=style, tight=tight))
 
     def step_sheets(
-        self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None
+        self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, tight: bool = False
     ) -> Iterator[Shown]:
         """One sheet a step of the construction, the newest marks emphasised."""
         from graphkin.outputs.notebook import shown
         from graphkin.sheet import step_sheets
 
-        return map(shown, step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only))
+        return map(shown, step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only, tight=tight))
 
     def explain(self, lang: Lang = "en") -> list[str]:
         """The vector equations and what is measured, line by line, at the scales of the sheet."""

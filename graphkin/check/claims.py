@@ -3,7 +3,7 @@
 A seal tells that the claims are as they were written. It is no lock: whoever changes them can seal them anew. So what
 `check` promises does not hang on it: whatever the file shows is right for the mechanism whose text it carries, at the
 drivers' values and the scales that it gives, and these scales are printed on it. A drawing that was sealed anew may
-show less than graphkin drew, and where its letters stand is never measured.
+show less than graphkin drew, and where its letters stand is never measured. A tight drawing bears no title.
 """
 
 from __future__ import annotations
@@ -19,8 +19,9 @@ from graphkin.construction import Plane
 from graphkin.mechanism import Mechanism
 from graphkin.seal import seal
 
-WRITTEN = re.compile(r"μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+|[−-][0-9]+)?)")
-"""A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm; 2×10⁻⁵ and 10⁻⁵ with their exponents raised."""
+WRITTEN = re.compile(r"(?<![/·])μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+|[−-][0-9]+)?)")
+"""A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm; 2×10⁻⁵ and 10⁻⁵ with their exponents raised. What is
+divided by one, v/μ_v = 24 mm, is a length."""
 Letters = tuple[str, complex]
 """A text, and where it begins [mm, y up]."""
 _SAME, _APART = 1.0, 3.0
@@ -40,7 +41,7 @@ def changed(
     if drawing.claims.get("seal") != seal(drawing.claims):
         yield Fault("changed", "")
     yield from _printed(texts, scales)
-    titles = _titles(mechanism)
+    titles = [] if drawing.claims.get("tight") is True else _titles(mechanism)
     if titles and not any(_begins(title, text) for text in texts for title in titles):
         yield Fault("title", titles[0])
     told = _claimed_letters(drawing)

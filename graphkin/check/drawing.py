@@ -14,7 +14,7 @@ from graphkin import loading
 from graphkin.check.shown import Shown, Sight, seen_in
 from graphkin.check.transforms import Unread
 from graphkin.construction import Plane
-from graphkin.errors import BadDrawing, NoDrawing, Where
+from graphkin.errors import BadDrawing, NoDrawing, NothingToMeasure, Where
 from graphkin.mechanism import Mechanism
 from graphkin.value import frozen
 
@@ -92,6 +92,8 @@ def read(path: Path) -> DrawingFile:
     if not root.tag.endswith("}svg"):
         raise BadDrawing(Where(file), "svg")
     claims = _claims(file, root)
+    if claims.get("style") == "given":
+        raise NothingToMeasure(Where(file))
     try:
         drawing = DrawingFile(file, seen_in(root), claims, root)
         if not drawing.points and _told_points(claims):

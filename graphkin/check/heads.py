@@ -14,6 +14,8 @@ from graphkin.check.transforms import Affine, length, numbers_in, transform
 
 _NO_LENGTH = 0.05
 """A vector shorter than this has no head [mm]."""
+_BACK = 4.5
+"""Where heads meet, one may stand so far off the end of its line [mm]."""
 _ENDS = ("marker-start", "marker-mid", "marker-end")
 
 
@@ -75,9 +77,13 @@ def _placed(marker: Element, places: list[complex], unit: float) -> list[complex
 
 
 def _is_tip(places: list[complex]) -> bool:
-    """The foremost corner lies on the line's end, the others behind it on both sides."""
+    """The foremost corner lies on the line, at its end or a head before it; the others behind it, on both sides or
+    along the line and on one side of it.
+    """
     tip = max(places, key=lambda p: p.real)
-    behind = {p for p in places if abs(p - tip) > 1e-6}
-    long, wide = -min(p.real for p in places), max(abs(p.imag) for p in places)
-    even = len(behind) > 1 and abs(sum(p.imag for p in behind)) < 0.1
-    return abs(tip) < 0.01 and all(p.real < -0.3 for p in behind) and 0.5 < long < 6 and wide < long and even
+    behind = {p - tip for p in places if abs(p - tip) > 1e-6}
+    long, wide = max((-p.real for p in behind), default=0.0), max((abs(p.imag) for p in behind), default=0.0)
+    sides = sorted(p.imag for p in behind)
+    even = len(behind) > 1 and (abs(sum(sides)) < 0.1 or (len(behind) == 2 and min(abs(y) for y in sides) < 0.01))
+    back = -_BACK <= tip.real < 0.01 and abs(tip.imag) < 0.01
+    return back and all(p.real < -0.3 for p in behind) and 0.5 < long < 6 and 0.2 < wide < long and even

@@ -10,6 +10,7 @@ from graphkin.analytic import Motion, motion
 from graphkin.check.centre_measure import CENTRES, parted, seen_arrows, seen_centres, ways_to_move
 from graphkin.check.claims import changed, unjudged
 from graphkin.check.drawing import UNITS, DrawingFile, Fault, mechanism_of, numbers, plane_of, read, scales_of
+from graphkin.check.ends import loose_ends
 from graphkin.check.expected import is_called_so, is_named_so, point_value, vector_value
 from graphkin.check.heads import wrong_heads
 from graphkin.check.hidden import Layers
@@ -87,7 +88,7 @@ def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) ->
             entries += _centres(planes, centres, mechanism, solved, scales)
         layers = Layers.of(drawing.sight)
         faults = [*changed(drawing, layers.letters, mechanism, scales), *wrong_heads(drawing), *layers.hidden_marks()]
-        faults += [*ruler.misfits(), *_loose_ends(planes, tolerance_mm)]
+        faults += [*ruler.misfits(), *loose_ends(planes, tolerance_mm)]
         notes = [*unjudged(drawing, layers.letters), *ruler.unknown()]
     except Unread as error:
         raise BadDrawing(Where(drawing.file), "shown", str(error)) from None
@@ -199,18 +200,3 @@ def _origin(pairs: list[tuple[complex, complex]]) -> complex:
     """Where zero lies on the paper, as the point with which most of the others agree has it."""
     origins = [place - right for place, right in pairs]
     return min(origins, key=lambda origin: sorted(abs(other - origin) for other in origins)[len(origins) // 2])
-
-
-def _loose_ends(drawing: DrawingFile, tolerance_mm: float) -> Iterator[Fault]:
-    """Vectors must start and end at the points they name."""
-    places: dict[tuple[str | None, str | None], list[complex]] = {}
-    for attributes, place in drawing.points:
-        places.setdefault((attributes.get("data-plane"), attributes.get("data-name")), []).append(place)
-    for attributes, tail, head in drawing.vectors:
-        for key, end in (("data-tail", tail), ("data-head", head)):
-            point, name = (attributes.get("data-plane"), attributes.get(key)), attributes.get("data-name")
-            apart = [abs(place - end) for place in places.get(point, ())]
-            if not apart:
-                yield Fault("loose", f"{name}: {point[1]}")
-            elif not min(apart) <= tolerance_mm:
-                yield Fault("end", f"{name} - {point[1]}: {min(apart):.4f} mm")

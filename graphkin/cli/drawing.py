@@ -30,6 +30,8 @@ from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
     from graphkin.construction import Plane
+    from graphkin.outputs.svg import Ink
+    from graphkin.sheet import Style
 
 
 @click.command()
@@ -38,6 +40,11 @@ if TYPE_CHECKING:
 @click.option("--dpi", type=click.FloatRange(20, 2400), default=200.0, show_default=True, help="Dots per inch of .png.")
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
 @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
+@click.option("--style", type=click.Choice(["construction", "result", "given"]), default="construction",
+              show_default=True, help="How polygons are drawn, too; results; or only what is given, no answer.")
+@click.option("--tight", is_flag=True, help="The figures alone, cut to their size, for Word and LaTeX.")
+@click.option("--ink", type=click.Choice(["accent", "black"]), default="accent", show_default=True,
+              help="A colour a plane, or black alone.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
 @force_option
 @coincident_option
@@ -47,8 +54,9 @@ if TYPE_CHECKING:
 @lang_option
 @speaking
 def draw(
-    mechanism: str, output: Path | None, dpi: float, only: Plane | None, paper: str | None, steps: Path | None,
-    force: bool, coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
+    mechanism: str, output: Path | None, dpi: float, only: Plane | None, paper: str | None, style: Style, tight: bool,
+    ink: Ink, steps: Path | None, force: bool, coincident: str, method: str, angles: tuple[float, ...],
+    displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Draw the mechanism and its polygons to scale: a sheet, or a construction that moves in GeoGebra (.ggb).
 
@@ -60,16 +68,18 @@ def draw(
     """
     from graphkin.outputs import drawings, svg
 
+    if style == "given" and (steps is not None or only not in (None, "position")):
+        raise click.UsageError("--style given draws the mechanism alone: leave out --steps and other planes")
     machine = read(mechanism)
     output = output or Path(f"{machine.name}.svg")
     drawing = drawn(machine, coincident, method, angles, displacements)
-    sheet = drawing.sheet(paper=paper, lang=lang, only=only)
+    sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight)
     written = drawings.WRITERS[output.suffix.lower() or ".svg"]
-    pages = [(output, written(drawings.Picture(sheet, drawing.method, drawing.plot, lang, dpi)))]
+    pages = [(output, written(drawings.Picture(sheet, drawing.method, drawing.plot, lang, dpi, ink)))]
     if steps is not None:
         pages += [
-            (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page).encode())
-            for k, page in enumerate(drawing.step_sheets(paper=paper, lang=lang, only=only), 1)
+            (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page, ink).encode())
+            for k, page in enumerate(drawing.step_sheets(paper=paper, lang=lang, only=only, tight=tight), 1)
         ]
     if str(output) == "-":
         click.echo(pages.pop(0)[1].decode(), nl=False)

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
-PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape")
+PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape", "letter", "letter-landscape")
 
 
 def user_language() -> Lang:

@@ -48,8 +48,7 @@ def figure(model: Model, caption: str, lang: Lang) -> Sheet:
     window, whole = cut_out(draw, finest(high - low, _ROOM), _MARGIN)
     panel = Panel(draw(window), window, whole.inset(1, 1, 1), plane=None)
     page = Page(Paper("figure", whole.right, whole.bottom, 0.0), [panel], method.mechanism, (), lang, title=caption)
-    sheet = page.sheet().upto(_VECTORS)
-    return replace(sheet, marks=tuple(replace(mark, step=None) for mark in sheet.marks))
+    return page.sheet().upto(_VECTORS).redrawn(lambda mark: replace(mark, step=None))
 
 
 def _thin(mark: Mark) -> Mark:

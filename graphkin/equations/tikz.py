@@ -7,11 +7,12 @@ from typing import assert_never
 
 from graphkin.equations.latex import words
 from graphkin.sheet import Sheet
-from graphkin.sheet.lettering import SMALL, scripts
+from graphkin.sheet.lettering import run_size, scripts
 from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
 
-_FILLS: dict[Fill, str] = {"none": "", "paper": ", fill=white", "ink": ", fill=black", "grey": ", fill=black!13"}
+_FILLS: dict[Fill, str] = {"none": "", "paper": ", fill=white", "ink": ", fill=black", "grey": ", fill=black!13",
+                           "tint": ", fill=black!10"}  # fmt: skip
 _POINTS_PER_MM = 72.27 / 25.4
 
 
@@ -51,7 +52,7 @@ def _circle(style: str, centre: Place, radius: float) -> str:
 def _text(mark: Text) -> list[str]:
     found = []
     for run, start, drop in scripts(mark.label, mark.size):
-        size = mark.size * (1.0 if run.place == "base" else SMALL) * _POINTS_PER_MM
+        size = run_size(run, mark.size) * _POINTS_PER_MM
         style = rf"\fontsize{{{_mm(size)}}}{{{_mm(size)}}}\selectfont" + (r"\itshape" if run.italic else "")
         colour = ", red!75!black" if mark.new else ""
         at = _at(mark.at + complex(start, drop))

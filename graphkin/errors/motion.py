@@ -16,7 +16,7 @@ __all__ = [
     "DeadPoint",
     "GearsApart",
     "HigherClass",
-    "NoDrawing",
+    "NoDrawing", "NothingToMeasure",
     "NoFolder",
     "NotPlaced",
     "NotReached",
@@ -352,6 +352,17 @@ class NoDrawing(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: there is no such file. Check the path.",
         "zh": "{where}：没有这个文件，请检查路径。",
+    }
+
+
+class NothingToMeasure(GraphkinError):
+    """A sheet of graphkin's that shows a problem without its answers."""
+
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this sheet shows only what is given, so there is nothing to measure. Check one that holds "
+        "answers, as `graphkin draw` makes it without `--style given`.",
+        "zh": "{where}：本图只画出已知条件，没有可测量的结果。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
     }
 
 

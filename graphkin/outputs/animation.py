@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from graphkin.outputs.svg import svg
 from graphkin.sheet import Sheet
@@ -18,20 +17,18 @@ def animation(frames: Sequence[Sheet], seconds: float = SECONDS) -> str:
     """
     first = frames[0]
     common = [mark for mark in first.marks if all(mark in frame.marks for frame in frames[1:])]
-    head, body, foot = _parts(replace(first, marks=tuple(common)))
+    head, body, foot = _parts(first.redrawn(lambda mark: mark if mark in common else None))
     groups = []
     for number, frame in enumerate(frames):
-        own = tuple(mark for mark in frame.marks if mark not in common)
-        groups.append(_group(number, len(frames), seconds, _parts(replace(frame, marks=own))[1]))
+        own = frame.redrawn(lambda mark: None if mark in common else mark)
+        groups.append(_group(number, len(frames), seconds, _parts(own)[1]))
     return head + body + "".join(groups) + foot
 
 
 def _parts(sheet: Sheet) -> tuple[str, str, str]:
-    """An SVG's text up to its first mark, its marks, its end."""
+    """An SVG's text up to its first mark; its marks, with the arrow heads they need; its end."""
     text = svg(sheet)
     start = text.index("</metadata>") + len("</metadata>")
-    defs = text.find("</defs>", start)
-    start = start if defs < 0 else defs + len("</defs>")
     end = text.rindex("</svg>")
     return text[:start], text[start:end], text[end:]
 

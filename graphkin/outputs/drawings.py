@@ -9,6 +9,7 @@ from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.outputs.files import beside
 from graphkin.outputs.files import refuse as refuse_file
+from graphkin.outputs.svg import Ink
 from graphkin.planning import Method
 from graphkin.sheet import Sheet
 from graphkin.value import frozen
@@ -23,24 +24,25 @@ class Picture:
     plot: Plot
     lang: Lang
     dpi: float = 200.0
+    ink: Ink = "accent"
 
 
 def _svg(picture: Picture) -> bytes:
     from graphkin.outputs.svg import svg
 
-    return svg(picture.sheet).encode()
+    return svg(picture.sheet, picture.ink).encode()
 
 
 def _pdf(picture: Picture) -> bytes:
     from graphkin.outputs.paged import pdf
 
-    return pdf(picture.sheet, picture.lang)
+    return pdf(picture.sheet, picture.lang, picture.ink)
 
 
 def _png(picture: Picture) -> bytes:
     from graphkin.outputs.paged import png
 
-    return png(picture.sheet, picture.dpi)
+    return png(picture.sheet, picture.dpi, picture.ink)
 
 
 def _dxf(picture: Picture) -> bytes:
@@ -52,7 +54,7 @@ def _dxf(picture: Picture) -> bytes:
 def _tikz(picture: Picture) -> bytes:
     from graphkin.outputs.tikz import tikz
 
-    return tikz(picture.sheet).encode()
+    return tikz(picture.sheet, picture.ink).encode()
 
 
 def _ggb(picture: Picture) -> bytes:

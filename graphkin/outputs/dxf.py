@@ -21,6 +21,8 @@ _LAYERS = {"": 7, "mechanism": 7, "velocity": 5, "acceleration": 1, "centres": 3
 """Each layer with its colour, as AutoCAD numbers them."""
 _NAMES = {"position": "mechanism"}
 _HEAD = 2.8
+_WIDE = 0.7 / 2.8
+"""Half the width of a head against its length."""
 _CAP = 0.66
 """Height of a capital letter against the em: what a drawing program calls the height of a text."""
 
@@ -104,7 +106,9 @@ class _Page:
         if mark.length > 0.05:
             length = min(_HEAD, mark.length / 2)
             along = cmath.rect(length, cmath.phase(end - start))
-            corners = (end, end - along + along * 0.16j, end - along - along * 0.16j)
+            tip = end - along / length * min(mark.back, mark.length / 3)
+            left, right = (0.0 if mark.half == other else _WIDE for other in ("right", "left"))
+            corners = (tip, tip - along + along * left * 1j, tip - along - along * right * 1j)
             self.space.add_solid([(c.real, c.imag) for c in corners], dxfattribs={"layer": look["layer"]})
 
     def _text(self, mark: Text) -> None:

@@ -10,7 +10,7 @@ import zlib
 
 from graphkin.errors import Lang
 from graphkin.outputs.extras import needed
-from graphkin.outputs.svg import svg
+from graphkin.outputs.svg import Ink, svg
 from graphkin.sheet import Sheet
 
 MARK = b"graphkin sheet"
@@ -21,20 +21,20 @@ _PAGE = """#set document(title: sys.inputs.title, author: "graphkin sheet", date
 """
 
 
-def pdf(sheet: Sheet, lang: Lang) -> bytes:
+def pdf(sheet: Sheet, lang: Lang, ink: Ink = "accent") -> bytes:
     """One page as large as the paper, after PDF/UA-1. Raises NeedsExtra without typst."""
     typst = needed("typst", "pdf")
     title = sheet.mechanism.headline(lang)
     page = _PAGE.format(width=sheet.paper.width, height=sheet.paper.height)
-    inputs = {"svg": svg(sheet), "title": title, "alt": title, "lang": lang}
+    inputs = {"svg": svg(sheet, ink), "title": title, "alt": title, "lang": lang}
     made: bytes = typst.compile(page.encode(), sys_inputs=inputs, timestamp=0, pdf_standards=["ua-1"], format="pdf")
     return made
 
 
-def png(sheet: Sheet, dpi: float) -> bytes:
+def png(sheet: Sheet, dpi: float, ink: Ink = "accent") -> bytes:
     """The sheet at so many dots per inch. Raises NeedsExtra without resvg-py."""
     resvg = needed("resvg_py", "png")
-    made = bytes(resvg.svg_to_bytes(svg_string=svg(sheet), dpi=dpi, background="#ffffff"))
+    made = bytes(resvg.svg_to_bytes(svg_string=svg(sheet, ink), dpi=dpi, background="#ffffff"))
     return _signed(made, dpi)
 
 

@@ -12,27 +12,37 @@ import math
 import os
 import re
 import xml.etree.ElementTree as ET
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from itertools import groupby
 from pathlib import Path
-from typing import Any, ClassVar, assert_never
+from typing import Any, ClassVar, Literal, assert_never
 
+from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs import files
 from graphkin.outputs.files import beside
 from graphkin.seal import seal
 from graphkin.sheet import Sheet
-from graphkin.sheet.lettering import SMALL, Label, scripts
-from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark
+from graphkin.sheet.lettering import Label, advance, run_size, run_width, scripts
+from graphkin.sheet.marks import Arc, Disc, Half, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark
+from graphkin.sheet.mechanism_sheet import HEADINGS
+from graphkin.sheet.page import Layer
 from graphkin.sheet.paper import PENS, PenName
-from graphkin.sheet.scales import KEYS
+from graphkin.sheet.scales import KEYS, written
+from graphkin.value import frozen
 
 NAMESPACE = "https://graphkin.invalid/sheet/1"
 MARKS = (NAMESPACE.encode(),)
 _LATIN = "Times New Roman, Liberation Serif, Tinos, serif"
 _CHINESE = "Noto Serif CJK SC, Source Han Serif SC, Songti SC, SimSun, WenQuanYi Micro Hei, serif"
-_WIDE = re.compile(r"([\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]+)")
-_INK, _NEW = "#000000", "#c00000"
-_FILLS: dict[Fill, str] = {"none": "none", "paper": "#ffffff", "ink": _INK, "grey": "#dddddd"}
+_WIDE = re.compile(r"([\u221a\u2225\u22a5\u2460-\u2473\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]+)")
+_INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
+_INK, _NEW, _PALE = "#000000", "#c00000", "#777777"
+_ACCENTS: Mapping[str, str] = {"velocity": "#0b4f9c", "acceleration": "#a3200d"}
+"""Dark in print without colours; widths, not colours, tell what is what."""
+Ink = Literal["accent", "black"]
 _CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 _TIP = 2.8
 """Length of an arrow head; on arrows too short for it, half of that [mm]."""
@@ -50,22 +60,22 @@ class Unwritable(GraphkinError):
     }
 
 
-def svg(sheet: Sheet) -> str:
+def svg(sheet: Sheet, ink: Ink = "accent") -> str:
     """The SVG text of a sheet. Raises Unwritable where the mechanism file holds control characters."""
     _refuse_control(sheet.mechanism.text, sheet.mechanism.file)
-    return '<?xml version="1.0" encoding="utf-8"?>\n' + _drawn(sheet, metadata=True) + "\n"
+    return '<?xml version="1.0" encoding="utf-8"?>\n' + _drawn(sheet, ink, metadata=True) + "\n"
 
 
 def inline(sheet: Sheet) -> str:
     """The drawing as an element of a page, without what only a file of its own needs."""
-    return _drawn(sheet, metadata=False)
+    return _drawn(sheet, "accent", metadata=False)
 
 
-def _drawn(sheet: Sheet, metadata: bool) -> str:
+def _drawn(sheet: Sheet, ink: Ink, metadata: bool) -> str:
     _refuse_control(sheet.title, sheet.mechanism.file)
-    pen = _Pen(sheet, metadata)
-    for mark in sheet.marks:
-        pen.draw(mark)
+    pen = _Pen(sheet, ink, metadata)
+    for layer in sheet.layers:
+        pen.layer(layer)
     return str(pen.drawing.tostring())
 
 
@@ -97,6 +107,11 @@ def mm(value: float) -> str:
     return "0" if text in ("", "-0") else text
 
 
+def _short(value: float) -> str:
+    """Two decimals, which is enough for letters."""
+    return mm(round(value, 2))
+
+
 def _xy(place: Place) -> tuple[str, str]:
     return mm(place.real), mm(place.imag)
 
@@ -105,46 +120,65 @@ def _xy(place: Place) -> tuple[str, str]:
 
 
 class _Pen:
-    """One drawing in the making."""
+    """One drawing in the making. Marks of one layer that follow one another in one paint share it in a group."""
 
-    def __init__(self, sheet: Sheet, metadata: bool) -> None:
+    def __init__(self, sheet: Sheet, ink: Ink, metadata: bool) -> None:
         import svgwrite
 
         wide, high = mm(sheet.paper.width), mm(sheet.paper.height)
         self.drawing: Any = svgwrite.Drawing(
             size=(f"{wide}mm", f"{high}mm"), viewBox=f"0 0 {wide} {high}", profile="full", debug=False
         )
+        self.sheet, self.colours, self.metadata = sheet, Colours.of(sheet, ink), metadata
+        self.heads: set[str] = set()
         self.drawing["xmlns:gk"] = NAMESPACE
         self.drawing["xml:lang"] = sheet.lang
-        self.drawing.set_desc(title=sheet.title)
+        self.drawing["font-family"] = _LATIN
+        self.drawing["stroke-linejoin"] = self.drawing["stroke-linecap"] = "round"
         if metadata:
+            self.drawing["xmlns:inkscape"] = _INKSCAPE
+            self.drawing["role"] = "img"
+            self.drawing.set_desc(title=sheet.title, desc=_described(sheet))
             self.drawing.set_metadata(_metadata(sheet))
-        for new in (False, True):
-            self._marker(new, 1.0)
-            self._marker(new, 0.5)
+        else:
+            self.drawing.set_desc(title=sheet.title)
 
-    def _marker(self, new: bool, part: float) -> None:
-        """An arrow head whose tip lies exactly on the end of its line."""
-        head = self.drawing.marker(
-            id=_tip(new, part), insert=("2.8", "0.5"), size=(mm(_TIP * part), mm(part)), orient="auto",
-            viewBox="0 0 2.8 1", markerUnits="userSpaceOnUse",
-        )  # fmt: skip
-        head.add(self.drawing.path(d="M0 0L2.8 .5L0 1Z", fill=_NEW if new else _INK))
-        self.drawing.defs.add(head)
+    def layer(self, layer: Layer) -> None:
+        if not layer.marks:
+            return
+        group = self.drawing.g()
+        if self.metadata:
+            group["inkscape:groupmode"], group["inkscape:label"] = "layer", layer.name
+        for paint, marks in groupby(layer.marks, partial(self.colours.paint, layer)):
+            elements = [self.element(mark, layer) for mark in marks]
+            if len(elements) == 1:
+                elements[0].attribs |= dict(paint)
+            else:
+                elements = [self._together(elements, dict(paint))]
+            for element in elements:
+                group.add(element)
+        self.drawing.add(group)
 
-    def draw(self, mark: Mark) -> None:
+    def _together(self, elements: Sequence[Any], paint: Mapping[str, str]) -> Any:
+        group = self.drawing.g()
+        group.attribs |= paint
+        for element in elements:
+            group.add(element)
+        return group
+
+    def element(self, mark: Mark, layer: Layer) -> Any:
+        """A mark without its paint."""
         match mark:
             case Stroke():
                 element = self._stroke(mark)
             case Disc():
                 element = self.drawing.circle(_xy(mark.centre), mm(mark.radius))
-                self._line(element, mark.pen, mark.new, mark.fill)
             case Arc():
                 element = self._arc(mark)
             case VectorMark():
-                element = self._vector(mark)
+                element = self._vector(mark, self.colours.of_mark(mark, layer))
             case PointMark():
-                element = self._point(mark)
+                element = self.drawing.circle(_xy(mark.at), mm(mark.radius))
             case Text():
                 element = self._text(mark)
             case _:
@@ -154,55 +188,123 @@ class _Pen:
             element.attribs |= {f"data-{key}": value for key, value in told.items()}
         if mark.step is not None:
             element["data-step"] = str(mark.step)
-        self.drawing.add(element)
-
-    def _line(self, element: Any, pen: PenName, new: bool, fill: Fill = "none") -> None:
-        """Width, dashes, colour and filling."""
-        kind = PENS[pen]
-        element["fill"] = _NEW if fill == "ink" and new else _FILLS[fill]
-        element["stroke"] = _NEW if new else _INK
-        element["stroke-width"] = mm(kind.width * (1.6 if new else 1))
-        if kind.dashes:
-            element["stroke-dasharray"] = " ".join(mm(dash) for dash in kind.dashes)
+        return element
 
     def _stroke(self, mark: Stroke) -> Any:
         places = [_xy(place) for place in mark.places]
         if len(places) == 2 and not mark.closed:
-            element = self.drawing.line(*places)
-        else:
-            element = self.drawing.path(d="M" + "L".join(f"{x} {y}" for x, y in places) + ("Z" if mark.closed else ""))
-        self._line(element, mark.pen, mark.new, mark.fill)
-        element["stroke-linejoin"] = element["stroke-linecap"] = "round"
-        return element
+            return self.drawing.line(*places)
+        return self.drawing.path(d="M" + "L".join(f"{x} {y}" for x, y in places) + ("Z" if mark.closed else ""))
 
     def _arc(self, mark: Arc) -> Any:
         start = mark.centre + cmath.rect(mark.radius, mark.start)
         end = mark.centre + cmath.rect(mark.radius, mark.start + mark.sweep)
         flags = f"{int(abs(mark.sweep) > math.pi)} {int(mark.sweep > 0)}"
         (x1, y1), (x2, y2), radius = _xy(start), _xy(end), mm(mark.radius)
-        element = self.drawing.path(d=f"M{x1} {y1}A{radius} {radius} 0 {flags} {x2} {y2}")
-        self._line(element, mark.pen, mark.new)
-        return element
+        return self.drawing.path(d=f"M{x1} {y1}A{radius} {radius} 0 {flags} {x2} {y2}")
 
-    def _vector(self, mark: VectorMark) -> Any:
+    def _vector(self, mark: VectorMark, colour: str) -> Any:
         element = self.drawing.line(_xy(mark.start), _xy(mark.end))
-        self._line(element, "vector", mark.new)
         if mark.length > 0.05:
-            _head(element, mark.new, 1.0 if mark.length > 1.6 * _TIP else 0.5)
+            element["marker-end"] = f"url(#{self._head(mark, colour)})"
+        if mark.plane in self.sheet.scales:
+            element.set_desc(title=_value(mark, self.sheet.scales))
         return element
 
-    def _point(self, mark: PointMark) -> Any:
-        element = self.drawing.circle(_xy(mark.at), mm(mark.radius))
-        self._line(element, "outline" if mark.fill == "paper" else "construction", mark.new, mark.fill)
-        return element
+    def _head(self, mark: VectorMark, colour: str) -> str:
+        """The name of an arrow head whose tip lies on the line, so far from its end; on short arrows it is small."""
+        part = 1.0 if mark.length > 1.6 * _TIP + mark.back else 0.5
+        back = min(mark.back, 0.4 * mark.length)
+        name = "-".join(filter(None, ("tip", colour.strip("#"), mm(10 * part), mm(back), mark.half)))
+        if name not in self.heads:
+            self.heads.add(name)
+            head = self.drawing.marker(
+                id=name, insert=(mm(_TIP + back / part), "0.7"), size=(mm(_TIP * part), mm(1.4 * part)), orient="auto",
+                viewBox=f"0 0 {mm(_TIP)} 1.4", markerUnits="userSpaceOnUse",
+            )  # fmt: skip
+            head.add(self.drawing.path(d=_HEADS[mark.half], fill=colour, stroke="none"))
+            self.drawing.defs.add(head)
+        return name
 
     def _text(self, mark: Text) -> Any:
-        """Runs of one script follow one another; where the script changes, the place is given anew."""
-        element = self.drawing.text("", font_size=mm(mark.size), fill=_NEW if mark.new else _INK)
-        writer = _Line(self.drawing, mark.at, mark.size)
-        for span in writer.spans(mark.label):
-            element.add(span)
+        """Letters of one style as one; else each run at its own place, so that no viewer has to set them."""
+        element = self.drawing.text("", font_size=mm(mark.size))
+        spans = runs(mark)
+        if len(spans) > 1:
+            line = math.nan
+            for span in spans:
+                place = {"x": [_short(span.at.real)]} | ({"y": [_short(span.at.imag)]} if span.at.imag != line else {})
+                element.add(self.drawing.tspan(span.text, **span.type(mark.size), **place))
+                line = span.at.imag
+        elif spans:
+            (span,) = spans
+            element = self.drawing.text(span.text, (_short(span.at.real), _short(span.at.imag)))
+            element.attribs |= {"font-size": mm(mark.size)} | {k.replace("_", "-"): v for k, v in span.type(0).items()}
         return element
+
+
+_HEADS: Mapping[Half, str] = {
+    "": "M0 .2L2.8 .7L0 1.2Z", "left": "M0 0L2.8 .7L0 .7Z", "right": "M0 .7L2.8 .7L0 1.4Z",
+}  # fmt: skip
+
+
+@frozen
+class Colours:
+    """What marks are painted with: an accent a plane, or black alone; of a stage, only what is new stands out."""
+
+    ink: Ink
+    staged: bool
+
+    @classmethod
+    def of(cls, sheet: Sheet, ink: Ink) -> Colours:
+        return cls(ink, any(mark.new for mark in sheet.marks))
+
+    def of_mark(self, mark: Mark, layer: Layer) -> str:
+        if self.ink == "black" or (self.staged and not mark.new):
+            return _INK
+        plane: str | None = getattr(mark, "accent", None) or layer.plane
+        if isinstance(mark, Stroke) and mark.pen in ("construction", "measured") and not mark.new:
+            return _PALE
+        return _ACCENTS.get(plane or "", _NEW if mark.new else _INK)
+
+    def paint(self, layer: Layer, mark: Mark) -> tuple[tuple[str, str], ...]:
+        """What a viewer paints a mark with, as attributes."""
+        colour = self.of_mark(mark, layer)
+        if isinstance(mark, Text):
+            weight = {"font-weight": "bold"} if mark.new and self.ink == "black" else {}
+            return (("fill", colour), *weight.items())
+        pen = PENS[_pen_of(mark)]
+        fill = "none" if isinstance(mark, Arc | VectorMark) else mark.fill
+        found = {"fill": {"paper": "#ffffff", "grey": "#dddddd", "none": "none"}.get(fill, colour)}
+        found |= {"fill-opacity": "0.1"} if fill == "tint" else {}
+        found |= {"stroke": colour, "stroke-width": mm(pen.width * (1.8 if mark.new else 1))}
+        found |= {"stroke-dasharray": " ".join(map(mm, pen.dashes))} if pen.dashes else {}
+        return tuple(found.items())
+
+
+def _pen_of(mark: Stroke | Disc | Arc | VectorMark | PointMark) -> PenName:
+    if isinstance(mark, PointMark):
+        return "outline" if mark.fill == "paper" else "construction"
+    if isinstance(mark, VectorMark):
+        return "solved" if mark.solved else "vector"
+    return mark.pen
+
+
+def _value(mark: VectorMark, scales: Mapping[Plane, float]) -> str:
+    """`v_B3 = 0.2712 m/s`."""
+    scale = next(scale for plane, scale in scales.items() if plane == mark.plane)
+    said = f"{mark.length * scale:.4g}" if mark.length > 0.0001 else "0"
+    return f"{mark.name} = {said} {'m/s' if mark.plane == 'velocity' else 'm/s²'}"
+
+
+def _described(sheet: Sheet) -> str:
+    """What is on the sheet, at which scales."""
+    words = HEADINGS[sheet.lang]
+    return "; ".join(f"{words[plane]}, {_read(written(plane, scale))}" for plane, scale in sheet.scales.items())
+
+
+def _read(label: Label) -> str:
+    return "".join(run.text for run in label)
 
 
 def stated(mark: Mark) -> dict[str, str]:
@@ -230,50 +332,39 @@ def _class(mark: Mark) -> str:
     return {VectorMark: "vector", PointMark: "point"}.get(type(mark), "link")
 
 
-def _tip(new: bool, part: float) -> str:
-    """Name of an arrow head."""
-    return "tip" + ("-small" if part < 1 else "") + ("-new" if new else "")
+@frozen
+class Span:
+    """Letters of one script and style; where they begin, and how large they are [mm]."""
 
-
-def _head(element: Any, new: bool, part: float = 1.0) -> None:
-    element["marker-end"] = f"url(#{_tip(new, part)})"
-
-
-@dataclass
-class _Line:
-    """Lays the runs of a label one after another."""
-
-    drawing: Any
+    text: str
     at: Place
     size: float
-    pen: float = 0.0
-    low: float = 0.0
-    family: str = ""
+    italic: bool
+    bold: bool
 
-    def spans(self, label: Label) -> list[Any]:
-        from graphkin.sheet.lettering import advance
+    def type(self, size: float) -> dict[str, str]:
+        """What they are set in, where the letters around them have that size and are upright Latin ones."""
+        wide = _WIDE.match(self.text) is not None
+        found = {"font_family": _CHINESE} if wide else {}
+        found |= {"font_size": _short(self.size)} if size and self.size != size else {}
+        found |= {"font_style": "italic"} if self.italic and not wide else {}
+        return found | ({"font_weight": "bold"} if self.bold else {})
 
-        found: list[Any] = []
-        for run, start, drop in scripts(label, self.size):
-            size = self.size * (1.0 if run.place == "base" else SMALL)
-            for text in filter(None, _WIDE.split(run.text)):
-                found.append(self._span(text, run.italic, size, start, drop))
-                start += advance(text, run.italic) * size
-                self.pen = start
-        return found
 
-    def _span(self, text: str, italic: bool, size: float, start: float, drop: float) -> Any:
-        family = _CHINESE if _WIDE.match(text) else _LATIN
-        words: dict[str, Any] = {"font_family": family, "font_size": mm(size)}
-        if italic and family == _LATIN:
-            words["font_style"] = "italic"
-        if family != self.family:
-            words |= {"x": [mm(self.at.real + start)], "y": [mm(self.at.imag + drop)]}
-        else:
-            shifts = {"dx": start - self.pen, "dy": drop - self.low}
-            words |= {key: [mm(shift)] for key, shift in shifts.items() if abs(shift) > 1e-6}
-        self.family, self.low = family, drop
-        return self.drawing.tspan(text, **words)
+def runs(mark: Text) -> list[Span]:
+    """The letters of a text. Spaces end a span and never begin one: some viewers drop those."""
+    found: list[Span] = []
+    for run, start, drop in scripts(mark.label, mark.size):
+        size = run_size(run, mark.size)
+        for text in filter(None, _WIDE.split(run.text)):
+            bare = text.lstrip(" ") if found else text
+            spaces = text[: len(text) - len(bare)]
+            if spaces:
+                found[-1] = replace(found[-1], text=found[-1].text + spaces)
+            at = mark.at + complex(start + advance(spaces, run.italic) * size, drop)
+            found += [Span(bare, at, size, run.italic, run.bold)] if bare else []
+            start += run_width(replace(run, text=text), mark.size)
+    return found
 
 
 def _rounded(place: Place) -> list[float]:
@@ -293,6 +384,10 @@ def _metadata(sheet: Sheet) -> ET.Element:
         "scales": {KEYS[plane]: scale for plane, scale in sheet.scales.items()},
         "origin": {plane: _rounded(origin) for plane, origin in sheet.origins.items()},
     }
+    if sheet.given:  # the file may tell answers, in a remark
+        data |= {"style": "given", "mechanism": "", "drivers": []}
+    if not sheet.paper.margin:
+        data["tight"] = True
     drawn = [(_class(mark), told) for mark in sheet.marks if (told := stated(mark))]
     data["drawn"] = sorted([kind, *sorted(f"{key}={value}" for key, value in told.items())] for kind, told in drawn)
     texts = [mark for mark in sheet.marks if isinstance(mark, Text)]

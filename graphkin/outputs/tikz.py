@@ -5,8 +5,11 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
+from functools import partial
+from itertools import groupby
 from typing import assert_never
 
+from graphkin.outputs.svg import Colours, Ink
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import Label
 from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
@@ -15,7 +18,9 @@ from graphkin.sheet.paper import PENS, PenName
 MARK = b"% graphkin sheet"
 _POINT = 72.27 / 25.4
 """TeX's points in a millimetre."""
-_FILLS: dict[Fill, str] = {"none": "", "paper": "fill=white", "ink": "fill=black", "grey": "fill=black!13"}
+_FILLS: dict[Fill, str] = {
+    "none": "", "paper": "fill=white", "ink": "fill=.", "grey": "fill=black!13", "tint": "fill=., fill opacity=0.1",
+}  # fmt: skip
 _SIGNS = {
     "μ": r"$\mu$", "ω": r"$\omega$", "α": r"$\alpha$", "θ": r"$\theta$", "φ": r"$\varphi$", "ψ": r"$\psi$",
     "γ": r"$\gamma$", "°": r"$^\circ$", "·": r"$\cdot$", "→": r"$\to$", "×": r"$\times$", "²": r"$^2$", "³": r"$^3$",
@@ -25,15 +30,22 @@ _SIGNS = {
 _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 
 
-def tikz(sheet: Sheet) -> str:
+def tikz(sheet: Sheet, ink: Ink = "accent") -> str:
     """The LaTeX text of a sheet."""
-    drawn = [line for mark in sheet.marks for line in _mark(mark)]
+    colours = Colours.of(sheet, ink)
+    drawn = [
+        line
+        for layer in sheet.layers
+        for colour, marks in groupby(layer.marks, partial(colours.of_mark, layer=layer))
+        for line in (rf"\color[HTML]{{{colour.strip('#').upper()}}}", *(line for mark in marks for line in _mark(mark)))
+    ]
     chinese = [r"\usepackage[fontset=fandol]{ctex}"] if any(map(_WIDE.search, drawn)) else []
     paper = sheet.paper
     return "\n".join(
         [
             MARK.decode() + ": one unit is a millimetre of the sheet" + ("; compile with xelatex" if chinese else ""),
             r"\documentclass{standalone}",
+            r"\usepackage{xcolor}",
             r"\usepackage{tikz}",
             r"\usetikzlibrary{arrows.meta}",
             r"\usepackage{newtxtext,newtxmath}" if not chinese else r"\usepackage{newtxmath}",
@@ -63,8 +75,8 @@ def _mark(mark: Mark) -> Iterator[str]:
             turn = f"start angle={_mm(math.degrees(mark.start))}, delta angle={_mm(math.degrees(mark.sweep))}"
             yield rf"\draw[{_pen(mark.pen)}] {_place(start)} arc[{turn}, radius={_mm(mark.radius)}];"
         case VectorMark():
-            head = ", arrow" if mark.length > 0.05 else ""
-            yield rf"\draw[{_pen('vector')}{head}] {_place(mark.start)} -- {_place(mark.end)};"
+            look = _pen("solved" if mark.solved else "vector") + (", arrow" if mark.length > 0.05 else "")
+            yield rf"\draw[{look}] {_place(mark.start)} -- {_place(mark.end)};"
         case PointMark():
             yield rf"\draw[{_pen('outline', mark.fill)}] {_place(mark.at)} circle[radius={_mm(mark.radius)}];"
         case Text():

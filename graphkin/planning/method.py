@@ -8,6 +8,7 @@ from functools import cached_property
 from graphkin.construction import Construction, Facts, Fit, Roll, Site
 from graphkin.geometry import Value
 from graphkin.mechanism import Driver, Mechanism
+from graphkin.planning.acts import Act, acts
 from graphkin.planning.candidates import SetAside
 from graphkin.planning.special import Ternary
 from graphkin.planning.stages import Bridge, Group, Stage
@@ -74,6 +75,11 @@ class Method:
     @property
     def constructions(self) -> tuple[Construction, Construction, Construction]:
         return self.position, self.velocity, self.acceleration
+
+    @cached_property
+    def acts(self) -> tuple[Act, ...]:
+        """What each sentence of the solution tells the pencil to do, with its number."""
+        return acts(self)
 
     @property
     def sites(self) -> Mapping[str, Site]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from graphkin.planning.acts import Act
 from graphkin.say.numbers import number
 from graphkin.value import frozen
 
@@ -15,9 +16,10 @@ class Heading:
 
 @frozen
 class Sentence:
-    """What the pencil does, or why."""
+    """What the pencil does, or why; `act`: which act of it is told, whose number the drawing bears, too."""
 
     text: str
+    act: Act | None = None
 
 
 @frozen

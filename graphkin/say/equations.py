@@ -43,7 +43,7 @@ from graphkin.say.together import instant_centre, special_introduction
 def equation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
     """Everything about one vector equation, in the order of a textbook."""
     if sentence := _translation(polygon, part):
-        yield Sentence(sentence)
+        yield polygon.told(next(step for step in part.steps if isinstance(step, LayOff)), sentence)
         return
     yield Sentence(_introduction(polygon, part))
     yield worded(polygon, part)
@@ -66,7 +66,7 @@ def known_arrow(polygon: Polygon, step: LayOff) -> Iterator[Entry]:
         tail = names.point(size.tail)
         yield Sentence(polygon.reading.say("derivation.only normal", alpha=alpha, of=point, seen_from=tail))
     yield known_size(polygon, step.term, (step.term,))
-    yield Sentence(_lay_off(polygon, step))
+    yield polygon.told(step, _lay_off(polygon, step))
 
 
 # --- the equation itself ------------------------------------------------------------------------
@@ -162,12 +162,12 @@ def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...])
     for step in steps:
         match step:
             case LayOff():
-                yield Sentence(_lay_off(polygon, step, carried=met, told=told))
+                yield polygon.told(step, _lay_off(polygon, step, carried=met, told=told))
                 aside = not polygon.construction.nodes[step.tip].of
                 told = told or (aside and polygon.size(step.term.tail, step.term.head) > 0)
             case Meet():
                 met = True
-                yield Sentence(_meet(polygon, step, terms))
+                yield polygon.told(step, _meet(polygon, step, terms))
             case Ray():
                 pass  # told where it crosses another
             case Given(point):

@@ -8,6 +8,7 @@ from typing import assert_never
 from graphkin.errors import Lang
 from graphkin.say.catalogue import close, say
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence, VectorEquation
+from graphkin.say.numbers import circled
 from graphkin.say.text_table import aligned, padded, width
 
 
@@ -18,8 +19,9 @@ def lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
             case Heading(text):
                 yield from ([""] if k else [])
                 yield text
-            case Sentence(text):
-                yield f"  {text}"
+            case Sentence(text, act):
+                number = f"{circled(act.number)} " if act is not None and act.numbered else ""
+                yield f"  {number}{text}"
             case Calculation():
                 note = say("common.note", lang, note=entry.note) if entry.note else ""
                 yield f"    {entry.text}{close(note) if lang == 'zh' else note}"

@@ -11,6 +11,7 @@ from __future__ import annotations
 import cmath
 import math
 from decimal import Decimal
+from itertools import pairwise
 
 from graphkin.errors import Lang
 from graphkin.quantities import EDGE, IN_GRAVITY
@@ -38,6 +39,18 @@ def degrees(vector: complex) -> str:
     """Direction of a vector, counter-clockwise from +x, from 0 to 360: `153.4°`."""
     angle = round(cmath.phase(vector) * 180 / cmath.pi, 6) % 360
     return f"{number(angle if float(f'{angle:.4g}') < 360 else 0.0)}°"
+
+
+_CIRCLED = ((1, 0x2460), (21, 0x3251), (36, 0x32B1), (51, 0))
+"""From which number on the signs begin at which code."""
+
+
+def circled(count: int) -> str:
+    """A number in a circle, ① to ㊿; in brackets beyond."""
+    for (first, code), (end, _) in pairwise(_CIRCLED):
+        if first <= count < end:
+            return chr(code + count - first)
+    return f"({count})"
 
 
 # --- computed -----------------------------------------------------------------------------------

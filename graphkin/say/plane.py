@@ -18,10 +18,11 @@ from graphkin.construction import (
     Measure,
     Plane,
     Quarter,
+    Step,
     Term,
 )
 from graphkin.say import names
-from graphkin.say.entry import Calculation
+from graphkin.say.entry import Calculation, Sentence
 from graphkin.say.numbers import degrees, number
 from graphkin.say.reading import ROUNDING, Reading
 from graphkin.value import frozen
@@ -43,6 +44,10 @@ class Polygon:
     def scale(self) -> float:
         """What one millimetre stands for."""
         return self.reading.scales[self.plane]
+
+    def told(self, step: Step, text: str) -> Sentence:
+        """The sentence of an act of the pencil, with its number."""
+        return Sentence(text, self.reading.act(self.plane, step))
 
     # --- the ruler ------------------------------------------------------------------------------
 

@@ -56,7 +56,10 @@ class PositionReader:
         yield from equivalents(self.reading)
         for part in construction.parts:
             for step in part.steps if isinstance(part, Equation) else (part,):
-                yield from self._step(step)
+                entries = list(self._step(step))
+                if entries and isinstance(entries[0], Sentence):  # the first tells what is drawn
+                    entries[0] = Sentence(entries[0].text, self.reading.act("position", step))
+                yield from entries
 
     def _step(self, step: Step) -> Iterator[Entry]:
         match step:

@@ -6,11 +6,12 @@ from collections.abc import Mapping
 from functools import cached_property
 from itertools import combinations
 
-from graphkin.construction import Plot
+from graphkin.construction import Plane, Plot, Step
 from graphkin.errors import Lang, listed
 from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning import Method
+from graphkin.planning.acts import Act
 from graphkin.planning.labels import Labels
 from graphkin.say import names
 from graphkin.say.catalogue import close, say
@@ -43,6 +44,14 @@ class Reading:
     @property
     def mechanism(self) -> Mechanism:
         return self.method.mechanism
+
+    @cached_property
+    def _acts(self) -> Mapping[tuple[Plane, Step], Act]:
+        return {(act.plane, act.done): act for act in self.method.acts}
+
+    def act(self, plane: Plane, step: Step) -> Act | None:
+        """The act of the pencil that a step finishes."""
+        return self._acts.get((plane, step))
 
     # --- links --------------------------------------------------------------------------------
 

@@ -205,13 +205,13 @@ def image(polygon: Polygon, step: Image) -> Iterator[Entry]:
     }
     one, other = (reading.plot.arm(p, third) for p in (first, second))
     if not polygon.arrow(*step.base):
-        yield Sentence(reading.say("derivation.image point", **words))
+        yield polygon.told(step, reading.say("derivation.image point", **words))
     elif abs(cross(one, other)) <= reading.noise * max(abs(one), abs(other)):
-        yield Sentence(reading.say("derivation.image line", ratio=_ratio(polygon, step, corners), **words))
+        yield polygon.told(step, reading.say("derivation.image line", ratio=_ratio(polygon, step, corners), **words))
     else:
         small = "△" + "".join(names.point(p) for p in (*corners, step.point))
         large = "△" + "".join(names.point(p) for p in step.corners)
-        yield Sentence(reading.say("derivation.image triangle", **{**words, "small": small, "large": large}))
+        yield polygon.told(step, reading.say("derivation.image triangle", **{**words, "small": small, "large": large}))
     yield polygon.measured_absolute(step.point)
 
 

@@ -20,14 +20,13 @@ How to add a sheet:
 
 from __future__ import annotations
 
+from graphkin.sheet.mechanism_sheet import Style, scales_of
 from graphkin.sheet.mechanism_sheet import mechanism_sheet as sheet
 from graphkin.sheet.mechanism_sheet import mechanism_step_sheets as step_sheets
-from graphkin.sheet.mechanism_sheet import scales_of
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PAPERS, Paper
 from graphkin.sheet.scales import TooLargeForPaper, UnknownPaper
-from graphkin.sheet.window import step_count
 
 __all__ = [
-    "PAPERS", "Paper", "Sheet", "TooLargeForPaper", "UnknownPaper", "scales_of", "sheet", "step_count", "step_sheets",
+    "PAPERS", "Paper", "Sheet", "Style", "TooLargeForPaper", "UnknownPaper", "scales_of", "sheet", "step_sheets",
 ]  # fmt: skip

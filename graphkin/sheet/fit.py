@@ -20,8 +20,19 @@ _LETTERS = 6.5
 """What labels need around a figure [mm]."""
 _LEAST = 5.0
 """Points in less room than this are no figure [mm]."""
+_TOO_HIGH = 1e6
+"""Higher than any room [mm]."""
 _CLOSE = 1 + 1e-9
 """What is too large by rounding alone still fits."""
+
+Over = tuple[complex, complex]
+"""Width and height of what stands over a figure: side by side, and one under the other [mm]."""
+
+
+def height_over(over: Over, wide: Any) -> Any:
+    """Its height in rooms of this width [mm]; more than any has in those too narrow for it."""
+    beside, stacked = over
+    return np.where(wide >= beside.real, beside.imag, np.where(wide >= stacked.real, stacked.imag, _TOO_HIGH))
 
 
 @frozen
@@ -31,6 +42,7 @@ class Extent:
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
     given   its scale where the file gives one; labels: how much is lettered in it
+    over    what stands over it
     """
 
     low: complex
@@ -41,6 +53,7 @@ class Extent:
     bottom: float
     given: float | None = None
     labels: int = 10
+    over: Over | None = None
 
     @classmethod
     def of(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from graphkin.mechanism import FRAME
@@ -14,8 +16,10 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
 
-_REACH = 13.0
-"""How far a fixed guide is drawn to each side of its block [mm]."""
+_REACH, _AWAY, _STUB = 13.0, 18.0, 6.5
+"""How far a fixed guide is drawn to each side of its block; away from a bar over it, and under it [mm]."""
+_OVER = math.cos(math.radians(12))
+"""A bar lies over a guide that leaves its block under a smaller angle."""
 
 
 def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:
@@ -132,8 +136,26 @@ def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _Run:
     stops = [0.0, *((along.conjugate() * (other.at(slide.point) - at)).real for other in others)]
     side = _ground_side(at, along, skeleton, *others)
     step = skeleton.step(slide.line.origin)
-    low, high = min(stops) - _REACH, max(stops) + _REACH
+    low, high = _reaches(along, [way for one in (skeleton, *others) for way in _bars(one, one.at(slide.point))])
+    low, high = min(stops) - low, max(stops) + high
     return _Run(at, along, low, high, side, slide.block is None, step, slide.name, (slide.point,))
+
+
+def _reaches(along: complex, ways: list[complex]) -> tuple[float, float]:
+    """How far a guide goes back and on from its block: little where a bar hides it."""
+    turned = [(way * along.conjugate()).real for way in ways]
+    back, on = any(t < -_OVER for t in turned), any(t > _OVER for t in turned)
+    if back == on:
+        return _REACH, _REACH
+    return (_STUB, _AWAY) if back else (_AWAY, _STUB)
+
+
+def _bars(skeleton: Skeleton, at: Place) -> Iterator[complex]:
+    """Where bars leave a place to."""
+    for ends in skeleton.segments():
+        for here, there in (ends, ends[::-1]):
+            if abs(here - at) < 0.1 < abs(there - at):
+                yield (there - at) / abs(there - at)
 
 
 def _ground_side(at: Place, along: complex, *skeletons: Skeleton) -> complex:

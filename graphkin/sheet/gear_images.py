@@ -6,14 +6,15 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
-from graphkin.construction import Measure, Plot, Roll, Simultaneous
+from graphkin.construction import Plot
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
+from graphkin.planning.acts import rate_found
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.wheels import Wheel, wheels_of
-from graphkin.sheet.window import Figure, Window, first_steps
+from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
 _LEAST = 0.4
@@ -28,7 +29,7 @@ class GearImage:
     at: complex
     radius: float
     centre: str
-    step: int
+    step: int | None
 
     @property
     def corners(self) -> Iterator[complex]:
@@ -61,20 +62,10 @@ def _centre(method: Method, wheel: Wheel) -> str | None:
     return next((name for name, site in at_centre if site is not None and site.link in owners), None)
 
 
-def _known(method: Method, link: str) -> int:
-    """The step in which a link's angular velocity is found; the first of the plane for a driven one."""
-    base, first = method.structure.base(link), first_steps(method)["velocity"] + 1
-    for number, step in enumerate(method.velocity.steps, start=first):
-        match step:
-            case Measure(quantity="omega", of=of) if method.structure.base(of) == base:
-                return number
-            case Roll(angle=angle) if angle == base:
-                return number
-            case Simultaneous(angles=angles) if base in angles:
-                return number
-            case _:
-                pass
-    return first
+def _known(method: Method, link: str) -> int | None:
+    """The act in which a link's angular velocity is found; the first of the plane for a driven one."""
+    first = next((act.page for act in method.acts if act.plane == "velocity"), None)
+    return rate_found(method, "velocity", link) or first
 
 
 def circles(

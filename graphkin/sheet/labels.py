@@ -15,7 +15,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Mark, Stroke
+from graphkin.sheet.marks import Disc, Mark, Stroke
+from graphkin.sheet.nearness import Arrows
 from graphkin.sheet.obstacles import Tree, tree
 from graphkin.sheet.paper import Room
 from graphkin.sheet.wanted import Candidate, Wanted
@@ -26,6 +27,8 @@ _TOUCH = 0.05
 """Closer than this to a box's edge is not yet on it [mm]."""
 _ROUNDS = 8
 """How often labels of a crowd may make way for one another."""
+_DOT = 0.3
+"""Where a leader meets an arrow is a dot of this radius, so that it is plain which of two it means [mm]."""
 _NEIGHBOUR = 15.0
 """So near to a label without a place, others that say nothing new are left out [mm]."""
 
@@ -38,7 +41,8 @@ class Settled(NamedTuple):
 
 
 class _Prices(NamedTuple):
-    """What it costs to lie on a line, on a label, out of the room; a leader on a label, on a leader.
+    """What it costs to lie on a line, on a label, out of the room, nearer to another arrow than to its own without a
+    leader; a leader on a label, on a leader.
 
     apart  what two labels keep from each other [mm]
     """
@@ -46,12 +50,13 @@ class _Prices(NamedTuple):
     line: float = 60.0
     label: float = 80.0
     outside: float = 1000.0
+    strange: float = 50.0
     crossed: float = 25.0
     leaders: float = 0.0
     apart: float = 0.7
 
 
-_NEAR, _CROWD = _Prices(), _Prices(400.0, 4000.0, 20000.0, 900.0, 5.0, 1.3)
+_NEAR, _CROWD = _Prices(), _Prices(400.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3)
 _THROUGH = 1.5
 """What a far leader pays for each line it crosses."""
 
@@ -60,13 +65,13 @@ def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: boo
     """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
     if not wanted:
         return Settled([], 0)
-    known = tree(drawn)
-    table = _Table(wanted, known, room)
+    known, arrows = tree(drawn), Arrows(drawn)
+    table = _Table(wanted, known, arrows, room)
     chosen = table.choose()
     clashing = table.clashing(chosen)
     left = list(wanted)
     while far and clashing:
-        table = _Table(left, known, room, far)
+        table = _Table(left, known, arrows, room, far)
         chosen = table.mended(table.choose())
         clashing = table.clashing(chosen)
         out = _left_out(left, clashing)
@@ -80,6 +85,8 @@ def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: boo
         marks += want.texts(corner)
         if spot.anchor is not None:
             marks.append(_leader(spot, complex(wide, up + down) / 2, want))
+            if want.of:
+                marks.append(Disc(spot.anchor, _DOT, "leader", "ink", step=want.step))
     return Settled(marks, len(clashing))
 
 
@@ -118,7 +125,9 @@ def _middle(values: list[float]) -> float:
 class _Table:
     """All candidates of all labels, row by row."""
 
-    def __init__(self, wanted: Sequence[Wanted], known: Tree, room: Room, far: bool = False) -> None:
+    def __init__(
+        self, wanted: Sequence[Wanted], known: Tree, arrows: Arrows, room: Room, far: bool = False
+    ) -> None:  # fmt: skip
         self.known, self.prices = known, _CROWD if far else _NEAR
         self.candidates: list[Candidate] = []
         owners: list[int] = []
@@ -142,7 +151,9 @@ class _Table:
         self.begin = np.clip(self.anchor, self.low, self.high)
         self.led = np.array([spot.anchor is not None for spot in self.candidates])
         self.cost = np.array([spot.cost for spot in self.candidates])
-        self.free = self._judge(room)
+        self.strange = ~self.led & arrows.strange(wanted, self.owner, self.low, self.high)
+        self.cost += self.prices.strange * self.strange
+        self.free = self._judge(room) & ~self.strange
         if far:
             led = np.flatnonzero(self.led)
             lines = known.crossed(self.begin[led], self.anchor[led])

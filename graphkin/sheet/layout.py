@@ -17,20 +17,27 @@ import numpy as np
 
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
-from graphkin.sheet.fit import Extent
-from graphkin.sheet.paper import LARGE, PAPERS, Paper, Room
+from graphkin.sheet.fit import Extent, Over, height_over
+from graphkin.sheet.page import HEAD_WIDTH
+from graphkin.sheet.paper import LARGE, PAPERS, USUAL, Paper, Room
 from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, finer
 from graphkin.sheet.window import Window
 from graphkin.value import frozen
 
 HEAD = 7.5
 """Height of a figure's heading [mm]."""
-HEAD_WIDTH = 76.0
-"""Width of a heading with its scale [mm]."""
+HEAD_LEFT = 3.0
+"""From the side of a room to its heading [mm]."""
+_SECOND = 5.5
+"""How much higher it is where the scale stands under it, in a narrow room [mm]."""
+_NARROWEST = 46.0
+"""A heading wants at least so much [mm]."""
 _MECHANISM = 1.3
 """How much more the mechanism counts: its signs keep their size and need room between them."""
 _IN_ORDER = 0.12
 """What it is worth that the figures follow one another as they are drawn."""
+_INK = 2.0
+"""What it is worth that the paper is used."""
 _LARGE_ENOUGH = 130.0
 """A figure of this size alone on its paper needs no larger one [mm]."""
 
@@ -41,23 +48,36 @@ Height = Callable[[Paper], float]
 
 @frozen
 class Layout:
-    """A paper divided: a room and a scale for each plane, and the strip for tables and title."""
+    """A paper divided: a room and a scale for each plane, and the strip for tables and title.
+
+    headed  the planes over whose figures there is room for their equations
+    """
 
     paper: Paper
     rooms: Mapping[Plane, Room]
     scales: Mapping[Plane, float]
     strip: Room
+    headed: tuple[Plane, ...] = ()
 
     def window(self, plane: Plane, extent: Extent) -> Window:
         """The figure with all its signs in the middle of its room, under its heading."""
-        return extent.window(self.rooms[plane].inset(0, HEAD, 0), self.scales[plane])
+        return extent.window(under_heading(self.rooms[plane], extent.over), self.scales[plane])
+
+
+def under_heading(room: Room, over: Over | None = None) -> Room:
+    """What the heading, and what stands under that over the figure, leave of a room, or of many."""
+    wide = room.right - room.left
+    head: Any = np.where(wide < HEAD_WIDTH, HEAD + _SECOND, HEAD)
+    if over is not None:
+        head = head + height_over(over, wide - 2 * HEAD_LEFT)
+    return Room(room.left, room.top + (head if head.ndim else float(head)), room.right, room.bottom)
 
 
 def papers_for(name: str | None) -> list[Paper]:
-    """The paper asked for, or all."""
+    """The paper asked for, or the usual ones."""
     if name is not None and name not in PAPERS:
         raise UnknownPaper(name, ", ".join(PAPERS))
-    return [PAPERS[name]] if name is not None else list(PAPERS.values())
+    return [PAPERS[name]] if name is not None else list(USUAL)
 
 
 def divided(paper: Paper, height: float) -> tuple[Room, Room]:
@@ -83,6 +103,19 @@ def _freely(extent: Extent, strip_height: Height, papers: Sequence[Paper]) -> La
         return lay_out({"position": replace(extent, given=None)}, strip_height, papers)
 
 
+def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
+    """A paper with one figure, no higher than that figure and the strip need; without a frame, no wider either."""
+    need, paper = extent.size / layout.scales[plane] + extent.reach, layout.paper
+    strip = layout.strip.size.imag
+    over = extent.over[1].real + 2 * HEAD_LEFT if extent.over is not None else 0.0
+    wide = paper.width if paper.margin else min(paper.width, max(HEAD_WIDTH, math.ceil(over), math.ceil(need.real)))
+    head = under_heading(Room(0.0, 0.0, replace(paper, width=wide).frame.size.real, 0.0), extent.over).top
+    high = min(paper.height, 2.0 * paper.margin + strip + math.ceil(head + need.imag))
+    cut = replace(paper, width=wide, height=high)
+    field, foot = divided(cut, strip)
+    return Layout(cut, {plane: field}, layout.scales, foot, layout.headed)
+
+
 def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: Sequence[Paper]) -> Layout:
     """The smallest of the papers that holds all.
 
@@ -95,6 +128,22 @@ def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: S
     raise _too_large(extents, strip_height, candidates)
 
 
+def headed(
+    layout: Layout, extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper], coarser: float
+) -> Layout:
+    """As the layout, with what stands over figures for as many as have room for it: on paper of the same size, none
+    drawn more than so much coarser."""
+    over = [plane for plane, extent in extents.items() if extent.over is not None]
+    area = layout.paper.width * layout.paper.height
+    same = [paper for paper in papers if paper.width * paper.height == area]
+    for planes in (over, *([plane] for plane in over if len(over) > 1)):
+        wanted = {plane: e if plane in planes else replace(e, over=None) for plane, e in extents.items()}
+        found = _best(same, wanted, strip_height) if planes else None
+        if found is not None and all(found.scales[p] <= layout.scales[p] * coarser for p in extents):
+            return replace(found, headed=tuple(planes))
+    return layout
+
+
 def _best(papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Height) -> Layout | None:
     """The first of the best divisions, None where nothing fits."""
     best, found = -math.inf, None
@@ -102,17 +151,18 @@ def _best(papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height
         field, strip = divided(paper, strip_height(paper))
         ways = list(_divisions(field, tuple(extents)))
         scales = [{plane: _scales(extents[plane], rooms[plane]) for plane in extents} for rooms in ways]
-        scores = np.stack([_score(extents, *way) for way in zip(scales, ways)], axis=-1)
-        for k, score in enumerate(scores.ravel().tolist()):
-            if score > best + 1e-9:
-                share, way = divmod(k, len(ways))
-                best, found = score, (paper, ways[way], scales[way], strip, share)
+        area = field.size.real * field.size.imag
+        for way, rooms in enumerate(ways):
+            score = np.atleast_1d(_score(extents, scales[way], rooms, area))
+            share = int(np.argmax(np.where(np.isnan(score), -math.inf, score)))
+            if score[share] > best + 1e-9:
+                best, found = float(score[share]), (paper, rooms, scales[way], strip, share)
     return _picked(*found) if found is not None else None
 
 
 def _scales(extent: Extent, room: Room) -> Any:
     """The scale at which a figure fits each of many rooms under its heading; NaN where it does not."""
-    return np.where(room.right - room.left >= HEAD_WIDTH, extent.scales_in(room.inset(0, HEAD, 0)), math.nan)
+    return np.where(room.right - room.left >= _NARROWEST, extent.scales_in(under_heading(room, extent.over)), math.nan)
 
 
 def _picked(paper: Paper, rooms: Mapping[Plane, Room], scales: Mapping[Plane, Any], strip: Room, share: int) -> Layout:
@@ -125,19 +175,24 @@ def _picked(paper: Paper, rooms: Mapping[Plane, Room], scales: Mapping[Plane, An
     return Layout(paper, each, {plane: one(scale) for plane, scale in scales.items()}, strip)
 
 
-def _score(extents: Mapping[Plane, Extent], scales: Mapping[Plane, Any], rooms: Mapping[Plane, Room]) -> Any:
-    """Large figures count, and a little that none is squeezed into its room. NaN where one does not fit."""
-    total: Any = 0.0
+def _score(
+    extents: Mapping[Plane, Extent], scales: Mapping[Plane, Any], rooms: Mapping[Plane, Room], area: float
+) -> Any:
+    """Large figures count, how much of the field they fill, and a little that none is squeezed. NaN: one has no room.
+
+    area  of the whole field [mm^2]
+    """
+    total, inked = 0.0, 0.0  # type: Any, Any
     for plane, extent in extents.items():
-        room = rooms[plane]
+        room = under_heading(rooms[plane], extent.over)
         wide, high = extent.size.real / scales[plane], extent.size.imag / scales[plane]
         total += _worth(plane, np.maximum(wide, high), extent.labels)
-        spare_x = room.right - room.left - wide - extent.reach.real
-        spare_y = room.bottom - room.top - HEAD - high - extent.reach.imag
-        total += 0.15 * np.log(1 + np.minimum(spare_x, spare_y))
+        wide, high = wide + extent.reach.real, high + extent.reach.imag
+        total += 0.15 * np.log(1 + np.minimum(room.right - room.left - wide, room.bottom - room.top - high))
+        inked += wide * high / area
     corners = [rooms[plane].top + 0.3 * rooms[plane].left for plane in extents]
     in_order = np.all([first <= second for first, second in pairwise(corners)], axis=0)
-    return total + np.where(in_order, _IN_ORDER, 0.0)
+    return total + _INK * np.log(inked) + np.where(in_order, _IN_ORDER, 0.0)
 
 
 def _worth(plane: Plane, large: Any, labels: int) -> Any:
@@ -170,7 +225,7 @@ def _too_large(
 
 # --- ways to divide a field -------------------------------------------------------------------
 
-_SHARES = np.arange(8, 25) / 32
+_SHARES = np.arange(6, 27) / 32
 
 
 def _divisions(field: Room, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, Room]]:
@@ -186,6 +241,9 @@ def _divisions(field: Room, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, R
         for across in (True, False):
             for alone in planes if not across else (planes[0], planes[2]):
                 yield _three(field, planes, alone, share, other, across)
+        for across in (True, False):
+            first, rest = _cut(field, share, across)
+            yield dict(zip(planes, (first, *_cut(rest, other, across)), strict=True))
 
 
 def _three(

@@ -16,8 +16,12 @@ from graphkin.value import frozen
 
 SMALL = 0.68
 """Size of sub- and superscripts, against the letters they belong to."""
+_LEAST = 2.5
+"""They are no smaller than this, where what they belong to is not [mm]."""
 _DROP, _RISE = 0.22, -0.40
 _ASCENT, _DESCENT = 0.68, 0.20
+_BOLD = 1.08
+"""How much wider bold letters are."""
 
 _ROMAN = (
     "250 333 408 500 500 833 778 180 333 333 500 564 250 333 250 278 500 500 500 500 500 500 500 500 500 500 278 278 "
@@ -33,7 +37,7 @@ _ITALIC = (
 )
 _OTHERS = (
     "ω658,706 α524,525 μ536,502 θ479,491 φ577,553 ψ626,621 γ442,394 °400,400 ·250,250 →1000,1000 "
-    "×564,675 ²300,300 ³300,300 ′219,219 −564,675"
+    "×564,675 ²300,300 ³300,300 ′219,219 −564,675 ⊥1000,1000 ∥1000,1000 √1000,1000"
 )
 
 
@@ -52,17 +56,18 @@ def _table() -> dict[str, tuple[float, float]]:
 _WIDTHS = _table()
 _CORNER = re.compile(r"([nkt])([^\W\d_]\w*?)(?:_(\d+))?('+)")
 _EQUIVALENT = re.compile(r"e [a-z]+(\d*)")
-_CJK = re.compile(r"[\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
+_CJK = re.compile(r"[\u2460-\u2473\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
 
 
 @frozen
 class Run:
-    """Letters in one style. `back`: it stands above the subscript before it (a^n_CB, stacked)."""
+    """Letters in one style. `back`: it stands over the subscript before it (a^n_CB, stacked); `bold`: asked for."""
 
     text: str
     italic: bool = False
     place: Literal["base", "sub", "sup"] = "base"
     back: bool = False
+    bold: bool = False
 
 
 Label = tuple[Run, ...]
@@ -80,7 +85,16 @@ def advance(text: str, italic: bool = False) -> float:
 
 def run_width(run: Run, size: float) -> float:
     """Width of a run of a label lettered at `size` [mm]."""
-    return advance(run.text, run.italic) * size * (1.0 if run.place == "base" else SMALL)
+    return advance(run.text, run.italic) * run_size(run, size) * (_BOLD if run.bold else 1.0)
+
+
+def run_size(run: Run, size: float) -> float:
+    """How large a run of a label is lettered [mm]."""
+    return size if run.place == "base" else max(SMALL * size, min(size, _LEAST))
+
+
+def bold(label: Label) -> Label:
+    return tuple(replace(run, bold=True) for run in label)
 
 
 def scripts(label: Label, size: float) -> list[tuple[Run, float, float]]:
@@ -106,7 +120,8 @@ def width(label: Label, size: float) -> float:
 def box(label: Label, size: float) -> tuple[float, float, float]:
     """Width, height above the base line, depth below it [mm]."""
     places = {run.place for run in label}
-    up = _ASCENT if "sup" not in places else -_RISE + _ASCENT * SMALL
+    small = run_size(Run("", place="sup"), size) / size
+    up = _ASCENT if "sup" not in places else -_RISE + _ASCENT * small
     down = _DROP + 0.05 if "sub" in places else (_DESCENT if _hangs(label) else 0.04)
     return width(label, size), up * size, down * size
 

@@ -15,9 +15,11 @@ from graphkin.sheet.paper import PenName
 from graphkin.value import frozen
 
 Place = complex
-Fill = Literal["none", "paper", "ink", "grey"]
+Fill = Literal["none", "paper", "ink", "grey", "tint"]
+"""A tint hides nothing under it."""
 Layer = Plane | Literal["centres"]
 """What a mark belongs to: a plane of the construction, or the instant centres over the mechanism."""
+Half = Literal["", "left", "right"]
 Form = Literal["bar", "guide", "block", "slot", "wheel", "arc"]
 
 
@@ -41,7 +43,10 @@ class Shows:
 
 @frozen
 class Stroke:
-    """A line through `places`; `closed` back to the first; `shows`: of lines of links."""
+    """A line through `places`; `closed` back to the first; `shows`: of lines of links.
+
+    accent  of marks: the plane whose colour it has where that is not its layer's
+    """
 
     places: tuple[Place, ...]
     pen: PenName = "outline"
@@ -50,6 +55,7 @@ class Stroke:
     shows: Shows | None = None
     step: int | None = None
     new: bool = False
+    accent: Plane | None = None
 
 
 @frozen
@@ -63,6 +69,7 @@ class Disc:
     shows: Shows | None = None
     step: int | None = None
     new: bool = False
+    accent: Plane | None = None
 
 
 @frozen
@@ -76,6 +83,7 @@ class Arc:
     pen: PenName = "thin"
     step: int | None = None
     new: bool = False
+    accent: Plane | None = None
 
 
 @frozen
@@ -87,6 +95,7 @@ class Text:
     size: float
     step: int | None = None
     new: bool = False
+    accent: Plane | None = None
 
 
 @frozen
@@ -96,6 +105,8 @@ class VectorMark:
     sites  of, seen from, over and onto (as in `Term`), each as `B@3`: the point, then the link of which it is meant to
            be a part
     part   which part of the motion, as in `Term`
+    solved the construction found its length
+    half   on which side of the line alone its head opens, seen along it; back: how far its tip stands off the end [mm]
     """
 
     plane: Layer
@@ -108,6 +119,9 @@ class VectorMark:
     new: bool = False
     sites: tuple[str, ...] = ()
     part: str = ""
+    solved: bool = False
+    half: Half = ""
+    back: float = 0.0
 
     @property
     def length(self) -> float:

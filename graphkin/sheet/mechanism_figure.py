@@ -149,9 +149,18 @@ BEFORE_LINKS: Signs = {CircularSlot: circular_slot}
 
 
 def _through_bars(skeleton: Skeleton) -> list[Mark]:
-    """A bar that goes on past a hinge is drawn over the hinge's circle; other bars end at it."""
+    """A bar that goes on past a pivot is drawn over its circle; other bars end at it."""
     marks: list[Mark] = []
-    taken: set[str] = set()
+    for point, way in _passed(skeleton).items():
+        if FRAME in skeleton.mechanism.owners[point]:
+            at, half = skeleton.at(point), way * symbols.HINGE
+            marks += symbols.bar([at - half, at + half], None, skeleton.step(point))
+    return marks
+
+
+def _passed(skeleton: Skeleton) -> dict[str, complex]:
+    """Hinges past which a link's bar goes on, with its direction; the first link's, where two do."""
+    found: dict[str, complex] = {}
     for link in skeleton.mechanism.moving:
         names = skeleton.named(link)
         places = [skeleton.at(p) for p in names]
@@ -159,28 +168,42 @@ def _through_bars(skeleton: Skeleton) -> list[Mark]:
             continue
         way = places[ends[1]] - places[ends[0]]
         for k, point in enumerate(names):
-            if k in ends or point in taken or len(skeleton.mechanism.owners[point]) < 2:
-                continue
-            taken.add(point)
-            half = way / abs(way) * symbols.HINGE
-            marks += symbols.bar([places[k] - half, places[k] + half], None, skeleton.step(point))
-    return marks
+            if k not in ends and len(skeleton.mechanism.owners[point]) > 1:
+                found.setdefault(point, way / abs(way))
+    return found
 
 
 # --- points and names -------------------------------------------------------------------------
 
 
 def _hinges(skeleton: Skeleton) -> list[Mark]:
-    """Hinges as white circles; other points of links as dots."""
+    """Hinges as white circles, beside a bar that goes on; other points of links as dots."""
     marks: list[Mark] = []
+    passed = _passed(skeleton)
     for point in skeleton.points:
-        hinged = len(skeleton.mechanism.owners[point]) > 1 or _is_pin(skeleton, point)
-        radius = symbols.HINGE if hinged else 0.6
         step = skeleton.step(point)
+        hinged = len(skeleton.mechanism.owners[point]) > 1 or _is_pin(skeleton, point)
+        if hinged and point in passed and _stands_free(skeleton, point):
+            marks += symbols.hinge_beside(skeleton.at(point), _ending_side(skeleton, point, passed[point]), step)
+            hinged = False
+        radius = symbols.HINGE if hinged else 0.6
         fill: Fill = "paper" if hinged else "ink"
         site = f"{point}@{skeleton.mechanism.owners[point][0]}"
         marks.append(PointMark("position", point, point, skeleton.at(point), radius, fill, step, site=site))
     return marks
+
+
+def _stands_free(skeleton: Skeleton, point: str) -> bool:
+    """Whether nothing but bars meets at a hinge: no ground, no block, no wheel."""
+    signs = {slide.point for slide in skeleton.mechanism.slides}
+    signs |= {wheel.centre for wheel in wheels_of(skeleton.mechanism)}
+    return FRAME not in skeleton.mechanism.owners[point] and not _is_pin(skeleton, point) and point not in signs
+
+
+def _ending_side(skeleton: Skeleton, point: str, way: complex) -> complex:
+    """On which side of a bar the links leave that end at it."""
+    across = sum((off * way.conjugate()).imag for off in skeleton.directions(point))
+    return way * (-1j if across < 0 else 1j)
 
 
 def _is_pin(skeleton: Skeleton, point: str) -> bool:

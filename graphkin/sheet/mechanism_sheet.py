@@ -8,16 +8,28 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
+from typing import Literal
 
 from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
+from graphkin.planning.acts import births, pages
+from graphkin.say.catalogue import say
+from graphkin.say.plane import Polygon as Spoken
+from graphkin.say.polygons import polygon as told
+from graphkin.say.reading import Reading
+from graphkin.sheet.annotated import Annotated
+from graphkin.sheet.arrows import heads_apart, side_by_side
+from graphkin.sheet.captions import Captions
+from graphkin.sheet.drafted import Drafted
+from graphkin.sheet.equation_rows import EquationBlock, equation_blocks, head_of, laid_out
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.gear_images import GearImage, gear_images
-from graphkin.sheet.layout import Layout, lay_out, papers_for
+from graphkin.sheet.given_tables import given_tables
+from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, cut_to, headed, lay_out, papers_for, under_heading
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
-from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
+from graphkin.sheet.page import Last, Lettered, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import LARGE, Paper
 from graphkin.sheet.pencil import pencil_lines
 from graphkin.sheet.plain_mechanism import shown_places
@@ -26,11 +38,16 @@ from graphkin.sheet.results import Table, tables
 from graphkin.sheet.scales import KEYS, TooLargeForPaper
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, strip_height
-from graphkin.sheet.window import PLANES, Figure, Window, births, constructions, first_steps, step_count
+from graphkin.sheet.window import PLANES, Figure, Window, constructions
 from graphkin.value import frozen
 
+Style = Literal["construction", "result", "given"]
 _CROWDED, _EASED = 8, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
+_COARSER = 1.34
+"""So much coarser a figure may be drawn to have room for its equations over it."""
+_TRIALS = 3
+"""How often equations are moved into the strip, whose height leaves figures less room."""
 _MORE = (2, 4)
 """So many times its labels count for a plane where some found no place."""
 HEADINGS: dict[Lang, dict[Plane, str]] = {
@@ -49,22 +66,47 @@ def mechanism_sheet(
     paper: str | None = None,
     lang: Lang = "en",
     only: Plane | Collection[Plane] | None = None,
+    style: Style = "construction",
     upto: int | None = None,
+    tight: bool = False,
 ) -> Sheet:
     """Draw a mechanism and its polygons to scale.
 
     plot   the method replayed at one position
-    paper  a key of `PAPERS`; the smallest that fits where left out
+    paper  a key of `PAPERS`; the smallest that fits where left out, cut to a single figure
+    tight  cut to the figures, without frame, table and title, for another document
     only   the plane or planes to draw; all three where left out
-    upto   draw the construction as far as this step (1 to `step_count(method)`), its newest marks emphasised
+    style  "construction": how the polygons are drawn, too; "result": what comes of it; "given": the mechanism with
+           what is known of it, and nothing that would have to be found
+    upto   draw the construction as far as this act of those planes, counted from 1, its newest marks emphasised
 
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
-    work = _Work(_Planes(method, plot), _planes(only), tables(method, plot, lang), lang)
+    if style == "given":
+        return _given(_Planes(method, plot, style), paper, lang, tight)
+    work = _Work(_Planes(method, plot, style), _planes(only), [] if tight else tables(method, plot, lang), lang, tight)
     if upto is not None:
-        return _staged(work, paper).upto(upto)
-    best = _divided(work, paper)
-    return (work.on(best.layout, far=True) if best.lettered.lost else best).lettered.sheet
+        return next(_staged(work, paper, [upto]))
+    return _whole(work, paper).lettered.sheet
+
+
+def _given(drawing: _Planes, paper: str | None, lang: Lang, tight: bool) -> Sheet:
+    """The mechanism alone, with what the problem gives and asks."""
+    reading = Reading(drawing.method, drawing.plot, dict.fromkeys(KEYS.values(), 1.0), lang)
+    work = _Work(drawing, ("position",), [] if tight else given_tables(reading), lang, tight)
+    return replace(_whole(work, paper).lettered.sheet, given=True)
+
+
+def _whole(work: _Work, paper: str | None) -> _Composed:
+    """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
+    for _ in range(_TRIALS):
+        layout = _cut(work, paper)
+        best = work.on(layout)
+        whole = work.on(layout, far=True) if best.lettered.lost else best
+        if not whole.lettered.left_out or work.tight:
+            break
+        work = replace(work, apart=[*work.apart, *whole.lettered.left_out])
+    return whole
 
 
 def mechanism_step_sheets(
@@ -74,10 +116,11 @@ def mechanism_step_sheets(
     paper: str | None = None,
     lang: Lang = "en",
     only: Plane | Collection[Plane] | None = None,
+    tight: bool = False,
 ) -> Iterator[Sheet]:
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
-    work = _Work(_Planes(method, plot), _planes(only), tables(method, plot, lang), lang)
-    yield from step_sheets(_staged(work, paper), range(1, step_count(method) + 1))
+    found = [] if tight else tables(method, plot, lang)
+    yield from _staged(_Work(_Planes(method, plot, "construction"), _planes(only), found, lang, tight), paper)
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -86,8 +129,9 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 
 
 def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
-    """The scales of the sheet, without its last lettering."""
-    return _divided(_Work(_Planes(method, plot), PLANES, tables(method, plot, lang), lang), None).layout.scales
+    """The scales of the sheet."""
+    work = _Work(_Planes(method, plot, "construction"), PLANES, tables(method, plot, lang), lang)
+    return _whole(work, None).layout.scales
 
 
 @frozen
@@ -96,6 +140,7 @@ class _Planes:
 
     method: Method
     plot: Plot
+    style: Style
 
     def construction(self, plane: Plane) -> Construction:
         return constructions(self.method)[plane]
@@ -113,12 +158,17 @@ class _Planes:
         return gear_images(self.method, self.plot) if plane == "velocity" else []
 
     def figure(self, plane: Plane, window: Window) -> Figure:
-        born = births(self.construction(plane), first_steps(self.method)[plane])
         if plane == "position":
-            skeleton = Skeleton(self.method.mechanism, self.plot, window, born)
-            return mechanism_figure(skeleton, self.method, self.values(plane))
-        construction = self.construction(plane)
-        return polygon_figure(Polygon(self.method.mechanism, construction, self.plot, window, born, self.gears(plane)))
+            return mechanism_figure(self.skeleton(window), self.method, self.values(plane))
+        return heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
+
+    def skeleton(self, window: Window) -> Skeleton:
+        return Skeleton(self.method.mechanism, self.plot, window, births(self.method, "position"))
+
+    def polygon(self, plane: Plane, window: Window) -> Polygon:
+        born, gears = births(self.method, plane), self.gears(plane)
+        drafted = self.style == "construction"
+        return Polygon(self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted)
 
     def extent(self, plane: Plane) -> Extent:
         """How large the plane's points are, and how far its signs reach beyond them."""
@@ -137,9 +187,22 @@ class _Composed:
     lettered: Lettered
 
 
-def _staged(work: _Work, paper: str | None) -> Sheet:
-    """The pencil's own lines are there too, and no results; the paper is that of the sheet without them."""
-    return work.on(_divided(work, paper).layout, stages=True, far=True).lettered.sheet
+def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
+    """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
+    layout, drawing = _whole(work, paper).layout, work.drawing
+    whole = work.on(layout, stages=True, far=True).lettered.sheet
+    others = {} if work.planes == PLANES else scales_of(drawing.method, drawing.plot, work.lang)
+    captions = Captions.of(work.reading({**others, **layout.scales}), work.planes)
+    strip = None if work.tight else layout.strip
+    return (captions.sheet(whole, number, strip) for number in numbers or range(1, len(captions.acts) + 1))
+
+
+def _cut(work: _Work, paper: str | None) -> Layout:
+    """The paper divided; cut to a single figure, where it was not asked for."""
+    layout = _divided(work, paper).layout
+    if len(work.planes) > 1 or not (work.tight or paper is None):
+        return layout
+    return cut_to(layout, work.planes[0], work.extent(layout, work.planes[0]))
 
 
 def _divided(work: _Work, paper: str | None) -> _Composed:
@@ -159,16 +222,31 @@ def _divided(work: _Work, paper: str | None) -> _Composed:
 
 @frozen
 class _Work:
-    """What does not depend on the paper."""
+    """What does not depend on the paper; `apart`: equations that go into the strip."""
 
     drawing: _Planes
     planes: tuple[Plane, ...]
     found: list[Table]
     lang: Lang
+    tight: bool = False
+    apart: Sequence[EquationBlock] = ()
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
-        return {plane: self.drawing.extent(plane) for plane in self.planes}
+        return {plane: replace(self.drawing.extent(plane), over=self._over(plane)) for plane in self.planes}
+
+    def _over(self, plane: Plane) -> tuple[complex, complex] | None:
+        return head_of(self.blocks[plane]) if self.blocks.get(plane) else None
+
+    @cached_property
+    def blocks(self) -> dict[Plane, list[EquationBlock]]:
+        """The equations of each polygon as the words print them."""
+        if self.drawing.style != "construction":
+            return {}
+        rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
+        reading = self.reading({})
+        found = {plane: equation_blocks(told(reading, plane), rows) for plane in self.planes if plane != "position"}
+        return {plane: [block for block in blocks if block not in self.apart] for plane, blocks in found.items()}
 
     @cached_property
     def notes(self) -> dict[Plane, Label]:
@@ -185,7 +263,11 @@ class _Work:
     def layout(self, papers: Sequence[Paper], crowded: Collection[Plane] = (), more: int = 1) -> Layout:
         """The best division; crowded planes count as if they had more labels."""
         extents = {p: replace(e, labels=e.labels * more) if p in crowded else e for p, e in self.extents.items()}
-        return lay_out(extents, partial(strip_height, found=self.found), papers)
+        height: Height = partial(strip_height, found=self.found, equations=self.apart)
+        if self.tight:
+            height, papers = (lambda paper: 0.0), [replace(paper, margin=0.0) for paper in papers]
+        plain = lay_out({plane: replace(extent, over=None) for plane, extent in extents.items()}, height, papers)
+        return headed(plain, extents, height, papers, _COARSER)
 
     def roomier(self, composed: _Composed, papers: Sequence[Paper]) -> _Composed:
         """The same size of paper divided for the planes where labels found no place, if there are and that helps."""
@@ -204,15 +286,37 @@ class _Work:
         """Everything on a divided paper; with `far`, labels of a crowd go far off to find a place."""
         method, plot = self.drawing.method, self.drawing.plot
         panels = [self.panel(layout, plane, stages) for plane in self.planes]
-        foot = Strip(layout.strip, [] if stages else self.found, self.notes)
-        page = Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, foot)
-        return _Composed(layout, page.lettered(far))
+        foot = Strip(layout.strip, [] if stages else self.found, self.notes, equations=[] if stages else self.apart)
+        strip = None if self.tight else foot
+        lettered = Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, strip).lettered(far)
+        return _Composed(layout, lettered.trimmed if self.tight else lettered)
 
     def panel(self, layout: Layout, plane: Plane, stages: bool) -> Panel:
         """One plane's figure under its heading; with `stages`, over the lines of the pencil."""
-        drawing, room, window = self.drawing, layout.rooms[plane], layout.window(plane, self.extents[plane])
+        drawing, room = self.drawing, layout.rooms[plane]
+        window = layout.window(plane, self.extent(layout, plane))
         before = [*heading(HEADINGS[self.lang][plane], plane, window.scale, room)]
-        if stages:
-            first = first_steps(drawing.method)[plane]
-            before += pencil_lines(drawing.construction(plane), drawing.plot, window, room, first)
-        return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), plane=plane)
+        if plane in layout.headed:
+            corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
+            before += laid_out(self.blocks[plane], corner, room.size.real - 2 * HEAD_LEFT)
+        if stages and plane == "position":
+            before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
+        more = self.drafted(layout, plane, window) if drawing.style == "construction" else None
+        return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
+
+    def extent(self, layout: Layout, plane: Plane) -> Extent:
+        """With its equations over it, where they have room there."""
+        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], over=None)
+
+    def drafted(self, layout: Layout, plane: Plane, window: Window) -> Last:
+        """How a polygon is constructed, and what of the mechanism is used for it."""
+        if plane == "position":
+            return Annotated(self.drawing.skeleton(window), self.reading(layout.scales), self.planes)
+        acts = [act for act in self.drawing.method.acts if act.plane == plane]
+        loose = [] if plane in layout.headed else self.blocks[plane]
+        return Drafted(self.drawing.polygon(plane, window), Spoken(self.reading(layout.scales), plane), acts, loose)
+
+    def reading(self, drawn: Mapping[Plane, float]) -> Reading:
+        """What the words read, at the scales of the planes that are drawn."""
+        scales = {key: drawn.get(plane, 1.0) for plane, key in KEYS.items()}
+        return Reading(self.drawing.method, self.drawing.plot, scales, self.lang)

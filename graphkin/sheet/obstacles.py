@@ -63,10 +63,10 @@ def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:
     """Polylines and filled areas a mark is made of."""
     match mark:
         case Stroke(places, closed=closed, fill=fill):
-            yield (*places, places[0]) if closed else places, closed and fill != "none"
+            yield (*places, places[0]) if closed else places, closed and fill not in ("none", "tint")
         case Disc(centre, radius, fill=fill):
             circle = tuple(centre + cmath.rect(radius, k * cmath.pi / 12) for k in range(25))
-            yield circle, fill != "none"
+            yield circle, fill not in ("none", "tint")
         case Arc():
             yield arc_places(mark), False
         case Text(label, at, size):

@@ -8,51 +8,103 @@ the business of the `.._sheet` files: each says which figures it has and what go
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import SupportsFloat
+from math import ceil
+from typing import Literal, Protocol, SupportsFloat
 
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
+from graphkin.sheet.equation_rows import EquationBlock
+from graphkin.sheet.free_room import Added
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
+from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import LABEL, Paper, Room
 from graphkin.sheet.scales import written
 from graphkin.sheet.titleblock import Strip, strip
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
+HEAD_WIDTH = 76.0
+"""A figure's heading with its scale beside it is no wider [mm]."""
+
+_EDGE = 3.0
+"""What stays free beyond the figures of a trimmed page [mm]."""
+LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
+_LAYERS: Mapping[Plane, LayerName] = {
+    "position": "mechanism", "velocity": "velocity", "acceleration": "acceleration",
+}  # fmt: skip
+
+
+@frozen
+class Layer:
+    """What a drawing program shows or hides as one; `plane`: whose colour its marks have."""
+
+    name: LayerName
+    marks: tuple[Mark, ...]
+    plane: Plane | None = None
+
 
 @frozen
 class Sheet:
     """A finished drawing.
 
-    marks    in the order of painting [mm, y down]
+    layers   in the order of painting [mm, y down]
     scales   by plane [m/mm, (m/s)/mm, (m/s²)/mm]; origins: where each plane's origin lies on the paper
     drivers  their values at the drawn position [rad, m]
+    given    it shows what is given, and nothing that would have to be found
     """
 
     paper: Paper
-    marks: tuple[Mark, ...]
+    layers: tuple[Layer, ...]
     scales: Mapping[Plane, float]
     origins: Mapping[Plane, Place]
     mechanism: Mechanism
     drivers: tuple[float, ...]
     title: str
     lang: Lang
+    given: bool = False
+
+    @property
+    def marks(self) -> tuple[Mark, ...]:
+        """Of all layers."""
+        return tuple(mark for layer in self.layers for mark in layer.marks)
 
     def upto(self, step: int) -> Sheet:
         """What is there after a step of the construction; its own marks are new."""
-        marks = (mark for mark in self.marks if mark.step is None or mark.step <= step)
-        return replace(self, marks=tuple(replace(m, new=True) if m.step == step else m for m in marks))
+
+        def drawn(mark: Mark) -> Mark | None:
+            later = mark.step is not None and mark.step > step
+            return None if later else replace(mark, new=True) if mark.step == step else mark
+
+        return self.redrawn(drawn)
+
+    def redrawn(self, change: Callable[[Mark], Mark | None]) -> Sheet:
+        """Every mark changed, or left out."""
+        layers = []
+        for layer in self.layers:
+            changed = (change(mark) for mark in layer.marks)
+            layers.append(replace(layer, marks=tuple(mark for mark in changed if mark is not None)))
+        return replace(self, layers=tuple(layers))
 
 
 def step_sheets(whole: Sheet, steps: Iterable[int]) -> Iterator[Sheet]:
     """One sheet a step, drawn and lettered only once."""
     return (whole.upto(step) for step in steps)
+
+
+class Last(Protocol):
+    """What is drawn last on a figure."""
+
+    def lines(self) -> list[Mark]:
+        """What labels should keep off, where that costs nothing."""
+
+    def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
+        """What there is room for, among figure and labels."""
 
 
 @frozen
@@ -62,6 +114,7 @@ class Panel:
     figure         on paper already, with the labels it wants; window: through which it is seen
     room           where its labels may stand [mm]
     before, after  what is painted before it (its heading), and after its labels (its caption)
+    more           what is drawn last, where figure and labels have left room; labels keep off its lines if they can
     plane          whose origin and scale the sheet tells; None for a figure whose scale it does not
     """
 
@@ -71,6 +124,7 @@ class Panel:
     before: tuple[Mark, ...] = ()
     after: tuple[Mark, ...] = ()
     plane: Plane | None = "position"
+    more: Last | None = None
 
     @property
     def drawn(self) -> list[Mark]:
@@ -112,7 +166,7 @@ class Page:
 
     def lettered(self, far: bool = True) -> Lettered:
         """With its labels; `far`: where some of a panel find no place near what they name, all may go farther off."""
-        return Lettered(self, [settle(one.figure.wanted, one.drawn, one.room, far) for one in self.panels])
+        return Lettered(self, [settle(one.figure.wanted, one.drawn, one.room, far) for one in self.panels], far)
 
     def sheet(self) -> Sheet:
         return self.lettered().sheet
@@ -124,6 +178,7 @@ class Lettered:
 
     page: Page
     labels: list[Settled]
+    far: bool = True
 
     @property
     def clashes(self) -> list[int]:
@@ -137,18 +192,43 @@ class Lettered:
     @cached_property
     def crowded(self) -> int:
         """How many labels stand off from what they name, at the end of a leader."""
-        return sum(isinstance(mark, Stroke) for settled in self.labels for mark in settled.marks)
+        return sum(map(_leaders, self.labels))
+
+    @cached_property
+    def finished(self) -> list[tuple[Settled, Added]]:
+        """Each panel's labels, and what is drawn last where they have left room."""
+        return [self._finished(panel, settled) for panel, settled in zip(self.page.panels, self.labels, strict=True)]
+
+    def _finished(self, panel: Panel, settled: Settled) -> tuple[Settled, Added]:
+        if panel.more is None:
+            return settled, Added()
+        off = settle(panel.figure.wanted, [*panel.drawn, *panel.more.lines()], panel.room, self.far)
+        if _worth(off) <= _worth(settled):
+            settled = off
+        return settled, panel.more([*panel.drawn, *settled.marks, *panel.after], panel.room)
+
+    @property
+    def left_out(self) -> list[EquationBlock]:
+        """Equations for which no figure has room."""
+        return [block for _, added in self.finished for block in added.left_out]
+
+    @property
+    def trimmed(self) -> Lettered:
+        """On a paper that ends where the figures do."""
+        page, paper = self.page, self.page.paper
+        drawn = [mark for panel in page.panels for mark in panel.drawn]
+        for settled, added in self.finished:
+            drawn += [*settled.marks, *added.under, *added.over]
+        _, _, right, bottom = bounds(drawn)
+        wide, high = min(paper.width, ceil(right + _EDGE)), min(paper.height, ceil(bottom + _EDGE))
+        return replace(self, page=replace(page, paper=replace(paper, width=float(wide), height=float(high))))
 
     @property
     def sheet(self) -> Sheet:
         page = self.page
-        foot = [] if page.strip is None else strip(page.strip, page.mechanism, page.paper, page.scales, page.lang)
-        marks = [*foot, *page.base]
-        for panel, settled in zip(page.panels, self.labels, strict=True):
-            marks += [*panel.drawn, *settled.marks, *panel.after]
         return Sheet(
             paper=page.paper,
-            marks=tuple(marks),
+            layers=tuple(self._layers()),
             scales=page.scales,
             origins={plane: window.origin for plane, window in page.windows.items()},
             mechanism=page.mechanism,
@@ -157,8 +237,50 @@ class Lettered:
             lang=page.lang,
         )
 
+    def _layers(self) -> Iterator[Layer]:
+        """What is under the figures, each plane's, and over all of it the leaders and the letters."""
+        page = self.page
+        yield Layer("sheet", (*self._foot(), *page.base))
+        drawn: dict[Plane, list[Mark]] = {}
+        letters: list[tuple[Plane | None, Mark]] = []
+        for panel, (settled, added) in zip(page.panels, self.finished, strict=True):
+            figure = drawn.setdefault(panel.plane or "position", [])
+            figure += [*added.under, *panel.drawn, *panel.after]
+            figure += [mark for mark in added.over if not isinstance(mark, Text)]
+            letters += [(panel.plane, mark) for mark in (*settled.marks, *added.over)]
+        for plane, marks in drawn.items():
+            yield Layer(_LAYERS[plane], tuple(marks), plane)
+        led = (mark for settled, _ in self.finished for mark in settled.marks if not isinstance(mark, Text))
+        yield Layer("leaders", tuple(led))
+        accented = (replace(mark, accent=mark.accent or plane) for plane, mark in letters if isinstance(mark, Text))
+        yield Layer("labels", tuple(accented))
+
+    def _foot(self) -> list[Mark]:
+        """Title, results, and the scales that are not over their figures."""
+        page = self.page
+        if page.strip is None:
+            return []
+        over = [mark for marks in (page.base, *(panel.before for panel in page.panels)) for mark in marks]
+        said = {mark.label for mark in over if isinstance(mark, Text)}
+        scales = {
+            plane: scale
+            for plane, scale in page.scales.items()
+            if written(plane, scale) not in said or plane in page.strip.notes
+        }
+        return strip(page.strip, page.mechanism, page.paper, scales, page.lang)
+
+
+def _leaders(settled: Settled) -> int:
+    return sum(isinstance(mark, Stroke) for mark in settled.marks)
+
+
+def _worth(settled: Settled) -> tuple[int, int, int]:
+    """Labels without a place, labels left out, leaders: the less the better."""
+    return settled.clashes, -sum(isinstance(mark, Text) for mark in settled.marks), _leaders(settled)
+
 
 def heading(text: str, plane: Plane, scale: float, room: Room) -> tuple[Mark, ...]:
-    """What a figure is, and its scale, in the upper left corner of its room."""
+    """What a figure is, and its scale, in the upper left corner of its room; one under the other in a narrow one."""
     label, at = plain(text), complex(room.left + 3, room.top + 5.5)
-    return Text(label, at, LABEL), Text(written(plane, scale), at + width(label, LABEL) + 4, LABEL)
+    beside = width(label, LABEL) + 4 if room.size.real >= HEAD_WIDTH else 5.5j
+    return Text(label, at, LABEL), Text(written(plane, scale), at + beside, LABEL)

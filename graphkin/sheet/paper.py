@@ -42,12 +42,16 @@ class Room:
 
 @frozen
 class Paper:
-    """A sheet of paper with a drawing frame `margin` inside its edge [mm]."""
+    """A sheet of paper with a drawing frame `margin` inside its edge, `filing` where it is filed [mm].
+
+    A paper without margin has no frame.
+    """
 
     name: str
     width: float
     height: float
     margin: float = 10.0
+    filing: float = 20.0
 
     @property
     def landscape(self) -> bool:
@@ -56,7 +60,8 @@ class Paper:
     @property
     def frame(self) -> Room:
         """What the drawing frame holds."""
-        return Room(self.margin, self.margin, self.width - self.margin, self.height - self.margin)
+        left = self.filing if self.margin else 0.0
+        return Room(left, self.margin, self.width - self.margin, self.height - self.margin)
 
 
 PAPERS: Mapping[str, Paper] = {
@@ -66,13 +71,19 @@ PAPERS: Mapping[str, Paper] = {
         Paper("A4-landscape", 297.0, 210.0),
         Paper("A3-landscape", 420.0, 297.0),
         Paper("A3", 297.0, 420.0),
+        Paper("letter", 215.9, 279.4),
+        Paper("letter-landscape", 279.4, 215.9),
     )
 }
-"""In the order in which they are tried: the smallest that fits is taken."""
+USUAL = tuple(PAPERS.values())[:4]
+"""In the order in which they are tried: the smallest that fits is taken. Letter paper has to be asked for."""
 LARGE = (PAPERS["A3-landscape"], PAPERS["A3"])
 """Tried, too, where a smaller one holds all but leaves it little room."""
 
-PenName = Literal["visible", "outline", "vector", "thin", "hatch", "dashed", "centre", "construction", "leader"]
+PenName = Literal[
+    "visible", "outline", "vector", "solved", "thin", "hatch", "dashed", "centre", "construction", "measured",
+    "leader",
+]  # fmt: skip
 
 
 @frozen
@@ -84,22 +95,24 @@ class Pen:
 
 
 PENS: Mapping[PenName, Pen] = {
-    "visible": Pen(0.7),  # links
-    "outline": Pen(0.5),  # blocks, hinges, pivots, the drawing frame
+    "visible": Pen(0.7),  # links, the drawing frame
+    "outline": Pen(0.35),  # blocks, hinges, pivots
     "vector": Pen(0.35),
-    "thin": Pen(0.25),  # images, tables
+    "solved": Pen(0.5),  # arrows that the construction found
+    "thin": Pen(0.18),  # images, tables
     "hatch": Pen(0.18),
-    "dashed": Pen(0.25, (2.0, 1.0)),
-    "centre": Pen(0.25, (6.0, 1.0, 0.6, 1.0)),
+    "dashed": Pen(0.18, (2.0, 1.0)),
+    "centre": Pen(0.18, (6.0, 1.0, 0.6, 1.0)),
     "construction": Pen(0.18),
-    "leader": Pen(0.13),
+    "measured": Pen(0.18, (3.0, 1.2)),  # lengths of the mechanism that the solution uses
+    "leader": Pen(0.18),
 }
 
 TITLE = 4.5
 """Size of the title's letters [mm]: the em of the font."""
 LABEL = 3.8
 """Labels of points, vectors and links, and headings [mm]."""
-BODY = 3.0
+BODY = 3.2
 """Tables and the title block [mm]."""
 LEAST = 2.5
 """Nothing is lettered smaller [mm]."""

@@ -1,25 +1,25 @@
-"""The pencil's own lines: direction lines and arcs, shown in the drawings of single steps."""
+"""The pencil's own lines on the mechanism: lines and arcs, shown in the drawings of single steps."""
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
-from graphkin.construction import Arc, Construction, Meet, Plot, Ray
+from graphkin.construction import Arc, Construction, Meet, Plane, Plot, Ray, Step
 from graphkin.sheet.marks import Arc as ArcMark
 from graphkin.sheet.marks import Mark, Place, Stroke
-from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Window
 
+Pages = Mapping[tuple[Plane, Step], int]
 _BEYOND = 9.0
 """How far a direction line goes on past its points [mm]."""
 _SWING, _STROKE = math.radians(22), 12.0
 """Half of an arc: this angle, or this length [mm] if that is less."""
 
 
-def pencil_lines(construction: Construction, plot: Plot, window: Window, room: Room, before: int) -> list[Mark]:
-    """Each ray and arc from where it starts past where it meets another, with the number of its own step."""
+def pencil_lines(construction: Construction, plot: Plot, window: Window, pages: Pages) -> list[Mark]:
+    """Each ray and arc from where it starts past where it meets another, with the number of its act."""
     ends: dict[Ray | Arc, list[str]] = {}
     for step in construction.steps:
         if isinstance(step, Meet):
@@ -27,7 +27,8 @@ def pencil_lines(construction: Construction, plot: Plot, window: Window, room: R
             ends.setdefault(step.second, []).append(step.point)
     points = plot.points(construction.plane)
     marks: list[Mark] = []
-    for number, step in enumerate(construction.steps, start=before + 1):
+    for step in construction.steps:
+        number = pages.get((construction.plane, step))
         if isinstance(step, Ray | Arc):
             foot = window(points[step.through if isinstance(step, Ray) else step.about])
             tips = [window(points[name]) for name in ends.get(step, ()) if name in points]
@@ -37,7 +38,7 @@ def pencil_lines(construction: Construction, plot: Plot, window: Window, room: R
     return marks
 
 
-def _ray(ray: Ray, foot: Place, tips: list[Place], plot: Plot, window: Window, number: int) -> Iterator[Mark]:
+def _ray(ray: Ray, foot: Place, tips: list[Place], plot: Plot, window: Window, number: int | None) -> Iterator[Mark]:
     """A thin line through its point in its direction, past where it meets the other."""
     along = window.turned(complex(plot.direction(ray.direction)))
     if cmath.isnan(along):
@@ -47,7 +48,7 @@ def _ray(ray: Ray, foot: Place, tips: list[Place], plot: Plot, window: Window, n
     yield Stroke((foot + along * low, foot + along * high), "construction", step=number)
 
 
-def _arcs(foot: Place, tips: list[Place], number: int) -> Iterator[Mark]:
+def _arcs(foot: Place, tips: list[Place], number: int | None) -> Iterator[Mark]:
     """A short arc around each place where the circle is crossed."""
     for tip in tips:
         half = min(_SWING, _STROKE / max(abs(tip - foot), 1e-9))

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from graphkin.construction import Plot
 from graphkin.planning import Method
+from graphkin.planning.acts import births
 from graphkin.sheet.marks import Disc, Mark, PointMark
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.specials import named_specials
 from graphkin.sheet.wheels import rims
-from graphkin.sheet.window import Figure, Window, births, first_steps
+from graphkin.sheet.window import Figure, Window
 
 
 def mechanism_places(method: Method, plot: Plot) -> list[complex]:
@@ -26,7 +27,7 @@ def shown_places(method: Method, plot: Plot) -> list[complex]:
 
 def plain_mechanism(method: Method, plot: Plot, window: Window) -> Figure:
     """The mechanism's own figure with its points as circles."""
-    born = births(method.position, first_steps(method)["position"])
+    born = births(method, "position")
     figure = mechanism_figure(Skeleton(method.mechanism, plot, window, born), method, shown_places(method, plot))
     return Figure([plainly(mark) for mark in figure.marks], figure.wanted)
 

@@ -23,7 +23,11 @@ _SAME = 0.15
 
 @frozen
 class Polygon:
-    """One plane's polygon through a window. `born`: the step in which each of its points is found; `gears`: images."""
+    """One plane's polygon through a window.
+
+    born    the act in which each of its points is found; gears: images
+    solving whether arrows that the construction finds are told from those it starts from
+    """
 
     mechanism: Mechanism
     construction: Construction
@@ -31,6 +35,7 @@ class Polygon:
     window: Window
     born: Mapping[str, int]
     gears: list[GearImage] = field(default_factory=list)
+    solving: bool = False
 
     @cached_property
     def points(self) -> dict[str, Place]:
@@ -64,7 +69,8 @@ class Polygon:
         for name, term in self.construction.vectors().items():
             drawn.add((term.tail, term.head))
             if term.tail in self.points and term.head in self.points:
-                yield self._vector(name, term.tail, term.head, self._sites(term), term.part)
+                solved = self.solving and term.size is None
+                yield self._vector(name, term.tail, term.head, self._sites(term), term.part, solved)
         pole = self.construction.pole
         for name in self.points:
             node = self.construction.nodes.get(name)
@@ -73,10 +79,12 @@ class Polygon:
             if node.site.point not in self.mechanism.unnamed:
                 yield self._vector(f"{LETTER[self.construction.plane]}_{node.of}", pole, name, (node.site,))
 
-    def _vector(self, name: str, tail: str, head: str, sites: tuple[Site, ...], part: str = "") -> VectorMark:
+    def _vector(
+        self, name: str, tail: str, head: str, sites: tuple[Site, ...], part: str = "", solved: bool = False
+    ) -> VectorMark:
         start, end, step = self.points[tail], self.points[head], self.step(tail, head)
-        named = tuple(map(named_site, sites))
-        return VectorMark(self.construction.plane, name, tail, head, start, end, step, sites=named, part=part)
+        plane, named = self.construction.plane, tuple(map(named_site, sites))
+        return VectorMark(plane, name, tail, head, start, end, step, sites=named, part=part, solved=solved)
 
     def _sites(self, term: Term) -> tuple[Site, ...]:
         """What an arrow is the motion of, and what it is seen from."""
@@ -170,25 +178,16 @@ def _point_names(polygon: Polygon) -> list[Wanted]:
 
 
 def _vector_names(polygon: Polygon, vectors: list[VectorMark]) -> list[Wanted]:
-    """A label for each arrow that has a length; arrows on one another share it."""
+    """A label for each arrow that has a length."""
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
-    groups: list[list[VectorMark]] = []
-    for vector in vectors:
-        if vector.length < _SAME:
-            continue
-        for group in groups:
-            if _same(group[0], vector):
-                group.append(vector)
-                break
-        else:
-            groups.append([vector])
     wanted: list[Wanted] = []
-    for group in groups:
-        first = group[0]
-        label = joined([vector_label(v.name) for v in group[:2]], " = ")
-        away = (first.start + first.end) / 2 - middle
-        spare = all(_told(polygon, vector) for vector in group)
-        wanted.append(Wanted(label, first.start, first.end, away=away, step=first.step, spare=spare))
+    for vector in vectors:
+        if vector.length >= _SAME:
+            away, spare = (vector.start + vector.end) / 2 - middle, _told(polygon, vector)
+            label = vector_label(vector.name)
+            wanted.append(
+                Wanted(label, vector.start, vector.end, away=away, step=vector.step, spare=spare, of=vector.name)
+            )
     return wanted
 
 
@@ -196,7 +195,3 @@ def _told(polygon: Polygon, vector: VectorMark) -> bool:
     """Whether an arrow is an absolute motion: its head bears the letter of the point, and says as much."""
     at_pole = vector.tail == polygon.construction.pole and vector.head in polygon.named
     return at_pole and vector.name == f"{LETTER[polygon.construction.plane]}_{polygon.of(vector.head)}"
-
-
-def _same(one: VectorMark, other: VectorMark) -> bool:
-    return abs(one.start - other.start) < _SAME and abs(one.end - other.end) < _SAME

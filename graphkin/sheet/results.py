@@ -1,16 +1,20 @@
-"""The table of results on the sheet: what was asked comes first, the rest as far as there is room."""
+"""The table of results on the sheet: what was asked in bold, the rest as far as there is room."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from itertools import pairwise
 
-from graphkin.construction import Node, Plot
+from graphkin.construction import Node, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.sheet.lettering import (
     Label,
     Run,
+    bold,
     link_label,
     number,
     plain,
@@ -22,11 +26,11 @@ from graphkin.sheet.lettering import (
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.value import frozen
 
-PITCH = 4.1
+PITCH = 4.2
 """From base line to base line [mm]."""
-SIZE = 2.8
+SIZE = 3.0
 """Letters of the table [mm]."""
-_GAP, _BETWEEN = 2.6, 6.0
+_GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
 _MOST_ROWS = 12
 _NOISE = 1e-9
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
@@ -34,7 +38,7 @@ _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")
 
 @frozen
 class Table:
-    """A heading and rows of labels."""
+    """A heading and rows of labels; numbers under one another stand point under point."""
 
     head: tuple[Label, ...]
     rows: tuple[tuple[Label, ...], ...]
@@ -42,15 +46,37 @@ class Table:
     @property
     def widths(self) -> list[float]:
         """Width of each column [mm]."""
-        return [max(width(row[k], SIZE) for row in (self.head, *self.rows)) for k in range(len(self.head))]
+        found = []
+        for k, head in enumerate(self.head):
+            cells = [self.before(row[k], k) + width(row[k], SIZE) for row in self.rows]
+            found.append(max([width(head, SIZE), *cells]))
+        return found
+
+    def before(self, cell: Label, column: int) -> float:
+        """What a number leaves free before it [mm]."""
+        if (own := _whole(cell)) is None:
+            return 0.0
+        return max(filter(None, (_whole(row[column]) for row in self.rows)), default=own) - own
 
     @property
     def wide(self) -> float:
-        return sum(self.widths) + _GAP * (len(self.head) - 1)
+        return sum(self.widths) + sum(self.gaps)
+
+    @property
+    def gaps(self) -> list[float]:
+        """What is free after each column; less before a column without a heading [mm]."""
+        return [_GAP if label else _CLOSE for label in self.head[1:]] + [0.0]
 
     def cut(self, count: int) -> Iterator[Table]:
         for k in range(0, len(self.rows), count):
             yield Table(self.head, self.rows[k : k + count])
+
+
+def _whole(cell: Label) -> float | None:
+    """Width of a number up to its point; of the whole number where it has none; None where it is no number [mm]."""
+    first = cell[0] if cell else Run("")
+    whole = re.match(r"−?\d+", first.text)
+    return width((replace(first, text=whole[0]),), SIZE) if whole is not None and not first.italic else None
 
 
 @frozen
@@ -93,35 +119,38 @@ class _Results:
     lang: Lang
     usual: _Usual
 
-    def asked(self, name: str) -> bool:
-        """Whether the problem asks for something of this name."""
-        return any(name in text.replace("/", " ").split() for text in self.method.mechanism.ask)
+    def asked(self, name: str, *quantities: str) -> bool:
+        """Whether the problem asks for one of these quantities of what bears the name."""
+        words = [text.replace("/", " ").split() for text in self.method.mechanism.ask]
+        return any(pair[0] in quantities and pair[1] == name for told in words for pair in pairwise(told))
+
+    def told(self, name: str, label: Label, quantity: str) -> Label:
+        """A value, in bold where it is asked for."""
+        return bold(label) if self.asked(name, quantity) else label
 
     def links(self) -> Table:
-        """Angular velocities and accelerations with their sense."""
+        """Angular velocities and accelerations, and their sense in a column of its own."""
         machine, plot = self.method.mechanism, self.plot
         head = (
-            plain({"en": "link", "zh": "构件"}[self.lang]), _unit(quantity_label("ω", ""), "rad/s"),
-            _unit(quantity_label("α", ""), "rad/s²"),
+            plain({"en": "link", "zh": "构件"}[self.lang]), _unit(quantity_label("ω", ""), "rad/s"), (),
+            _unit(quantity_label("α", ""), "rad/s²"), (),
         )  # fmt: skip
-        names = [name for name in machine.moving if name in plot.omega]
-        names.sort(key=lambda name: not self.asked(machine.called(name)))
         quick = self.usual.acceleration / self.usual.length
-        rows = (
-            (
-                link_label(machine.called(name)),
-                self.turning(float(plot.omega[name]), self.usual.turning),
-                self.turning(float(plot.alpha[name]), quick),
-            )
-            for name in names
-        )
+        rows = []
+        for name in (name for name in machine.moving if name in plot.omega):
+            called = machine.called(name)
+            label = link_label(called)
+            row = [bold(label) if self.asked(called, "omega", "alpha", "theta") else label]
+            for kind, value, usual in (("omega", plot.omega, self.usual.turning), ("alpha", plot.alpha, quick)):
+                row += [self.told(called, one, kind) for one in self.turning(float(value[name]), usual)]
+            rows.append(tuple(row))
         return Table(head, tuple(rows))
 
-    def turning(self, value: float, usual: float) -> Label:
-        """`3.919 cw`."""
+    def turning(self, value: float, usual: float) -> tuple[Label, Label]:
+        """`3.919` and `cw`."""
         if abs(value) <= _NOISE * usual:
-            return plain("0")
-        return (*number(abs(value)), Run(f" {_SENSE[self.lang][value < 0]}"))
+            return plain("0"), ()
+        return number(abs(value)), plain(_SENSE[self.lang][value < 0])
 
     def points(self) -> Table:
         """Speeds and accelerations of the moving points."""
@@ -129,16 +158,14 @@ class _Results:
         head = (plain(word), _unit(quantity_label("v", ""), "m/s"), _unit(quantity_label("a", ""), "m/s²"))
         method, plot, usual = self.method, self.plot, self.usual
         primed = {node.of: name for name, node in method.acceleration.nodes.items() if node.site is not None}
-        nodes = [node for node in method.velocity.nodes.values() if node.of in primed and _moves(method, node)]
-        nodes.sort(key=lambda node: not self.asked(node.of))
-        rows = (
-            (
-                point_label(node.of),
-                usual.speeds(abs(plot.velocity[node.name])),
-                usual.accelerations(abs(plot.acceleration[primed[node.of]])),
-            )
-            for node in nodes
-        )
+        rows = []
+        for node in method.velocity.nodes.values():
+            if node.of in primed and _moves(method, node):
+                label = point_label(node.of)
+                speed = usual.speeds(abs(plot.velocity[node.name]))
+                other = usual.accelerations(abs(plot.acceleration[primed[node.of]]))
+                name = bold(label) if self.asked(node.of, "v", "a") else label
+                rows.append((name, self.told(node.of, speed, "v"), self.told(node.of, other, "a")))
         return Table(head, tuple(rows))
 
     def parts(self) -> Table:
@@ -155,10 +182,12 @@ class _Results:
             pair = [arrows.get(f"a^{part}_{low}") for part in ("k", "r")]
             if not any(pair):
                 continue
-            speed = abs(self.plot.velocity[term.head] - self.plot.velocity[term.tail])
-            sizes = (usual.accelerations(abs(at[t.head] - at[t.tail])) if t else plain("") for t in pair)
-            found.append((_pair_label(low), usual.speeds(speed), *sizes))
-        found.sort(key=lambda row: not self.asked("".join(run.text for run in row[0])))
+            label, spoken = _pair_label(low), "".join(run.text for run in _pair_label(low))
+            speed = usual.speeds(abs(self.plot.velocity[term.head] - self.plot.velocity[term.tail]))
+            sizes = [usual.accelerations(abs(at[t.head] - at[t.tail])) if t else plain("") for t in pair]
+            values = zip((speed, *sizes), ("v", "a_k", "a_r"), strict=True)
+            first = bold(label) if self.asked(spoken, "v", "a_k", "a_r") else label
+            found.append((first, *(self.told(spoken, value, kind) for value, kind in values)))
         return Table(head, tuple(found))
 
     def slides(self) -> Table:
@@ -170,8 +199,8 @@ class _Results:
         plot, usual = self.plot, self.usual
         rows = (
             (
-                plain(slide.name, True),
-                number(1000 * float(plot.s[slide.name])),
+                bold(plain(slide.name, True)) if self.asked(slide.name, "s") else plain(slide.name, True),
+                self.told(slide.name, number(1000 * float(plot.s[slide.name])), "s"),
                 usual.speeds(float(plot.s_rate.get(slide.name, 0.0))),
                 usual.accelerations(float(plot.s_acceleration.get(slide.name, 0.0))),
             )
@@ -179,6 +208,13 @@ class _Results:
             if slide.named and slide.name in plot.s
         )
         return Table(head, tuple(rows))
+
+
+_PLANES: dict[str, Plane] = {
+    "ω": "velocity", "v": "velocity", "ds/dt": "velocity", "α": "acceleration", "a": "acceleration",
+    "d²s/dt²": "acceleration",
+}  # fmt: skip
+"""Whose colour the values of a column have, by its letter."""
 
 
 def tables(method: Method, plot: Plot, lang: Lang) -> list[Table]:
@@ -260,9 +296,10 @@ def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
 def _drawn(table: Table, corner: Place) -> Iterator[Mark]:
     for k, row in enumerate((table.head, *table.rows)):
         pen = corner + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
-        for cell, wide in zip(row, table.widths, strict=True):
+        for column, (cell, wide, gap) in enumerate(zip(row, table.widths, table.gaps, strict=True)):
             if cell:
-                yield Text(cell, pen, SIZE)
-            pen += wide + _GAP
+                accent = _PLANES.get(table.head[column][0].text) if k and table.head[column] else None
+                yield Text(cell, pen + (table.before(cell, column) if k else 0), SIZE, accent=accent)
+            pen += wide + gap
     under = corner + 1j * (PITCH * 1.05)
     yield Stroke((under, under + table.wide), "thin")

@@ -1,6 +1,6 @@
 """Scales of a drawing: what one millimetre on paper stands for.
 
-mu_l in m/mm, mu_v in (m/s)/mm, mu_a in (m/s²)/mm: chosen from the series 1-2-5, or given and then kept.
+mu_l in m/mm, mu_v in (m/s)/mm, mu_a in (m/s²)/mm: chosen from the series of scales, or given and then kept.
 """
 
 from __future__ import annotations
@@ -18,6 +18,8 @@ LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "
 UNITS: dict[Plane, str] = {"position": "m/mm", "velocity": "(m/s)/mm", "acceleration": "(m/s²)/mm"}
 KEYS: dict[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 """Key of a plane's scale in the mechanism file."""
+SERIES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0)
+"""What a scale begins with: 1-2-5 (ISO 5455, the first series of GB/T 14690) and between them its second series."""
 _CLOSE = 1 - 1e-9
 """A scale that is too fine by rounding alone still fits."""
 
@@ -52,7 +54,7 @@ class UnknownPaper(GraphkinError):
 
 
 def finest(size: complex, room: complex) -> float:
-    """The finest scale of the series 1-2-5 at which a figure of this width and height fits its room.
+    """The finest scale of the series at which a figure of this width and height fits its room.
 
     size  width + i height in SI units; room  the same in mm. A figure of no size takes 1 per mm of its room's
     hundredth, so that a mechanism at rest has a scale too.
@@ -73,17 +75,15 @@ def _next(least: float) -> float:
     if not least > 1e-300:
         return 0.01
     power = math.floor(math.log10(least))
-    for step in (1, 2, 5, 10):
-        scale = float(f"{step}e{power}")
-        if scale >= least * _CLOSE:
-            return scale
-    return float(f"1e{power + 1}")
+    steps = (*(float(f"{step}e{power}") for step in SERIES), float(f"1e{power + 1}"))
+    return next((scale for scale in steps if scale >= least * _CLOSE), steps[-1])
 
 
 def finer(scale: float) -> float:
-    """The next finer scale of the series 1-2-5."""
+    """The next finer scale of the series."""
     power = math.floor(math.log10(scale) + 1e-9)
-    return float({1: f"5e{power - 1}", 2: f"1e{power}", 5: f"2e{power}"}[round(scale / 10.0**power)])
+    at = SERIES.index(round(scale / 10.0**power, 1))
+    return float(f"{SERIES[at - 1]}e{power if at else power - 1}")
 
 
 def written(plane: Plane, scale: float) -> Label:

@@ -7,13 +7,14 @@ from collections.abc import Iterator, Mapping
 from graphkin.construction import Along, Arc, Direction, Meet, Plot, Ray, Site, Touch
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
+from graphkin.planning.acts import pages
 from graphkin.sheet.lettering import plain, point_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
 from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.wanted import Wanted
-from graphkin.sheet.window import Figure, first_steps
+from graphkin.sheet.window import Figure
 from graphkin.value import frozen
 
 _BEYOND = 6.0
@@ -37,7 +38,8 @@ class _Special:
 
 def _found(method: Method) -> Iterator[_Special]:
     sites = {node.site: node.of for node in method.velocity.nodes.values() if node.site is not None}
-    for number, step in enumerate(method.position.steps, start=first_steps(method)["position"] + 1):
+    page = pages(method)
+    for step in method.position.steps:
         if not isinstance(step, Meet) or step.point not in method.special:
             continue
         node = method.position.nodes[step.point]
@@ -45,7 +47,7 @@ def _found(method: Method) -> Iterator[_Special]:
             continue
         of = sites.get(node.site, node.of) if node.site is not None else node.of
         site = named_site(node.site) if node.site is not None else ""
-        yield _Special(step.point, of, site, (step.first, step.second), number)
+        yield _Special(step.point, of, site, (step.first, step.second), page["position", step])
 
 
 def named_specials(method: Method, plot: Plot, others: list[complex]) -> Mapping[str, complex]:
@@ -113,9 +115,10 @@ def _towards(skeleton: Skeleton, ray: Ray, at: Place, step: int) -> list[Mark]:
 def contacts(method: Method, skeleton: Skeleton) -> Figure:
     """Where wheels touch, as small points with their letters."""
     figure = Figure()
-    for number, step in enumerate(method.position.steps, start=first_steps(method)["position"] + 1):
+    page = pages(method)
+    for step in method.position.steps:
         if isinstance(step, Touch):
-            at = skeleton.at(step.point)
+            at, number = skeleton.at(step.point), page["position", step]
             site = named_site(Site(step.point, FRAME))
             figure.marks.append(PointMark("position", step.point, step.point, at, 0.6, step=number, site=site))
             figure.wanted.append(Wanted(point_label(step.point), at, gap=0.8, away=1 - 1j, step=number))

@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-from graphkin.sheet.marks import Arc, Mark, Place, Shows, Stroke
+from graphkin.sheet.marks import Arc, Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName
 
 HINGE = 1.3
@@ -79,11 +79,13 @@ def bar(places: Sequence[Place], shows: Shows | None, step: int | None = None) -
 
 
 def plate(corners: Sequence[Place], shows: Shows, step: int | None = None) -> list[Mark]:
-    """A link of three or more points: its outline, with filled corners that say: one rigid piece."""
-    marks: list[Mark] = [Stroke(tuple(corners), "visible", closed=True, shows=shows, step=step)]
-    for k, at in enumerate(corners):
-        marks += corner(at, corners[k - 1], corners[(k + 1) % len(corners)], step)
-    return marks
+    """A link of three or more points: a light plate with a thin outline."""
+    return [Stroke(tuple(corners), "outline", closed=True, fill="tint", shows=shows, step=step)]
+
+
+def hinge_beside(at: Place, side: complex, step: int | None = None) -> list[Mark]:
+    """The circle of a hinge at a link that goes on: it touches that link's line, on the side of the one that ends."""
+    return [Disc(at + (HINGE + 0.35) * side, HINGE, "outline", "paper", step=step)]
 
 
 def corner(at: Place, one: Place, other: Place, step: int | None = None) -> list[Mark]:

@@ -8,6 +8,7 @@ from dataclasses import field
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
+from graphkin.sheet.equation_rows import EquationBlock, flowed, head_of, laid_out
 from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room
@@ -23,13 +24,15 @@ _BAR = 9.0
 _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
 
 
-def strip_height(paper: Paper, found: Sequence[Table] = ()) -> float:
+def strip_height(paper: Paper, found: Sequence[Table] = (), equations: Sequence[EquationBlock] = ()) -> float:
     """What the strip needs on a paper [mm]."""
-    return max(_LEAST_HEIGHT, height_of(arranged([*found], _room(paper))) + 1 + _BAR)
+    lines = sum(head_of(line)[0].imag for line in flowed(equations, tables_room(paper)))
+    return max(_LEAST_HEIGHT, height_of(arranged([*found], tables_room(paper))) + lines + 1 + _BAR)
 
 
-def _room(paper: Paper) -> float:
-    return paper.width - 2 * paper.margin - _WIDE - 6
+def tables_room(paper: Paper) -> float:
+    """Width that the strip leaves beside the title [mm]."""
+    return paper.frame.size.real - _WIDE - 6
 
 
 @frozen
@@ -37,12 +40,14 @@ class Strip:
     """What stands at the foot of a sheet beside title, source and scales.
 
     found  tables of results; notes: what stands beside a plane's scale; further: scales that no figure tells
+    equations  those that have no room over their polygons
     """
 
     room: Room
     found: Sequence[Table] = ()
     notes: Mapping[Plane, Label] = field(default_factory=dict)
     further: Mapping[Plane, float] = field(default_factory=dict)
+    equations: Sequence[EquationBlock] = ()
 
 
 def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane, float], lang: Lang) -> list[Mark]:
@@ -53,9 +58,15 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
         Stroke((complex(room.left, room.top), complex(room.right, room.top)), "outline"),
         Stroke((complex(edge, room.top), complex(edge, room.bottom)), "outline"),
     ]
-    marks += drawn_tables(arranged([*asked.found], _room(paper)), complex(room.left + 3, room.top + 1.5))
+    tiers, corner = arranged([*asked.found], tables_room(paper)), complex(room.left + 3, room.top + 1.5)
+    marks += drawn_tables(tiers, corner)
+    corner += 1j * height_of(tiers)
+    for line in flowed(asked.equations, tables_room(paper)):
+        marks += laid_out(line, corner, tables_room(paper))
+        corner += 1j * head_of(line)[0].imag
     marks += _check_bar(complex(room.left + 3, room.bottom - 3.2), lang)
-    marks += _words(machine, complex(edge + 3, room.top), {**scales, **asked.further}, asked.notes, lang)
+    block = Room(edge + 3, room.top, room.right - 3, room.bottom - 3)
+    marks += _words(machine, block, {**scales, **asked.further}, asked.notes, lang)
     return marks
 
 
@@ -63,7 +74,7 @@ def frame(paper: Paper) -> Mark:
     """The drawing frame."""
     room = paper.frame
     low, high = complex(room.left, room.top), complex(room.right, room.bottom)
-    return Stroke((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), "outline", closed=True)
+    return Stroke((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), "visible", closed=True)
 
 
 def _check_bar(at: Place, lang: Lang) -> list[Mark]:
@@ -76,11 +87,11 @@ def _check_bar(at: Place, lang: Lang) -> list[Mark]:
 
 
 def _words(
-    machine: Mechanism, corner: Place, scales: Mapping[Plane, float], notes: Mapping[Plane, Label], lang: Lang
+    machine: Mechanism, room: Room, scales: Mapping[Plane, float], notes: Mapping[Plane, Label], lang: Lang
 ) -> list[Mark]:
     """Title, source, scales, and what drew it; each line shrunk or broken to the block."""
     marks: list[Mark] = []
-    pen = corner + 1.2j
+    pen = complex(room.left, room.top) + 1.2j
     title = machine.headline(lang)
     large = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else 0.85 * TITLE
     for text, size in ((title, large), (machine.source, LEAST + 0.2)):
@@ -94,7 +105,7 @@ def _words(
         if plane in notes:
             marks.append(Text(notes[plane], pen + width(written(plane, scale), BODY) + 2.5, LEAST))
     made: Label = plain("graphkin")
-    marks.append(Text(made, complex(corner.real + _WIDE - 6 - width(made, LEAST), pen.imag), LEAST))
+    marks.append(Text(made, complex(room.right - width(made, LEAST), room.bottom), LEAST))
     return marks
 
 

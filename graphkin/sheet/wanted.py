@@ -21,6 +21,9 @@ _FAR_RINGS = (17.0, 21.5, 26.5, 32.0, 38.0, 44.5, 51.5, 59.0)
 _FAR_TURNS = tuple(cmath.rect(1, math.tau * k / 32) for k in range(32))
 _ANCHORS = (0.5, 0.3, 0.7)
 """Where along a line a far leader may end."""
+_LED_ALONG = (0.3, 0.7)
+"""Where else than at its middle a leader may meet an arrow."""
+_OFF_MIDDLE = 0.5
 _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 
 
@@ -39,6 +42,7 @@ class Wanted:
     gap   how far the symbol at the point, or the line's width, reaches [mm]
     away  the side it likes (any length; 0 for none)
     spare  what it says can be read from other labels too
+    of     the name of the arrow it names
     parts  the label in parts that come with steps of their own; else it is one
     """
 
@@ -51,6 +55,7 @@ class Wanted:
     step: int | None = None
     spare: bool = False
     parts: tuple[tuple[Label, int | None], ...] = ()
+    of: str = ""
 
     def texts(self, at: Place) -> Iterator[Text]:
         """Its letters, from the left end of the base line."""
@@ -68,6 +73,10 @@ class Wanted:
         if self.end is not None and abs(self.end - self.start) > 1.5:
             yield from _beside(self.start, self.end, half, self)
             yield from _around((self.start + self.end) / 2, half, self, first=3)
+            if self.of:
+                for t in _LED_ALONG:
+                    for spot in _around(self.start + (self.end - self.start) * t, half, self, first=3):
+                        yield spot._replace(cost=spot.cost + _OFF_MIDDLE)
         else:
             yield from _around(self.start, half, self)
 

@@ -1,28 +1,11 @@
-"""From SI to paper: where a plane's points lie on the sheet, and when in the drawing they come."""
+"""From SI to paper: where a plane's points lie on the sheet."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
-from typing import assert_never
 
-from graphkin.construction import (
-    Arc,
-    Construction,
-    Fit,
-    Given,
-    Image,
-    LayOff,
-    Measure,
-    Meet,
-    Plane,
-    Ray,
-    Roll,
-    Simultaneous,
-    Step,
-    Swing,
-    Touch,
-)
+from graphkin.construction import Construction, Plane
 from graphkin.planning import Method
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.wanted import Wanted
@@ -77,41 +60,3 @@ class Figure:
 
 def constructions(method: Method) -> dict[Plane, Construction]:
     return {"position": method.position, "velocity": method.velocity, "acceleration": method.acceleration}
-
-
-def first_steps(method: Method) -> dict[Plane, int]:
-    """How many steps go before each plane's own: numbers run on through the three planes."""
-    found: dict[Plane, int] = {}
-    count = 0
-    for plane, construction in constructions(method).items():
-        found[plane] = count
-        count += sum(1 for _ in construction.steps)
-    return found
-
-
-def step_count(method: Method) -> int:
-    """Steps of all three planes together."""
-    return sum(sum(1 for _ in construction.steps) for construction in constructions(method).values())
-
-
-def births(construction: Construction, before: int) -> Mapping[str, int]:
-    """The number of the step in which each point of a plane is found (the first step is 1)."""
-    found: dict[str, int] = {}
-    for number, step in enumerate(construction.steps, start=before + 1):
-        for name in _made(step):
-            found.setdefault(name, number)
-    return found
-
-
-def _made(step: Step) -> tuple[str, ...]:
-    match step:
-        case Given(point, also):
-            return (point, *also)
-        case LayOff(tip=tip):
-            return (tip,)
-        case Meet(point=point) | Image(point=point) | Touch(point=point):
-            return (point,)
-        case Ray() | Arc() | Swing() | Measure() | Roll() | Fit() | Simultaneous():
-            return ()
-        case _:
-            assert_never(step)

@@ -1,0 +1,146 @@
+"""Acts of the pencil: what one sentence of a solution tells it to do, and the number that drawing and words give it.
+
+An arrow is laid off, two lines are drawn to where they meet, a figure similar to a link gives a point: each is one
+act. What leads to it (the pole, the two lines) and what is then measured belong to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from typing import TYPE_CHECKING, assert_never
+
+from graphkin.construction import (
+    Arc,
+    Construction,
+    Fit,
+    Given,
+    Image,
+    LayOff,
+    Measure,
+    Meet,
+    Plane,
+    Ray,
+    Roll,
+    Simultaneous,
+    Step,
+    Swing,
+    Touch,
+)
+from graphkin.value import frozen
+
+if TYPE_CHECKING:
+    from graphkin.planning.method import Method
+
+
+@frozen
+class Act:
+    """What the pencil does in one go.
+
+    number  counted from 1 through both polygons; in the mechanism's own plane apart
+    page    counted from 1 through all three planes: the drawing of it among those of single steps
+    steps   of the construction; `done` is the one that finishes it
+    """
+
+    plane: Plane
+    number: int
+    page: int
+    steps: tuple[Step, ...]
+    done: Step
+
+    @property
+    def numbered(self) -> bool:
+        """Whether its number is written: the drawing of the mechanism itself needs none."""
+        return self.plane != "position"
+
+
+def acts(method: Method) -> tuple[Act, ...]:
+    """All acts in the order in which they are drawn."""
+    found: list[Act] = []
+    unnamed = method.mechanism.unnamed
+    for construction in method.constructions:
+        before = 0 if construction.plane in ("position", "velocity") else sum(act.numbered for act in found)
+        for number, (steps, done) in enumerate(_groups(construction, unnamed), start=before + 1):
+            found.append(Act(construction.plane, number, len(found) + 1, steps, done))
+    return tuple(found)
+
+
+def pages(method: Method) -> Mapping[tuple[Plane, Step], int]:
+    """In which act each step is done."""
+    return {(act.plane, step): act.page for act in method.acts for step in act.steps}
+
+
+def births(method: Method, plane: Plane) -> Mapping[str, int]:
+    """The act in which each point of a plane is found."""
+    found: dict[str, int] = {}
+    for act in method.acts:
+        for step in act.steps if act.plane == plane else ():
+            for name in made(step):
+                found.setdefault(name, act.page)
+    return found
+
+
+def rate_found(method: Method, plane: Plane, link: str) -> int | None:
+    """The act in which a link's rotation is found in a polygon's plane; None for one that is driven."""
+    base = method.structure.base(link)
+    for act in method.acts:
+        for step in act.steps if act.plane == plane else ():
+            match step:
+                case Measure(quantity="omega" | "alpha", of=of) if method.structure.base(of) == base:
+                    return act.page
+                case Roll(angle=angle) if angle == base:
+                    return act.page
+                case Simultaneous(angles=angles) if base in angles:
+                    return act.page
+                case _:
+                    pass
+    return None
+
+
+def _groups(construction: Construction, unnamed: Collection[str]) -> Iterator[tuple[tuple[Step, ...], Step]]:
+    """Steps that go together, each group with the one that finishes it."""
+    groups: list[tuple[list[Step], Step]] = []
+    begun: list[Step] = []
+    for step in construction.steps:
+        if groups and not begun and (isinstance(step, Measure | Roll) or _nameless(step, unnamed)):
+            groups[-1][0].append(step)
+            continue
+        begun.append(step)
+        if _finishes(step, unnamed):
+            groups.append((begun, step))
+            begun = []
+    if groups:
+        groups[-1][0].extend(begun)
+    return ((tuple(steps), done) for steps, done in groups)
+
+
+def _nameless(step: Step, unnamed: Collection[str]) -> bool:
+    """A point that nobody named, as where a guide's line begins: there with what it belongs to."""
+    return isinstance(step, Image) and step.point in unnamed
+
+
+def _finishes(step: Step, unnamed: Collection[str]) -> bool:
+    """Whether a sentence of its own tells of it; a point without a name is told where it is needed."""
+    match step:
+        case Image():
+            return not _nameless(step, unnamed)
+        case LayOff() | Meet() | Swing() | Touch() | Fit():
+            return True
+        case Given() | Ray() | Arc() | Measure() | Roll() | Simultaneous():
+            return False
+        case _:
+            assert_never(step)
+
+
+def made(step: Step) -> tuple[str, ...]:
+    """The points that a step finds."""
+    match step:
+        case Given(point, also):
+            return (point, *also)
+        case LayOff(tip=tip):
+            return (tip,)
+        case Meet(point=point) | Image(point=point) | Touch(point=point):
+            return (point,)
+        case Ray() | Arc() | Swing() | Measure() | Roll() | Fit() | Simultaneous():
+            return ()
+        case _:
+            assert_never(step)

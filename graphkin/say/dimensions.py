@@ -1,0 +1,105 @@
+"""What is given of a mechanism in figures: lengths, offsets, radii, and how it is driven."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from math import degrees
+
+from graphkin.construction import LayOff, Measure, Normal, Step, Tangential, Term, Turning
+from graphkin.geometry import cross
+from graphkin.mechanism import FRAME
+from graphkin.pairs import Gear, Roll, Slide
+from graphkin.say import names
+from graphkin.say.numbers import number
+from graphkin.say.reading import Reading
+
+
+def dimensions(reading: Reading) -> list[str]:
+    """`AD = 78 mm`, `AB = 24 mm`, .. link by link; then offsets of guides, radii of wheels, driven rates."""
+    return [*dict.fromkeys([*_lengths(reading), *_offsets(reading), *_radii(reading), *_rates(reading)])]
+
+
+def measured_lengths(reading: Reading) -> list[tuple[str, str]]:
+    """The distances by which rotations are found or sizes made that no link gives: they are measured in the drawing."""
+    method, found = reading.method, dict[tuple[str, str], None]()
+    for construction in (method.velocity, method.acceleration):
+        for step in construction.steps:
+            ends = tuple(sorted(_lever(step)))
+            if len(ends) == 2 and all(map(reading.named, ends)) and reading.distance(*ends):
+                found[ends[0], ends[1]] = None
+    return [ends for ends in found if not _held(reading, *ends)]
+
+
+def _lever(step: Step) -> tuple[str, ...]:
+    """The points whose distance a step uses."""
+    match step:
+        case Measure(lever=(tail, head)) if tail:
+            return tail, head
+        case LayOff(term=Term(size=Turning(_, tail, head) | Normal(_, tail, head) | Tangential(_, tail, head))):
+            return tail, head
+        case _:
+            return ()
+
+
+def _held(reading: Reading, one: str, other: str) -> bool:
+    """Whether a link has both points."""
+    owners = reading.mechanism.owners
+    return bool(set(owners.get(one, ())) & set(owners.get(other, ())))
+
+
+def length(reading: Reading, one: str, other: str) -> str:
+    """`l_BD = 69.2 mm`, of the mechanism itself."""
+    return f"l_{names.pair(one, other)} = {number(reading.distance(one, other) * 1000)} mm"
+
+
+def _lengths(reading: Reading) -> Iterator[str]:
+    """Each link by as many distances of its points as fix it."""
+    for link in (FRAME, *reading.mechanism.moving):
+        points = [point for point in reading.mechanism.named(link) if point in reading.plot.position]
+        for k, point in enumerate(points[1:], start=1):
+            for other in points[max(0, k - 2) : k] if not _in_line(reading, points) else points[k - 1 : k]:
+                yield f"{names.pair(other, point)} = {number(reading.distance(other, point) * 1000)} mm"
+
+
+def _in_line(reading: Reading, points: list[str]) -> bool:
+    arms = [reading.plot.arm(one, other) for one, other in pairwise(points)]
+    return all(abs(float(cross(arms[0], arm))) <= reading.noise * abs(complex(arms[0])) for arm in arms)
+
+
+def _offsets(reading: Reading) -> Iterator[str]:
+    """How far a guide's line passes a point of its link."""
+    for slide in reading.mechanism.of(Slide):
+        points = [p for p in reading.mechanism.named(slide.guide) if p in reading.plot.position]
+        if points and slide.stands_for is None:
+            off = abs(float(cross(reading.plot.guide_direction(slide.name), reading.plot.arm(points[0], slide.point))))
+            if off > reading.noise:
+                called = names.point(points[0])
+                yield f"{'e' if slide.guide == FRAME else 'h'}_{called} = {number(off * 1000)} mm"
+
+
+def _radii(reading: Reading) -> Iterator[str]:
+    for gear in reading.mechanism.of(Gear):
+        for link, _, radius in gear.circles:
+            yield _radius(reading, link, radius)
+    for roll in reading.mechanism.of(Roll):
+        yield _radius(reading, roll.wheel, roll.radius)
+
+
+def _radius(reading: Reading, link: str, radius: float) -> str:
+    return f"{names.of_link('r', reading.mechanism.called(link))} = {number(radius * 1000)} mm"
+
+
+def _rates(reading: Reading) -> Iterator[str]:
+    facts = reading.plot.facts
+    table = zip(reading.mechanism.drivers, facts.values, facts.rates, facts.accelerations, strict=True)
+    for driver, value, rate, more in table:
+        turning = driver.kind != "slide"
+        if driver.kind == "angle" and driver.value is not None:
+            yield f"{reading.against(driver, 'φ')} = {number(degrees(float(value)))}°"
+        units = ("rad/s", "rad/s²") if turning else ("m/s", "m/s²")
+        symbols = ("ω", "α") if turning else ("ṡ", "s̈")
+        for symbol, size, unit in zip(symbols, (float(rate), float(more)), units, strict=True):
+            if size:
+                name = reading.against(driver, symbol) if turning else names.of_slide(symbol, driver.link)
+                yield f"{name} = {number(abs(size) if turning else size)} {unit}"

@@ -1,0 +1,141 @@
+"""What stands on the mechanism beside its own signs: lengths that are measured, rotations found, and what is given.
+
+It is drawn last, where signs and labels have left room; what has none is left out.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import field, replace
+
+import numpy as np
+
+from graphkin.construction import Plane
+from graphkin.mechanism import FRAME
+from graphkin.planning.acts import rate_found
+from graphkin.quantities import Rotation, read
+from graphkin.say.dimensions import dimensions, length, measured_lengths
+from graphkin.say.reading import ROUNDING, Reading
+from graphkin.sheet.formula import formula
+from graphkin.sheet.free_room import Added, FreeRoom
+from graphkin.sheet.lettering import quantity_label
+from graphkin.sheet.marks import Arc, Mark, Place, Stroke, Text
+from graphkin.sheet.paper import LEAST, Room
+from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.symbols import SWEEP, spin
+from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.written_lines import WrittenLines
+from graphkin.value import frozen
+
+_RADII = (7.0, 9.5, 12.0, 15.0)
+"""Of the arcs that show how a link turns [mm]."""
+_TURNS = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
+_NARROWER = (75.0, 50.0, 30.0)
+"""What is given is written in shorter lines where long ones have no room [mm]."""
+_SHORT = 5.0
+"""A shorter length is told by words alone [mm]."""
+_HALF = 0.9
+"""Half of the width that an arc with its head takes [mm]."""
+_LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": ("α", "acceleration")}
+
+
+@frozen
+class Annotated:
+    """A mechanism with what the solution reads off it.
+
+    planes  of which results may be shown; none where only what is given is drawn
+    """
+
+    skeleton: Skeleton
+    reading: Reading
+    planes: Sequence[Plane] = field(default_factory=tuple)
+
+    def lines(self) -> list[Mark]:
+        return []
+
+    def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
+        """All of it among what stands there."""
+        free, added = FreeRoom(standing, room), Added()
+        for one, other in measured_lengths(self.reading) if self.planes else ():
+            self._length(one, other, free, added)
+        for rotation in self._asked():
+            added.over.extend(self._arc(rotation, free))
+        if self.planes:
+            added.over.extend(_written(dimensions(self.reading), free))
+        return added
+
+    # --- lengths ----------------------------------------------------------------------------------
+
+    def _length(self, one: str, other: str, free: FreeRoom, added: Added) -> None:
+        """A thin line between two points with the length it has, where there is room for its letters."""
+        start, end = self.skeleton.at(one), self.skeleton.at(other)
+        if abs(end - start) < _SHORT or not (pieces := free.pieces(start, end)):
+            return
+        step = self.skeleton.step(one, other)
+        want = Wanted(formula(length(self.reading, one, other)), start, end, gap=0.5, size=LEAST, step=step)
+        if letters := free.letters(want):
+            added.over.extend(letters)
+            lines = [Stroke(piece, "measured", step=step) for piece in pieces]
+            added.under.extend(lines)
+            free.add(lines)
+
+    # --- rotations --------------------------------------------------------------------------------
+
+    def _asked(self) -> Iterator[Rotation]:
+        """The rates of links that are asked for, and that the planes drawn give."""
+        machine = self.reading.mechanism
+        for text in machine.ask:
+            quantity = read(machine, text)
+            for half in quantity.halves if quantity is not None else ():
+                if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
+                    yield half
+
+    def _arc(self, rotation: Rotation, free: FreeRoom) -> list[Mark]:
+        """An arc in the sense in which the link turns, about one of its points, with its letter."""
+        (letter, plane), link = _LETTERS[rotation.word], rotation.link
+        table = self.reading.plot.omega if plane == "velocity" else self.reading.plot.alpha
+        value = float(table[link])
+        driven = any(driver.link == link for driver in self.reading.mechanism.drivers)
+        if driven or abs(value) <= ROUNDING * max(abs(float(rate)) for rate in table.values()):
+            return []
+        step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, value)
+        label = quantity_label(letter, self.reading.mechanism.called(link))
+        for at, radius, start in self._places(link, sense, free):
+            middle = start * cmath.rect(1, -sense * SWEEP / 2)
+            want = Wanted(label, at + middle * radius, gap=0.9, away=middle, step=step)
+            arc = [_accented(mark, plane) for mark in spin(at, start, sense, radius, step)]
+            trial = FreeRoom([*free.marks, *arc], free.room)
+            if letters := trial.letters(want):
+                found = [*arc, *(_accented(mark, plane) for mark in letters)]
+                free.add(found)
+                return found
+        return []
+
+    def _places(self, link: str, sense: float, free: FreeRoom) -> Iterator[tuple[Place, float, complex]]:
+        """Where such an arc has room: centre, radius, direction in which it starts; about fixed points first."""
+        owners, skeleton = self.reading.mechanism.owners, self.skeleton
+        points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
+        spots = [(skeleton.at(point), radius, start) for point in points for radius in _RADII for start in _TURNS]
+        turns = np.linspace(0, -sense * SWEEP, 8)
+        along = np.array([[at + start * radius * cmath.rect(1, turn) for turn in turns] for at, radius, start in spots])
+        middle = np.stack([along.real, along.imag], axis=-1).reshape(-1, 2)
+        clear = free.free(middle - _HALF, middle + _HALF).reshape(len(spots), -1).all(axis=1) if spots else ()
+        return (spot for spot, is_clear in zip(spots, clear, strict=True) if is_clear)
+
+
+def _accented(mark: Mark, plane: Plane) -> Mark:
+    """In the colour of a polygon."""
+    return replace(mark, accent=plane) if isinstance(mark, Arc | Stroke | Text) else mark
+
+
+def _written(texts: Sequence[str], free: FreeRoom) -> list[Mark]:
+    """What is given, in lines at the foot of the figure; nothing where it has no room."""
+    for wide in (free.room.size.real - 8, *_NARROWER):
+        lines = WrittenLines.of([formula(text) for text in texts], wide, LEAST)
+        if lines.lines and (corner := free.corner(lines.size, from_below=True)) is not None:
+            found: list[Mark] = [*lines.marks(corner)]
+            free.add(found)
+            return found
+    return []

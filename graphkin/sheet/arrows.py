@@ -1,0 +1,112 @@
+"""Arrows of a polygon that would lie on one another: side by side, and their heads apart.
+
+Arrows on one line are drawn beside it, both ends moved alike, at right angles to it, by a whole number of `ASIDE`: so a
+ruler reads them as before, and sees from the points at their ends that they were moved. Heads that meet at one point
+under a small angle open outwards only; those between two others stand back from the point.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import count
+
+from graphkin.sheet.marks import Half, Mark, PointMark, VectorMark
+from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.window import Figure
+
+ASIDE = 1.2
+"""Arrows on one line are drawn so far apart [mm]."""
+_ON, _ALONG = 0.3, 1.0
+"""Nearer than this to a line, over more than this of it, an arrow lies on it [mm]."""
+_SHORT = 0.9
+"""Shorter arrows stay where they are [mm]."""
+_SAME = 0.2
+"""Heads nearer than this are at one place [mm]."""
+_MELT = math.radians(22)
+"""Under a smaller angle two heads become one to the eye."""
+_STEP = 3.4
+"""From a head to the next one behind it [mm]."""
+
+
+def side_by_side(figure: Figure) -> Figure:
+    """The figure with its arrows beside one another; their labels go with them."""
+    vectors = [mark for mark in figure.marks if isinstance(mark, VectorMark)]
+    asides = {(v.plane, v.name): aside for v, aside in zip(vectors, _asides(vectors), strict=True) if aside}
+
+    def moved(mark: Mark) -> Mark:
+        if not isinstance(mark, VectorMark) or (mark.plane, mark.name) not in asides:
+            return mark
+        aside = asides[mark.plane, mark.name]
+        return replace(mark, start=mark.start + aside, end=mark.end + aside)
+
+    by_name = {name: aside for (_, name), aside in asides.items()}
+    return Figure([moved(mark) for mark in figure.marks], [_with_arrow(want, by_name) for want in figure.wanted])
+
+
+def _with_arrow(want: Wanted, asides: dict[str, complex]) -> Wanted:
+    """On the side to which its arrow was moved."""
+    aside = asides.get(want.of)
+    if aside is None or want.end is None:
+        return want
+    return replace(want, start=want.start + aside, end=want.end + aside, away=aside)
+
+
+def _asides(vectors: Sequence[VectorMark]) -> Iterator[complex]:
+    """How far each is moved: by the least that keeps it off those before it."""
+    placed: list[VectorMark] = []
+    for vector in vectors:
+        normal = 1j * (vector.end - vector.start) / vector.length if vector.length > _SHORT else 0j
+        if (normal.imag, normal.real) > (0, 0):
+            normal = -normal
+        for turn in count():
+            aside = normal * ASIDE * ((turn + 1) // 2) * (1 if turn % 2 else -1)
+            there = replace(vector, start=vector.start + aside, end=vector.end + aside)
+            if not normal or not any(_lie_on_one_another(there, other) for other in placed):
+                break
+        placed.append(there)
+        yield aside
+
+
+def _lie_on_one_another(one: VectorMark, other: VectorMark) -> bool:
+    """Whether one runs along the other."""
+    if one.plane != other.plane or min(one.length, other.length) < _SHORT:
+        return False
+    along = (one.end - one.start) / one.length
+    ends = [(end - one.start) * along.conjugate() for end in (other.start, other.end)]
+    low, high = sorted(end.real for end in ends)
+    return max(abs(end.imag) for end in ends) < _ON and min(one.length, high) - max(0.0, low) > _ALONG
+
+
+# --- heads ------------------------------------------------------------------------------------
+
+
+def heads_apart(figure: Figure) -> Figure:
+    """The figure with its arrow heads at the rims of the dots they point to, and off one another."""
+    vectors = [mark for mark in figure.marks if isinstance(mark, VectorMark) and mark.length > _SHORT]
+    dots = [mark for mark in figure.marks if isinstance(mark, PointMark) and mark.fill == "ink"]
+    changed = {id(vector): _headed(vector, vectors, dots) for vector in vectors}
+    return Figure([changed.get(id(mark), mark) for mark in figure.marks], figure.wanted)
+
+
+def _headed(vector: VectorMark, vectors: Sequence[VectorMark], dots: Sequence[PointMark]) -> VectorMark:
+    """With the head that its neighbours leave it."""
+    rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)
+    turns = {id(v): _turn(vector, v) for v in vectors if v is not vector and abs(v.end - vector.end) < _SAME}
+    left = [turn for turn in turns.values() if -_MELT < turn <= 0]
+    right = [turn for turn in turns.values() if 0 < turn < _MELT]
+    half: Half = "" if left and right else "right" if left else "left" if right else ""
+    back = rim + (_STEP if left and right else 0.0)
+    return replace(vector, half=half, back=back)
+
+
+def _turn(vector: VectorMark, other: VectorMark) -> float:
+    """By which angle the other arrow, looking along this one, comes from the right of it [rad]; never 0.
+
+    An arrow that comes from the right of the end has its tail on the right.
+    """
+    own, its = vector.start - vector.end, other.start - other.end
+    turn = cmath.phase(its / own)
+    return -turn or 1e-9

@@ -1,0 +1,185 @@
+"""The construction of a polygon: direction lines with their marks, right angles, and the numbers of what was drawn.
+
+It is drawn last, where labels leave room: a line is shortened before it runs into letters, and a mark or a number for
+which there is no room is left out. The numbers are those of the sentences that tell of the same acts.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+from graphkin.construction import Image, LayOff, Meet, Ray, Term
+from graphkin.planning.acts import Act
+from graphkin.say.plane import Polygon as Spoken
+from graphkin.sheet.equation_rows import EquationBlock
+from graphkin.sheet.formula import formula
+from graphkin.sheet.free_room import Added, FreeRoom
+from graphkin.sheet.lettering import box, plain
+from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
+from graphkin.sheet.paper import LEAST, Room
+from graphkin.sheet.polygons import Polygon
+from graphkin.sheet.wanted import Wanted
+from graphkin.value import frozen
+
+_BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
+"""How far a direction line goes on past where it meets the other; where labels keep off it if they can; shorter than
+this it says nothing [mm]."""
+_SQUARE = 1.9
+"""Side of the square in a right angle [mm]."""
+_RING = 1.9
+"""Radius of the circle about a number [mm]."""
+_NOTHING = 0.05
+"""Arrows up to this have no length [mm]."""
+_RIGHT = (("n", "t"), ("k", "r"), ("rn", "rt"))
+"""Parts of one motion that stand at right angles to each other."""
+
+
+@frozen
+class _Line:
+    """A direction line from its foot to where it meets another, and what is written at its end."""
+
+    foot: Place
+    meeting: Place
+    along: complex
+    text: str
+    page: int
+
+    @property
+    def ways(self) -> list[complex]:
+        """On past the meeting point; either way where the line starts there."""
+        way = self.meeting - self.foot
+        ahead = (self.along.conjugate() * way).real
+        return [self.along * (1 if ahead > 0 else -1)] if abs(way) > _NOTHING else [self.along, -self.along]
+
+
+@frozen
+class Drafted:
+    """A polygon's construction.
+
+    spoken  the same polygon as it is worded; acts: those of its plane
+    loose   equations that have no place of their own over the figure
+    """
+
+    polygon: Polygon
+    spoken: Spoken
+    acts: Sequence[Act]
+    loose: Sequence[EquationBlock] = ()
+
+    def lines(self) -> list[Mark]:
+        """The direction lines as far as they like to go on past where they meet, for labels to keep off."""
+        sides = [(line, side) for line in self._lines() for side in line.ways]
+        return [Stroke((line.foot, line.meeting, line.meeting + side * _LIKED), "construction") for line, side in sides]
+
+    def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
+        """All of it among what stands there."""
+        free, added = FreeRoom(standing, room), Added()
+        marked: list[tuple[_Line, Place]] = []
+        for line in self._lines():
+            tip = _drawn(line, free, added)
+            marked += [(line, tip)] if tip is not None else []
+        added.under.extend(square for square in self._squares() if _clear(square, free))
+        free.add(added.under)
+        for act in self.acts:
+            added.over.extend(self._number(act, free))
+        for line, tip in marked:
+            want = Wanted(formula(line.text), tip, gap=-0.2, away=(tip - line.meeting), size=LEAST, step=line.page)
+            added.over.extend(free.letters(want))
+        for block in self.loose:
+            corner = free.corner(block.size)
+            letters = [] if corner is None else list(block.marks(corner))
+            free.add(letters)
+            added.over.extend(letters)
+            added.left_out.extend([] if letters else [block])
+        return added
+
+    # --- direction lines --------------------------------------------------------------------------
+
+    def _lines(self) -> Iterator[_Line]:
+        points = self.polygon.points
+        for act in self.acts:
+            step = act.done
+            if not isinstance(step, Meet) or step.point not in points:
+                continue
+            for ray in (step.first, step.second):
+                if isinstance(ray, Ray) and ray.through in points:
+                    along = self.polygon.window.turned(complex(self.polygon.plot.direction(ray.direction)))
+                    text = self.spoken.line_direction(ray.direction, self._terms(step))
+                    if not cmath.isnan(along):
+                        yield _Line(points[ray.through], points[step.point], along, text, act.page)
+
+    def _terms(self, step: Meet) -> tuple[Term, ...]:
+        """The terms of the equation that a crossing closes."""
+        for equation in self.polygon.construction.equations:
+            if step in equation.steps:
+                return equation.left + equation.right
+        return ()
+
+    # --- right angles -----------------------------------------------------------------------------
+
+    def _squares(self) -> Iterator[Stroke]:
+        """Where a normal and a tangential part join, or what slides and its Coriolis acceleration."""
+        for equation in self.polygon.construction.equations:
+            for chain in (equation.left, equation.right):
+                for one, other in pairwise(chain):
+                    parts = {one.part, other.part}
+                    if (one.of, one.seen_from) == (other.of, other.seen_from) and parts in map(set, _RIGHT):
+                        yield from self._square(one, other)
+
+    def _square(self, one: Term, other: Term) -> Iterator[Stroke]:
+        """In the corner between two arrows that follow one another."""
+        points = self.polygon.points
+        if not {one.tail, one.head, other.head} <= points.keys():
+            return
+        corner, back, on = points[one.head], points[one.tail], points[other.head]
+        a, b = back - corner, on - corner
+        if min(abs(a), abs(b)) < _SQUARE / 2 or max(abs(a), abs(b)) < 2 * _SQUARE:
+            return
+        a, b = a / abs(a) * _SQUARE, b / abs(b) * _SQUARE
+        step = self.polygon.step(one.tail, one.head, other.head)
+        yield Stroke((corner + a, corner + a + b, corner + b), "construction", step=step)
+
+    # --- numbers ----------------------------------------------------------------------------------
+
+    def _number(self, act: Act, free: FreeRoom) -> list[Mark]:
+        """A number in a circle beside what was drawn."""
+        want = self._beside(act)
+        middle = None if want is None else free.place(want, complex(_RING, _RING))
+        if want is None or middle is None:
+            return []
+        wide, up, down = box(want.label, want.size)
+        ring = Disc(middle, _RING, "construction", step=act.page)
+        found: list[Mark] = [ring, Text(want.label, middle + complex(-wide / 2, (up - down) / 2), want.size, act.page)]
+        free.add(found)
+        return found
+
+    def _beside(self, act: Act) -> Wanted | None:
+        points, label = self.polygon.points, plain(str(act.number))
+        match act.done:
+            case LayOff(term, _, tip) if tip in (term.head, term.tail) and {term.tail, term.head} <= points.keys():
+                start, end = points[term.tail], points[term.head]
+                if abs(end - start) > _NOTHING:
+                    return Wanted(label, start, end, gap=0.6, size=LEAST, step=act.page)
+                return Wanted(label, end, gap=0.8, size=LEAST, step=act.page)
+            case Meet(point=point) | Image(point=point) if point in points:
+                return Wanted(label, points[point], gap=0.8, size=LEAST, step=act.page)
+            case _:
+                return None
+
+
+def _drawn(line: _Line, free: FreeRoom, added: Added) -> Place | None:
+    """The line from its foot past the meeting point; where it ends if it goes on far enough to bear its mark."""
+    reach, on = max(((free.reach(line.meeting, side, _BEYOND), side) for side in line.ways), key=lambda found: found[0])
+    tip = line.meeting + on * reach if reach >= _SHORT else line.meeting
+    start = line.meeting - on * max(0.0, free.reach(line.meeting, -on, abs(line.meeting - line.foot)))
+    if abs(tip - start) > _NOTHING:
+        added.under.append(Stroke((start, tip), "construction", step=line.page))
+    return tip if tip != line.meeting else None
+
+
+def _clear(stroke: Stroke, free: FreeRoom) -> bool:
+    """Whether no letters stand where a small sign would be drawn."""
+    first, corner, last = stroke.places
+    sides = ((first, corner), (last, corner))
+    return all(free.reach(a, (b - a) / abs(b - a), abs(b - a)) >= abs(b - a) for a, b in sides)

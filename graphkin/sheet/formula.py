@@ -1,0 +1,45 @@
+"""Plain text of the speaker, set as the field writes it: `aᵏ_B3B2`, `ω3² l_BD`, `⊥BD`."""
+
+from __future__ import annotations
+
+import re
+
+from graphkin.sheet.lettering import Label, Run, point_label
+
+_RAISED = dict(zip("ⁿᵗᵏʳ²³", "ntkr23", strict=True))
+_SIGN = re.compile(r"([A-Za-zα-ωṡ]\u0308?)([ⁿᵗᵏʳ]*)(?:_([^\s()/|²³·]+)|(\d+))([²³]?)(?![A-Za-z])")
+_POINT = re.compile(r"[A-Z][0-9]*′*")
+_POINTS = re.compile(rf"(?<=[⊥∥→])(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)")
+_ANY = re.compile(f"(?P<points>{_POINTS.pattern})|(?P<sign>{_SIGN.pattern})")
+
+
+def formula(text: str) -> Label:
+    """Quantities with their subscripts, powers raised, points in italics; what is neither stays as it is."""
+    runs: list[Run] = []
+    at = 0
+    for found in _ANY.finditer(text):
+        runs += _upright(text[at : found.start()])
+        runs += _points(found["points"]) if found["points"] else _sign(found["sign"])
+        at = found.end()
+    return tuple(runs + _upright(text[at:]))
+
+
+def _upright(text: str) -> list[Run]:
+    return [Run(text)] if text else []
+
+
+def _sign(text: str) -> list[Run]:
+    """A letter, what stands below it, and its part or power above that."""
+    match = _SIGN.fullmatch(text)
+    assert match is not None
+    letter, part, low, digits, power = match.groups()
+    below = re.findall(r"[^\W\d_]+|[^A-Za-z]+", (low or digits).replace("@", " "))
+    found = [Run(letter, True), *(Run(piece, piece.isalpha() and piece.isascii(), "sub") for piece in below)]
+    if part:
+        found.append(Run("".join(_RAISED[c] for c in part), True, "sup", back=True))
+    return [*found, Run(_RAISED[power], place="sup")] if power else found
+
+
+def _points(text: str) -> list[Run]:
+    """`BD`, `O1B`: each point with its digits below it."""
+    return [run for name in _POINT.findall(text) for run in point_label(name)]

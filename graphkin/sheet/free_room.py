@@ -1,0 +1,111 @@
+"""What comes last on a figure: it stands where lines and labels have left room, and is left out where they have not."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import field
+from typing import Any
+
+import numpy as np
+
+from graphkin.sheet.equation_rows import EquationBlock
+from graphkin.sheet.lettering import box
+from graphkin.sheet.marks import Mark, Place, Text
+from graphkin.sheet.obstacles import bounds, tree
+from graphkin.sheet.paper import Room
+from graphkin.sheet.wanted import Wanted
+from graphkin.value import frozen
+
+_CLEAR = 0.6
+"""What is added keeps this from everything there [mm]."""
+_EDGE, _GRID = 2.0, 3.0
+"""What a rectangle keeps from all others; how finely places for it are tried [mm]."""
+_STEPS = 0.5
+"""How finely a line is shortened [mm]."""
+
+
+@frozen
+class Added:
+    """What is drawn beneath a figure, and what over it; equations for which there is no room."""
+
+    under: list[Mark] = field(default_factory=list)
+    over: list[Mark] = field(default_factory=list)
+    left_out: list[EquationBlock] = field(default_factory=list)
+
+
+class FreeRoom:
+    """A figure with its labels, and what has been added since."""
+
+    def __init__(self, standing: Sequence[Mark], room: Room) -> None:
+        self.room = room
+        self.marks = list(standing)
+        self._tree = tree(self.marks)
+        self._letters = _boxes([mark for mark in standing if isinstance(mark, Text)])
+
+    def add(self, marks: Sequence[Mark]) -> None:
+        """These lie on the paper now, too."""
+        self.marks += marks
+        self._tree = tree(self.marks)
+        self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
+
+    def free(self, low: Any, high: Any) -> Any:
+        """Which of many boxes (n, 2) touch nothing and lie in the room."""
+        clear = np.bincount(self._tree.touched(low - _CLEAR, high + _CLEAR), minlength=len(low)) == 0
+        inside = np.all(low >= (self.room.left, self.room.top), axis=1)
+        return clear & inside & np.all(high <= (self.room.right, self.room.bottom), axis=1)
+
+    def reach(self, start: Place, along: complex, most: float) -> float:
+        """How far a line may go on from a place without running into letters, or out of the room [mm]."""
+        way = np.arange(0.0, most + _STEPS / 2, _STEPS)
+        places = np.stack([start.real + along.real * way, start.imag + along.imag * way], axis=1)
+        bad = np.any(places < (self.room.left, self.room.top), axis=1)
+        bad |= np.any(places > (self.room.right, self.room.bottom), axis=1)
+        low, high = self._letters[:, None, 0] - _CLEAR, self._letters[:, None, 1] + _CLEAR
+        bad |= np.any(np.all(places[None] > low, axis=-1) & np.all(places[None] < high, axis=-1), axis=0)
+        return float(way[np.argmax(bad)] - _STEPS) if bad.any() else most
+
+    def pieces(self, start: Place, end: Place) -> list[tuple[Place, Place]]:
+        """What of a line lies clear of letters."""
+        length = abs(end - start)
+        along, done = (end - start) / length, 0.0
+        found: list[tuple[Place, Place]] = []
+        while done < length:
+            reach = self.reach(start + along * done, along, length - done)
+            if reach > _STEPS:
+                found.append((start + along * done, start + along * (done + reach)))
+            done += max(reach, 0.0) + _STEPS
+        return found
+
+    def place(self, want: Wanted, half: complex) -> Place | None:
+        """The middle of the best free place near what is named; None where there is none without a leader."""
+        near = [spot for spot in want.candidates(half) if spot.anchor is None]
+        middle = np.array([(spot.middle.real, spot.middle.imag) for spot in near])
+        size = np.array((half.real, half.imag))
+        cost = np.where(self.free(middle - size, middle + size), [spot.cost for spot in near], np.inf)
+        best = int(np.argmin(cost))
+        return near[best].middle if np.isfinite(cost[best]) else None
+
+    def corner(self, size: complex, from_below: bool = False) -> Place | None:
+        """The upper left corner of the uppermost (or lowest) free rectangle of a size; None where there is none."""
+        xs = np.arange(self.room.left + _EDGE, self.room.right - size.real - _EDGE, _GRID)
+        ys = np.arange(self.room.top + _EDGE, self.room.bottom - size.imag - _EDGE, _GRID)
+        low = np.stack(np.meshgrid(xs, ys[::-1] if from_below else ys), axis=-1).reshape(-1, 2)
+        high = low + np.array((size.real, size.imag))
+        found: Any = np.flatnonzero(self.free(low - _EDGE, high + _EDGE)) if len(low) else ()
+        return complex(*low[found[0]]) if len(found) else None
+
+    def letters(self, want: Wanted) -> list[Mark]:
+        """A label where there is room for it, else nothing."""
+        wide, up, down = box(want.label, want.size)
+        half = complex(wide, up + down) / 2
+        if (middle := self.place(want, half)) is None:
+            return []
+        found: list[Mark] = [*want.texts(middle + complex(-half.real, (up - down) / 2))]
+        self.add(found)
+        return found
+
+
+def _boxes(texts: Sequence[Text]) -> Any:
+    """Lower and upper corner of each text (n, 2, 2)."""
+    sides = [bounds([text]) for text in texts]
+    return np.array([((left, top), (right, bottom)) for left, top, right, bottom in sides]).reshape(-1, 2, 2)
