@@ -134,7 +134,7 @@ def _measure_leg(polygon: Polygon, leg: Leg) -> None:
         if not polygon.known(earlier.of):
             add_up(polygon, earlier.of, polygon.side(earlier.seen_from, (earlier,)))
     for later in reversed(leg.hops[leg.hops.index(hop) + 1 :]):
-        for term in reversed(polygon.terms(later, last=False)):
+        for term in reversed(polygon.terms(later)):
             polygon.parts.append(LayOff(term, term.head, term.tail, backwards=True))
     polygon.measure(hop, polygon.name(hop.seen_from), polygon.name(hop.of))
 

@@ -55,7 +55,7 @@ def _apart(polygon: Polygon, body: str, first: Site, second: Site) -> bool:
 def _levered(polygon: Polygon, start: Site, site: Site) -> None:
     """From one known point by the link's known rotation."""
     hop = Lever(Site(start.point, site.link), site, True)
-    right = polygon.absolute(start) + tuple(polygon.terms(hop, last=False))
+    right = polygon.absolute(start) + tuple(polygon.terms(hop))
     if polygon.plane == "acceleration" and polygon.structure.steady(site.link):
         right = _without_tangential(polygon, right)
     add_up(polygon, site, right)

@@ -122,23 +122,9 @@ PHRASES: Phrases = {
         "{name} 的末端须在 {start}：由 {start} 逆向作 {length}。",
     ),
     "lay off nothing": ("{name} = 0: {tip} falls on {start}.", "{name} = 0，{tip} 与 {start} 重合。"),
-    "aside": (
-        "{name} is known but stands between the unknown vectors. It is laid off out of place first, {way}: {length}, to the auxiliary point {tip}.",
-        "{name} 已知，但处于两未知矢量之间，故先移位作出，{way}：{length}，得辅助点 {tip}。",
-    ),
-    "aside forward": ("from {start}", "由 {start} 顺其指向"),
-    "aside backward": ("from {start} against its direction", "由 {start} 逆其指向"),
-    "aside more": (
-        "{name} likewise, {way}: {length}, to the auxiliary point {tip}.",
-        "同样，{name} {way}：{length}，得辅助点 {tip}。",
-    ),
-    "carry back": (
-        "Carry {name} back to its place: {length} from {start} gives {tip}.",
-        "再将 {name} 移回原位：由 {start} 作 {length}，得 {tip}。",
-    ),
-    "carry back reversed": (
-        "Carry {name} back to its place, ending at {start}: {length} gives {tip}.",
-        "再将 {name} 移回原位，使其末端在 {start}：{length}，得 {tip}。",
+    "carried": (
+        "{tip}: carry {name} = {drawn} parallel to itself to {start}; it ends at {tip}.",
+        "将 {name}（即 {drawn}）平移，使其起点在 {start}，其末端即为 {tip}。",
     ),
     "meet rays": (
         "From {first} draw the line {first_direction}, from {second} the line {second_direction}; they meet at {point}.",
