@@ -8,21 +8,29 @@ from math import degrees
 from graphkin.mechanism import FRAME, Driver, Pose
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
+from graphkin.say.given_dimensions import dimensions
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
 from graphkin.say.redundancy import redundant_constraints
 
 
 def given(reading: Reading) -> Iterator[Entry]:
-    """Title, what is given, and the paper's scales."""
-    drivers = [_driver(reading, k, driver) for k, driver in enumerate(reading.mechanism.drivers)]
-    yield Heading(reading.mechanism.headline(reading.lang))
+    """The title, and what is given: links, pairs, drivers, the drawn position."""
     between = reading.say("common.semicolon")
-    frame = reading.mechanism.called(FRAME)
-    yield Sentence(reading.say("derivation.given", drivers=between.join(drivers), frame=names.point(frame)))
+    yield Heading(reading.mechanism.headline(reading.lang))
+    yield Heading(reading.say("solution.given"))
+    for sentence in dimensions(reading):
+        yield Sentence(sentence)
+    drivers = [_driver(reading, k, driver) for k, driver in enumerate(reading.mechanism.drivers)]
+    yield Sentence(reading.say("derivation.given", drivers=between.join(drivers)))
     if reading.mechanism.poses:
         poses = [_pose(reading, pose) for pose in reading.mechanism.poses]
         yield Sentence(reading.say("derivation.posed", poses=between.join(poses)))
+
+
+def solving(reading: Reading) -> Iterator[Entry]:
+    """The head of the solution itself: what plays no part in it, and the paper's scales."""
+    yield Heading(reading.say("solution.solution"))
     if idle := reading.method.structure.idle:
         yield Sentence(reading.say("derivation.idle", links=reading.listed([reading.link(link) for link in idle])))
     for line in redundant_constraints(reading.method, reading.lang):

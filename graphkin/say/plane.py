@@ -14,10 +14,12 @@ from graphkin.construction import (
     Construction,
     Direction,
     Drawn,
+    Equation,
     LayOff,
     Measure,
     Plane,
     Quarter,
+    Step,
     Term,
 )
 from graphkin.say import names
@@ -29,15 +31,24 @@ from graphkin.value import frozen
 
 @frozen
 class Polygon:
-    """The velocity or the acceleration polygon of a reading."""
+    """The velocity or the acceleration polygon of a reading.
+
+    shown  those of its parts that are told, where not all are
+    """
 
     reading: Reading
     plane: Plane
+    shown: tuple[Step | Equation, ...] | None = None
 
     @property
     def construction(self) -> Construction:
         method = self.reading.method
         return method.velocity if self.plane == "velocity" else method.acceleration
+
+    @property
+    def parts(self) -> tuple[Step | Equation, ...]:
+        """The parts that are told."""
+        return self.construction.parts if self.shown is None else self.shown
 
     @property
     def scale(self) -> float:
@@ -74,11 +85,12 @@ class Polygon:
         return {(term.tail, term.head): term.name(self.plane) for term in self._terms()}
 
     def _terms(self) -> Iterator[Term]:
-        for part in self.construction.parts:
+        for part in self.parts:
             if isinstance(part, LayOff):
                 yield part.term
-        for equation in self.construction.equations:
-            yield from equation.left + equation.right
+        for part in self.parts:
+            if isinstance(part, Equation):
+                yield from part.left + part.right
 
     def written(self, tail: str, head: str) -> bool:
         """Whether an equation, or a known arrow, has these ends."""
@@ -111,14 +123,12 @@ class Polygon:
     @cached_property
     def laid_off(self) -> dict[str, Term]:
         """Known absolute motions that are laid off by themselves, by the point at their tip."""
-        parts = self.construction.parts
-        return {part.tip: part.term for part in parts if isinstance(part, LayOff)}
+        return {part.tip: part.term for part in self.parts if isinstance(part, LayOff)}
 
     @cached_property
     def levers(self) -> dict[tuple[str, str], Measure]:
         """The measurement of a rotation that each arrow gives."""
-        steps = self.construction.steps
-        return {(s.tail, s.head): s for s in steps if isinstance(s, Measure) and s.lever[0]}
+        return {(s.tail, s.head): s for s in self.parts if isinstance(s, Measure) and s.lever[0]}
 
     def direction(self, direction: Direction, among: tuple[Term, ...] = ()) -> str:
         """`⊥BD`, `∥BC`, `B→A`; a Coriolis term stands across its relative motion, one of the terms `among`."""

@@ -12,6 +12,7 @@ from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning import Method
 from graphkin.planning.labels import Labels
+from graphkin.planning.needed import Fact, at_rest, turning
 from graphkin.say import names
 from graphkin.say.catalogue import close, say
 from graphkin.say.numbers import number
@@ -44,6 +45,11 @@ class Reading:
     def mechanism(self) -> Mechanism:
         return self.method.mechanism
 
+    @cached_property
+    def rested(self) -> frozenset[Fact]:
+        """What drivers at rest hold still in both polygons."""
+        return at_rest(self.method, self.plot.facts)
+
     # --- links --------------------------------------------------------------------------------
 
     def body(self, link: str) -> str:
@@ -67,6 +73,13 @@ class Reading:
         base = turns[link].base
         return [other for other in links if turns[other].base == base and other != self.body(link)]
 
+    def stands(self, link: str) -> bool:
+        """Whether a driver at rest holds a link still."""
+        nodes = (node for node in self.method.velocity.nodes.values() if node.site is not None)
+        own = (node for node in nodes if node.site and link in (node.site.link, *self.mechanism.owners.get(node.site.point, ())))
+        still = all(("velocity", node.name) in self.rested for node in own if node.site and node.site.link != FRAME)
+        return still and turning(self.method, "omega", link) in self.rested
+
     def translates(self, link: str) -> bool:
         """Whether a link cannot turn at all."""
         turn = self.plot.facts.turns[link]
@@ -78,6 +91,24 @@ class Reading:
         if driver.from_link == FRAME:
             return names.of_link(symbol, called(driver.link))
         return names.relative(symbol, called(driver.link), called(driver.from_link))
+
+    def radius(self, link: str, size: float) -> str:
+        """`r2` of a wheel, and `r2′` of the second gear of a compound one."""
+        sizes: dict[float, None] = {}
+        for contact in self.method.structure.contacts:
+            pairs = zip(contact.wheels, contact.radii, strict=True)
+            sizes |= {round(abs(radius), 12): None for wheel, radius in pairs if wheel == link and radius}
+        primes = "′" * [*sizes, round(size, 12)].index(round(size, 12)) if size else ""
+        return names.of_link("r", self.mechanism.called(link)) + primes
+
+    def way_round(self, points: tuple[str, ...], ccw: bool) -> str:
+        """`B→C→E counter-clockwise`: the sense in which corners follow one another."""
+        way = "→".join(names.point(point) for point in points)
+        return self.say("common.way round", way=way, sense=self.say("common.ccw" if ccw else "common.cw"))
+
+    def slide_name(self, slide: str) -> str:
+        """What people call a named slide or roll."""
+        return slide
 
     def numbered(self, point: str, link: str) -> str:
         """The point of a link as written where several links have one there: `B3`."""
@@ -107,7 +138,7 @@ class Reading:
         pair = self.method.structure.slides[slide]
         if pair.named and pair.guide == FRAME and slide not in self.contact_slides:
             return self.say("derivation.guide of", name=slide)
-        on_it = self._points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
+        on_it = self.points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
         if on_it is None and slide in self.contact_slides:
             rolling = pair.stands_for.rolling if pair.stands_for is not None else None
             if len(self.contact_slides) == 1:
@@ -144,7 +175,7 @@ class Reading:
                 return first, second
         return None
 
-    def _points_on(self, slide: str) -> tuple[str, str] | None:
+    def points_on(self, slide: str) -> tuple[str, str] | None:
         """Two points that lie apart on the line, of those that the guide or the pair itself names."""
         pair, along = self.method.structure.slides[slide], self.plot.guide_direction(slide)
         named = dict.fromkeys((pair.line.origin, pair.point, *self.method.structure.bodies[pair.guide]))

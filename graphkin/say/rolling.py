@@ -74,14 +74,7 @@ class Relation:
         return f"{radius}({turn} − {_bracketed(written(arm))})"
 
     def radius(self, k: int) -> str:
-        """`r2`, and `r2′` for the second gear of a compound one."""
-        link, size = self.contact.wheels[k], abs(self.contact.radii[k])
-        sizes: dict[float, None] = {}
-        for contact in self.reading.method.structure.contacts:
-            pairs = zip(contact.wheels, contact.radii, strict=True)
-            sizes |= {round(abs(radius), 12): None for wheel, radius in pairs if wheel == link and radius}
-        primes = "′" * list(sizes).index(round(size, 12)) if size else ""
-        return names.of_link("r", self.reading.mechanism.called(link)) + primes
+        return self.reading.radius(self.contact.wheels[k], abs(self.contact.radii[k]))
 
     def solved(self, unknown: str, value: float, unit: str, note: str) -> Calculation:
         """The turning of `unknown` from that of the others, with its figures."""

@@ -6,15 +6,15 @@ PHRASES: Phrases = {
     # --- frame of the text
     "direction row": ("direction:", "方向："),
     "size row": ("size:", "大小："),
-    "given": ("Given: {drivers}. Link {frame} is the frame.", "已知：{drivers}。构件 {frame} 为机架。"),
+    "given": ("Driven: {drivers}.", "原动件：{drivers}。"),
     "scales": ("Scales: {scales}.", "取比例尺：{scales}。"),
-    "plane position": ("(1) The mechanism, drawn to scale", "解：(1) 作机构运动简图"),
-    "plane velocity": ("(2) Velocities", "(2) 作速度分析"),
-    "plane acceleration": ("(3) Accelerations", "(3) 作加速度分析"),
+    "plane position": ("(1) The mechanism, drawn to scale", "(1) 作机构运动简图"),
+    "plane velocity": ("({number}) Velocities", "({number}) 作速度分析"),
+    "plane acceleration": ("({number}) Accelerations", "({number}) 作加速度分析"),
     # --- drivers
-    "driven link": ("{line} of link {link} stands at {angle} to +x", "原动件 {link} 的 {line} 与 x 轴正向成 {angle}"),
+    "driven link": ("{line} of link {link} makes {angle} with +x", "构件 {link} 的 {line} 与 x 轴正向成 {angle}"),
     "driven joint": (
-        "{line} of link {link} stands at {angle} to {other} of link {seen_from}",
+        "{line} of link {link} makes {angle} with {other} of link {seen_from}",
         "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}",
     ),
     "driven slide": ("slide {slide} is at {place}", "移动副 {slide} 的位移 {place}"),
@@ -79,6 +79,10 @@ PHRASES: Phrases = {
     "pole fixed, several": (
         "Take the pole {pole}; the fixed points {points} are at rest, so {nodes} lie on {pole}.",
         "任取极点 {pole}；固定点 {points} 不动，故 {nodes} 与 {pole} 重合。",
+    ),
+    "held still": (
+        "The drive of links {links} is at rest, so they stand still: {points} are fixed points and lie on {pole}.",
+        "构件 {links} 的驱动此时静止，故它们不动，{points} 相当于固定点，其影像与 {pole} 重合。",
     ),
     "never turn": (
         "Link {links} can only translate: {rates}, and all its points move alike.",
@@ -178,7 +182,7 @@ PHRASES: Phrases = {
     "driven roll": ("the rolling contact {slide} is at {place}", "滚动副 {slide} 的位移 {place}"),
     "driven slide free": ("slide {slide} is driven", "移动副 {slide} 为主动"),
     "driven roll free": ("the rolling contact {slide} is driven", "滚动副 {slide} 为主动"),
-    "driven line free": ("link {link} ({line}) is driven", "原动件 {link}（{line}）"),
+    "driven line free": ("link {link} ({line}) is driven", "构件 {link}（{line}）"),
     "posed": ("The drawn position: {poses}.", "给定位置：{poses}。"),
     "idle": (
         "Idle freedom: turning moves nothing but the roller itself, so these are drawn without turning: {links}.",
