@@ -91,6 +91,18 @@ def _carried(step: Step) -> bool:
     return isinstance(step, LayOff) and isinstance(step.term.size, Drawn)
 
 
+def arms(part: Part) -> Iterator[tuple[str, str]]:
+    """The pairs of points whose distance a part of a polygon multiplies or divides by, the smaller name first."""
+    if isinstance(part, Equation):
+        for step in part.steps:
+            yield from arms(step)
+    elif isinstance(part, Measure) and part.lever[0]:
+        yield min(part.lever), max(part.lever)
+    elif isinstance(part, LayOff) and isinstance(part.term.size, Turning | Normal | Tangential | Relative):
+        size = part.term.size
+        yield min(size.tail, size.head), max(size.tail, size.head)
+
+
 def at_rest(method: Method, facts: Facts) -> frozenset[Fact]:
     """What stands still in both polygons because the drivers on which it hangs do (rate and acceleration 0)."""
     rested = _still(facts)

@@ -10,7 +10,8 @@ import numpy as np
 from graphkin.construction import Plane
 from graphkin.mechanism import FRAME
 from graphkin.motions import Motions
-from graphkin.planning.needed import Fact, Part, needed, turning
+from graphkin.planning.held_still import standing
+from graphkin.planning.needed import Fact, Part, arms, needed, turning
 from graphkin.quantities import EDGE, Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, read
 from graphkin.readings import readings
 from graphkin.say import names
@@ -41,6 +42,19 @@ class Asked:
     @cached_property
     def _motions(self) -> Motions:
         return readings(self.reading.method, self.reading.plot)
+
+    @property
+    def levers(self) -> tuple[tuple[str, str], ...]:
+        """The pairs of points by whose distance the polygons multiply or divide."""
+        shown = {plane: standing(self.reading.method, plane, parts, self.reading.rested) for plane, parts in self.parts.items()}
+        return tuple(dict.fromkeys(pair for parts in shown.values() for part in parts for pair in arms(part)))
+
+    @property
+    def angles(self) -> frozenset[str] | None:
+        """The links whose angles are asked for; None for all."""
+        halves = [half for one in self.wanted if one is not None for half in one.halves]
+        turned = frozenset(half.link for half in halves if isinstance(half, Rotation) and half.word == "theta")
+        return turned if self.chosen else None
 
     # --- what is asked ------------------------------------------------------------------------------
 
@@ -97,9 +111,9 @@ class Asked:
 
     def _noise(self, quantity: Quantity) -> float:
         """Values up to this are rounding noise [SI]."""
-        plot, table = self.reading.plot, {"rad/s": "omega", "rad/s^2": "alpha"}
-        if quantity.unit in table:
-            return ROUNDING * max(float(abs(rate)) for rate in getattr(plot, table[quantity.unit]).values())
+        plot, turned = self.reading.plot, quantity.unit.startswith("rad/s")
+        if turned:
+            return self.reading.rate_noise("velocity" if quantity.unit == "rad/s" else "acceleration")
         if quantity.unit in ("m/s", "m/s^2"):
             points = plot.velocity if quantity.unit == "m/s" else plot.acceleration
             return ROUNDING * max(float(abs(place)) for place in points.values())

@@ -49,7 +49,7 @@ def derivation(
     yield from given(reading)
     yield from goal.question()
     yield from solving(reading)
-    yield from PositionReader(reading).entries()
+    yield from PositionReader(reading, goal.levers, goal.angles).entries()
     for number, (plane, parts) in enumerate(goal.parts.items(), start=2):
         yield from polygon(reading, plane, parts, number)
     yield from goal.answers()

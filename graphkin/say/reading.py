@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import cached_property
 from itertools import combinations
 
-from graphkin.construction import Plot
+from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang, listed
 from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
@@ -121,6 +121,12 @@ class Reading:
         """Lengths up to this are none [m]."""
         places = list(self.plot.position.values())
         return ROUNDING * max(float(abs(place - places[0])) for place in places)
+
+    def rate_noise(self, plane: Plane) -> float:
+        """Rates of turning up to this are none [rad/s, rad/s²]: beside the others, and beside what points do."""
+        table = self.plot.omega if plane == "velocity" else self.plot.alpha
+        fastest = max(float(abs(value)) for value in self.plot.points(plane).values())
+        return max(ROUNDING * max(float(abs(rate)) for rate in table.values()), fastest / self.noise * ROUNDING**2)
 
     def distance(self, first: str, second: str) -> float:
         """Between two points of the mechanism [m]."""

@@ -14,7 +14,7 @@ from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
-from graphkin.say.reading import ROUNDING, Reading
+from graphkin.say.reading import Reading
 
 # --- the relation itself ------------------------------------------------------------------------
 
@@ -127,7 +127,7 @@ def relation_of(polygon: Polygon, contact: InStep) -> Relation:
     reading, plot = polygon.reading, polygon.reading.plot
     first = polygon.plane == "velocity"
     table, slid = (plot.omega, plot.s_rate) if first else (plot.alpha, plot.s_acceleration)
-    noise = ROUNDING * max(float(abs(rate)) for rate in table.values())
+    noise = reading.rate_noise(polygon.plane)
 
     def value(link: str) -> float:
         return float(table[link]) if abs(table[link]) > noise else 0.0

@@ -11,7 +11,6 @@ from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
-from graphkin.say.reading import ROUNDING
 from graphkin.say.rolling import checked, contacted, same_velocity
 
 # --- rotations ----------------------------------------------------------------------------------
@@ -126,7 +125,7 @@ def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
     """`ω2 = ω3`, or `ω2 = ω1 + ω21` with a driven rotation between them; the frame adds nothing."""
     reading = polygon.reading
     table = reading.plot.omega if polygon.plane == "velocity" else reading.plot.alpha
-    noise = ROUNDING * max(float(abs(rate)) for rate in table.values())
+    noise = reading.rate_noise(polygon.plane)
     value = float(table[link]) if abs(table[link]) > noise else 0.0
     symbol, drivers = names.RATE[polygon.plane], reading.mechanism.drivers
     parts = [] if other == FRAME else [(1, polygon.rate(other), float(table[reading.body(other)]))]

@@ -198,7 +198,7 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
     equations = equations[0].upper() + equations[1:]
     yield Sentence(reading.say("contacts.together", unknowns=unknowns, equations=equations))
     table = plot.omega if polygon.plane == "velocity" else plot.alpha
-    noise = 1e-9 * max(float(abs(rate)) for rate in table.values())
+    noise = reading.rate_noise(polygon.plane)
     for link in dict.fromkeys(members):
         value = float(table[link]) if abs(table[link]) > noise else 0.0
         note = reading.say("common.ccw" if value > 0 else "common.cw") if value else ""

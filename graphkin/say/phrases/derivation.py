@@ -31,6 +31,11 @@ PHRASES: Phrases = {
         "From {start} lay off {length} at {angle} to +x: {tip}.",
         "由 {start} 沿与 x 轴正向成 {angle} 的方向取 {length}，得 {tip}。",
     ),
+    "lay off on line": (
+        "From {start} lay off {length} on the line {line} (at {angle} to +x): {tip}.",
+        "在直线 {line} 上由 {start} 取 {length}（与 x 轴正向成 {angle}），得 {tip}。",
+    ),
+    "composed": ("from {parts} at their known angle", "由 {parts} 及其已知夹角作出"),
     "lay off slide": (
         "From {start} lay off {length} along {guide} ({angle}): {tip}.",
         "由 {start} 沿{guide}（{angle}）取 {length}，得 {tip}。",
@@ -39,21 +44,55 @@ PHRASES: Phrases = {
     "take guide": ("take {guide}", "取{guide}"),
     "line parallel": ("draw the line through {through} {direction}", "过 {through} 作{direction} 的直线"),
     "meet circles": (
-        "{first}; {second}. They cross at {point} (of the two crossings, the one on the side of the sketch).",
-        "{first}；{second}；两者交于 {point}（两交点中取与给定装配位置一致者）。",
+        "{first}; {second}. They cross at {point}{where}.",
+        "{first}；{second}；两者交于 {point}{where}。",
     ),
+    "side above": ("{point} above {line}", "{point} 在 {line} 的上方"),
+    "side below": ("{point} below {line}", "{point} 在 {line} 的下方"),
+    "side left": ("{point} to the left of {line}", "{point} 在 {line} 的左侧"),
+    "side right": ("{point} to the right of {line}", "{point} 在 {line} 的右侧"),
+    "which above": ("the upper crossing", "取上方的交点"),
+    "which below": ("the lower crossing", "取下方的交点"),
+    "which left": ("the left crossing", "取左侧的交点"),
+    "which right": ("the right crossing", "取右侧的交点"),
     "meet lines": ("{first}; {second}. They cross at {point}.", "{first}；{second}；两者交于 {point}。"),
     "swing join": (
         "Link {link} turns about {pivot} until its guide line, which runs through {pivot}, passes through {through}: join {pivot} and {through}.",
         "构件 {link} 的导路通过其回转中心 {pivot}，又须通过 {through}：连接 {pivot}、{through}，即得导路方向。",
     ),
     "swing tangent": (
-        "Link {link} turns about {pivot} until its guide line passes through {through}. The line keeps the distance {length} from {pivot}: from {through} draw the tangent to the circle about {pivot} with this radius.",
-        "构件 {link} 绕 {pivot} 转动，其导路须通过 {through}，且与 {pivot} 的距离恒为 {length}：以 {pivot} 为圆心、以此距离为半径作圆，由 {through} 作该圆的切线，即为导路。",
+        "The guide line of link {link} keeps the distance {length} from {pivot} and passes through {through}: draw the circle about {pivot} with this radius, and from {through} the tangent that touches it at {foot} ({which}). It is the guide line.",
+        "构件 {link} 的导路与 {pivot} 的距离恒为 {length}，且须通过 {through}：以 {pivot} 为圆心、以此距离为半径作圆，由 {through} 作该圆的切线，切点为 {foot}（{which}），该切线即为导路。",
+    ),
+    "swing foot": (
+        "The guide line of link {link} keeps the distance {length} from {pivot}, which is the distance of {through} itself: it is at right angles to the join of {pivot} and {through}, and {foot} falls on {through}.",
+        "构件 {link} 的导路与 {pivot} 的距离恒为 {length}，恰等于 {through} 到 {pivot} 的距离，故导路过 {through} 且垂直于 {pivot}、{through} 的连线，切点 {foot} 与 {through} 重合。",
+    ),
+    "on paper": (" (on paper {length})", "（图上 {length}）"),
+    "on tangent": (
+        "On this line {tip} lies at {length} from {start}, on the side of {foot} towards {through}.",
+        "在该线上取 {tip}：{length}，{tip} 在 {foot} 的靠 {through} 一侧。",
+    ),
+    "on tangent beyond": (
+        "On this line {tip} lies at {length} from {start}, on the side of {foot} away from {through}.",
+        "在该线上取 {tip}：{length}，{tip} 在 {foot} 的背离 {through} 一侧。",
+    ),
+    "at the foot": ("{tip} is the foot of the perpendicular from {start}: {length}.", "{tip} 即由 {start} 所作垂线的垂足：{length}。"),
+    "lay off parallel": (
+        "From {start} lay off {length} parallel to this line (at {angle} to +x): {tip}.",
+        "由 {start} 作该线的平行线（与 x 轴正向成 {angle}），取 {length}，得 {tip}。",
+    ),
+    "lay off turned": (
+        "From {start} lay off {length} turned by {turned} {sense} from this line: {tip}.",
+        "由 {start} 作与该线成 {turned}（由该线{sense}转过）的直线，取 {length}，得 {tip}。",
+    ),
+    "over reach": (
+        "{first}; {second}. They cross at {point} ({way}).",
+        "{first}；{second}；两者交于 {point}（{way}）。",
     ),
     "shape corner": (
-        "{point} on link {link}: {first} and {second} ({triangle} in the link's own sense).",
-        "构件 {link} 上的 {point}：{first}，{second}（{triangle} 的绕行方向与构件一致）。",
+        "{point} on link {link}: {first} and {second} ({way}).",
+        "构件 {link} 上的 {point}：{first}，{second}（{way}）。",
     ),
     "shape line": (
         "{point} on link {link} lies on the line {line}: {length}.",
@@ -61,6 +100,8 @@ PHRASES: Phrases = {
     ),
     "measured angles": ("Measured: {angles}.", "量得：{angles}。"),
     "measured slide": ("Measured: {length}.", "量得：{length}。"),
+    "measured used": ("Measured, as needed below: {lengths}.", "由图量得下文所用长度：{lengths}。"),
+    "ruled": ("{paper}, so {real}", "{paper}，故 {real}"),
     "angle of": ("{name} = {angle} ({arrow})", "{name} = {angle}（{arrow}）"),
     # --- polygons: the start
     "pole last": (

@@ -15,19 +15,19 @@ PHRASES: Phrases = {
     "frame": ("Link {link} is the frame.", "构件 {link} 为机架。"),
     "block on frame": (
         "Slider {block}{guide} moves its point {point} along a fixed guide {line}.",
-        "滑块 {block}{guide}上的 {point} 点沿固定导路移动，导路{line}。",
+        "滑块 {block}{guide} 上的 {point} 点沿固定导路移动，导路{line}。",
     ),
     "pin on frame": (
         "Pin {point}{guide} moves in a fixed slot {line}.",
-        "销 {point}{guide}在固定槽中移动，槽{line}。",
+        "销 {point}{guide} 在固定槽中移动，槽{line}。",
     ),
     "block on link": (
         "Links {block} and {link}{guide} form a sliding pair: point {point} of link {block} stays on a line of link {link} {where}.",
-        "构件 {block} 与构件 {link}{guide}组成移动副：构件 {block} 上的 {point} 点在构件 {link} 的导路上，导路{where}。",
+        "构件 {block} 与构件 {link}{guide} 组成移动副：构件 {block} 上的 {point} 点在构件 {link} 的导路上，导路{where}。",
     ),
     "pin on link": (
         "Pin {point}{guide} moves in a slot of link {link} {where}.",
-        "销 {point}{guide}在构件 {link} 的槽中移动，槽{where}。",
+        "销 {point}{guide} 在构件 {link} 的槽中移动，槽{where}。",
     ),
     "at angle": (
         "through {through} that makes {angle} with {arrow} ({sense})",
