@@ -229,6 +229,8 @@ class _Reader:
                 yield from self._size(span)
             case Image(link, corners, base):
                 yield from ((self.plane, node) for node in base)
+                if any(corner not in self.method.mechanism.owners for corner in corners):
+                    yield self._turning(_TURNING[self.plane], link)  # a contact is told with the turning it gives
                 yield from (("position", corner) for corner in corners if self.plane != "position")
             case Measure(tail=tail, head=head, lever=lever):
                 yield from ((self.plane, node) for node in (tail, head))

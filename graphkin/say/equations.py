@@ -11,6 +11,7 @@ from graphkin.construction import (
     Along,
     AlongGuide,
     Arc,
+    Coriolis,
     Drawn,
     Driven,
     Equation,
@@ -47,6 +48,7 @@ def equation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
         return
     yield Sentence(_introduction(polygon, part))
     yield worded(polygon, part)
+    yield from _reasons(polygon, part)
     terms = part.left + part.right
     laid = (step.term for step in part.steps if isinstance(step, LayOff))
     known = dict.fromkeys(term for term in laid if not isinstance(term.size, Drawn))
@@ -111,6 +113,22 @@ def _introduction(polygon: Polygon, part: Equation) -> str:
         return say(f"derivation.from relations, {polygon.plane}", relations=joined)
     motion = say(f"derivation.motion {polygon.plane}")
     return say("derivation.plain equation", of=names.point(part.of), motion=motion)
+
+
+def _reasons(polygon: Polygon, part: Equation) -> Iterator[Entry]:
+    """Why the coincident points are taken where they are, and whose rotation the Coriolis term of a pin has."""
+    reading, structure = polygon.reading, polygon.reading.method.structure
+    terms = part.left + part.right
+    known = {term.sites[0].point: term for term in terms if isinstance(term.size, Drawn) and term.sites}
+    slips = (term for term in terms if _coincident(term) and len(term.sites) > 1)
+    met = next((term.sites[0].point for term in slips if term.sites[0].point in known), "")
+    if polygon.plane == "velocity" and met and polygon.size(known[met].tail, known[met].head):
+        name = names.vector(known[met].name(polygon.plane))
+        yield Sentence(reading.say("derivation.chosen", point=names.point(met), known=name))
+    for term in terms:
+        if isinstance(term.size, Coriolis) and any(structure.is_pin(site.link) for site in term.sites):
+            words = {"link": reading.link(term.size.link), "rate": reading.rate("ω", term.size.link)}
+            yield Sentence(reading.say("derivation.path of the slot", **words))
 
 
 def _relation(polygon: Polygon, term: Term) -> str:

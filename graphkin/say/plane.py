@@ -127,8 +127,14 @@ class Polygon:
 
     @cached_property
     def levers(self) -> dict[tuple[str, str], Measure]:
-        """The measurement of a rotation that each arrow gives."""
-        return {(s.tail, s.head): s for s in self.parts if isinstance(s, Measure) and s.lever[0]}
+        """The measurement of a rotation that each arrow gives, or would give if it were told."""
+        steps = (*self.construction.steps, *self.parts)
+        return {(s.tail, s.head): s for s in steps if isinstance(s, Measure) and s.lever[0]}
+
+    @cached_property
+    def first_lever(self) -> Measure | None:
+        """The first rotation that is told."""
+        return next((step for step in self.parts if isinstance(step, Measure) and step.lever[0]), None)
 
     def direction(self, direction: Direction, among: tuple[Term, ...] = ()) -> str:
         """`⊥BD`, `∥BC`, `B→A`; a Coriolis term stands across its relative motion, one of the terms `among`."""

@@ -47,6 +47,7 @@ def polygon(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], 
 def _step(drawn: Polygon, step: Step) -> Iterator[Entry]:
     match step:
         case Given():
+            yield from _renamed(drawn)
             yield Sentence(_pole(drawn, step))
             yield from _held(drawn)
             yield from ties(drawn)
@@ -68,6 +69,13 @@ def _step(drawn: Polygon, step: Step) -> Iterator[Entry]:
             raise AssertionError("lines cross inside an equation")
         case _:
             assert_never(step)
+
+
+def _renamed(drawn: Polygon) -> Iterator[Entry]:
+    """Where p belongs to a point P, the pole has another letter; said once, in the first polygon."""
+    pole = drawn.construction.pole
+    if drawn.plane == "velocity" and pole != "p":
+        yield Sentence(drawn.reading.say("derivation.renamed pole", letter="P", pole=names.point(pole)))
 
 
 def _held(drawn: Polygon) -> Iterator[Entry]:

@@ -119,14 +119,19 @@ class Reading:
     @cached_property
     def noise(self) -> float:
         """Lengths up to this are none [m]."""
+        return ROUNDING * self.size
+
+    @cached_property
+    def size(self) -> float:
+        """How far the mechanism reaches [m]."""
         places = list(self.plot.position.values())
-        return ROUNDING * max(float(abs(place - places[0])) for place in places)
+        return max(float(abs(place - places[0])) for place in places)
 
     def rate_noise(self, plane: Plane) -> float:
         """Rates of turning up to this are none [rad/s, rad/s²]: beside the others, and beside what points do."""
         table = self.plot.omega if plane == "velocity" else self.plot.alpha
         fastest = max(float(abs(value)) for value in self.plot.points(plane).values())
-        return max(ROUNDING * max(float(abs(rate)) for rate in table.values()), fastest / self.noise * ROUNDING**2)
+        return max(ROUNDING * max(float(abs(rate)) for rate in table.values()), ROUNDING * fastest / (self.size or 1.0))
 
     def distance(self, first: str, second: str) -> float:
         """Between two points of the mechanism [m]."""

@@ -49,6 +49,12 @@ class Relation:
         return f"{halves[0]} {self._sign} {halves[1]} = 0{noted}"
 
     @property
+    def nothing(self) -> bool:
+        """Whether nothing has moved since the drawn position."""
+        still = max(abs(self.value(link)) for link, _ in self.contact.angles) < 1e-6
+        return still and abs(self.slid_value) <= self.reading.noise
+
+    @property
     def figures(self) -> str:
         """The two sides of a pair of wheels in figures, which cancel."""
         halves = [self._half(k, True) for k in self._order]
@@ -181,9 +187,8 @@ def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:
     relation = turned(reading, step.contact)
     contact, moved = relation.contact, relation.slid_value
     wheels = reading.listed([reading.link(link) for link in contact.wheels])
-    if max(abs(relation.value(link)) for link, _ in contact.angles) < 1e-6 and abs(moved) <= reading.noise:
-        yield Sentence(reading.say("contacts.rolled nothing", wheels=wheels))
-        return
+    if relation.nothing:
+        return  # the drawn position: as given
     yield Sentence(reading.say("contacts.rolled", wheels=wheels, relation=relation.text))
     link = _unknown(reading, step)
     if not link:

@@ -74,7 +74,7 @@ def _sense_note(polygon: Polygon, step: Measure) -> str:
     """The sense; the first time also how it is found."""
     reading = polygon.reading
     sense = _sense(polygon, _turning(polygon, step))
-    if step != next(iter(polygon.levers.values())):
+    if step != polygon.first_lever:
         return sense
     tail, head = (names.point(p) for p in step.lever)
     ends, link = names.arrow(step.tail, step.head), reading.link(step.of)
@@ -114,10 +114,14 @@ def ties(polygon: Polygon) -> Iterator[Entry]:
         links = reading.listed([reading.link(link) for link in still])
         key = "derivation.never turn" if len(still) == 1 else "derivation.never turn, several"
         yield Sentence(reading.say(key, links=links, rates=reading.say("common.and").join(zero)))
-    driven = {driver.link for driver in reading.mechanism.drivers if driver.from_link == FRAME}
+    driven = dict.fromkeys(driver.link for driver in reading.mechanism.drivers if driver.from_link == FRAME)
     turns = reading.plot.facts.turns
     for link in reading.mechanism.moving:
         if turns[link].base == FRAME and turns[link].drivers and link not in driven:
+            like = [other for other in driven if turns[other].drivers == turns[link].drivers]
+            if like and polygon.plane == "velocity":
+                links = reading.listed([reading.link(member) for member in (link, *like)])
+                yield Sentence(reading.say("derivation.held", links=links))
             yield _tie(polygon, link, FRAME)
 
 
@@ -210,7 +214,9 @@ def image(polygon: Polygon, step: Image) -> Iterator[Entry]:
     else:
         small = "△" + "".join(names.point(p) for p in (*corners, step.point))
         large = "△" + "".join(names.point(p) for p in step.corners)
-        yield Sentence(reading.say("derivation.image triangle", **{**words, "small": small, "large": large}))
+        ccw = float(cross(reading.plot.arm(first, second), reading.plot.arm(first, third))) > 0
+        words |= {"small": small, "large": large, "sense": reading.say("common.ccw" if ccw else "common.cw")}
+        yield Sentence(reading.say("derivation.image triangle", **words))
     yield polygon.measured_absolute(step.point)
 
 

@@ -121,6 +121,10 @@ PHRASES: Phrases = {
         "Take the pole {pole}; the fixed points {points} are at rest, so {nodes} lie on {pole}.",
         "任取极点 {pole}；固定点 {points} 不动，故 {nodes} 与 {pole} 重合。",
     ),
+    "renamed pole": (
+        "{letter} is a point of the mechanism here, so the pole is called {pole}.",
+        "本题中 {letter} 为机构上的点，故极点记为 {pole}。",
+    ),
     "held still": (
         "The drive of links {links} is at rest, so they stand still: {points} are fixed points and lie on {pole}.",
         "构件 {links} 的驱动此时静止，故它们不动，{points} 相当于固定点，其影像与 {pole} 重合。",
@@ -153,6 +157,16 @@ PHRASES: Phrases = {
     ),
     # --- polygons: known sizes
     "sense of": ("{direction} in the sense of {rate}", "{direction}，指向与 {rate} 的转向一致"),
+    "no turning": ("as {rate} = 0", "因 {rate} = 0"),
+    "no sliding": ("as {relative} = 0", "因 {relative} = 0"),
+    "path of the slot": (
+        "The path of the pin is straight in link {link}, so the Coriolis term takes {rate}.",
+        "销在构件 {link} 的槽中作直线相对运动，故科氏加速度取 {rate}。",
+    ),
+    "chosen": (
+        "The coincident point is taken at {point}, where {known} is known.",
+        "重合点取在 {point} 处，因该处 {known} 已知。",
+    ),
     "quarter turned": (
         "{relative} turned by 90° in the sense of {rate}: {direction}",
         "将 {relative} 沿 {rate} 的转向转过 90°：{direction}",
@@ -204,8 +218,8 @@ PHRASES: Phrases = {
     "image velocity": ("Velocity image", "速度影像"),
     "image acceleration": ("Acceleration image", "加速度影像"),
     "image triangle": (
-        "{image} of link {link}: {small} is similar to {large}, lettered in the same sense; this gives {point}.",
-        "利用{image}：作 {small} ∽ {large}（构件 {link}），且角标字母顺序方向一致，得 {point}。",
+        "{image} of link {link}: {small} is similar to {large}, both lettered {sense}; this gives {point}.",
+        "利用{image}：作 {small} ∽ {large}（构件 {link}），字母顺序同为{sense}，得 {point}。",
     ),
     "image line": (
         "{image} of link {link}: {point} lies on the line {small} as {corner} lies on {large}: {ratio}.",
