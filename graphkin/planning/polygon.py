@@ -94,10 +94,11 @@ class Polygon:
         return self.new(label[0].lower() + label[1:] + self.prime, label, site)
 
     def between(self, letter: str, link: str, of: str) -> str:
-        """A corner of the polygon that is no point of the mechanism: n3', k'."""
-        stem = letter if letter == "k" else letter + self.structure.mechanism.called(link)
+        """A corner of the polygon that is no point of the mechanism: n3', n_arm', k'."""
+        called = self.structure.mechanism.called(link)
+        stem = letter if letter == "k" else letter + ("" if called[0].isdigit() else "_") + called
         for more in ("", *(str(k) for k in range(1, 1000))):
-            dot = "_" if more and stem[-1].isdigit() else ""
+            dot = "_" if more and stem != "k" else ""
             name = f"{stem}{dot}{more}{self.prime}"
             if name not in self.nodes and name not in self.reserved:
                 return self.new(name, of)

@@ -73,7 +73,7 @@ class Asked:
             case Rotation(_, _, link):
                 return self.reading.rate(quantity.letter, link)
             case Displacement(_, _, slide):
-                return names.of_slide("s", self.reading.slide_name(slide))
+                return names.of_slide("s", slide)
             case Place():
                 return f"{quantity.word}_{names.point(quantity.of)}"
             case Moving():

@@ -48,7 +48,7 @@ def _pose(reading: Reading, pose: Pose) -> str:
     """What held when the mechanism was drawn."""
     if pose.vector is None:
         place = f"{names.of_slide('s', pose.link)} = {number(pose.value * 1000)} mm"
-        return reading.say(f"derivation.driven {_kind(reading, pose.link)}", slide=pose.link, place=place)
+        return reading.say(f"derivation.driven {_kind(reading, pose.link)}", slide=reading.slide_name(pose.link), place=place)
     angle, line = f"{number(degrees(pose.value))}°", "".join(names.point(p) for p in pose.vector)
     link = reading.link(pose.link)
     if pose.from_vector is None:
@@ -81,10 +81,10 @@ def _slide(reading: Reading, driver: Driver, value: float | None, rate: float, m
     position, speed, change = (names.of_slide(symbol, driver.link) for symbol in ("s", "ṡ", "s̈"))
     kind = _kind(reading, driver.link)
     if value is None:
-        start = reading.say(f"derivation.driven {kind} free", slide=driver.link)
+        start = reading.say(f"derivation.driven {kind} free", slide=reading.slide_name(driver.link))
     else:
         place = f"{position} = {number(value * 1000)} mm"
-        start = reading.say(f"derivation.driven {kind}", slide=driver.link, place=place)
+        start = reading.say(f"derivation.driven {kind}", slide=reading.slide_name(driver.link), place=place)
     return reading.say("common.and").join(
         [
             start,

@@ -179,7 +179,7 @@ class PositionReader:
 
     def _displacement(self, slide: str) -> str:
         pair = self.reading.method.structure.slides[slide]
-        return names.of_slide("s", self.reading.slide_name(slide) if pair.named else names.point(pair.point))
+        return names.of_slide("s", slide if pair.named else names.point(pair.point))
 
     def _ends(self, slide: str, sign: int) -> tuple[str, str]:
         pair = self.reading.method.structure.slides[slide]
@@ -398,7 +398,7 @@ class PositionReader:
             return
         if pair.named:
             along = dot(reading.plot.guide_direction(slide), reading.plot.arm(origin, point))
-            name = names.of_slide("s", reading.slide_name(slide))
+            name = names.of_slide("s", slide)
             text = self._ruler(name, "", float(along))
         elif pair.line.named:
             self.measured.add(frozenset((origin, point)))

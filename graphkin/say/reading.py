@@ -108,7 +108,7 @@ class Reading:
 
     def slide_name(self, slide: str) -> str:
         """What people call a named slide or roll."""
-        return slide
+        return self.mechanism.slide_title(slide, self.lang)
 
     def numbered(self, point: str, link: str) -> str:
         """The point of a link as written where several links have one there: `B3`."""
@@ -148,7 +148,7 @@ class Reading:
         """The line of a slide: two points on it (`BC`), or `guide ram`."""
         pair = self.method.structure.slides[slide]
         if pair.named and pair.guide == FRAME and slide not in self.contact_slides:
-            return self.say("derivation.guide of", name=slide)
+            return self.say("derivation.guide of", name=self.slide_name(slide))
         on_it = self.points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
         if on_it is None and slide in self.contact_slides:
             rolling = pair.stands_for.rolling if pair.stands_for is not None else None
@@ -158,7 +158,7 @@ class Reading:
             return self.say("contacts.track of" if rolling else "contacts.face of", link=self.link(link))
         if on_it:
             return names.pair(*on_it)
-        return self.say("derivation.guide of", name=slide if pair.named else pair.point)
+        return self.say("derivation.guide of", name=self.slide_name(slide) if pair.named else pair.point)
 
     @cached_property
     def contact_slides(self) -> frozenset[str]:
@@ -171,7 +171,7 @@ class Reading:
         pair = self.method.structure.slides[slide]
         if slide in self.contact_slides:
             return self.say("contacts.path of", name=names.point(pair.point))
-        return self.say("derivation.guide of", name=slide if pair.named else names.point(pair.point))
+        return self.say("derivation.guide of", name=self.slide_name(slide) if pair.named else names.point(pair.point))
 
     def points_along(self, slide: str) -> tuple[str, str] | None:
         """Two points of the guide whose line is parallel to the slide's."""
@@ -211,7 +211,7 @@ class Reading:
             if slide.guide != FRAME:
                 return names.point(point)
             return self.say("contacts.path start", path=self.path(slide.name))
-        return self.say("derivation.origin of", name=slide.name if slide.named else slide.point)
+        return self.say("derivation.origin of", name=self.slide_name(slide.name) if slide.named else slide.point)
 
     def named(self, point: str) -> bool:
         """Whether a point has a letter: it is not merely where a line begins."""
