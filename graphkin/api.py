@@ -147,14 +147,15 @@ class Drawing:
 
         return map(shown, step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only, tight=tight))
 
-    def explain(self, lang: Lang = "en") -> list[str]:
+    def explain(self, lang: Lang = "en", *, everything: bool = False, only: Plane = "acceleration") -> list[str]:
         """The vector equations and what is measured, line by line, at the scales of the sheet."""
         from graphkin.say import explain
         from graphkin.sheet import scales_of
 
         scales = scales_of(self.method, self.plot, lang)
         keys: dict[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
-        return explain(self.method, self.plot, {key: scales[plane] for key, plane in keys.items()}, lang)
+        found = {key: scales[plane] for key, plane in keys.items()}
+        return explain(self.method, self.plot, found, lang, everything, only)
 
     def answers(self) -> dict[str, Answer | None]:
         """What the file asks for, read off the drawing; None for a text that is only shown."""

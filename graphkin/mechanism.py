@@ -90,6 +90,7 @@ class Mechanism:
     links     by name; `FRAME` comes first, then as in the file
     pairs     those of the file's tables, kind by kind as in `PAIRS`; hinges are shared points and stand in `hinges`
     sketch    roughly where moving points are [m]
+    slide_titles  what sliding pairs are called in sentences, by name
     replaced  the pairs of the file for which others stand, in a lower-pair equivalent
     scales    given paper scales: "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s^2)/mm]
     text      the file, to be put into drawings and shown; `lines` gives the line of each of its keys
@@ -104,12 +105,13 @@ class Mechanism:
     sketch: Mapping[str, complex] = field(default_factory=dict)
     scales: Mapping[str, float] = field(default_factory=dict)
     title: Mapping[Lang, str] = field(default_factory=dict)
-    source: str = ""
+    source: Mapping[Lang, str] = field(default_factory=dict)
     ask: tuple[str, ...] = ()
     text: str = ""
     file: str = ""
     lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict)
     replaced: tuple[Pair, ...] = ()
+    slide_titles: Mapping[str, Mapping[Lang, str]] = field(default_factory=dict)
 
     @cached_property
     def owners(self) -> dict[str, tuple[str, ...]]:
@@ -160,7 +162,15 @@ class Mechanism:
 
     def headline(self, lang: Lang) -> str:
         """The title in this language, else in the other, else the name."""
-        return self.title.get(lang) or next(iter(self.title.values()), self.name)
+        return _spoken(self.title, lang) or self.name
+
+    def credit(self, lang: Lang) -> str:
+        """Where it comes from, in this language, else in the other."""
+        return _spoken(self.source, lang)
+
+    def slide_title(self, name: str, lang: Lang) -> str:
+        """What a sliding pair is called, in this language, else its name."""
+        return _spoken(self.slide_titles.get(name, {}), lang) or name
 
     def pair(self, name: str) -> Pair:
         return next(pair for pair in self.pairs if pair.name == name)
@@ -176,3 +186,8 @@ class Mechanism:
             if path[:end] in self.lines:
                 return Where(self.file, self.lines[path[:end]], key)
         return Where(self.file, None, key)
+
+
+def _spoken(texts: Mapping[Lang, str], lang: Lang) -> str:
+    """The text in this language, else in the other, if there is one."""
+    return texts.get(lang) or next(iter(texts.values()), "")

@@ -76,7 +76,7 @@ BOOK = {
     ),
     "ex3-4": (
         ["v_C2? = v_C1? + v_C2C1"],
-        ["a^n_C2D + a^t_C2D? = a^n_C1A + a^t_C1A? + a^k_C2C1 + a^rn_C2C1 + a^rt_C2C1"],
+        ["a^n_C2D + a^t_C2D? = a^n_C1A + a^k_C2C1 + a^rn_C2C1 + a^rt_C2C1 + a^t_C1A?"],
     ),
     "ex3-5": (["v_C? = v_B + v_CB?"], ["a^n_CD + a^t_CD? = a_B + a^n_CB + a^t_CB?"]),
     "ex3-7": (

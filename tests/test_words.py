@@ -178,8 +178,8 @@ def test_example_3_1_as_a_textbook_has_it(lang: Lang, part: str) -> None:
         ),
         ("p3-5", ["v_C2 = v_C2C3 = 0.1724 m/s"]),
         ("ex3-7", ["ṡ_ram = −v_E", "v_E = μ_v·pe"]),
-        ("s4-ex7", ["v_A1 = v_A2 + v_A1A2", "has to end at a1′"]),
-        ("p3-22", ["stands between the unknown vectors", "Carry v_I5I4 back to its place, ending at i5"]),
+        ("s4-ex7", ["v_A2 = v_A1 + v_A2A1", "2 ω2 v_A2A1"]),
+        ("p3-22", ["v_I5 =  v_I5I4  + v_I4", "i4: carry v_I4"]),
         ("fig3-1", ["a_B =  aⁿ_BA   +  aᵗ_BA", "△bce is similar to △BCE"]),
     ],
 )

@@ -98,22 +98,30 @@ def draw(
 @method_option
 @angle_option
 @at_option
+@click.option("--all", "everything", is_flag=True, help="All points and links, whatever the file asks for.")
+@click.option(
+    "--only", type=click.Choice(["position", "velocity", "acceleration"]), default="acceleration", show_default=True,
+    help="How far to go: the mechanism alone, or with velocities, or with both.",
+)  # fmt: skip
 @lang_option
 @speaking
 def explain(
     mechanism: str, coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...],
-    lang: Lang,
+    everything: bool, only: Plane, lang: Lang,
 ) -> None:  # fmt: skip
-    """Write out the vector equations, what is laid off, and what is measured.
+    """Write out the solution: what is given, the vector equations, what is laid off and measured, the answers.
+
+    As far as the file asks; everything where it asks for nothing.
 
     \b
     Example:
       graphkin explain ex3-1 --lang zh
+      graphkin explain p3-22 --only velocity
     """
 
     machine = read(mechanism)
     drawing = drawn(machine, coincident, method, angles, displacements)
-    click.echo("\n".join(drawing.explain(lang)))
+    click.echo("\n".join(drawing.explain(lang, everything=everything, only=only)))
 
 
 @click.command()

@@ -26,6 +26,8 @@ from graphkin.loading.values import shown
 TABLES: Mapping[tuple[str, ...], type] = {
     (): File,
     ("title",): Titles,
+    ("source",): Titles,
+    ("slide", "title"): Titles,
     ("slide",): SlideTable,
     ("gear",): GearTable,
     ("roll",): RollTable,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path as FilePath
 from typing import IO, TYPE_CHECKING, Any
 
@@ -11,9 +12,10 @@ from graphkin.loading.draft import Draft
 from graphkin.loading.measures import frame_problems, read_measures
 from graphkin.loading.source import decoded, named, read_bytes, read_text, read_toml
 from graphkin.mechanism import Mechanism
+from graphkin.pairs import Pair
 
 if TYPE_CHECKING:
-    from graphkin.loading.schema import File
+    from graphkin.loading.schema import File, Titles
 
 
 def load(source: str | FilePath) -> Mechanism:
@@ -79,13 +81,20 @@ def _drawn_up(
     sketch = {point: complex(*place) for point, place in file.sketch.items()}
     mechanism = Mechanism(
         name, draft.frame, draft.links, pairs, drivers, poses, sketch, scales,
-        _titles(file), file.source, tuple(file.ask), text, draft.file, draft.lines,
+        _titles(file.title), _titles(file.source), tuple(file.ask), text, draft.file, draft.lines,
+        slide_titles=_slide_titles(file, pairs),
     )  # fmt: skip
     check_questions(draft, mechanism)
     draft.stop_if_wrong()
     return mechanism
 
 
-def _titles(file: File) -> dict[Lang, str]:
-    titles: dict[Lang, str | None] = {"en": file.title.en, "zh": file.title.zh}
+def _slide_titles(file: File, pairs: Sequence[Pair]) -> dict[str, dict[Lang, str]]:
+    slides = [pair.name for pair in pairs if pair.table == "slide"]
+    titled = {name: _titles(table.title) for name, table in zip(slides, file.slide, strict=True)}
+    return {name: title for name, title in titled.items() if title}
+
+
+def _titles(given: Titles) -> dict[Lang, str]:
+    titles: dict[Lang, str | None] = {"en": given.en, "zh": given.zh}
     return {lang: title for lang, title in titles.items() if title}

@@ -62,6 +62,8 @@ class Titles:
     zh: str | None = key(TEXT, default=None)
 
 
+TITLES = title(Titles)
+
 @table
 class FrameTable:
     """`[frame]`: its own name, and the fixed points by theirs."""
@@ -95,6 +97,7 @@ class SlideTable(LineTable):
     """A block, or a pin, on a line of the guide; with `centre` and `radius`, a pin in a circular slot of the guide."""
 
     name: str | None = key(NEW_NAME, default=None)
+    title: Titles = key(TITLES, default=Titles())
     block: str | None = key(NAME, default=None)
     point: str | None = key(POINT_NAME, default=None)
     pin: str | None = key(POINT_NAME, default=None)
@@ -171,8 +174,8 @@ class ScalesTable:
 class File:
     """The whole mechanism file."""
 
-    title: Titles = key(title(Titles), default=Titles())
-    source: str = key(TEXT, default="")
+    title: Titles = key(TITLES, default=Titles())
+    source: Titles = key(TITLES, default=Titles())
     ask: Sequence[str] = key(list_of(TEXT), default=())
     frame: FrameTable = key(one_table(FrameTable), default=FrameTable(points={}))
     links: Mapping[str, LinkTable] = key(mapping(LINK_KEY, entry(LinkTable)))

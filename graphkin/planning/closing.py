@@ -48,9 +48,8 @@ def close(
     pole     the pole, where nothing is drawn yet: known arrows between the unknown ones are then laid off first,
              from anywhere, and both direction lines meet in the pole (极点后定)
     """
-    way = [_Signed(term, True) for term in left] + [_Signed(term, False) for term in reversed(right)]
-    first, second = (k for k, step in enumerate(way) if step.term.unknowns)
-    if pole and (first, second) == (0, len(way) - 1) and len(way) > 2:
+    way, (first, second) = _way(left, right)
+    if pole_is_last(left, right, pole):
         return Equation(of, left, right, tuple(_pole_last(way, pole)))
     steps = [*_lay_off(way[:first]), *_lay_off(_back(way[second + 1 :]))]
     middle = way[first + 1 : second]
@@ -67,6 +66,18 @@ def close(
     steps += [*lines, Meet(lines[0], lines[1], way[second].near, choice=chosen)]
     steps += _lay_off(_back(middle))
     return Equation(of, left, right, tuple(steps))
+
+
+def pole_is_last(left: tuple[Term, ...], right: tuple[Term, ...], pole: str) -> bool:
+    """Whether both sides begin with their unknown arrows, with known ones between, and the pole is free."""
+    way, unknown = _way(left, right)
+    return bool(pole) and unknown == [0, len(way) - 1] and len(way) > 2
+
+
+def _way(left: tuple[Term, ...], right: tuple[Term, ...]) -> tuple[list[_Signed], list[int]]:
+    """From the start of the left side to that of the right one, and where on it the unknown arrows stand."""
+    way = [_Signed(term, True) for term in left] + [_Signed(term, False) for term in reversed(right)]
+    return way, [k for k, signed in enumerate(way) if signed.term.unknowns]
 
 
 def _pole_last(way: list[_Signed], pole: str) -> list[Step]:

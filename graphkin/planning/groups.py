@@ -7,6 +7,7 @@ from graphkin.construction import (
     Direction,
     Drawn,
     LayOff,
+    Normal,
     Simultaneous,
     Site,
     Size,
@@ -93,7 +94,8 @@ def _leg(polygon: Polygon, leg: Leg, point: Site) -> tuple[Term, ...]:
     label = polygon.labels.label
     for sites, part, size, way in _known_of(polygon, leg, point):
         of, seen_from = map(label, sites)
-        head = polygon.between("k" if part == "k" else "n", link, f"a^{part}_{of}{seen_from}")
+        squared = polygon.structure.home(size.link) if isinstance(size, Normal) else link
+        head = polygon.between("k" if part == "k" else "n", squared, f"a^{part}_{of}{seen_from}")
         terms.append(Term(of, seen_from, part, size, way, tail, head, sites=sites))
         tail = head
     seen_from, part = _unknown_of(polygon, leg.unknown)
@@ -134,7 +136,7 @@ def _measure_leg(polygon: Polygon, leg: Leg) -> None:
         if not polygon.known(earlier.of):
             add_up(polygon, earlier.of, polygon.side(earlier.seen_from, (earlier,)))
     for later in reversed(leg.hops[leg.hops.index(hop) + 1 :]):
-        for term in reversed(polygon.terms(later, last=False)):
+        for term in reversed(polygon.terms(later)):
             polygon.parts.append(LayOff(term, term.head, term.tail, backwards=True))
     polygon.measure(hop, polygon.name(hop.seen_from), polygon.name(hop.of))
 

@@ -171,19 +171,15 @@ def _edge(structure: Structure, loop: Loop, places: list[str], k: int) -> Site:
 
 
 def _meeting(structure: Structure, hops: list[Hop], unknown: list[int]) -> int:
-    """Where the two sides meet: between the unknown hops, yet so that the block is seen from its guide where
-    the sliding is driven, and a pin always from its slot (in which its path is straight).
+    """Where the two sides meet: between the unknown hops, so that each side ends in one; a driven sliding between
+    them stands on the side from which the block is seen from its guide.
     """
-    for k, hop in enumerate(hops):
-        if not isinstance(hop, Slip) or FRAME in (hop.seen_from.link, hop.of.link):
-            continue
-        block = structure.block(structure.slides[hop.slide])
-        if not (hop.known or structure.is_pin(block)):
-            continue
-        if hop.of.link == block:
-            return max(k + 1, unknown[1])
-        return min(k, unknown[1])
-    return unknown[1]
+    first, second = unknown
+    for k, hop in enumerate(hops[first:second], first):
+        if isinstance(hop, Slip) and hop.known and FRAME not in (hop.seen_from.link, hop.of.link):
+            seen_from_guide = hop.of.link == structure.block(structure.slides[hop.slide])
+            return second if seen_from_guide else k
+    return second
 
 
 def _turned(hop: Hop) -> Hop:

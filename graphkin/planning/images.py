@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import combinations
 
 from graphkin.construction import Image, LayOff, Site, Term
+from graphkin.mechanism import FRAME
 from graphkin.planning.closing import known_sum
 from graphkin.planning.hops import Lever, Slip
 from graphkin.planning.polygon import Polygon
@@ -21,13 +22,22 @@ def reach(polygon: Polygon, site: Site) -> None:
     if polygon.known(site):
         return
     base = base_of(polygon, site.link)
-    if len(base) > 1:
+    if (pivot := _driven_pivot(polygon, base, site)) is not None:
+        _levered(polygon, pivot, site)
+    elif len(base) > 1:
         first, second = base[:2]
         corners = (first.point, second.point, site.point)
         nodes = (polygon.name(first), polygon.name(second))
         polygon.parts.append(Image(site.link, corners, nodes, polygon.name(site)))
     else:
         _levered(polygon, base[0], site)
+
+
+def _driven_pivot(polygon: Polygon, base: list[Site], site: Site) -> Site | None:
+    """The fixed point about which a driven link turns, for a place on it that is no point of its own."""
+    own = site.point in polygon.structure.bodies[site.link]
+    driven = polygon.structure.base(site.link) == FRAME != site.link and not own
+    return next((one for one in base if polygon.key(one).link == FRAME), None) if driven else None
 
 
 def base_of(polygon: Polygon, body: str) -> list[Site]:
@@ -55,7 +65,7 @@ def _apart(polygon: Polygon, body: str, first: Site, second: Site) -> bool:
 def _levered(polygon: Polygon, start: Site, site: Site) -> None:
     """From one known point by the link's known rotation."""
     hop = Lever(Site(start.point, site.link), site, True)
-    right = polygon.absolute(start) + tuple(polygon.terms(hop, last=False))
+    right = polygon.absolute(start) + tuple(polygon.terms(hop))
     if polygon.plane == "acceleration" and polygon.structure.steady(site.link):
         right = _without_tangential(polygon, right)
     add_up(polygon, site, right)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import chain, count
 
 from graphkin.construction import (
@@ -15,6 +15,7 @@ from graphkin.construction import (
     Drawn,
     Driven,
     Equation,
+    LayOff,
     Measure,
     Node,
     Normal,
@@ -29,8 +30,9 @@ from graphkin.construction import (
     Turning,
 )
 from graphkin.mechanism import FRAME
-from graphkin.planning.closing import close
+from graphkin.planning.closing import close, pole_is_last
 from graphkin.planning.hops import Hop, Lever, Slip, Twist
+from graphkin.planning.known_first import known_first
 from graphkin.planning.labels import Labels
 from graphkin.planning.structure import Structure
 
@@ -59,7 +61,6 @@ class Polygon:
     reserved: set[str] = field(default_factory=set)
     unknown: dict[Hop, Term] = field(default_factory=dict)
     apart: set[frozenset[Site]] = field(default_factory=set)
-    asides: int = 0
 
     # --- names --------------------------------------------------------------------------------
 
@@ -93,16 +94,12 @@ class Polygon:
         label = self.labels.label(site)
         return self.new(label[0].lower() + label[1:] + self.prime, label, site)
 
-    def aside(self) -> str:
-        self.asides += 1
-        return self.new(f"*{self.asides}", "")
-
     def between(self, letter: str, link: str, of: str) -> str:
-        """A corner of the polygon that is no point of the mechanism: n3', k'."""
-        stem = letter if letter == "k" else letter + self.structure.mechanism.called(link)
-        dot = "_" if stem[-1].isdigit() else ""
-        numbered = (f"{stem}{dot}{k}'" for k in count(1))
-        names = chain([f"{stem}'"], numbered)
+        """A corner of the polygon that is no point of the mechanism: n3', n_arm', k'."""
+        called = self.structure.mechanism.called(link)
+        stem = letter if letter == "k" else letter + ("" if called[0].isdigit() else "_") + called
+        dot = "_" if stem != "k" else ""
+        names = chain([f"{stem}{self.prime}"], (f"{stem}{dot}{k}{self.prime}" for k in count(1)))
         return self.new(next(name for name in names if name not in self.nodes and name not in self.reserved), of)
 
     def known(self, site: Site) -> bool:
@@ -123,22 +120,16 @@ class Polygon:
         size = Drawn(self.pole, self.pole)
         return Term(self.labels.label(site), "", "", size, None, self.pole, self.pole, sites=(site,))
 
-    def terms(self, hop: Hop, last: bool) -> list[Term]:
-        """The arrows of one hop from `seen_from` outward to `of`.
-
-        last  whether known arrows come after the unknown one, so that they lie at the far end
-        """
+    def terms(self, hop: Hop) -> list[Term]:
+        """The arrows of one hop from `seen_from` outward to `of`, an unknown one last."""
         pieces = self.pieces(hop)
-        if last:
-            pieces.reverse()
         tail, terms, sites = self.name(hop.seen_from), list[Term](), (hop.of, hop.seen_from)
         of, seen_from = self.labels.label(hop.of), self.seen_from(hop)
         for k, (part, size, direction) in enumerate(pieces):
             if k == len(pieces) - 1:
                 head = self.name(hop.of)
             else:
-                letter = "k" if "k" in (part, pieces[k + 1][0]) else part[-1]
-                head = self.between(letter, self.structure.home(hop.of.link), f"a^{part}_{of}{seen_from}")
+                head = self.between(part[-1], self.structure.home(hop.of.link), f"a^{part}_{of}{seen_from}")
             terms.append(Term(of, seen_from, part, size, direction, tail, head, sites=sites))
             if size is None:
                 self.unknown[hop] = terms[-1]
@@ -194,14 +185,19 @@ class Polygon:
         terms = list(self.absolute(start))
         if not terms and hops and isinstance(hops[0], Slip) and hops[0].seen_from.link != FRAME:
             terms = [self.rest(start)]
-        unknown = [hop for hop in hops if not hop.known]
         for hop in hops:
-            terms += self.terms(hop, last=len(unknown) == 2 and hop is unknown[1])
+            terms += self.terms(hop)
         return tuple(terms) or (self.rest(start),)
 
     def equate(self, of: Site, left: tuple[Term, ...], right: tuple[Term, ...], pole: str = "") -> None:
-        """Both sides of one vector equation, drawn until they meet."""
-        self.parts.append(close(self.labels.label(of), left, right, {}, self.aside, _no_choice, pole))
+        """Both sides of one vector equation, what is known first, drawn until they meet."""
+        sides, carried = (left, right), list[LayOff]()
+        if not pole_is_last(left, right, pole):
+            found = [known_first(self, side) for side in sides]
+            sides = found[0].terms, found[1].terms
+            carried = [*found[0].carried, *found[1].carried]
+        drawn = close(self.labels.label(of), *sides, {}, _nothing_between, _no_choice, pole)
+        self.parts.append(replace(drawn, steps=(*drawn.steps, *carried)))
 
     def in_order(self, first: tuple[Term, ...], second: tuple[Term, ...]) -> tuple[tuple[Term, ...], tuple[Term, ...]]:
         """A textbook puts the side that starts at rest first, and of two such the shorter one."""
@@ -242,6 +238,10 @@ class Polygon:
 
     def lies_apart(self, first: Site, second: Site) -> None:
         self.apart.add(frozenset((self.key(first), self.key(second))))
+
+
+def _nothing_between() -> str:
+    raise AssertionError("each side of a polygon's equation ends in its one unknown arrow")
 
 
 def _no_choice() -> int:

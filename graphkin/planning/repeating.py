@@ -27,7 +27,7 @@ def measure_slide(polygon: Polygon, name: str) -> None:
         polygon.parts.append(Measure(polygon.sliding, name, polygon.pole, polygon.name(of)))
         return
     reach(polygon, seen_from)
-    *known, along = polygon.terms(Slip(seen_from, of, False, name), last=False)
+    *known, along = polygon.terms(Slip(seen_from, of, False, name))
     polygon.parts += [LayOff(term, term.tail, term.head) for term in known]
     polygon.parts.append(Measure(polygon.sliding, name, along.tail, along.head))
 

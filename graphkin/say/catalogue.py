@@ -19,7 +19,7 @@ Phrases = Mapping[str, tuple[str, str]]
 """By key: English, Chinese."""
 
 LANGUAGES: tuple[Lang, ...] = get_args(Lang)
-_ROOM = re.compile("(?<=[\u4e00-\u9fff]) +(?=[\u4e00-\u9fff])")
+_ROOM = re.compile("(?<=[\u4e00-\u9fff]) +(?=[\u4e00-\u9fff])|(?<=[）；，。、：]) +(?=\\S)|(?<=\\S) +(?=[（）；，。、：])")
 
 
 def phrase(name: str, lang: Lang) -> str:
@@ -63,7 +63,7 @@ def meaning(name: str, /, **words: object) -> Meaning:
 
 
 def close(text: str) -> str:
-    """Chinese leaves no room between two Chinese words."""
+    """Chinese leaves no room between two Chinese words, nor beside its signs."""
     return _ROOM.sub("", text)
 
 

@@ -11,6 +11,7 @@ from graphkin.construction import (
     Along,
     AlongGuide,
     Arc,
+    Coriolis,
     Drawn,
     Driven,
     Equation,
@@ -47,8 +48,10 @@ def equation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
         return
     yield Sentence(_introduction(polygon, part))
     yield worded(polygon, part)
+    yield from _reasons(polygon, part)
     terms = part.left + part.right
-    known = dict.fromkeys(step.term for step in part.steps if isinstance(step, LayOff))
+    laid = (step.term for step in part.steps if isinstance(step, LayOff))
+    known = dict.fromkeys(term for term in laid if not isinstance(term.size, Drawn))
     for term in known:
         yield known_size(polygon, term, terms)
     yield from _drawing(polygon, part.steps, terms)
@@ -112,6 +115,22 @@ def _introduction(polygon: Polygon, part: Equation) -> str:
     return say("derivation.plain equation", of=names.point(part.of), motion=motion)
 
 
+def _reasons(polygon: Polygon, part: Equation) -> Iterator[Entry]:
+    """Why the coincident points are taken where they are, and whose rotation the Coriolis term of a pin has."""
+    reading, structure = polygon.reading, polygon.reading.method.structure
+    terms = part.left + part.right
+    known = {term.sites[0].point: term for term in terms if isinstance(term.size, Drawn) and term.sites}
+    slips = (term for term in terms if _coincident(term) and len(term.sites) > 1)
+    met = next((term.sites[0].point for term in slips if term.sites[0].point in known), "")
+    if polygon.plane == "velocity" and met and polygon.size(known[met].tail, known[met].head):
+        name = names.vector(known[met].name(polygon.plane))
+        yield Sentence(reading.say("derivation.chosen", point=names.point(met), known=name))
+    for term in terms:
+        if isinstance(term.size, Coriolis) and any(structure.is_pin(site.link) for site in term.sites):
+            words = {"link": reading.link(term.size.link), "rate": reading.rate("ω", term.size.link)}
+            yield Sentence(reading.say("derivation.path of the slot", **words))
+
+
 def _relation(polygon: Polygon, term: Term) -> str:
     of, seen_from = names.point(term.of), names.point(term.seen_from)
     if not term.part and isinstance(term.direction, Along | AcrossGuide):
@@ -158,15 +177,11 @@ def _translation(polygon: Polygon, part: Equation) -> str:
 
 
 def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...]) -> Iterator[Entry]:
-    met = told = False
     for step in steps:
         match step:
             case LayOff():
-                yield polygon.told(step, _lay_off(polygon, step, carried=met, told=told))
-                aside = not polygon.construction.nodes[step.tip].of
-                told = told or (aside and polygon.size(step.term.tail, step.term.head) > 0)
+                yield polygon.told(step, _lay_off(polygon, step))
             case Meet():
-                met = True
                 yield polygon.told(step, _meet(polygon, step, terms))
             case Ray():
                 pass  # told where it crosses another
@@ -178,26 +193,17 @@ def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...])
                 assert_never(step)
 
 
-def _lay_off(polygon: Polygon, step: LayOff, carried: bool = False, told: bool = False) -> str:
+def _lay_off(polygon: Polygon, step: LayOff) -> str:
     say, term = polygon.reading.say, step.term
     start, tip = names.point(step.start), names.point(step.tip)
     name = names.vector(term.name(polygon.plane))
+    if isinstance(term.size, Drawn):
+        drawn = names.arrow(term.size.tail, term.size.head)
+        return say("derivation.carried", name=name, drawn=drawn, start=start, tip=tip)
     if not polygon.size(term.tail, term.head):
         return say("derivation.lay off nothing", name=name, tip=tip, start=start)
     ends = (step.tip, step.start) if step.backwards else (step.start, step.tip)
     length = polygon.laid(name, term.tail, term.head, ends)
-    if not polygon.construction.nodes[step.tip].of:
-        way = say("derivation.aside backward" if step.backwards else "derivation.aside forward", start=start)
-        return say(
-            "derivation.aside more" if told else "derivation.aside",
-            name=name,
-            way=way,
-            length=length,
-            tip=tip,
-        )
-    if carried:
-        key = "derivation.carry back reversed" if step.backwards else "derivation.carry back"
-        return say(key, name=name, start=start, length=length, tip=tip)
     key = "derivation.lay off backwards" if step.backwards else "derivation.lay off"
     return say(key, name=name, start=start, length=length)
 

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Mapping
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
+from graphkin.say.asked import asked
 from graphkin.say.entry import Entry, VectorEquation
 from graphkin.say.equations import worded
-from graphkin.say.given import given
+from graphkin.say.given import given, solving
 from graphkin.say.layout import lines
 from graphkin.say.plane import Polygon
 from graphkin.say.polygons import polygon
@@ -17,22 +18,41 @@ from graphkin.say.position import PositionReader
 from graphkin.say.reading import Reading
 
 
-def explain(method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang) -> list[str]:
-    """The whole solution as lines of plain text.
+def explain(
+    method: Method,
+    plot: Plot,
+    scales: Mapping[str, float],
+    lang: Lang,
+    everything: bool = False,
+    only: Plane = "acceleration",
+) -> list[str]:
+    """The solution as lines of plain text, as far as the file asks.
 
     plot    one position of the method, all three planes replayed
     scales  "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s²)/mm]
+    everything, only   all points and links, whatever is asked; the last plane that is drawn
     """
-    return list(lines(derivation(method, plot, scales, lang), lang))
+    return list(lines(derivation(method, plot, scales, lang, everything, only), lang))
 
 
-def derivation(method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang) -> Iterator[Entry]:
-    """The whole solution as data: what is given, then the three planes in the order of their constructions."""
+def derivation(
+    method: Method,
+    plot: Plot,
+    scales: Mapping[str, float],
+    lang: Lang,
+    everything: bool = True,
+    only: Plane = "acceleration",
+) -> Iterator[Entry]:
+    """The solution as data: what is given and asked, the planes in the order of their constructions, the answers."""
     reading = Reading(method, plot, scales, lang)
+    goal = asked(reading, everything, only)
     yield from given(reading)
-    yield from PositionReader(reading).entries()
-    yield from polygon(reading, "velocity")
-    yield from polygon(reading, "acceleration")
+    yield from goal.question()
+    yield from solving(reading)
+    yield from PositionReader(reading, goal.levers, goal.angles).entries()
+    for number, (plane, parts) in enumerate(goal.parts.items(), start=2):
+        yield from polygon(reading, plane, parts, number)
+    yield from goal.answers()
 
 
 def vector_equations(

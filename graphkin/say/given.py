@@ -8,21 +8,29 @@ from math import degrees
 from graphkin.mechanism import FRAME, Driver, Pose
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
+from graphkin.say.given_dimensions import dimensions
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
 from graphkin.say.redundancy import redundant_constraints
 
 
 def given(reading: Reading) -> Iterator[Entry]:
-    """Title, what is given, and the paper's scales."""
-    drivers = [_driver(reading, k, driver) for k, driver in enumerate(reading.mechanism.drivers)]
-    yield Heading(reading.mechanism.headline(reading.lang))
+    """The title, and what is given: links, pairs, drivers, the drawn position."""
     between = reading.say("common.semicolon")
-    frame = reading.mechanism.called(FRAME)
-    yield Sentence(reading.say("derivation.given", drivers=between.join(drivers), frame=names.point(frame)))
+    yield Heading(reading.mechanism.headline(reading.lang))
+    yield Heading(reading.say("solution.given"))
+    for sentence in dimensions(reading):
+        yield Sentence(sentence)
+    drivers = [_driver(reading, k, driver) for k, driver in enumerate(reading.mechanism.drivers)]
+    yield Sentence(reading.say("derivation.given", drivers=between.join(drivers)))
     if reading.mechanism.poses:
         poses = [_pose(reading, pose) for pose in reading.mechanism.poses]
         yield Sentence(reading.say("derivation.posed", poses=between.join(poses)))
+
+
+def solving(reading: Reading) -> Iterator[Entry]:
+    """The head of the solution itself: what plays no part in it, and the paper's scales."""
+    yield Heading(reading.say("solution.solution"))
     if idle := reading.method.structure.idle:
         yield Sentence(reading.say("derivation.idle", links=reading.listed([reading.link(link) for link in idle])))
     for line in redundant_constraints(reading.method, reading.lang):
@@ -40,7 +48,7 @@ def _pose(reading: Reading, pose: Pose) -> str:
     """What held when the mechanism was drawn."""
     if pose.vector is None:
         place = f"{names.of_slide('s', pose.link)} = {number(pose.value * 1000)} mm"
-        return reading.say(f"derivation.driven {_kind(reading, pose.link)}", slide=pose.link, place=place)
+        return reading.say(f"derivation.driven {_kind(reading, pose.link)}", slide=reading.slide_name(pose.link), place=place)
     angle, line = f"{number(degrees(pose.value))}°", "".join(names.point(p) for p in pose.vector)
     link = reading.link(pose.link)
     if pose.from_vector is None:
@@ -73,10 +81,10 @@ def _slide(reading: Reading, driver: Driver, value: float | None, rate: float, m
     position, speed, change = (names.of_slide(symbol, driver.link) for symbol in ("s", "ṡ", "s̈"))
     kind = _kind(reading, driver.link)
     if value is None:
-        start = reading.say(f"derivation.driven {kind} free", slide=driver.link)
+        start = reading.say(f"derivation.driven {kind} free", slide=reading.slide_name(driver.link))
     else:
         place = f"{position} = {number(value * 1000)} mm"
-        start = reading.say(f"derivation.driven {kind}", slide=driver.link, place=place)
+        start = reading.say(f"derivation.driven {kind}", slide=reading.slide_name(driver.link), place=place)
     return reading.say("common.and").join(
         [
             start,

@@ -17,7 +17,8 @@ _RAISED = {"n": "ⁿ", "t": "ᵗ", "k": "ᵏ", "r": "ʳ"}
 
 
 def point(name: str) -> str:
-    """A point of the mechanism or of a polygon, or a link; auxiliary points (`*1`) are numbered ①, ②, ..
+    """A point of the mechanism or of a polygon (`B_guide` on a link called by a word), or a link; auxiliary points (`*1`)
+    are numbered ①, ②, ..
 
     The links of lower-pair equivalents are called e, e2, ..; those that hold a rolling wheel after its contact. The
     line on which a contact moves starts at ⓒ or ⓡ.
@@ -26,7 +27,7 @@ def point(name: str) -> str:
         count = int(name[1:])
         return chr(0x2460 + count - 1) if count <= 20 else f"({count})"
     name = _ORIGIN.sub(_origin, name)
-    return spelled(name).replace("'", "′")
+    return spelled(name).replace("'", "′").replace("@", "_")
 
 
 _ORIGIN = re.compile(r"(?:([cr])(\d+)|\w+) origin")
@@ -63,7 +64,8 @@ def vector(name: str) -> str:
     if "+" in name:
         return "(" + " + ".join(vector(half) for half in name.split("+")) + ")"
     letter, part, low = re.fullmatch(r"(\w)(?:\^(\w+))?_(.+)", name).groups()  # type: ignore[union-attr]
-    return letter + "".join(_RAISED[c] for c in part or "") + "_" + point(low)
+    sites = f"{{{point(low)}}}" if "@" in low else point(low)
+    return letter + "".join(_RAISED[c] for c in part or "") + "_" + sites
 
 
 def of_link(symbol: str, link: str) -> str:

@@ -14,6 +14,7 @@ from graphkin.construction import (
     Construction,
     Direction,
     Drawn,
+    Equation,
     LayOff,
     Measure,
     Plane,
@@ -30,15 +31,24 @@ from graphkin.value import frozen
 
 @frozen
 class Polygon:
-    """The velocity or the acceleration polygon of a reading."""
+    """The velocity or the acceleration polygon of a reading.
+
+    shown  those of its parts that are told, where not all are
+    """
 
     reading: Reading
     plane: Plane
+    shown: tuple[Step | Equation, ...] | None = None
 
     @property
     def construction(self) -> Construction:
         method = self.reading.method
         return method.velocity if self.plane == "velocity" else method.acceleration
+
+    @property
+    def parts(self) -> tuple[Step | Equation, ...]:
+        """The parts that are told."""
+        return self.construction.parts if self.shown is None else self.shown
 
     @property
     def scale(self) -> float:
@@ -79,11 +89,12 @@ class Polygon:
         return {(term.tail, term.head): term.name(self.plane) for term in self._terms()}
 
     def _terms(self) -> Iterator[Term]:
-        for part in self.construction.parts:
+        for part in self.parts:
             if isinstance(part, LayOff):
                 yield part.term
-        for equation in self.construction.equations:
-            yield from equation.left + equation.right
+        for part in self.parts:
+            if isinstance(part, Equation):
+                yield from part.left + part.right
 
     def written(self, tail: str, head: str) -> bool:
         """Whether an equation, or a known arrow, has these ends."""
@@ -116,14 +127,18 @@ class Polygon:
     @cached_property
     def laid_off(self) -> dict[str, Term]:
         """Known absolute motions that are laid off by themselves, by the point at their tip."""
-        parts = self.construction.parts
-        return {part.tip: part.term for part in parts if isinstance(part, LayOff)}
+        return {part.tip: part.term for part in self.parts if isinstance(part, LayOff)}
 
     @cached_property
     def levers(self) -> dict[tuple[str, str], Measure]:
-        """The measurement of a rotation that each arrow gives."""
-        steps = self.construction.steps
+        """The measurement of a rotation that each arrow gives, or would give if it were told."""
+        steps = (*self.construction.steps, *self.parts)
         return {(s.tail, s.head): s for s in steps if isinstance(s, Measure) and s.lever[0]}
+
+    @cached_property
+    def first_lever(self) -> Measure | None:
+        """The first rotation that is told."""
+        return next((step for step in self.parts if isinstance(step, Measure) and step.lever[0]), None)
 
     def direction(self, direction: Direction, among: tuple[Term, ...] = ()) -> str:
         """`⊥BD`, `∥BC`, `B→A`; a Coriolis term stands across its relative motion, one of the terms `among`."""

@@ -25,6 +25,7 @@ from graphkin.construction import (
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equations import equation, known_arrow
+from graphkin.planning.held_still import held_points, standing
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
 from graphkin.say.rolling import rolling
@@ -32,11 +33,11 @@ from graphkin.say.rotation import image, rotation, sliding, ties
 from graphkin.say.together import solved_together
 
 
-def polygon(reading: Reading, plane: Plane) -> Iterator[Entry]:
+def polygon(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], number: int) -> Iterator[Entry]:
     """Pole, known motions, equations, and what is read off each, in the order of the construction."""
-    drawn = Polygon(reading, plane)
-    yield Heading(reading.say(f"derivation.plane {plane}"))
-    for part in drawn.construction.parts:
+    drawn = Polygon(reading, plane, standing(reading.method, plane, parts, reading.rested))
+    yield Heading(reading.say(f"derivation.plane {plane}", number=number))
+    for part in drawn.parts:
         if isinstance(part, Equation):
             yield from equation(drawn, part)
         else:
@@ -46,7 +47,9 @@ def polygon(reading: Reading, plane: Plane) -> Iterator[Entry]:
 def _step(drawn: Polygon, step: Step) -> Iterator[Entry]:
     match step:
         case Given():
+            yield from _renamed(drawn)
             yield Sentence(_pole(drawn, step))
+            yield from _held(drawn)
             yield from ties(drawn)
         case LayOff():
             yield from known_arrow(drawn, step)
@@ -68,9 +71,28 @@ def _step(drawn: Polygon, step: Step) -> Iterator[Entry]:
             assert_never(step)
 
 
+def _renamed(drawn: Polygon) -> Iterator[Entry]:
+    """Where p belongs to a point P, the pole has another letter; said once, in the first polygon."""
+    pole = drawn.construction.pole
+    if drawn.plane == "velocity" and pole != "p":
+        yield Sentence(drawn.reading.say("derivation.renamed pole", letter="P", pole=names.point(pole)))
+
+
+def _held(drawn: Polygon) -> Iterator[Entry]:
+    """The links that drivers at rest hold still: their points are fixed points."""
+    reading = drawn.reading
+    links = [reading.link(link) for link in reading.mechanism.moving if reading.stands(link)]
+    if links:
+        held = held_points(reading.method, drawn.plane, reading.rested)
+        owners = reading.mechanism.owners
+        points = reading.listed([names.point(p) for p in held if not all(map(reading.stands, owners.get(p, ())))])
+        words = {"links": reading.listed(links), "points": points, "pole": names.point(drawn.construction.pole)}
+        yield Sentence(reading.say("derivation.held still", **words))
+
+
 def _pole(drawn: Polygon, step: Given) -> str:
     reading, pole = drawn.reading, names.point(step.point)
-    first = next(iter(drawn.construction.equations), None)
+    first = next((part for part in drawn.parts if isinstance(part, Equation)), None)
     if first is not None and any(isinstance(other, Given) for other in first.steps):
         return reading.say("derivation.pole last", pole=pole)
     if not step.also:

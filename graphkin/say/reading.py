@@ -13,6 +13,7 @@ from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning import Method
 from graphkin.planning.acts import Act
 from graphkin.planning.labels import Labels
+from graphkin.planning.needed import Fact, at_rest, turning
 from graphkin.say import names
 from graphkin.say.catalogue import close, say
 from graphkin.say.numbers import number
@@ -53,6 +54,11 @@ class Reading:
         """The act of the pencil that a step finishes."""
         return self._acts.get((plane, step))
 
+    @cached_property
+    def rested(self) -> frozenset[Fact]:
+        """What drivers at rest hold still in both polygons."""
+        return at_rest(self.method, self.plot.facts)
+
     # --- links --------------------------------------------------------------------------------
 
     def body(self, link: str) -> str:
@@ -76,6 +82,13 @@ class Reading:
         base = turns[link].base
         return [other for other in links if turns[other].base == base and other != self.body(link)]
 
+    def stands(self, link: str) -> bool:
+        """Whether a driver at rest holds a link still."""
+        nodes = (node for node in self.method.velocity.nodes.values() if node.site is not None)
+        own = (node for node in nodes if node.site and link in (node.site.link, *self.mechanism.owners.get(node.site.point, ())))
+        still = all(("velocity", node.name) in self.rested for node in own if node.site and node.site.link != FRAME)
+        return still and turning(self.method, "omega", link) in self.rested
+
     def translates(self, link: str) -> bool:
         """Whether a link cannot turn at all."""
         turn = self.plot.facts.turns[link]
@@ -88,6 +101,24 @@ class Reading:
             return names.of_link(symbol, called(driver.link))
         return names.relative(symbol, called(driver.link), called(driver.from_link))
 
+    def radius(self, link: str, size: float) -> str:
+        """`r2` of a wheel, and `r2′` of the second gear of a compound one."""
+        sizes: dict[float, None] = {}
+        for contact in self.method.structure.contacts:
+            pairs = zip(contact.wheels, contact.radii, strict=True)
+            sizes |= {round(abs(radius), 12): None for wheel, radius in pairs if wheel == link and radius}
+        primes = "′" * [*sizes, round(size, 12)].index(round(size, 12)) if size else ""
+        return names.of_link("r", self.mechanism.called(link)) + primes
+
+    def way_round(self, points: tuple[str, ...], ccw: bool) -> str:
+        """`B→C→E counter-clockwise`: the sense in which corners follow one another."""
+        way = "→".join(names.point(point) for point in points)
+        return self.say("common.way round", way=way, sense=self.say("common.ccw" if ccw else "common.cw"))
+
+    def slide_name(self, slide: str) -> str:
+        """What people call a named slide or roll."""
+        return self.mechanism.slide_title(slide, self.lang)
+
     def numbered(self, point: str, link: str) -> str:
         """The point of a link as written where several links have one there: `B3`."""
         return Labels(self.method.structure, {}).numbered(point, self.body(link))
@@ -97,8 +128,19 @@ class Reading:
     @cached_property
     def noise(self) -> float:
         """Lengths up to this are none [m]."""
+        return ROUNDING * self.size
+
+    @cached_property
+    def size(self) -> float:
+        """How far the mechanism reaches [m]."""
         places = list(self.plot.position.values())
-        return ROUNDING * max(float(abs(place - places[0])) for place in places)
+        return max(float(abs(place - places[0])) for place in places)
+
+    def rate_noise(self, plane: Plane) -> float:
+        """Rates of turning up to this are none [rad/s, rad/s²]: beside the others, and beside what points do."""
+        table = self.plot.omega if plane == "velocity" else self.plot.alpha
+        fastest = max(float(abs(value)) for value in self.plot.points(plane).values())
+        return max(ROUNDING * max(float(abs(rate)) for rate in table.values()), ROUNDING * fastest / (self.size or 1.0))
 
     def distance(self, first: str, second: str) -> float:
         """Between two points of the mechanism [m]."""
@@ -115,8 +157,8 @@ class Reading:
         """The line of a slide: two points on it (`BC`), or `guide ram`."""
         pair = self.method.structure.slides[slide]
         if pair.named and pair.guide == FRAME and slide not in self.contact_slides:
-            return self.say("derivation.guide of", name=slide)
-        on_it = self._points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
+            return self.say("derivation.guide of", name=self.slide_name(slide))
+        on_it = self.points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
         if on_it is None and slide in self.contact_slides:
             rolling = pair.stands_for.rolling if pair.stands_for is not None else None
             if len(self.contact_slides) == 1:
@@ -125,7 +167,7 @@ class Reading:
             return self.say("contacts.track of" if rolling else "contacts.face of", link=self.link(link))
         if on_it:
             return names.pair(*on_it)
-        return self.say("derivation.guide of", name=slide if pair.named else pair.point)
+        return self.say("derivation.guide of", name=self.slide_name(slide) if pair.named else pair.point)
 
     @cached_property
     def contact_slides(self) -> frozenset[str]:
@@ -138,7 +180,7 @@ class Reading:
         pair = self.method.structure.slides[slide]
         if slide in self.contact_slides:
             return self.say("contacts.path of", name=names.point(pair.point))
-        return self.say("derivation.guide of", name=slide if pair.named else names.point(pair.point))
+        return self.say("derivation.guide of", name=self.slide_name(slide) if pair.named else names.point(pair.point))
 
     def points_along(self, slide: str) -> tuple[str, str] | None:
         """Two points of the guide whose line is parallel to the slide's."""
@@ -153,7 +195,7 @@ class Reading:
                 return first, second
         return None
 
-    def _points_on(self, slide: str) -> tuple[str, str] | None:
+    def points_on(self, slide: str) -> tuple[str, str] | None:
         """Two points that lie apart on the line, of those that the guide or the pair itself names."""
         pair, along = self.method.structure.slides[slide], self.plot.guide_direction(slide)
         named = dict.fromkeys((pair.line.origin, pair.point, *self.method.structure.bodies[pair.guide]))
@@ -178,7 +220,7 @@ class Reading:
             if slide.guide != FRAME:
                 return names.point(point)
             return self.say("contacts.path start", path=self.path(slide.name))
-        return self.say("derivation.origin of", name=slide.name if slide.named else slide.point)
+        return self.say("derivation.origin of", name=self.slide_name(slide.name) if slide.named else slide.point)
 
     def named(self, point: str) -> bool:
         """Whether a point has a letter: it is not merely where a line begins."""

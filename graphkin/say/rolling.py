@@ -14,7 +14,7 @@ from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
-from graphkin.say.reading import ROUNDING, Reading
+from graphkin.say.reading import Reading
 
 # --- the relation itself ------------------------------------------------------------------------
 
@@ -49,6 +49,12 @@ class Relation:
         return f"{halves[0]} {self._sign} {halves[1]} = 0{noted}"
 
     @property
+    def nothing(self) -> bool:
+        """Whether nothing has moved since the drawn position."""
+        still = max(abs(self.value(link)) for link, _ in self.contact.angles) < 1e-6
+        return still and abs(self.slid_value) <= self.reading.noise
+
+    @property
     def figures(self) -> str:
         """The two sides of a pair of wheels in figures, which cancel."""
         halves = [self._half(k, True) for k in self._order]
@@ -74,14 +80,7 @@ class Relation:
         return f"{radius}({turn} − {_bracketed(written(arm))})"
 
     def radius(self, k: int) -> str:
-        """`r2`, and `r2′` for the second gear of a compound one."""
-        link, size = self.contact.wheels[k], abs(self.contact.radii[k])
-        sizes: dict[float, None] = {}
-        for contact in self.reading.method.structure.contacts:
-            pairs = zip(contact.wheels, contact.radii, strict=True)
-            sizes |= {round(abs(radius), 12): None for wheel, radius in pairs if wheel == link and radius}
-        primes = "′" * list(sizes).index(round(size, 12)) if size else ""
-        return names.of_link("r", self.reading.mechanism.called(link)) + primes
+        return self.reading.radius(self.contact.wheels[k], abs(self.contact.radii[k]))
 
     def solved(self, unknown: str, value: float, unit: str, note: str) -> Calculation:
         """The turning of `unknown` from that of the others, with its figures."""
@@ -134,7 +133,7 @@ def relation_of(polygon: Polygon, contact: InStep) -> Relation:
     reading, plot = polygon.reading, polygon.reading.plot
     first = polygon.plane == "velocity"
     table, slid = (plot.omega, plot.s_rate) if first else (plot.alpha, plot.s_acceleration)
-    noise = ROUNDING * max(float(abs(rate)) for rate in table.values())
+    noise = reading.rate_noise(polygon.plane)
 
     def value(link: str) -> float:
         return float(table[link]) if abs(table[link]) > noise else 0.0
@@ -188,9 +187,8 @@ def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:
     relation = turned(reading, step.contact)
     contact, moved = relation.contact, relation.slid_value
     wheels = reading.listed([reading.link(link) for link in contact.wheels])
-    if max(abs(relation.value(link)) for link, _ in contact.angles) < 1e-6 and abs(moved) <= reading.noise:
-        yield Sentence(reading.say("contacts.rolled nothing", wheels=wheels))
-        return
+    if relation.nothing:
+        return  # the drawn position: as given
     yield Sentence(reading.say("contacts.rolled", wheels=wheels, relation=relation.text))
     link = _unknown(reading, step)
     if not link:

@@ -11,7 +11,6 @@ from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
-from graphkin.say.reading import ROUNDING
 from graphkin.say.rolling import checked, contacted, same_velocity
 
 # --- rotations ----------------------------------------------------------------------------------
@@ -75,7 +74,7 @@ def _sense_note(polygon: Polygon, step: Measure) -> str:
     """The sense; the first time also how it is found."""
     reading = polygon.reading
     sense = _sense(polygon, _turning(polygon, step))
-    if step != next(iter(polygon.levers.values())):
+    if step != polygon.first_lever:
         return sense
     tail, head = (names.point(p) for p in step.lever)
     ends, link = names.arrow(step.tail, step.head), reading.link(step.of)
@@ -115,10 +114,14 @@ def ties(polygon: Polygon) -> Iterator[Entry]:
         links = reading.listed([reading.link(link) for link in still])
         key = "derivation.never turn" if len(still) == 1 else "derivation.never turn, several"
         yield Sentence(reading.say(key, links=links, rates=reading.say("common.and").join(zero)))
-    driven = {driver.link for driver in reading.mechanism.drivers if driver.from_link == FRAME}
+    driven = dict.fromkeys(driver.link for driver in reading.mechanism.drivers if driver.from_link == FRAME)
     turns = reading.plot.facts.turns
     for link in reading.mechanism.moving:
         if turns[link].base == FRAME and turns[link].drivers and link not in driven:
+            like = [other for other in driven if turns[other].drivers == turns[link].drivers]
+            if like and polygon.plane == "velocity":
+                links = reading.listed([reading.link(member) for member in (link, *like)])
+                yield Sentence(reading.say("derivation.held", links=links))
             yield _tie(polygon, link, FRAME)
 
 
@@ -126,7 +129,7 @@ def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
     """`ω2 = ω3`, or `ω2 = ω1 + ω21` with a driven rotation between them; the frame adds nothing."""
     reading = polygon.reading
     table = reading.plot.omega if polygon.plane == "velocity" else reading.plot.alpha
-    noise = ROUNDING * max(float(abs(rate)) for rate in table.values())
+    noise = reading.rate_noise(polygon.plane)
     value = float(table[link]) if abs(table[link]) > noise else 0.0
     symbol, drivers = names.RATE[polygon.plane], reading.mechanism.drivers
     parts = [] if other == FRAME else [(1, polygon.rate(other), float(table[reading.body(other)]))]
@@ -211,7 +214,9 @@ def image(polygon: Polygon, step: Image) -> Iterator[Entry]:
     else:
         small = "△" + "".join(names.point(p) for p in (*corners, step.point))
         large = "△" + "".join(names.point(p) for p in step.corners)
-        yield polygon.told(step, reading.say("derivation.image triangle", **{**words, "small": small, "large": large}))
+        ccw = float(cross(reading.plot.arm(first, second), reading.plot.arm(first, third))) > 0
+        words |= {"small": small, "large": large, "sense": reading.say("common.ccw" if ccw else "common.cw")}
+        yield polygon.told(step, reading.say("derivation.image triangle", **words))
     yield polygon.measured_absolute(step.point)
 
 

@@ -36,10 +36,20 @@ def known_size(polygon: Polygon, term: Term, equation: tuple[Term, ...]) -> Calc
     sized = _sized(polygon, term, term.size, polygon.direction_row(term, equation))
     value = polygon.size(term.tail, term.head)
     angle = polygon.angle(term.tail, term.head)
-    note = polygon.reading.say("derivation.at angle", direction=sized.way, angle=angle) if value else ""
+    note = polygon.reading.say("derivation.at angle", direction=sized.way, angle=angle) if value else _why_none(polygon, term)
     formulas = (*_other_names(polygon, term), sized.formula)
     name = names.vector(term.name(polygon.plane))
     return Calculation(name, formulas, sized.numbers, value, names.UNIT[polygon.plane], note)
+
+
+def _why_none(polygon: Polygon, term: Term) -> str:
+    """Why there is no Coriolis acceleration; "" of other terms."""
+    if not isinstance(term.size, Coriolis):
+        return ""
+    reading, velocity = polygon.reading, Polygon(polygon.reading, "velocity")
+    if not velocity.size(term.size.tail, term.size.head):
+        return reading.say("derivation.no sliding", relative=velocity.seen(term.of, term.seen_from))
+    return reading.say("derivation.no turning", rate=reading.rate("ω", term.size.link))
 
 
 def _other_names(polygon: Polygon, term: Term) -> tuple[str, ...]:

@@ -22,6 +22,7 @@ from graphkin.construction import (
     Simultaneous,
     Term,
 )
+from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
@@ -37,7 +38,10 @@ def fitted(reading: Reading, step: Fit) -> Iterator[Entry]:
     """A group's position by trial (样板法), or a train's by its relations; then what it comes to."""
     members = list(dict.fromkeys(link for base in step.angles for link in _members(reading, base)))
     links = reading.listed([reading.link(link) for link in members])
-    relations = reading.listed([turned(reading, contact).text for contact in step.contacts])
+    turns = [turned(reading, contact) for contact in step.contacts]
+    if not step.closures and all(turn.nothing for turn in turns):
+        return  # the drawn position: as given
+    relations = reading.listed([turn.text for turn in turns])
     if step.closures:
         lengths = reading.listed(_arms(reading, step))
         words = {"links": links, "template": reading.link(_template(reading, step)), "lengths": lengths}
@@ -185,6 +189,9 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
     """Which equations, which unknowns, and what they come to."""
     reading, plot = polygon.reading, polygon.reading.plot
     members = [link for base in step.angles for link in _members(reading, base)]
+    if in_ratio := _constant_ratio(polygon, step, members):
+        yield from in_ratio
+        return
     slides = [_symbol(polygon, slide) for slide in step.slides]
     unknowns = reading.listed([*(polygon.rate(link) for link in members), *slides])
     said = []
@@ -198,7 +205,7 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
     equations = equations[0].upper() + equations[1:]
     yield Sentence(reading.say("contacts.together", unknowns=unknowns, equations=equations))
     table = plot.omega if polygon.plane == "velocity" else plot.alpha
-    noise = 1e-9 * max(float(abs(rate)) for rate in table.values())
+    noise = reading.rate_noise(polygon.plane)
     for link in dict.fromkeys(members):
         value = float(table[link]) if abs(table[link]) > noise else 0.0
         note = reading.say("common.ccw" if value > 0 else "common.cw") if value else ""
@@ -206,6 +213,33 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
     rates = plot.s_rate if polygon.plane == "velocity" else plot.s_acceleration
     for slide, symbol in zip(step.slides, slides, strict=True):
         yield Calculation(symbol, (), "", float(rates[slide]), names.UNIT[polygon.plane])
+
+
+def _constant_ratio(polygon: Polygon, step: Simultaneous, members: list[str]) -> list[Entry]:
+    """A gear train that turns as one driven link does: its accelerations have the ratios of its velocities (Willis)."""
+    reading, plot = polygon.reading, polygon.reading.plot
+    known = {link for contact in step.contacts for link, _ in contact.angles} - {*members, FRAME}
+    driven = [link for link in known if plot.omega[link]]
+    others = any(plot.alpha[link] for link in known - {*driven})
+    if polygon.plane == "velocity" or step.chains or step.slides or len(driven) != 1 or others:
+        return []
+    input_, wheels = driven[0], list(dict.fromkeys(members))
+    rate, turning = reading.rate("α", input_), reading.rate("ω", input_)
+    if not plot.alpha[input_]:
+        zero = " = ".join([*(reading.rate("α", link) for link in wheels), "0"])
+        return [Sentence(reading.say("contacts.constant ratio at rest", rate=rate, zero=zero))]
+    said: list[Entry] = [Sentence(reading.say("contacts.constant ratio"))]
+    for link in wheels:
+        figures = [_bracketed(value) for value in (plot.alpha[input_], plot.omega[link], plot.omega[input_])]
+        formula = f"{rate} {reading.rate('ω', link)}/{turning}"
+        numbers, value = "{} × {}/{}".format(*figures), float(plot.alpha[link])
+        said.append(Calculation(polygon.rate(link), (formula,), numbers, value, "rad/s²", reading.say("derivation.tied")))
+    return said
+
+
+def _bracketed(value: Value) -> str:
+    text = number(float(value))
+    return f"({text})" if text.startswith("−") else text
 
 
 def _symbol(polygon: Polygon, slide: str) -> str:

@@ -245,7 +245,9 @@ class _Work:
             return {}
         rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
         reading = self.reading({})
-        found = {plane: equation_blocks(told(reading, plane), rows) for plane in self.planes if plane != "position"}
+        polygons = [plane for plane in self.planes if plane != "position"]
+        parts = {plane: self.drawing.construction(plane).parts for plane in polygons}
+        found = {plane: equation_blocks(told(reading, plane, parts[plane], 0), rows) for plane in polygons}
         return {plane: [block for block in blocks if block not in self.apart] for plane, blocks in found.items()}
 
     @cached_property

@@ -94,7 +94,7 @@ def _words(
     pen = complex(room.left, room.top) + 1.2j
     title = machine.headline(lang)
     large = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else 0.85 * TITLE
-    for text, size in ((title, large), (machine.source, LEAST + 0.2)):
+    for text, size in ((title, large), (machine.credit(lang), LEAST + 0.2)):
         for line in broken(text, size, _WIDE - 6):
             pen += 1j * (size * 1.25)
             marks.append(Text(plain(line), pen, size))

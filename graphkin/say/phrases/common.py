@@ -8,6 +8,7 @@ PHRASES: Phrases = {
     "list": (", ", "、"),
     "semicolon": ("; ", "；"),
     "colon": (": ", "："),
+    "way round": ("{way} {sense}", "{way} {sense}"),
     "ccw": ("counter-clockwise", "逆时针"),
     "cw": ("clockwise", "顺时针"),
 }

@@ -57,10 +57,6 @@ PHRASES: Phrases = {
         "Pure rolling of links {wheels} since the drawn position (Δθ: turned since then): {relation}.",
         "自给定位置起，构件 {wheels} 作纯滚动（Δθ 为此后的转角）：{relation}。",
     ),
-    "rolled nothing": (
-        "Links {wheels} roll on each other. This is the drawn position, from which turns are counted: Δθ = 0.",
-        "构件 {wheels} 作纯滚动；当前即为起算转角的给定位置，Δθ = 0。",
-    ),
     "turned by": (
         "Since the drawn position link {link} has turned by {name}:",
         "自给定位置起构件 {link} 转过 {name}：",
@@ -117,6 +113,14 @@ PHRASES: Phrases = {
     "instant centre": (
         "Both legs stand on the fixed link: {point} is the absolute instant centre of link {link}, {name} = 0. (Its acceleration is not 0.)",
         "两支路均与机架相连，{point} 即为构件 {link} 的绝对瞬心，{name} = 0（但其加速度一般不为零）。",
+    ),
+    "constant ratio at rest": (
+        "The ratios of the train are constant and {rate} = 0, so {zero}.",
+        "轮系的传动比为常数，且 {rate} = 0，故 {zero}。",
+    ),
+    "constant ratio": (
+        "The ratios of the train are constant, so the angular accelerations have those of the angular velocities:",
+        "轮系的传动比为常数，故角加速度之比等于角速度之比：",
     ),
     "together": (
         "No order of ruler and triangle gives {unknowns} one after another. {equations} are solved together:",

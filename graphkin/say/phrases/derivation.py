@@ -6,15 +6,15 @@ PHRASES: Phrases = {
     # --- frame of the text
     "direction row": ("direction:", "方向："),
     "size row": ("size:", "大小："),
-    "given": ("Given: {drivers}. Link {frame} is the frame.", "已知：{drivers}。构件 {frame} 为机架。"),
+    "given": ("Driven: {drivers}.", "原动件：{drivers}。"),
     "scales": ("Scales: {scales}.", "取比例尺：{scales}。"),
-    "plane position": ("(1) The mechanism, drawn to scale", "解：(1) 作机构运动简图"),
-    "plane velocity": ("(2) Velocities", "(2) 作速度分析"),
-    "plane acceleration": ("(3) Accelerations", "(3) 作加速度分析"),
+    "plane position": ("(1) The mechanism, drawn to scale", "(1) 作机构运动简图"),
+    "plane velocity": ("({number}) Velocities", "({number}) 作速度分析"),
+    "plane acceleration": ("({number}) Accelerations", "({number}) 作加速度分析"),
     # --- drivers
-    "driven link": ("{line} of link {link} stands at {angle} to +x", "原动件 {link} 的 {line} 与 x 轴正向成 {angle}"),
+    "driven link": ("{line} of link {link} makes {angle} with +x", "构件 {link} 的 {line} 与 x 轴正向成 {angle}"),
     "driven joint": (
-        "{line} of link {link} stands at {angle} to {other} of link {seen_from}",
+        "{line} of link {link} makes {angle} with {other} of link {seen_from}",
         "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}",
     ),
     "driven slide": ("slide {slide} is at {place}", "移动副 {slide} 的位移 {place}"),
@@ -31,6 +31,11 @@ PHRASES: Phrases = {
         "From {start} lay off {length} at {angle} to +x: {tip}.",
         "由 {start} 沿与 x 轴正向成 {angle} 的方向取 {length}，得 {tip}。",
     ),
+    "lay off on line": (
+        "From {start} lay off {length} on the line {line} (at {angle} to +x): {tip}.",
+        "在直线 {line} 上由 {start} 取 {length}（与 x 轴正向成 {angle}），得 {tip}。",
+    ),
+    "composed": ("from {parts} at their known angle", "由 {parts} 及其已知夹角作出"),
     "lay off slide": (
         "From {start} lay off {length} along {guide} ({angle}): {tip}.",
         "由 {start} 沿{guide}（{angle}）取 {length}，得 {tip}。",
@@ -39,21 +44,55 @@ PHRASES: Phrases = {
     "take guide": ("take {guide}", "取{guide}"),
     "line parallel": ("draw the line through {through} {direction}", "过 {through} 作{direction} 的直线"),
     "meet circles": (
-        "{first}; {second}. They cross at {point} (of the two crossings, the one on the side of the sketch).",
-        "{first}；{second}；两者交于 {point}（两交点中取与给定装配位置一致者）。",
+        "{first}; {second}. They cross at {point}{where}.",
+        "{first}；{second}；两者交于 {point}{where}。",
     ),
+    "side above": ("{point} above {line}", "{point} 在 {line} 的上方"),
+    "side below": ("{point} below {line}", "{point} 在 {line} 的下方"),
+    "side left": ("{point} to the left of {line}", "{point} 在 {line} 的左侧"),
+    "side right": ("{point} to the right of {line}", "{point} 在 {line} 的右侧"),
+    "which above": ("the upper crossing", "取上方的交点"),
+    "which below": ("the lower crossing", "取下方的交点"),
+    "which left": ("the left crossing", "取左侧的交点"),
+    "which right": ("the right crossing", "取右侧的交点"),
     "meet lines": ("{first}; {second}. They cross at {point}.", "{first}；{second}；两者交于 {point}。"),
     "swing join": (
         "Link {link} turns about {pivot} until its guide line, which runs through {pivot}, passes through {through}: join {pivot} and {through}.",
         "构件 {link} 的导路通过其回转中心 {pivot}，又须通过 {through}：连接 {pivot}、{through}，即得导路方向。",
     ),
     "swing tangent": (
-        "Link {link} turns about {pivot} until its guide line passes through {through}. The line keeps the distance {length} from {pivot}: from {through} draw the tangent to the circle about {pivot} with this radius.",
-        "构件 {link} 绕 {pivot} 转动，其导路须通过 {through}，且与 {pivot} 的距离恒为 {length}：以 {pivot} 为圆心、以此距离为半径作圆，由 {through} 作该圆的切线，即为导路。",
+        "The guide line of link {link} keeps the distance {length} from {pivot} and passes through {through}: draw the circle about {pivot} with this radius, and from {through} the tangent that touches it at {foot} ({which}). It is the guide line.",
+        "构件 {link} 的导路与 {pivot} 的距离恒为 {length}，且须通过 {through}：以 {pivot} 为圆心、以此距离为半径作圆，由 {through} 作该圆的切线，切点为 {foot}（{which}），该切线即为导路。",
+    ),
+    "swing foot": (
+        "The guide line of link {link} keeps the distance {length} from {pivot}, which is the distance of {through} itself: it is at right angles to the join of {pivot} and {through}, and {foot} falls on {through}.",
+        "构件 {link} 的导路与 {pivot} 的距离恒为 {length}，恰等于 {through} 到 {pivot} 的距离，故导路过 {through} 且垂直于 {pivot}、{through} 的连线，切点 {foot} 与 {through} 重合。",
+    ),
+    "on paper": (" (on paper {length})", "（图上 {length}）"),
+    "on tangent": (
+        "On this line {tip} lies at {length} from {start}, on the side of {foot} towards {through}.",
+        "在该线上取 {tip}：{length}，{tip} 在 {foot} 的靠 {through} 一侧。",
+    ),
+    "on tangent beyond": (
+        "On this line {tip} lies at {length} from {start}, on the side of {foot} away from {through}.",
+        "在该线上取 {tip}：{length}，{tip} 在 {foot} 的背离 {through} 一侧。",
+    ),
+    "at the foot": ("{tip} is the foot of the perpendicular from {start}: {length}.", "{tip} 即由 {start} 所作垂线的垂足：{length}。"),
+    "lay off parallel": (
+        "From {start} lay off {length} parallel to this line (at {angle} to +x): {tip}.",
+        "由 {start} 作该线的平行线（与 x 轴正向成 {angle}），取 {length}，得 {tip}。",
+    ),
+    "lay off turned": (
+        "From {start} lay off {length} turned by {turned} {sense} from this line: {tip}.",
+        "由 {start} 作与该线成 {turned}（由该线{sense}转过）的直线，取 {length}，得 {tip}。",
+    ),
+    "over reach": (
+        "{first}; {second}. They cross at {point} ({way}).",
+        "{first}；{second}；两者交于 {point}（{way}）。",
     ),
     "shape corner": (
-        "{point} on link {link}: {first} and {second} ({triangle} in the link's own sense).",
-        "构件 {link} 上的 {point}：{first}，{second}（{triangle} 的绕行方向与构件一致）。",
+        "{point} on link {link}: {first} and {second} ({way}).",
+        "构件 {link} 上的 {point}：{first}，{second}（{way}）。",
     ),
     "shape line": (
         "{point} on link {link} lies on the line {line}: {length}.",
@@ -61,6 +100,8 @@ PHRASES: Phrases = {
     ),
     "measured angles": ("Measured: {angles}.", "量得：{angles}。"),
     "measured slide": ("Measured: {length}.", "量得：{length}。"),
+    "measured used": ("Measured, as needed below: {lengths}.", "由图量得下文所用长度：{lengths}。"),
+    "ruled": ("{paper}, so {real}", "{paper}，故 {real}"),
     "angle of": ("{name} = {angle} ({arrow})", "{name} = {angle}（{arrow}）"),
     # --- polygons: the start
     "pole last": (
@@ -79,6 +120,14 @@ PHRASES: Phrases = {
     "pole fixed, several": (
         "Take the pole {pole}; the fixed points {points} are at rest, so {nodes} lie on {pole}.",
         "任取极点 {pole}；固定点 {points} 不动，故 {nodes} 与 {pole} 重合。",
+    ),
+    "renamed pole": (
+        "{letter} is a point of the mechanism here, so the pole is called {pole}.",
+        "本题中 {letter} 为机构上的点，故极点记为 {pole}。",
+    ),
+    "held still": (
+        "The drive of links {links} is at rest, so they stand still: {points} are fixed points and lie on {pole}.",
+        "构件 {links} 的驱动此时静止，故它们不动，{points} 相当于固定点，其影像与 {pole} 重合。",
     ),
     "never turn": (
         "Link {links} can only translate: {rates}, and all its points move alike.",
@@ -108,6 +157,16 @@ PHRASES: Phrases = {
     ),
     # --- polygons: known sizes
     "sense of": ("{direction} in the sense of {rate}", "{direction}，指向与 {rate} 的转向一致"),
+    "no turning": ("as {rate} = 0", "因 {rate} = 0"),
+    "no sliding": ("as {relative} = 0", "因 {relative} = 0"),
+    "path of the slot": (
+        "The path of the pin is straight in link {link}, so the Coriolis term takes {rate}.",
+        "销在构件 {link} 的槽中作直线相对运动，故科氏加速度取 {rate}。",
+    ),
+    "chosen": (
+        "The coincident point is taken at {point}, where {known} is known.",
+        "重合点取在 {point} 处，因该处 {known} 已知。",
+    ),
     "quarter turned": (
         "{relative} turned by 90° in the sense of {rate}: {direction}",
         "将 {relative} 沿 {rate} 的转向转过 90°：{direction}",
@@ -122,23 +181,9 @@ PHRASES: Phrases = {
         "{name} 的末端须在 {start}：由 {start} 逆向作 {length}。",
     ),
     "lay off nothing": ("{name} = 0: {tip} falls on {start}.", "{name} = 0，{tip} 与 {start} 重合。"),
-    "aside": (
-        "{name} is known but stands between the unknown vectors. It is laid off out of place first, {way}: {length}, to the auxiliary point {tip}.",
-        "{name} 已知，但处于两未知矢量之间，故先移位作出，{way}：{length}，得辅助点 {tip}。",
-    ),
-    "aside forward": ("from {start}", "由 {start} 顺其指向"),
-    "aside backward": ("from {start} against its direction", "由 {start} 逆其指向"),
-    "aside more": (
-        "{name} likewise, {way}: {length}, to the auxiliary point {tip}.",
-        "同样，{name} {way}：{length}，得辅助点 {tip}。",
-    ),
-    "carry back": (
-        "Carry {name} back to its place: {length} from {start} gives {tip}.",
-        "再将 {name} 移回原位：由 {start} 作 {length}，得 {tip}。",
-    ),
-    "carry back reversed": (
-        "Carry {name} back to its place, ending at {start}: {length} gives {tip}.",
-        "再将 {name} 移回原位，使其末端在 {start}：{length}，得 {tip}。",
+    "carried": (
+        "{tip}: carry {name} = {drawn} parallel to itself to {start}; it ends at {tip}.",
+        "将 {name}（即 {drawn}）平移，使其起点在 {start}，其末端即为 {tip}。",
     ),
     "meet rays": (
         "From {first} draw the line {first_direction}, from {second} the line {second_direction}; they meet at {point}.",
@@ -173,8 +218,8 @@ PHRASES: Phrases = {
     "image velocity": ("Velocity image", "速度影像"),
     "image acceleration": ("Acceleration image", "加速度影像"),
     "image triangle": (
-        "{image} of link {link}: {small} is similar to {large}, lettered in the same sense; this gives {point}.",
-        "利用{image}：作 {small} ∽ {large}（构件 {link}），且角标字母顺序方向一致，得 {point}。",
+        "{image} of link {link}: {small} is similar to {large}, both lettered {sense}; this gives {point}.",
+        "利用{image}：作 {small} ∽ {large}（构件 {link}），字母顺序同为{sense}，得 {point}。",
     ),
     "image line": (
         "{image} of link {link}: {point} lies on the line {small} as {corner} lies on {large}: {ratio}.",
@@ -192,7 +237,7 @@ PHRASES: Phrases = {
     "driven roll": ("the rolling contact {slide} is at {place}", "滚动副 {slide} 的位移 {place}"),
     "driven slide free": ("slide {slide} is driven", "移动副 {slide} 为主动"),
     "driven roll free": ("the rolling contact {slide} is driven", "滚动副 {slide} 为主动"),
-    "driven line free": ("link {link} ({line}) is driven", "原动件 {link}（{line}）"),
+    "driven line free": ("link {link} ({line}) is driven", "构件 {link}（{line}）"),
     "posed": ("The drawn position: {poses}.", "给定位置：{poses}。"),
     "idle": (
         "Idle freedom: turning moves nothing but the roller itself, so these are drawn without turning: {links}.",

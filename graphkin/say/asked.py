@@ -1,0 +1,202 @@
+"""What is asked of a mechanism: in the symbols of the field, how far the solution has to go for it, and the answers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+
+import numpy as np
+
+from graphkin.construction import Plane
+from graphkin.mechanism import FRAME
+from graphkin.motions import Motions
+from graphkin.planning.held_still import standing
+from graphkin.planning.needed import Fact, Part, arms, needed, turning
+from graphkin.quantities import EDGE, Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, read
+from graphkin.readings import readings
+from graphkin.say import names
+from graphkin.say.entry import Calculation, Entry, Heading, Sentence
+from graphkin.say.numbers import degrees, number
+from graphkin.say.reading import ROUNDING, Reading
+from graphkin.value import frozen
+
+PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
+
+
+@frozen
+class Asked:
+    """What a solution is to find, and how far it goes.
+
+    wanted   what it answers; None for a text that is only shown
+    texts    as the file asks
+    parts    of both polygons what leads there; a polygon that leads to nothing is not among them
+    chosen   whether the file's questions decide how far it goes
+    """
+
+    reading: Reading
+    wanted: tuple[Quantity | None, ...]
+    texts: tuple[str, ...]
+    parts: dict[Plane, tuple[Part, ...]]
+    chosen: bool
+
+    @cached_property
+    def _motions(self) -> Motions:
+        return readings(self.reading.method, self.reading.plot)
+
+    @property
+    def levers(self) -> tuple[tuple[str, str], ...]:
+        """The pairs of points by whose distance the polygons multiply or divide."""
+        shown = {plane: standing(self.reading.method, plane, parts, self.reading.rested) for plane, parts in self.parts.items()}
+        return tuple(dict.fromkeys(pair for parts in shown.values() for part in parts for pair in arms(part)))
+
+    @property
+    def angles(self) -> frozenset[str] | None:
+        """The links whose angles are asked for; None for all."""
+        halves = [half for one in self.wanted if one is not None for half in one.halves]
+        turned = frozenset(half.link for half in halves if isinstance(half, Rotation) and half.word == "theta")
+        return turned if self.chosen else None
+
+    # --- what is asked ------------------------------------------------------------------------------
+
+    def question(self) -> Iterator[Entry]:
+        say = self.reading.say
+        yield Heading(say("solution.find"))
+        if self.chosen:
+            named = [self._symbol(one) if one else text for one, text in zip(self.wanted, self.texts, strict=True)]
+            yield Sentence(say("solution.find these", wanted=self.reading.listed(named)))
+        else:
+            yield Sentence(say("solution.find all" if "acceleration" in self.parts else "solution.find velocities"))
+
+    def _symbol(self, quantity: Quantity) -> str:
+        """`ω3`, `aᵏ_B3B2`, `v_Cx`, `ω1/ω3`."""
+        match quantity:
+            case Rotation(_, _, link):
+                return self.reading.rate(quantity.letter, link)
+            case Displacement(_, _, slide):
+                return names.of_slide("s", slide)
+            case Place():
+                return f"{quantity.word}_{names.point(quantity.of)}"
+            case Moving():
+                part = f"^{quantity.which}" if quantity.which else ""
+                return names.vector(f"{quantity.letter}{part}_{quantity.of}")
+            case Component(whole=whole):
+                return f"{self._symbol(whole)}{quantity.axis}"
+            case Quotient(top=top, bottom=bottom):
+                return f"{self._symbol(top)}/{self._symbol(bottom)}"
+            case Centre():
+                return self.reading.say("solution.centre", name=names.point(quantity.text))
+            case _:
+                raise AssertionError("every quantity has a symbol")
+
+    # --- answers ------------------------------------------------------------------------------------
+
+    def answers(self) -> Iterator[Entry]:
+        yield Heading(self.reading.say("solution.answer"))
+        yield from (self._answer(quantity) for quantity in self.wanted if quantity is not None)
+
+    def _answer(self, quantity: Quantity) -> Entry:
+        reading, found = self.reading, quantity.answer(self._motions)
+        unit = EDGE[found.unit]
+        if isinstance(quantity, Centre):
+            return Sentence(self._place(quantity, complex(quantity.place(self._motions))))
+        if found.vector is not None:
+            size = float(abs(found.vector)) if abs(found.vector) > self._noise(quantity) else 0.0
+            note = reading.say("derivation.at direction", angle=degrees(complex(found.vector))) if size else ""
+            return Calculation(self._symbol(quantity), (), "", size, unit.sign, note)
+        value = float(found.value) if abs(found.value) > self._noise(quantity) else 0.0
+        if isinstance(quantity, Rotation) and quantity.word != "theta":
+            note = reading.say("common.ccw" if value > 0 else "common.cw") if value else ""
+            return Calculation(self._symbol(quantity), (), "", abs(value), unit.sign, note)
+        return Calculation(self._symbol(quantity), (), "", value * unit.factor, unit.sign)
+
+    def _noise(self, quantity: Quantity) -> float:
+        """Values up to this are rounding noise [SI]."""
+        plot, turned = self.reading.plot, quantity.unit.startswith("rad/s")
+        if turned:
+            return self.reading.rate_noise("velocity" if quantity.unit == "rad/s" else "acceleration")
+        if quantity.unit in ("m/s", "m/s^2"):
+            points = plot.velocity if quantity.unit == "m/s" else plot.acceleration
+            return ROUNDING * max(float(abs(place)) for place in points.values())
+        return self.reading.noise if quantity.unit == "m" else 0.0
+
+    def _place(self, centre: Centre, place: complex) -> str:
+        say, name = self.reading.say, names.point(centre.text)
+        if not np.isfinite(place):
+            return say("solution.centre far", name=name)
+        noise = self.reading.noise * 1000
+        x, y = (number(value * 1000, noise) for value in (place.real, place.imag))
+        return say("solution.centre at", name=name, place=f"({x}, {y})")
+
+
+def asked(reading: Reading, everything: bool = False, only: Plane = "acceleration") -> Asked:
+    """As far as the file asks; all there is with `everything`, or where it asks for nothing that moves.
+
+    only  the last plane that is drawn
+    """
+    mechanism, planes = reading.mechanism, PLANES[1 : PLANES.index(only) + 1]
+    texts = {text: read(mechanism, text) for text in mechanism.ask}
+    texts = {text: one for text, one in texts.items() if one is None or _plane(one) in ("position", *planes)}
+    facts = {fact for one in texts.values() if one is not None for fact in _facts(reading, one)}
+    if everything or not facts:
+        wanted = tuple(_all(reading, planes))
+        constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
+        parts = {plane: constructions[plane].parts for plane in planes}
+        return Asked(reading, wanted, tuple(one.text for one in wanted), parts, False)
+    led = needed(reading.method, facts)
+    shown = {plane: led[plane] for plane in planes if len(led[plane]) > 1 or _direct(facts, plane)}
+    return Asked(reading, (*texts.values(),), (*texts,), shown, True)
+
+
+def _all(reading: Reading, planes: tuple[Plane, ...]) -> Iterator[Quantity]:
+    """omega and alpha of every link, v and a of every point that moves."""
+    mechanism = reading.mechanism
+    for plane in planes:
+        word = "omega" if plane == "velocity" else "alpha"
+        yield from (Rotation(word, mechanism.called(link), link) for link in mechanism.moving)
+    for plane in planes:
+        for point in mechanism.points:
+            if FRAME not in mechanism.owners[point]:
+                quantity = read(mechanism, f"{plane[0]} {point}")
+                yield from () if quantity is None else (quantity,)
+
+
+def _plane(quantity: Quantity) -> Plane:
+    """The plane in which a quantity is found."""
+    if isinstance(quantity, Centre):
+        return "velocity"
+    return {"rad/s": "velocity", "m/s": "velocity", "rad/s^2": "acceleration", "m/s^2": "acceleration"}.get(
+        max(quantity.halves, key=lambda half: half.unit.endswith("^2")).unit, "position"
+    )  # type: ignore[return-value]
+
+
+def _direct(facts: set[Fact], plane: Plane) -> bool:
+    """Whether something of a plane is wanted that needs no step, as the rotation of a driven link does."""
+    quantity = "omega" if plane == "velocity" else "alpha"
+    return any(kind.removeprefix("driven ") in (quantity, plane) for kind, _ in facts)
+
+
+def _facts(reading: Reading, quantity: Quantity) -> Iterator[Fact]:
+    """What a construction has to give for a quantity of motion; a place needs the mechanism alone, a centre no polygon."""
+    for half in quantity.halves:
+        if isinstance(half, Rotation) and half.word != "theta":
+            yield turning(reading.method, half.word, half.link)
+        elif isinstance(half, Moving | Component):
+            for site in half.sites:
+                yield from _point(reading, _plane(half), site.point, site.link)
+
+
+def _point(reading: Reading, plane: Plane, point: str, link: str) -> Iterator[Fact]:
+    """The polygon's point, or what moves its link where the polygon does not show it."""
+    method, owners = reading.method, reading.method.mechanism.owners
+    construction = method.velocity if plane == "velocity" else method.acceleration
+    holding = [link, *(owners.get(point, ()) if link in owners.get(point, ()) else ())]
+    nodes = [node for node in construction.nodes.values() if node.site is not None]
+    there = [node.name for node in nodes if node.site and node.site.point == point and node.site.link in holding]
+    if there or link == FRAME:
+        yield from ((plane, name) for name in there[:1])
+        return
+    yield turning(method, "omega", link)
+    if plane == "acceleration":
+        yield turning(method, "alpha", link)
+    on_link = (node.name for node in nodes if node.site and link in (node.site.link, *owners.get(node.site.point, ())))
+    yield from ((plane, name) for name in [*on_link][:1])

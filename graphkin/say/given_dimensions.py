@@ -1,0 +1,149 @@
+"""What a problem gives of the links themselves: lengths, guides, radii."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from itertools import combinations
+from math import degrees as in_degrees
+from typing import Any
+
+from graphkin.geometry import cross
+from graphkin.mechanism import FRAME
+from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Roll, Slide
+from graphkin.say import names
+from graphkin.say.guide_angle import guide_angle
+from graphkin.say.numbers import degrees, number
+from graphkin.say.reading import Reading
+
+
+def dimensions(reading: Reading) -> Iterator[str]:
+    """A sentence each: lengths, fixed points, guides, rolling circles, profiles."""
+    say, also = reading.say, reading.say("common.and")
+    if lengths := list(_lengths(reading)):
+        yield say("solution.lengths", lengths=also.join(lengths))
+    if shapes := list(_senses(reading)):
+        yield say("solution.lettered", shapes=also.join(shapes))
+    shape, frame = reading.mechanism.links[FRAME].points, names.point(reading.mechanism.called(FRAME))
+    fixed = [f"{names.point(p)}{_place(reading, shape[p])}" for p in reading.mechanism.named(FRAME)]
+    yield say("solution.frame points" if fixed else "solution.frame", link=frame, points=also.join(fixed))
+    for kind, tell in GIVEN.items():
+        for pair in reading.mechanism.of(kind):
+            yield tell(reading, pair)
+
+
+# --- links --------------------------------------------------------------------------------------
+
+
+def _lengths(reading: Reading) -> Iterator[str]:
+    """`l_AB = 24 mm` of every bar; of a link of more points the sides that fix it, each once."""
+    for link in reading.mechanism.moving:
+        points = reading.mechanism.named(link)
+        sides = [pair for pair in combinations(points, 2) if points.index(pair[0]) < 2]
+        for first, second in sides:
+            length = abs(reading.mechanism.links[link].arm(first, second))
+            yield f"l_{names.pair(first, second)} = {_mm(reading, length)}"
+
+
+def _senses(reading: Reading) -> Iterator[str]:
+    """`B→C→E counter-clockwise` of every further point that is not in line with the first two."""
+    for link in reading.mechanism.moving:
+        points, shape = reading.mechanism.named(link), reading.mechanism.links[link]
+        for third in points[2:]:
+            side = float(cross(shape.arm(points[0], points[1]), shape.arm(points[0], third)))
+            if abs(side) > reading.noise * abs(shape.arm(points[0], third)):
+                yield reading.way_round((points[0], points[1], third), side > 0)
+
+
+# --- pairs --------------------------------------------------------------------------------------
+
+
+def _slide(reading: Reading, pair: Slide) -> str:
+    """Which block slides where, by what the file says of the line."""
+    link = reading.link(pair.block) if pair.block is not None else ""
+    words = {"block": link, "point": names.point(pair.point), "guide": _guide(reading, pair)}
+    kind = "pin" if pair.block is None else "block"
+    if pair.guide == FRAME:
+        return reading.say(f"solution.{kind} on frame", line=_line(reading, pair.line), **words)
+    where = _on_link(reading, pair)
+    return reading.say(f"solution.{kind} on link", link=reading.link(pair.guide), where=where, **words)
+
+
+def _guide(reading: Reading, pair: Slide) -> str:
+    """` (ram)`: what the file calls the pair."""
+    return reading.say("common.note", note=reading.slide_name(pair.name)) if pair.named else ""
+
+
+def _on_link(reading: Reading, pair: Slide) -> str:
+    if (angle := guide_angle(reading, pair)) is not None:
+        size = f"{angle.symbol} = {number(abs(in_degrees(angle.angle)))}°"
+        sense = reading.say("common.ccw" if angle.angle > 0 else "common.cw")
+        through = names.point(angle.through)
+        return reading.say("solution.at angle", through=through, arrow=angle.arrow, angle=size, sense=sense)
+    if (two := reading.points_on(pair.name)) and all(p in reading.mechanism.named(pair.guide) for p in two):
+        return reading.say("solution.along", line=names.pair(*two))
+    origin = pair.line.origin
+    return reading.say("solution.own axis", through=names.point(origin)) if reading.named(origin) else ""
+
+
+def _line(reading: Reading, line: Line) -> str:
+    start = names.point(line.origin) if line.named else _place(reading, reading.mechanism.links[FRAME].points[line.origin])
+    return reading.say("solution.line", start=start, angle=degrees(line.direction))
+
+
+def _circular(reading: Reading, pair: CircularSlot) -> str:
+    words = {"pin": names.point(pair.point), "centre": names.point(pair.centre), "link": reading.link(pair.guide)}
+    return reading.say("solution.circular slot", radius=_mm(reading, pair.radius), **words)
+
+
+def _gear(reading: Reading, pair: Gear) -> str:
+    sizes = zip(pair.links, pair.radii, strict=True)
+    radii = [f"{reading.radius(link, size)} = {_mm(reading, size)}" for link, size in sizes]
+    key = "solution.internal gears" if pair.internal else "solution.gears"
+    return reading.say(key, wheels=reading.listed([reading.link(link) for link in pair.links]),
+                       radii=reading.say("common.and").join(radii))  # fmt: skip
+
+
+def _roll(reading: Reading, pair: Roll) -> str:
+    words = {"wheel": reading.link(pair.wheel), "centre": names.point(pair.centre), "track": reading.link(pair.track)}
+    words["radius"] = f"{reading.radius(pair.wheel, pair.radius)} = {_mm(reading, pair.radius)}"
+    if pair.line is None:
+        about = names.point(pair.track_centre or "")
+        return reading.say("solution.rolls on circle", about=about, other=_mm(reading, pair.track_radius), **words)
+    line = reading.say("solution.of line", line=_line(reading, pair.line)) if pair.track == FRAME else ""
+    return reading.say("solution.rolls on line", line=line, **words)
+
+
+def _cam(reading: Reading, pair: Cam) -> str:
+    one, other = (_profile(reading, pair, k) for k in (0, 1))
+    return reading.say("solution.cam", first=one, second=other)
+
+
+def _profile(reading: Reading, pair: Cam, k: int) -> str:
+    profile, link = pair.profiles[k], reading.link(pair.links[k])
+    if profile.line is not None:
+        start = names.point(profile.line.origin)
+        return reading.say("solution.flat face", link=link, through=start)
+    centre = names.point(profile.centre or "")
+    if not profile.radius:
+        return reading.say("solution.knife edge", link=link, point=centre)
+    return reading.say("solution.circle", link=link, centre=centre, radius=_mm(reading, profile.radius))
+
+
+GIVEN: Mapping[type[Pair], Callable[[Reading, Any], str]] = {
+    Slide: _slide,
+    CircularSlot: _circular,
+    Gear: _gear,
+    Roll: _roll,
+    Cam: _cam,
+}
+"""What is given of each kind that is no hinge, in this order."""
+
+
+def _place(reading: Reading, place: complex) -> str:
+    """Coordinates of the mechanism itself, in mm."""
+    x, y = (number(value * 1000, reading.noise * 1000) for value in (place.real, place.imag))
+    return f"({x}, {y})"
+
+
+def _mm(reading: Reading, length: float) -> str:
+    return f"{number(length * 1000, reading.noise * 1000)} mm"

@@ -1,0 +1,63 @@
+"""How a guide line lies in its link, by what is given: through which point, at which angle γ to which side."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+
+from graphkin.construction import Swing
+from graphkin.geometry import cross
+from graphkin.mechanism import FRAME
+from graphkin.pairs import Slide
+from graphkin.say import names
+from graphkin.say.reading import Reading
+from graphkin.value import frozen
+
+
+@frozen
+class GuideAngle:
+    """The line through `through` makes `angle` [rad] with corner -> through, counter-clockwise where positive.
+
+    symbol  γ, with the number of the link where several guides have such an angle
+    pivot   the point about which the drawing turns the link, from which γ is counted
+    """
+
+    symbol: str
+    corner: str
+    through: str
+    angle: float
+
+    @property
+    def arrow(self) -> str:
+        return names.arrow(self.corner, self.through)
+
+    @property
+    def distance(self) -> str:
+        """`h = l_CD sin γ`: how far the line passes from the corner."""
+        return f"l_{names.pair(self.corner, self.through)} sin {self.symbol}"
+
+
+def guide_angle(reading: Reading, slide: Slide) -> GuideAngle | None:
+    """The angle at which a moving guide's line lies; None of one that passes through two points, or is the link itself."""
+    found = {pair.name: pair for pair in reading.mechanism.slides if _corner(reading, pair)}
+    if slide.name not in found:
+        return None
+    corner, through = _corner(reading, slide), slide.line.origin
+    arm = reading.mechanism.links[slide.guide].arm(corner, through)
+    angle = (float(np.angle(slide.line.direction / arm)) + pi) % (2 * pi) - pi
+    alone = len({pair.guide for pair in found.values()}) == 1
+    return GuideAngle("γ" if alone else names.of_link("γ", reading.mechanism.called(slide.guide)), corner, through, angle)
+
+
+def _corner(reading: Reading, slide: Slide) -> str:
+    """The point from which γ is counted: the pivot of the drawing, else another point of the guide; "" for none."""
+    if slide.guide == FRAME or not slide.line.named:
+        return ""
+    link, through = reading.mechanism.links[slide.guide], slide.line.origin
+    points = [p for p in reading.mechanism.named(slide.guide) if abs(link.arm(p, through)) > reading.noise]
+    swings = (step for step in reading.method.position.steps if isinstance(step, Swing) and step.slide == slide.name)
+    pivots = [step.pivot for step in swings if step.pivot in points]
+    if any(abs(cross(slide.line.direction, link.arm(p, through))) <= reading.noise for p in points):
+        return ""
+    return next(iter([*pivots, *points]), "")
