@@ -14,6 +14,7 @@ velocity and its acceleration polygon step by step, and proves them right agains
               submissions  whatever students hand in -> the numbers in it, SI
               marking      a Key of a Method, and numbers -> verdicts, own values carried on, likely mistakes
               grading      a key and files -> a record a submission
+              handouts     a problem or its solution on paper, from what `say` and `sheet` make
               platforms    sets and records -> files of teaching platforms, and back
     check: Plot, or a drawing file, beside Motion           results: all of it as plain data
     any of these -- say --> lines in either language        -- sheet, outputs, equations --> files
@@ -43,7 +44,7 @@ ORDER = (
     "value", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
     "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "submissions", "marking", "results",
-    "say", "sheet", "outputs", "equations", "api", "batches", "problems", "grading", "platforms", "cli",
+    "say", "sheet", "outputs", "equations", "api", "batches", "problems", "grading", "platforms", "handouts", "cli",
 )  # fmt: skip
 
 _WHERE = {

@@ -23,6 +23,7 @@ COMMANDS = {
     "sweep": "moving", "find": "moving", "equations": "writing",
     "centres": "centres", "linkage": "linkages", "design": "design",
     "problems": "problems", "grade": "marking", "tolerance": "marking",
+    "handout": "handouts",
     "structure": "library", "list": "library", "show": "library", "schema": "library",
 }  # fmt: skip
 """The module of each command."""

@@ -62,12 +62,12 @@ class Asked:
         say = self.reading.say
         yield Heading(say("solution.find"))
         if self.chosen:
-            named = [self._symbol(one) if one else text for one, text in zip(self.wanted, self.texts, strict=True)]
+            named = [self.symbol(one) if one else text for one, text in zip(self.wanted, self.texts, strict=True)]
             yield Sentence(say("solution.find these", wanted=self.reading.listed(named)))
         else:
             yield Sentence(say("solution.find all" if "acceleration" in self.parts else "solution.find velocities"))
 
-    def _symbol(self, quantity: Quantity) -> str:
+    def symbol(self, quantity: Quantity) -> str:
         """`ω3`, `aᵏ_B3B2`, `v_Cx`, `ω1/ω3`."""
         match quantity:
             case Rotation(_, _, link):
@@ -80,9 +80,9 @@ class Asked:
                 part = f"^{quantity.which}" if quantity.which else ""
                 return names.vector(f"{quantity.letter}{part}_{quantity.of}")
             case Component(whole=whole):
-                return f"{self._symbol(whole)}{quantity.axis}"
+                return f"{self.symbol(whole)}{quantity.axis}"
             case Quotient(top=top, bottom=bottom):
-                return f"{self._symbol(top)}/{self._symbol(bottom)}"
+                return f"{self.symbol(top)}/{self.symbol(bottom)}"
             case Centre():
                 return self.reading.say("solution.centre", name=names.point(quantity.text))
             case _:
@@ -102,12 +102,12 @@ class Asked:
         if found.vector is not None:
             size = float(abs(found.vector)) if abs(found.vector) > self._noise(quantity) else 0.0
             note = reading.say("derivation.at direction", angle=degrees(complex(found.vector))) if size else ""
-            return Calculation(self._symbol(quantity), (), "", size, unit.sign, note)
+            return Calculation(self.symbol(quantity), (), "", size, unit.sign, note)
         value = float(found.value) if abs(found.value) > self._noise(quantity) else 0.0
         if isinstance(quantity, Rotation) and quantity.word != "theta":
             note = reading.say("common.ccw" if value > 0 else "common.cw") if value else ""
-            return Calculation(self._symbol(quantity), (), "", abs(value), unit.sign, note)
-        return Calculation(self._symbol(quantity), (), "", value * unit.factor, unit.sign)
+            return Calculation(self.symbol(quantity), (), "", abs(value), unit.sign, note)
+        return Calculation(self.symbol(quantity), (), "", value * unit.factor, unit.sign)
 
     def _noise(self, quantity: Quantity) -> float:
         """Values up to this are rounding noise [SI]."""

@@ -1,0 +1,12 @@
+"""Handouts on paper: a problem, a worksheet to draw on, a half-worked solution, a solution; for one mechanism or many.
+
+`stages` makes blocks of what the solution says (`told`), with what is to be filled in (`blank`) and what stands after
+it (`proofs`); `typst` sets them as PDF, `page` as HTML. Texts and drawings are those of `explain` and `draw`.
+"""
+
+from __future__ import annotations
+
+from graphkin.handouts.document import Handout, Stage
+from graphkin.handouts.stages import handout
+
+__all__ = ["Handout", "Stage", "handout"]

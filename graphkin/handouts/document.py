@@ -1,0 +1,111 @@
+"""What a handout is made of, before any medium sets it: blocks with lettered words, drawings in true size, tables."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from graphkin.errors import Lang
+from graphkin.sheet import Sheet
+from graphkin.sheet.lettering import Label
+from graphkin.value import frozen
+
+Stage = Literal["problem", "blank", "half", "solution"]
+
+
+@frozen
+class Heading:
+    """A heading; level 1 is a problem's title."""
+
+    words: Label
+    level: int = 2
+
+
+@frozen
+class Text:
+    """A paragraph; `act`: the number of the pencil's act that it tells; the drawing bears it, too, in a circle."""
+
+    words: Label
+    act: str = ""
+
+
+@frozen
+class Formula:
+    """A line of reckoning, set in from the edge."""
+
+    words: Label
+
+
+@frozen
+class Rows:
+    """A vector equation with its rows of directions and sizes; a blank is a column of three lines to write on.
+
+    heads    what stands before the rows
+    columns  terms and signs, each with what stands under it; None for a blank
+    """
+
+    heads: tuple[Label, Label]
+    columns: tuple[tuple[Label, Label, Label] | None, ...]
+
+
+@frozen
+class Picture:
+    """A drawing in its true size, and what is on it in words."""
+
+    sheet: Sheet
+    told: str
+
+
+@frozen
+class Table:
+    """Rows under their heads; an empty label is room to write."""
+
+    heads: tuple[Label, ...]
+    rows: tuple[tuple[Label, ...], ...]
+
+
+@frozen
+class Room:
+    """Gridded paper [mm] with the pole printed on it, and one direction through it [rad].
+
+    pole  from the left upper corner, y down
+    """
+
+    width: float
+    height: float
+    pole: complex
+    name: Label
+    direction: float
+    mark: Label
+
+
+@frozen
+class NewPage:
+    """What follows starts on a page of its own."""
+
+
+Block = Heading | Text | Formula | Rows | Picture | Table | Room | NewPage
+
+
+@frozen
+class Foot:
+    """What every page says of itself.
+
+    stage   in words; digest: the beginning of the mechanism file's SHA-256; seed: of the set it belongs to
+    """
+
+    stage: str
+    version: str
+    digest: str
+    seed: str
+    bar: str
+
+
+@frozen
+class Handout:
+    """One or several problems. `contents`: what the list of problems is headed with, where there is one."""
+
+    title: str
+    lang: Lang
+    blocks: tuple[Block, ...]
+    foot: Foot
+    contents: str = ""

@@ -1,0 +1,203 @@
+"""The stages of a handout: problem, worksheet, half-worked, solution; and the answers of a whole book."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import assert_never
+
+import graphkin
+from graphkin.api import Drawing, plan, replay
+from graphkin.construction import Plane
+from graphkin.errors import Lang
+from graphkin.handouts import blank, proofs
+from graphkin.handouts.document import Block, Foot, Formula, Handout, Heading, NewPage, Picture, Rows, Stage, Text
+from graphkin.handouts.told import PLANES, Section, Told
+from graphkin.mechanism import Mechanism
+from graphkin.say import entry
+from graphkin.say.catalogue import say
+from graphkin.sheet.formula import formula
+from graphkin.sheet.lettering import Label, plain
+from graphkin.sheet.mechanism_sheet import HEADINGS, Style, mechanism_sheet
+from graphkin.sheet.scales import KEYS, finest, written
+
+_ROOM = complex(135.0, 100.0)
+"""What one figure takes up on a page at most [mm], without its labels."""
+
+
+def handout(
+    mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, *, upto: int = 1, answers: bool = False, seed: str = ""
+) -> Handout:
+    """One or several problems at one stage.
+
+    upto     of a half-worked solution: so many whole equations are done
+    answers  the answers of all at the end
+    seed     of the set the problems belong to, as every page says it
+
+    Raises what loading, planning and proving raise.
+    """
+    problems = [told(mechanism, lang) for mechanism in mechanisms]
+    blocks: list[Block] = []
+    for k, problem in enumerate(problems):
+        blocks += [NewPage()] if k else []
+        blocks += _staged(problem, stage, upto)
+    if answers:
+        blocks += [NewPage(), Heading(plain(say("handouts.answers", lang)), 1)]
+        blocks += [block for problem in problems for block in _answers(problem)]
+    title = " / ".join(problem.title for problem in problems)
+    contents = say("handouts.contents", lang) if len(problems) > 1 else ""
+    return Handout(title, lang, tuple(blocks), _foot(mechanisms, stage, lang, seed), contents)
+
+
+def told(mechanism: Mechanism, lang: Lang) -> Told:
+    """A mechanism drawn and proved at the scales of its handout, which all its figures share."""
+    drawing = Drawing.of(mechanism)
+    scales = dict(_scales(drawing))
+    scaled = replace(mechanism, scales={KEYS[plane]: scale for plane, scale in scales.items()})
+    method = plan(scaled)
+    return Told(Drawing(scaled, method, replay(method)), scales, lang)
+
+
+def _scales(drawing: Drawing) -> Iterator[tuple[Plane, float]]:
+    """As the file has them; else the finest at which each figure has room on a page."""
+    for plane in PLANES:
+        given = drawing.mechanism.scales.get(KEYS[plane])
+        places = [complex(at) for at in drawing.plot.points(plane).values()]
+        wide = max(at.real for at in places) - min(at.real for at in places)
+        tall = max(at.imag for at in places) - min(at.imag for at in places)
+        yield plane, given or finest(complex(wide, tall), _ROOM)
+
+
+def _foot(mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, seed: str) -> Foot:
+    digest = hashlib.sha256("\0".join(mechanism.text for mechanism in mechanisms).encode()).hexdigest()[:12]
+    said = say("handouts.seed", lang, seed=seed) if seed else ""
+    return Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, said, say("handouts.bar", lang))
+
+
+# --- stages -----------------------------------------------------------------------------------
+
+
+def _staged(problem: Told, stage: Stage, upto: int) -> Iterator[Block]:
+    match stage:
+        case "problem":
+            yield from _problem(problem)
+        case "blank":
+            yield from _problem(problem)
+            yield from _blank(problem)
+        case "half":
+            yield from _problem(problem)
+            yield from _half(problem, upto)
+        case "solution":
+            yield from _solution(problem)
+        case _:
+            assert_never(stage)
+
+
+def _problem(problem: Told) -> Iterator[Block]:
+    """What is given and asked, the mechanism to scale, the scales to use, boxes for the answers."""
+    yield Heading(plain(problem.title), 1)
+    yield from _section(problem.given, problem.lang)
+    yield from _section(problem.asked, problem.lang)
+    yield _figure(problem, "position", "given")
+    yield Heading(plain(say("handouts.scales", problem.lang)))
+    planes: tuple[Plane, ...] = ("position", *problem.polygons)
+    scales = [written(plane, problem.scales[plane]) for plane in planes]
+    yield Text(tuple(run for k, scale in enumerate(scales) for run in (*(plain(";  ") if k else ()), *scale)))
+    if problem.goal.wanted:
+        yield Heading(plain(say("handouts.your answers", problem.lang)))
+        yield blank.boxes(problem)
+
+
+def _blank(problem: Told) -> Iterator[Block]:
+    """For each polygon an empty equation, gridded paper with the pole, and a table to measure into."""
+    for plane in problem.polygons:
+        yield NewPage()
+        yield Heading(plain(HEADINGS[problem.lang][plane]))
+        yield blank.empty_rows(problem)
+        scale = "".join(run.text for run in written(plane, problem.scales[plane]))
+        yield Text(formula(say("handouts.draw here", problem.lang, scale=scale)))
+        yield blank.room(problem, plane)
+        yield blank.measured(problem)
+
+
+def _half(problem: Told, upto: int) -> Iterator[Block]:
+    """The solution as far as whole equations go, drawn so far; then the next equation, empty."""
+    yield NewPage()
+    last, waiting = 0, None
+    for (section, following), plane in zip(problem.upto(upto), PLANES, strict=False):
+        yield from _section(section, problem.lang)
+        acts = (each.act for each in section.entries if isinstance(each, entry.Sentence))
+        last, waiting = max([last, *(act.page for act in acts if act is not None)]), following
+        yield _figure(problem, plane, "construction", last)
+    if waiting is not None:
+        yield Text(plain(say("handouts.go on", problem.lang)))
+        yield blank.empty_rows(problem, waiting)
+        yield blank.measured(problem, 3)
+
+
+def _solution(problem: Told) -> Iterator[Block]:
+    """Reasons, equations, steps in words and drawing, results beside the analysis, tolerance, common mistakes."""
+    yield Heading(plain(problem.title), 1)
+    for section in (problem.given, problem.asked, problem.solution):
+        yield from _section(section, problem.lang)
+    for section, plane in zip(problem.planes, PLANES, strict=False):
+        yield from _section(section, problem.lang)
+        yield _figure(problem, plane, "construction")
+    yield from _section(problem.answers, problem.lang)
+    yield from proofs.beside(problem)
+    yield from proofs.mistakes(problem)
+
+
+def _answers(problem: Told) -> Iterator[Block]:
+    yield Heading(plain(problem.title))
+    yield from _entries(problem.answers.entries, problem.lang)
+
+
+# --- what the solution says, as blocks ----------------------------------------------------------
+
+
+def _section(section: Section, lang: Lang) -> Iterator[Block]:
+    yield Heading(plain(section.heading))
+    yield from _entries(section.entries, lang)
+
+
+def _entries(entries: Sequence[entry.Entry], lang: Lang) -> Iterator[Block]:
+    for each in entries:
+        match each:
+            case entry.Heading(text):
+                yield Heading(plain(text))
+            case entry.Sentence(text, act):
+                yield Text(formula(text), str(act.number) if act is not None and act.numbered else "")
+            case entry.Calculation():
+                note = f"  ({each.note})" if each.note else ""
+                yield Formula(formula(each.text + note))
+            case entry.VectorEquation():
+                yield rows(each, lang)
+            case _:
+                assert_never(each)
+
+
+def rows(equation: entry.VectorEquation, lang: Lang) -> Rows:
+    """A vector equation as it is printed."""
+    heads = [plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row")]
+    columns: list[tuple[Label, Label, Label]] = []
+    if equation.front:
+        columns.append((formula(equation.front), (), ()))
+    for k, side in enumerate(equation.sides):
+        columns += [(plain("="), (), ())] if k or equation.front else []
+        for n, arrow in enumerate(side):
+            columns += [(plain("+"), (), ())] if n else []
+            columns.append((formula(arrow.name), formula(arrow.direction), formula(arrow.size)))
+    return Rows((heads[0], heads[1]), tuple(columns))
+
+
+def _figure(problem: Told, plane: Plane, style: Style, last: int | None = None) -> Picture:
+    """One figure of the sheet at its scale, cut to its size; `last`: the act after which nothing is drawn."""
+    method, plot, lang = problem.drawing.method, problem.drawing.plot, problem.lang
+    drawn = mechanism_sheet(method, plot, lang=lang, only=plane, style=style, tight=True)
+    if last is not None:
+        drawn = drawn.redrawn(lambda mark: mark if mark.step is None or mark.step <= last else None)
+    if style == "given":
+        return Picture(drawn, say("handouts.figure given", lang, title=problem.title))
+    return Picture(drawn, say("handouts.figure drawn", lang, what=HEADINGS[lang][plane], title=problem.title))

@@ -1,0 +1,105 @@
+"""The solution of a mechanism, cut into what is given, what is asked, the planes, and the answers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+
+from graphkin.api import Drawing
+from graphkin.construction import Plane
+from graphkin.errors import Lang
+from graphkin.say import entry
+from graphkin.say.asked import Asked, asked
+from graphkin.say.explained import derivation
+from graphkin.say.reading import Reading
+from graphkin.sheet.scales import KEYS
+from graphkin.value import frozen
+
+PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
+
+
+@frozen
+class Section:
+    """A heading of the solution with what stands under it."""
+
+    heading: str
+    entries: tuple[entry.Entry, ...]
+
+
+@frozen
+class Told:
+    """One problem at its scales, by plane."""
+
+    drawing: Drawing
+    scales: Mapping[Plane, float]
+    lang: Lang
+
+    @cached_property
+    def _sections(self) -> tuple[Section, ...]:
+        found: list[tuple[str, list[entry.Entry]]] = []
+        drawing = self.drawing
+        for each in derivation(drawing.method, drawing.plot, self._keys, self.lang, everything=False):
+            if isinstance(each, entry.Heading):
+                found.append((each.text, []))
+            else:
+                found[-1][1].append(each)
+        return tuple(Section(heading, tuple(entries)) for heading, entries in found)
+
+    @property
+    def _keys(self) -> dict[str, float]:
+        return {KEYS[plane]: scale for plane, scale in self.scales.items()}
+
+    @cached_property
+    def goal(self) -> Asked:
+        """What is asked, in the symbols of the field."""
+        return asked(Reading(self.drawing.method, self.drawing.plot, self._keys, self.lang))
+
+    @property
+    def title(self) -> str:
+        return self._sections[0].heading
+
+    @property
+    def given(self) -> Section:
+        return self._sections[1]
+
+    @property
+    def asked(self) -> Section:
+        return self._sections[2]
+
+    @property
+    def solution(self) -> Section:
+        """What is said before the first plane: the scales."""
+        return self._sections[3]
+
+    @property
+    def planes(self) -> tuple[Section, ...]:
+        """The mechanism, then the polygons that are drawn."""
+        return self._sections[4:-1]
+
+    @property
+    def polygons(self) -> tuple[Plane, ...]:
+        return PLANES[1 : len(self.planes)]
+
+    @property
+    def answers(self) -> Section:
+        return self._sections[-1]
+
+    @property
+    def equations(self) -> int:
+        """How many vector equations the solution has."""
+        return sum(isinstance(each, entry.VectorEquation) for section in self.planes for each in section.entries)
+
+    def upto(self, equations: int) -> Iterator[tuple[Section, entry.VectorEquation | None]]:
+        """The planes as far as whole equations go, the last with the equation that comes next, if one does.
+
+        What leads to that equation, its known arrows, is told; it stands between it and the one before.
+        """
+        seen = 0
+        for section in self.planes:
+            for k, each in enumerate(section.entries):
+                if isinstance(each, entry.VectorEquation):
+                    if seen == equations:
+                        yield Section(section.heading, section.entries[:k]), each
+                        return
+                    seen += 1
+            yield section, None

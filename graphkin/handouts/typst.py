@@ -1,0 +1,184 @@
+"""A handout as PDF, set by typst: true scale, PDF/UA-1, the same bytes for the same problem."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import assert_never
+
+from graphkin.handouts.document import (
+    Block,
+    Formula,
+    Handout,
+    Heading,
+    NewPage,
+    Picture,
+    Room,
+    Rows,
+    Table,
+    Text,
+)
+from graphkin.handouts.fonts import Fonts, NoLetter, fonts
+from graphkin.handouts.grid import markers_svg, room_svg
+from graphkin.handouts.scripted import Sign, signs
+from graphkin.outputs.extras import needed
+from graphkin.outputs.svg import mm, svg
+from graphkin.sheet.lettering import Label, Run
+from graphkin.sheet.paper import PAPERS
+
+_WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
+_MISSING = re.compile(r'the text `"(.+?)"` could not be displayed')
+_ACCENTED = re.compile(r"(.[\u0300-\u036f]+)")
+_BETWEEN_TAGS = re.compile(r">[^<]*[\\u0300-\\u036f][^<]*")
+_MARGIN = 20.0
+_HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
+#set text(font: ({families}), size: 10.5pt, lang: {lang}, region: none)
+#set par(justify: false, leading: 0.62em)
+#show math.equation: set text(font: "New Computer Modern Math")
+#set heading(outlined: true, bookmarked: true)
+#show heading.where(level: 1): set text(size: 15pt)
+#show heading.where(level: 2): set text(size: 12pt)
+#let act(number) = box(baseline: 0.9mm,
+  circle(radius: 1.9mm, inset: 0mm, stroke: 0.2mm, align(center + horizon, text(size: 7.5pt, number))))
+#let bar = {{
+  set text(size: 7pt)
+  stack(dir: ttb, spacing: 1mm,
+    box(width: 100mm, height: 2mm, {{
+      place(top + left, line(length: 100mm, stroke: 0.35mm))
+      for k in range(11) {{ place(top + left, dx: k * 10mm, line(start: (0mm, 0mm), end: (0mm, 2mm), stroke: 0.18mm)) }}
+    }}),
+    {bar})
+}}
+#set page(width: {width}mm, height: {height}mm, margin: (x: {margin}mm, top: 18mm, bottom: 26mm),
+  background: {background},
+  footer: context {{
+    set text(size: 8pt)
+    grid(columns: (1fr, auto), align: (left + bottom, right + bottom),
+      bar, {foot} + " · " + str(counter(page).get().first()) + "/" + str(counter(page).final().first()))
+  }})
+"""
+
+
+def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int | None = None) -> bytes:
+    """The PDF of a handout.
+
+    font  a font file to use; else the one the environment names, else the system's
+    scan  the number of a sheet that is to be photographed, 0 to 15: markers and dots are printed with it
+
+    Raises NeedsExtra without typst, NoFont, NoChineseLetters, NoLetter.
+    """
+    typst = needed("typst", "pdf")
+    pictures: dict[str, str] = {}
+    body = "\n".join(line for block in handout.blocks for line in _block(block, pictures))
+    words = handout.title + body + handout.foot.bar
+    found = fonts(font, bool(_WIDE.search(words)))
+    page = PAPERS[paper]
+    if scan is not None:
+        pictures["markers"] = markers_svg(page.width, page.height, scan)
+    text = _head(handout, found, page.width, page.height, scan is not None) + _contents(handout) + body
+    try:
+        made: bytes = typst.compile(
+            text.encode(), format="pdf", sys_inputs=pictures, font_paths=list(found.folders), timestamp=0,
+            pdf_standards=["ua-1"],
+        )  # fmt: skip
+    except typst.TypstError as problem:
+        if (letter := _MISSING.search(str(problem))) is None:
+            raise
+        raise NoLetter(letter[1]) from None
+    return made
+
+
+def _head(handout: Handout, found: Fonts, width: float, height: float, scan: bool) -> str:
+    foot = handout.foot
+    said = " · ".join(filter(None, ("graphkin " + foot.version, foot.stage, foot.seed, foot.digest)))
+    markers = f'pdf.artifact(image(bytes(sys.inputs.markers), format: "svg", width: {mm(width)}mm))'
+    return _HEAD.format(
+        title=_string(handout.title), families=", ".join(map(_string, found.families)), lang=_string(handout.lang),
+        width=mm(width), height=mm(height), margin=mm(_MARGIN + (8 if scan else 0)), bar=_string(foot.bar),
+        foot=_string(said), background=markers if scan else "none",
+    )  # fmt: skip
+
+
+def _contents(handout: Handout) -> str:
+    if not handout.contents:
+        return ""
+    title = f"heading(level: 1, outlined: false)[#{_string(handout.contents)}]"
+    return f"#{title}\n#outline(title: none, depth: 1)\n#pagebreak()\n"
+
+
+def _block(block: Block, pictures: dict[str, str]) -> Iterator[str]:
+    match block:
+        case Heading(words, level):
+            yield f"#heading(level: {level})[{_words(words)}]\n"
+        case Text(words, act):
+            number = f"#act({_string(act)}) " if act else ""
+            yield f"#par[{number}{_words(words)}]\n"
+        case Formula(words):
+            yield f"#pad(left: 8mm, par[{_words(words)}])\n"
+        case Rows():
+            yield _rows(block)
+        case Picture(sheet, told):
+            yield _image(pictures, svg(sheet), sheet.paper.width, told)
+        case Room():
+            yield _image(pictures, room_svg(block), block.width, "".join(run.text for run in block.name))
+        case Table(heads, rows):
+            yield _table(heads, rows)
+        case NewPage():
+            yield "#pagebreak(weak: true)\n"
+        case _:
+            assert_never(block)
+
+
+def _image(pictures: dict[str, str], text: str, width: float, told: str) -> str:
+    name = f"picture{len(pictures)}"
+    pictures[name] = _BETWEEN_TAGS.sub(_in_own_font, text)
+    drawn = f'bytes(sys.inputs.{name}), format: "svg", width: {mm(width)}mm, alt: {_string(told)}'
+    return f"#align(center, image({drawn}))\n"
+
+
+def _in_own_font(found: re.Match[str]) -> str:
+    return _ACCENTED.sub(r'<tspan font-family="Libertinus Serif">\1</tspan>', found[0])
+
+
+def _rows(rows: Rows) -> str:
+    """Three lines: terms, directions, sizes; a blank is a line to write on."""
+    columns = [((), *rows.heads), *rows.columns]
+    rule = "#box(width: 20mm, height: 6mm, stroke: (bottom: 0.18mm))"
+    cells = [f"[{_words(column[k]) if column is not None else rule}]" for k in range(3) for column in columns]
+    shape = f"columns: {len(columns)}, align: center + horizon, column-gutter: 2mm, row-gutter: 2mm"
+    return f"#block(breakable: false, pad(left: 8mm, grid({shape}, {', '.join(cells)})))\n"
+
+
+def _table(heads: tuple[Label, ...], rows: tuple[tuple[Label, ...], ...]) -> str:
+    cells = [f"[{_words(cell)}]" for row in rows for cell in row]
+    first = ", ".join(f"[{_words(head)}]" for head in heads)
+    shape = f"columns: (30mm,) * {len(heads)}, rows: 8mm, align: center + horizon, stroke: 0.18mm"
+    return f"#block(breakable: false, table({shape}, table.header({first}), {', '.join(cells)}))\n"
+
+
+def _words(label: Label) -> str:
+    return "".join(map(_sign, signs(label)))
+
+
+def _sign(sign: Sign) -> str:
+    """A letter with its scripts; where both stand over one another it is a formula, and read aloud as its name."""
+    base = _run(sign.base) if sign.base is not None else ""
+    if sign.low and sign.high:
+        low, high = ("".join(map(_run, runs)) for runs in (sign.low, sign.high))
+        whole = f"$attach(#[{base}], t: #text(size: 0.72em)[{high}], b: #text(size: 0.72em)[{low}])$"
+        return f"#math.equation(alt: {_string(sign.plain)}, {whole})"
+    low, high = ("".join(map(_run, runs)) for runs in (sign.low, sign.high))
+    return base + (f"#sub[{low}]" if low else "") + (f"#super[{high}]" if high else "")
+
+
+def _run(run: Run) -> str:
+    """Its letters; one with an accent of its own in typst's own font, as few others have such accents."""
+    parts = (_string(part) if not k % 2 else f'text(font: "Libertinus Serif", {_string(part)})'
+             for k, part in enumerate(_ACCENTED.split(run.text)) if part)  # fmt: skip
+    return "".join(f"#emph({part})" if run.italic else f"#{part}" for part in parts)
+
+
+def _string(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", " ")
+    return f'"{escaped}"'

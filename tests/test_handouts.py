@@ -1,0 +1,189 @@
+"""Handouts: measured on the paper that is printed, and read for what must not be told."""
+
+from __future__ import annotations
+
+import io
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import graphkin
+from graphkin import library
+from graphkin.cli import main
+from graphkin.handouts import fonts, handout
+from graphkin.handouts.document import Picture, Room, Rows, Text
+from graphkin.handouts.grid import MARKERS, markers_svg
+from graphkin.handouts.page import html
+from graphkin.handouts.typst import pdf
+from graphkin.outputs.diagram.fonts import chinese_font
+from graphkin.sheet.marks import VectorMark
+from tests.pdf_lines import lines
+
+STAGES = ("problem", "blank", "half", "solution")
+pypdf = pytest.importorskip("pypdf")
+pytest.importorskip("typst")
+
+
+def _reader(content: bytes):
+    return pypdf.PdfReader(io.BytesIO(content))
+
+
+def _lang(lang: str) -> str:
+    if lang == "zh" and chinese_font() is None:
+        pytest.skip("no Chinese font here")
+    return lang
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("stage", STAGES)
+def test_pages_are_true_to_scale(stage, lang):
+    made = handout([graphkin.load("ex3-1")], stage, _lang(lang))
+    content = pdf(made)
+    assert content == pdf(made)
+    reader = _reader(content)
+    for page in reader.pages:
+        assert float(page.mediabox.width) == pytest.approx(210 * 72 / 25.4, abs=0.01)
+        assert float(page.mediabox.height) == pytest.approx(297 * 72 / 25.4, abs=0.01)
+        level = [abs(b - a) for a, b in lines(reader, page) if abs((b - a).imag) < 1e-3]
+        assert min(abs(length - 100) for length in level) < 0.01
+    told = str(reader.metadata) + reader.xmp_metadata.stream.get_data().decode()
+    assert "pdfuaid" in told
+
+
+def test_every_vector_of_a_solution_is_as_long_as_on_the_sheet():
+    made = handout([graphkin.load("ex3-5")], "solution", "en")
+    reader = _reader(pdf(made))
+    found = [b - a for page in reader.pages for a, b in lines(reader, page)]
+    vectors = [
+        (mark.end - mark.start).conjugate()
+        for block in made.blocks if isinstance(block, Picture)
+        for mark in block.sheet.marks if isinstance(mark, VectorMark) and mark.length > 0.05
+    ]  # fmt: skip
+    assert len(vectors) > 8
+    assert all(min(abs(line - vector) for line in found) < 0.01 for vector in vectors)
+
+
+def test_fonts_are_embedded():
+    reader = _reader(pdf(handout([graphkin.load("ex3-1")], "solution", "en")))
+    fonts_found = [font.get_object() for page in reader.pages for font in page["/Resources"]["/Font"].values()]
+    assert fonts_found
+    for font in fonts_found:
+        inner = font["/DescendantFonts"][0].get_object() if "/DescendantFonts" in font else font
+        assert any(key.startswith("/FontFile") for key in inner["/FontDescriptor"])
+
+
+@pytest.mark.parametrize("name", ["ex3-1", "ex3-5", "p3-6a"])
+@pytest.mark.parametrize("stage", ["problem", "blank"])
+def test_no_answer_is_told(stage, name):
+    """Neither on the page nor in what a PDF or a page says of itself."""
+    machine = graphkin.load(name)
+    answers = [answer for answer in graphkin.Drawing.of(machine).answers().values() if answer is not None]
+    sizes = [abs(answer.vector) if answer.vector is not None else abs(float(answer.value)) for answer in answers]
+    digits = [f"{size:.4g}" for size in sizes if len(f"{size:.4g}".replace(".", "").lstrip("0")) > 3]
+    assert digits
+    made = handout([machine], stage, "en")
+    reader = _reader(pdf(made))
+    told = "".join(page.extract_text() for page in reader.pages) + str(reader.metadata) + html(made)
+    assert not [number for number in digits if number in told]
+
+
+def test_a_worksheet_has_room_for_its_polygon_and_a_fifth_more():
+    made = handout([graphkin.load("ex3-5")], "blank", "en")
+    rooms = [block for block in made.blocks if isinstance(block, Room)]
+    solved = handout([graphkin.load("ex3-5")], "solution", "en")
+    pictures = [block.sheet for block in solved.blocks if isinstance(block, Picture)][1:]
+    for room, sheet in zip(rooms, pictures, strict=True):
+        ends = [end for mark in sheet.marks if isinstance(mark, VectorMark) for end in (mark.start, mark.end)]
+        wide = max(at.real for at in ends) - min(at.real for at in ends)
+        tall = max(at.imag for at in ends) - min(at.imag for at in ends)
+        assert room.width >= 1.2 * wide
+        assert room.height >= 1.2 * tall
+        assert 0 <= room.pole.real <= room.width
+        assert 0 <= room.pole.imag <= room.height
+
+
+@pytest.mark.parametrize("upto", [0, 1, 2, 9])
+def test_a_half_worked_solution_stops_between_equations(upto):
+    made = handout([graphkin.load("ex3-5")], "half", "en", upto=upto)
+    rows = [block for block in made.blocks if isinstance(block, Rows)]
+    whole = [block for block in rows if None not in block.columns]
+    assert len(whole) == min(upto, 2)
+    assert len(rows) - len(whole) == (upto < 2)
+
+
+def test_a_book_has_its_contents_and_its_answers():
+    names = ("ex3-1", "ex3-5", "p3-6a", "ex3-7")
+    made = handout([graphkin.load(name) for name in names], "problem", "en", answers=True)
+    reader = _reader(pdf(made))
+    text = "".join(page.extract_text() for page in reader.pages)
+    assert "Problems" in text
+    assert "Answers" in text
+    assert len(reader.outline) >= len(names)
+
+
+class _Tags(HTMLParser):
+    """Whether what opens is closed again."""
+
+    def __init__(self, page: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.feed(page)
+
+    def handle_starttag(self, tag, attrs):
+        if tag not in ("meta", "br"):
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        pass
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+
+@pytest.mark.parametrize("name", library.names()[::7])
+def test_pages_of_a_browser_need_nothing_else(name):
+    made = handout([graphkin.load(name)], "solution", "en")
+    page = html(made)
+    assert not _Tags(page).open
+    assert not re.search(r'(src|href)="(?!#)', page)
+    assert "<math>" in page
+    assert any(isinstance(block, Text) and block.act for block in made.blocks)
+
+
+def test_markers_are_squares_of_their_own_with_white_around():
+    assert len(set(MARKERS)) == 8
+    drawing = markers_svg(210, 297, 13)
+    assert drawing.count('height="12"') == 6
+    with_other_number = markers_svg(210, 297, 2)
+    assert drawing != with_other_number
+
+
+def test_a_scan_page_is_written(tmp_path: Path):
+    path = tmp_path / "a.pdf"
+    done = CliRunner().invoke(main, ["handout", "ex3-1", "--stage", "blank", "--scan", "7", "-o", str(path)])
+    assert done.exit_code == 0, done.output
+    assert len(_reader(path.read_bytes()).pages) >= 3
+
+
+def test_a_folder_gets_a_file_for_each(tmp_path: Path):
+    command = ["handout", "ex3-1", "ex3-5", "--stage", "problem", "-o", str(tmp_path / "sheets"), "--seed", "7"]
+    done = CliRunner().invoke(main, command)
+    assert done.exit_code == 0, done.output
+    assert sorted(path.name for path in (tmp_path / "sheets").iterdir()) == ["ex3-1.pdf", "ex3-5.pdf"]
+    assert "seed 7" in _reader((tmp_path / "sheets" / "ex3-1.pdf").read_bytes()).pages[0].extract_text()
+
+
+def test_no_boxes_where_no_chinese_font_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
+    import graphkin.outputs.diagram.fonts as found
+
+    monkeypatch.setattr(found, "chinese_font", lambda: None)
+    monkeypatch.delenv(fonts.VARIABLE, raising=False)
+    done = CliRunner().invoke(main, ["handout", "ex3-1", "--lang", "zh", "-o", str(tmp_path / "a.pdf")])
+    assert done.exit_code == 3
+    assert "fonts-noto-cjk" in done.output
+    assert not list(tmp_path.iterdir())
+    done = CliRunner().invoke(main, ["handout", "ex3-1", "--font", str(tmp_path), "-o", str(tmp_path / "a.pdf")])
+    assert done.exit_code in (2, 3)
