@@ -49,6 +49,8 @@ def test_pages_are_true_to_scale(stage, lang):
         assert float(page.mediabox.height) == pytest.approx(297 * 72 / 25.4, abs=0.01)
         level = [abs(b - a) for a, b in lines(reader, page) if abs((b - a).imag) < 1e-3]
         assert min(abs(length - 100) for length in level) < 0.01
+    assert reader.trailer["/Root"]["/ViewerPreferences"]["/PrintScaling"] == "/None"
+    assert reader.trailer["/Root"]["/ViewerPreferences"]["/DisplayDocTitle"]
     told = str(reader.metadata) + reader.xmp_metadata.stream.get_data().decode()
     assert "pdfuaid" in told
 

@@ -23,6 +23,7 @@ from graphkin.handouts.fonts import Fonts, NoLetter, fonts
 from graphkin.handouts.grid import markers_svg, room_svg
 from graphkin.handouts.scripted import Sign, signs
 from graphkin.outputs.extras import needed
+from graphkin.outputs.paged import unscaled
 from graphkin.outputs.svg import mm, svg
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.paper import PAPERS
@@ -86,7 +87,7 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
         if (letter := _MISSING.search(str(problem))) is None:
             raise
         raise NoLetter(letter[1]) from None
-    return made
+    return unscaled(made)
 
 
 def _head(handout: Handout, found: Fonts, width: float, height: float, scan: bool) -> str:
@@ -166,7 +167,7 @@ def _sign(sign: Sign) -> str:
     base = _run(sign.base) if sign.base is not None else ""
     if sign.low and sign.high:
         low, high = ("".join(map(_run, runs)) for runs in (sign.low, sign.high))
-        whole = f"$attach(#[{base}], t: #text(size: 0.72em)[{high}], b: #text(size: 0.72em)[{low}])$"
+        whole = f"$attach(#[{base}], t: #[{high}], b: #[{low}])$"
         return f"#math.equation(alt: {_string(sign.plain)}, {whole})"
     low, high = ("".join(map(_run, runs)) for runs in (sign.low, sign.high))
     return base + (f"#sub[{low}]" if low else "") + (f"#super[{high}]" if high else "")

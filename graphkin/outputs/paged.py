@@ -5,6 +5,7 @@ The PDF says how it is to be read aloud, and asks for no scaling when printed; t
 
 from __future__ import annotations
 
+import re
 import struct
 import zlib
 
@@ -28,7 +29,29 @@ def pdf(sheet: Sheet, lang: Lang, ink: Ink = "accent") -> bytes:
     page = _PAGE.format(width=sheet.paper.width, height=sheet.paper.height)
     inputs = {"svg": svg(sheet, ink), "title": title, "alt": title, "lang": lang}
     made: bytes = typst.compile(page.encode(), sys_inputs=inputs, timestamp=0, pdf_standards=["ua-1"], format="pdf")
-    return made
+    return unscaled(made)
+
+
+def unscaled(content: bytes) -> bytes:
+    """A PDF that asks to be printed as large as it is: its catalog once more at the end, as PDF lets a file be changed.
+
+    As it was, where its catalog is not found.
+    """
+    trailer = content[content.rfind(b"trailer") :]
+    root, start = re.search(rb"/Root (\d+) 0 R", trailer), re.search(rb"startxref\s+(\d+)", trailer)
+    size = re.search(rb"/Size (\d+)", trailer)
+    if root is None or start is None or size is None:
+        return content
+    number = root[1]
+    catalog = re.search(rb"(?<!\d)%s 0 obj\s.*?endobj" % number, content, re.DOTALL)
+    if catalog is None or b"/ViewerPreferences<<" not in catalog[0]:
+        return content
+    asked = catalog[0].replace(b"/ViewerPreferences<<", b"/ViewerPreferences<</PrintScaling/None")
+    body = content.rstrip(b"\n") + b"\n"
+    table = b"xref\n%s 1\n%010d 00000 n \n" % (number, len(body))
+    entries = re.sub(rb"startxref.*", b"", trailer, flags=re.DOTALL).replace(b"trailer", b"", 1).strip()
+    told = b"trailer\n" + entries[:-2] + b"/Prev " + start[1] + b">>\n"
+    return body + asked + b"\n" + table + told + b"startxref\n%d\n%%%%EOF\n" % (len(body) + len(asked) + 1)
 
 
 def png(sheet: Sheet, dpi: float, ink: Ink = "accent") -> bytes:

@@ -7,10 +7,12 @@ import re
 from graphkin.sheet.lettering import Label, Run, point_label
 
 _RAISED = dict(zip("ⁿᵗᵏʳ²³", "ntkr23", strict=True))
-_SIGN = re.compile(r"([A-Za-zα-ωṡ]\u0308?)([ⁿᵗᵏʳ]*)(?:_([^\s()/|²³·]+)|(\d+))([²³]?)(?![A-Za-z])")
+_SIGN = re.compile(r"([A-Za-zα-ωṡ]\u0308?)([ⁿᵗᵏʳ]*)(?:_((?:[^\s()/|²³·、。，；：,;]|,(?=\w))+)|(\d+))([²³]?)(?![A-Za-z])")
 _POINT = re.compile(r"[A-Z][0-9]*′*")
 _POINTS = re.compile(rf"(?<=[⊥∥→])(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)")
-_ANY = re.compile(f"(?P<points>{_POINTS.pattern})|(?P<sign>{_SIGN.pattern})")
+_NODE = re.compile(r"[a-z]\d*′*")
+_STRETCH = re.compile(r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*′+|[a-z]\d+′*)+(?![A-Za-z²³])")
+_ANY = re.compile(f"(?P<points>{_POINTS.pattern})|(?P<stretch>{_STRETCH.pattern})|(?P<sign>{_SIGN.pattern})")
 
 
 def formula(text: str) -> Label:
@@ -19,7 +21,10 @@ def formula(text: str) -> Label:
     at = 0
     for found in _ANY.finditer(text):
         runs += _upright(text[at : found.start()])
-        runs += _points(found["points"]) if found["points"] else _sign(found["sign"])
+        if found["sign"]:
+            runs += _sign(found["sign"])
+        else:
+            runs += _points(found["points"] or found["stretch"])
         at = found.end()
     return tuple(runs + _upright(text[at:]))
 
@@ -41,5 +46,6 @@ def _sign(text: str) -> list[Run]:
 
 
 def _points(text: str) -> list[Run]:
-    """`BD`, `O1B`: each point with its digits below it."""
-    return [run for name in _POINT.findall(text) for run in point_label(name)]
+    """`BD`, `O1B`, `n3′b3′`: each point with its digits below it."""
+    names = _POINT.findall(text) or _NODE.findall(text)
+    return [run for name in names for run in point_label(name.replace("′", "'"))]
