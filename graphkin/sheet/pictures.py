@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.lettering import plain, width
@@ -44,6 +45,11 @@ class Picture:
     extent: Extent
     draw: Callable[[Window], Figure]
     caption: Caption
+
+    def captioned(self, start: str) -> Picture:
+        """With a word before what is said under it."""
+        first, *others = self.caption.texts
+        return replace(self, caption=replace(self.caption, texts=(start + first, *others)))
 
     def scale(self, cell: Room) -> float:
         """At which it fits a cell [m/mm]."""
