@@ -19,7 +19,7 @@ from graphkin.sheet.layout import divided, papers_for
 from graphkin.sheet.linkage_angles import dimensioned_limits, dimensioned_transmission
 from graphkin.sheet.linkage_figure import drawn_over, pictured
 from graphkin.sheet.linkage_table import linkage_tables
-from graphkin.sheet.page import Page, Sheet
+from graphkin.sheet.page import Page, Panel, Sheet
 from graphkin.sheet.paper import Room
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.titleblock import Strip, strip_height
@@ -32,7 +32,7 @@ _CAPTION = 22.0
 
 
 def limit_sheet(reports: Sequence[Report], lang: Lang = "en", *, paper: str | None = None, title: str = "") -> Sheet:
-    """The sheet of the linkages of a mechanism, or of one by itself: a row of figures each, all at one scale.
+    """The sheet of the linkages of a mechanism, or of one by itself: a row of figures each, at one scale.
 
     paper   a key of `PAPERS`; A4 on its side where left out, A3 for three linkages and more
     title   of the title block; the kind of the first where left out
@@ -42,21 +42,26 @@ def limit_sheet(reports: Sequence[Report], lang: Lang = "en", *, paper: str | No
     chosen = papers_for(paper or ("A4-landscape" if len(reports) <= _ON_A4 else "A3-landscape"))[0]
     rows, tables = [_pictures(report, lang, len(reports) > 1) for report in reports], linkage_tables(reports)
     field, foot = divided(chosen, strip_height(chosen, tables))
-    placed = list(_placed(rows, field, chosen.landscape))
-    scale = max(picture.scale(cell) for picture, cell in placed)
-    panels = [picture.panel(cell, scale) for picture, cell in placed]
+    placed = _placed(rows, field, chosen.landscape)
+    panels = [panel for row in placed for panel in _panels(row, len(rows) > 1)]
     machine = _mechanism(reports[0], title or kind_name(reports[0], lang))
     drivers = [driver.value or 0.0 for driver in machine.drivers]
     return Page(chosen, panels, machine, drivers, lang, Strip(foot, tables)).sheet()
 
 
-def _placed(rows: Sequence[list[Picture]], field: Room, landscape: bool) -> Iterator[tuple[Picture, Room]]:
-    """Each figure with its cell: a row a linkage; a single one over the other on upright paper."""
-    if len(rows) == 1 and not landscape:
-        yield from zip(rows[0], field.cells(len(rows[0]), 1), strict=True)
-        return
+def _placed(rows: Sequence[list[Picture]], field: Room, landscape: bool) -> Iterator[list[tuple[Picture, Room]]]:
+    """Each figure with its cell: a row a linkage; a single one's over one another on upright paper."""
     for pictures, row in zip(rows, field.cells(len(rows), 1), strict=True):
-        yield from zip(pictures, row.cells(len(pictures), len(pictures)), strict=True)
+        columns = 1 if len(rows) == 1 and not landscape else len(pictures)
+        yield list(zip(pictures, row.cells(len(pictures), columns), strict=True))
+
+
+def _panels(row: list[tuple[Picture, Room]], told: bool) -> Iterator[Panel]:
+    """A linkage's figures at one scale; with `told`, which the captions give."""
+    scale = max(picture.scale(cell) for picture, cell in row)
+    for picture, cell in row:
+        shown = picture.captioned(f"(1:{scale * 1e3:g}) ") if told else picture
+        yield shown.panel(cell, scale)
 
 
 def _mechanism(report: Report, headline: str) -> Mechanism:
