@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from typing import Literal
 
 from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
@@ -263,11 +263,15 @@ class _Work:
     def layout(self, papers: Sequence[Paper], crowded: Collection[Plane] = (), more: int = 1) -> Layout:
         """The best division; crowded planes count as if they had more labels."""
         extents = {p: replace(e, labels=e.labels * more) if p in crowded else e for p, e in self.extents.items()}
-        height: Height = partial(strip_height, found=self.found, equations=self.apart)
         if self.tight:
-            height, papers = (lambda paper: 0.0), [replace(paper, margin=0.0) for paper in papers]
-        plain = lay_out({plane: replace(extent, over=None) for plane, extent in extents.items()}, height, papers)
-        return headed(plain, extents, height, papers, _COARSER)
+            papers = [replace(paper, margin=0.0) for paper in papers]
+        plain = lay_out({plane: replace(extent, over=None) for plane, extent in extents.items()}, self.height, papers)
+        return headed(plain, extents, self.height, papers, _COARSER)
+
+    @cached_property
+    def height(self) -> Height:
+        """What the strip needs on a paper [mm], reckoned once for each."""
+        return cache(partial(strip_height, found=self.found, equations=self.apart)) if not self.tight else lambda _: 0.0
 
     def roomier(self, composed: _Composed, papers: Sequence[Paper]) -> _Composed:
         """The same size of paper divided for the planes where labels found no place, if there are and that helps."""
