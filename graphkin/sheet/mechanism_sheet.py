@@ -66,9 +66,8 @@ def mechanism_sheet(
     work = _Work(_Planes(method, plot), _planes(only), [] if tight else tables(method, plot, lang), lang, tight)
     if upto is not None:
         return _staged(work, paper).upto(upto)
-    layout = _cut(work, paper)
-    best = work.on(layout)
-    return (work.on(layout, far=True) if best.lettered.lost else best).lettered.sheet
+    best = _cut(work, paper)
+    return (work.on(best.layout, far=True) if best.lettered.lost else best).lettered.sheet
 
 
 def mechanism_step_sheets(
@@ -145,15 +144,15 @@ class _Composed:
 
 def _staged(work: _Work, paper: str | None) -> Sheet:
     """The pencil's own lines are there too, and no results; the paper is that of the sheet without them."""
-    return work.on(_cut(work, paper), stages=True, far=True).lettered.sheet
+    return work.on(_cut(work, paper).layout, stages=True, far=True).lettered.sheet
 
 
-def _cut(work: _Work, paper: str | None) -> Layout:
-    """The paper divided; cut to a single figure, where it was not asked for."""
-    layout = _divided(work, paper).layout
+def _cut(work: _Work, paper: str | None) -> _Composed:
+    """On the paper divided; cut to a single figure, where the paper was not asked for."""
+    best = _divided(work, paper)
     if len(work.planes) > 1 or not (work.tight or paper is None):
-        return layout
-    return cut_to(layout, work.planes[0], work.extents[work.planes[0]])
+        return best
+    return work.on(cut_to(best.layout, work.planes[0], work.extents[work.planes[0]]))
 
 
 def _divided(work: _Work, paper: str | None) -> _Composed:
