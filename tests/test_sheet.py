@@ -332,11 +332,11 @@ def test_finer_scales() -> None:
 
 def test_a_given_scale_too_fine_for_paper_names_one_that_fits() -> None:
     method, plot = example(velocity="0.0001")
-    with pytest.raises(TooLargeForPaper, match=r"ex\.toml:\d+, scales\.velocity.*0\.002 would fit") as caught:
+    with pytest.raises(TooLargeForPaper, match=r"ex\.toml:\d+, scales\.velocity.*0\.0015 would fit") as caught:
         sheet(method, plot)
     assert "放不进" in caught.value.message("zh")
-    method, plot = example(velocity="0.002")
-    assert sheet(method, plot).scales["velocity"] == 0.002
+    method, plot = example(velocity="0.0015")
+    assert sheet(method, plot).scales["velocity"] == 0.0015
 
 
 def test_a_given_scale_may_need_larger_paper() -> None:

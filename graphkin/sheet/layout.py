@@ -189,11 +189,15 @@ def _too_large(
         if found is not None:
             plane = freed[0]
             scale, fits = extents[plane].given, found.scales[plane]
-            while _best(large, loose | {plane: replace(loose[plane], given=finer(fits))}, strip_height, _other_divisions):
+            while _best(large, _with_scale(loose, plane, finer(fits)), strip_height, _other_divisions):
                 fits = finer(fits)
             assert scale is not None
             return TooLargeForPaper(NOWHERE, KEYS[plane], scale, fits, large[0].name[:2], UNITS[plane])
     raise AssertionError("free scales fit every paper")
+
+
+def _with_scale(extents: Mapping[Plane, Extent], plane: Plane, scale: float) -> Mapping[Plane, Extent]:
+    return {**extents, plane: replace(extents[plane], given=scale)}
 
 
 # --- ways to divide a field -------------------------------------------------------------------
