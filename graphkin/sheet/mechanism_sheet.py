@@ -100,9 +100,8 @@ def _given(drawing: _Planes, paper: str | None, lang: Lang, tight: bool) -> Shee
 def _whole(work: _Work, paper: str | None) -> _Composed:
     """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
     for _ in range(_TRIALS):
-        layout = _cut(work, paper)
-        best = work.on(layout)
-        whole = work.on(layout, far=True) if best.lettered.lost else best
+        best = _cut(work, paper)
+        whole = work.on(best.layout, far=True) if best.lettered.lost else best
         if not whole.lettered.left_out or work.tight:
             break
         work = replace(work, apart=[*work.apart, *whole.lettered.left_out])
@@ -197,12 +196,12 @@ def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iter
     return (captions.sheet(whole, number, strip) for number in numbers or range(1, len(captions.acts) + 1))
 
 
-def _cut(work: _Work, paper: str | None) -> Layout:
-    """The paper divided; cut to a single figure, where it was not asked for."""
-    layout = _divided(work, paper).layout
+def _cut(work: _Work, paper: str | None) -> _Composed:
+    """On the paper divided; cut to a single figure, where the paper was not asked for."""
+    best = _divided(work, paper)
     if len(work.planes) > 1 or not (work.tight or paper is None):
-        return layout
-    return cut_to(layout, work.planes[0], work.extent(layout, work.planes[0]))
+        return best
+    return work.on(cut_to(best.layout, work.planes[0], work.extent(best.layout, work.planes[0])))
 
 
 def _divided(work: _Work, paper: str | None) -> _Composed:
