@@ -7,6 +7,7 @@ import re
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
+import book
 import pytest
 
 from graphkin import Drawing, library
@@ -19,7 +20,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 @pytest.fixture(scope="module")
 def example() -> str:
-    return svg(Drawing.of(library.load("ex3-1")).sheet())
+    return svg(Drawing.of(book.example()).sheet())
 
 
 def put(folder: Path, text: str) -> Path:

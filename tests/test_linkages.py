@@ -160,7 +160,7 @@ def test_words_and_data_of_every_kind(lengths, more, kind, family, lang):
 def test_sheet_of_every_kind(lengths, more, kind, family, lang):
     """All on the paper, letters apart from each other, the same bytes again."""
     found = measured(*lengths, **more)
-    drawing = limit_sheet(found, lang)
+    drawing = limit_sheet([found], lang)
     boxes = []
     for mark in drawing.marks:
         if isinstance(mark, Text):
@@ -170,7 +170,7 @@ def test_sheet_of_every_kind(lengths, more, kind, family, lang):
     for one, other in itertools.combinations(boxes, 2):
         apart = one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
         assert apart, (one, other)
-    assert svg(drawing) == svg(limit_sheet(found, lang))
+    assert svg(drawing) == svg(limit_sheet([found], lang))
 
 
 # --- against the analysis ------------------------------------------------------------------------
@@ -547,7 +547,7 @@ def test_the_family_is_what_it_says():
 @pytest.mark.parametrize("name", ["s3-shaper", "p3-3a", "s4-ex8"])
 def test_sheet_of_a_linkage_behind_another(name, lang):
     for found in found_in(library.load(name)):
-        drawing = svg(limit_sheet(reported(found), lang))
+        drawing = svg(limit_sheet([reported(found)], lang))
         assert not re.search(r'\bnan\b', drawing)
 
 

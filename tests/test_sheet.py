@@ -7,6 +7,7 @@ import time
 from functools import cache
 from itertools import combinations
 
+import book
 import pytest
 
 from graphkin import library
@@ -61,7 +62,8 @@ def plain_text(label: tuple[Run, ...]) -> str:
 
 
 def test_example_3_1_has_the_lengths_of_the_book() -> None:
-    page = drawn("ex3-1")
+    method = plan(book.example())
+    page = sheet(method, replay_all(method))
     assert vector(page, "v_B3").length == pytest.approx(27.12, abs=0.005)  # p b3 [mm]
     assert vector(page, "v_B3B2").length == pytest.approx(32.08, abs=0.005)  # b2 b3
     assert vector(page, "a^k_B3B2").length == pytest.approx(25.149, abs=0.005)
@@ -316,7 +318,7 @@ def test_labels_that_say_nothing_new_are_left_out_where_there_is_no_room() -> No
 
 def example(text: str = "", **changes: str) -> tuple[Method, Plot]:
     """Example 3-1 with other values."""
-    text = library.load("ex3-1").text
+    text = book.TEXT
     for key, value in changes.items():
         text = re.sub(rf"(?m)^{key}\s*=.*$", f"{key} = {value}", text)
     method = plan(loads(text, name="ex", file="ex.toml"))
@@ -326,8 +328,8 @@ def example(text: str = "", **changes: str) -> tuple[Method, Plot]:
 @pytest.mark.parametrize(
     ("size", "room", "scale"),
     [
-        (78 + 50j, 100 + 100j, 1), (101 + 5j, 100 + 100j, 2), (5 + 300j, 100 + 100j, 5), (0.001 + 0j, 100 + 100j, 1e-5),
-        (999 + 0j, 100 + 100j, 10), (2e9 + 0j, 100 + 100j, 2e7), (0j, 100 + 100j, 0.01),
+        (78 + 50j, 100 + 100j, 1), (101 + 5j, 100 + 100j, 1.5), (5 + 300j, 100 + 100j, 3), (0.001 + 0j, 100 + 100j, 1e-5),
+        (999 + 0j, 100 + 100j, 10), (601 + 0j, 100 + 1j, 10), (7 + 39j, 100 + 100j, 0.4), (2e9 + 0j, 100 + 100j, 2e7), (0j, 100 + 100j, 0.01),
     ],
 )  # fmt: skip
 def test_finest_scale_of_the_series(size: complex, room: complex, scale: float) -> None:
@@ -335,16 +337,16 @@ def test_finest_scale_of_the_series(size: complex, room: complex, scale: float) 
 
 
 def test_finer_scales() -> None:
-    assert [finer(s) for s in (1.0, 5.0, 2.0, 0.001, 1e9)] == [0.5, 2.0, 1.0, 0.0005, 5e8]
+    assert [finer(s) for s in (1.0, 5.0, 2.0, 2.5, 0.001, 1e9)] == [0.6, 4.0, 1.5, 2.0, 0.0006, 6e8]
 
 
 def test_a_given_scale_too_fine_for_paper_names_one_that_fits() -> None:
     method, plot = example(velocity="0.0001")
-    with pytest.raises(TooLargeForPaper, match=r"ex\.toml:\d+, scales\.velocity.*0\.002 would fit") as caught:
+    with pytest.raises(TooLargeForPaper, match=r"ex\.toml:\d+, scales\.velocity.*0\.0015 would fit") as caught:
         sheet(method, plot)
     assert "放不进" in caught.value.message("zh")
-    method, plot = example(velocity="0.002")
-    assert sheet(method, plot).scales["velocity"] == 0.002
+    method, plot = example(velocity="0.0015")
+    assert sheet(method, plot).scales["velocity"] == 0.0015
 
 
 def test_a_given_scale_may_need_larger_paper() -> None:

@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
+import book
 import pytest
 from defusedxml.ElementTree import fromstring
 
@@ -21,7 +22,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 def page(name: str = "ex3-1", **options: str) -> Sheet:
-    method = plan(library.load(name))
+    method = plan(book.example() if name == "ex3-1" else library.load(name))
     return sheet(method, replay_all(method), **options)  # type: ignore[arg-type]
 
 
@@ -79,7 +80,7 @@ def test_points_are_circles_with_what_they_belong_to(root: Element) -> None:
 def test_metadata_holds_the_problem(root: Element) -> None:
     (element,) = (e for e in root.iter() if e.tag.endswith("}sheet"))
     data = json.loads(element.text or "")
-    assert data["mechanism"] == library.load("ex3-1").text
+    assert data["mechanism"] == book.TEXT
     assert data["program"] == "graphkin"
     assert data["scales"] == {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
     assert len(data["drivers"]) == 1
@@ -139,5 +140,5 @@ def test_own_files_are_replaced_and_others_kept(tmp_path: Path, text: str) -> No
 
 
 def test_a_notebook_shows_the_sheet(text: str) -> None:
-    drawing = Drawing.of(library.load("ex3-1"))
+    drawing = Drawing.of(book.example())
     assert drawing._repr_svg_() == drawing.sheet()._repr_svg_() == text

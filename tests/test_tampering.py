@@ -14,6 +14,7 @@ from functools import cache
 from pathlib import Path
 from xml.sax.saxutils import escape, unescape
 
+import book
 import pytest
 
 from graphkin import Drawing, library
@@ -34,7 +35,7 @@ def drawing(name: str) -> str:
     if name.endswith(" centres"):
         method = plan(library.load(name.removesuffix(" centres")))
         return svg(centre_sheet(centres(method, replay_all(method))))
-    return svg(Drawing.of(library.load(name)).sheet())
+    return svg(Drawing.of(book.example() if name == "ex3-1" else library.load(name)).sheet())
 
 
 # --- what is done -----------------------------------------------------------------------------
@@ -68,7 +69,7 @@ def element(text: str, name: str) -> re.Match[str]:
     elif rest:
         pattern = rf'<circle class="point"[^>]*data-name="{re.escape(rest)}"[^>]*data-plane="{one}"[^>]*/>'
     else:
-        pattern = rf'<line class="vector"[^>]*data-name="{re.escape(one)}"[^>]*/>'
+        pattern = rf'<line class="vector"[^>]*data-name="{re.escape(one)}"[^>]*(?:/>|>.*?</line>)'
     found = re.search(pattern, text)
     assert found is not None, name
     return found
@@ -99,6 +100,21 @@ def shifted(dx: float) -> Change:
     return change
 
 
+def aside(off: float) -> Change:
+    """A vector moved at right angles to itself [mm]."""
+
+    def change(tag: str) -> str:
+        x1, y1, x2, y2 = (float(re.search(rf'\b{key}="([^"]*)"', tag)[1]) for key in ("x1", "y1", "x2", "y2"))  # type: ignore[index]
+        way = complex(x2 - x1, y2 - y1)
+        move = 1j * way / abs(way) * off
+        ends = {"x1": x1 + move.real, "x2": x2 + move.real, "y1": y1 + move.imag, "y2": y2 + move.imag}
+        for key, value in ends.items():
+            tag = re.sub(rf'\b{key}="[^"]*"', f'{key}="{value:.4f}"', tag)
+        return tag
+
+    return change
+
+
 def gone(tag: str) -> str:
     return ""
 
@@ -122,7 +138,7 @@ def at_end(more: str) -> Change:
 
 
 def at_start(more: str) -> Change:
-    return put("</defs>", "</defs>" + more)
+    return put("</metadata>", "</metadata>" + more)
 
 
 def whole(before: str, after: str) -> Change:
@@ -176,7 +192,7 @@ def both(first: Change, second: Change) -> Change:
 
 def copy_of(name: str, change: Change) -> Change:
     """One more of a mark."""
-    return lambda text: at_end(change(element(text, name)[0]))(text)
+    return mark(name, lambda tag: tag + change(tag))
 
 
 def hidden_right_visible_wrong(text: str) -> str:
@@ -188,7 +204,7 @@ def hidden_right_visible_wrong(text: str) -> str:
 
 def exchanged(text: str) -> str:
     """The letters A and D of the mechanism, each where the other stood."""
-    one, other = (re.search(rf'<text[^>]*><tspan[^>]*>{letter}</tspan></text>', text) for letter in "AD")
+    one, other = (re.search(rf"<text[^>]*>{letter}</text>", text) for letter in "AD")
     assert one is not None
     assert other is not None
     assert one.start() < other.start()
@@ -196,8 +212,8 @@ def exchanged(text: str) -> str:
     return text[: one.start()] + swapped[0] + text[one.end() : other.start()] + swapped[1] + text[other.end() :]
 
 
-LETTER = re.compile(r'(>A</tspan></text>.*?<tspan[^>]* x=")([0-9.]+)')
-SCALE = re.compile(r"<text(?:(?!</text>).)*?>μ</tspan><tspan[^>]*>v</tspan>.*?</text>")
+LETTER = re.compile(r'(<text[^>]* x=")([0-9.]+)(?=" y="[^"]*">A</text>)')
+SCALE = re.compile(r"<text(?:(?!</text>).)*?>μ</tspan><tspan[^>]*>v ?</tspan>.*?</text>")
 WIDE = '<rect x="0" y="0" width="210" height="297" fill="#ffffff"/>'
 ARROW = '<line x1="60" y1="150" x2="90" y2="160" stroke="#000000" stroke-width="0.35" marker-end="url(#tip)"/>'
 NEW_POINT = '<circle class="point" cx="50" cy="60" r="0.5" fill="#000000" data-plane="position" data-name="X" data-of="X"/>'
@@ -277,7 +293,7 @@ EX3_1: list[tuple[str, Change, str]] = [
     ("a comment", mark("v_B3", within("<!--", "-->")), "v_B3"),
     # alive
     ("animateTransform", at_end('<animateTransform attributeName="transform" type="rotate" to="9"/>'), "refused:<animateTransform>"),
-    ("set", mark("v_B3", lambda t: t.replace("/>", '><set attributeName="x2" to="9"/></line>')), "refused:<set>"),
+    ("set", mark("v_B3", put("</line>", '<set attributeName="x2" to="9"/></line>')), "refused:<set>"),
     ("script", at_end("<script>1</script>"), "refused:<script>"),
     ("an event", root(r"<svg", r'<svg onload="1"'), "refused:event"),
     # arrows
@@ -286,10 +302,12 @@ EX3_1: list[tuple[str, Change, str]] = [
     ("no head", mark("v_B3", having('marker-end="none"')), "v_B3"),
     ("heads at both ends", mark("v_B3", having('marker-start="url(#tip)"')), "v_B3"),
     ("head that does not turn", put('orient="auto"', 'orient="180"'), "v_B3"),
-    ("head drawn backwards", put("M0 0L2.8 .5L0 1Z", "M2.8 0L0 .5L2.8 1Z"), "v_B3"),
-    ("head beside its place", put('refX="2.8"', 'refX="0"'), "v_B3"),
-    ("head that takes its paint from above", lambda text: put("<defs>", '<defs fill="#fff">')(put(' fill="#000000" /></marker>', " /></marker>")(text)), "v_B3"),
-    ("head without ink", put('d="M0 0L2.8 .5L0 1Z" fill="#000000"', 'd="M0 0L2.8 .5L0 1Z" fill="none"'), "v_B3"),
+    ("head drawn backwards", put("M0 .2L2.8 .7L0 1.2Z", "M2.8 .2L0 .7L2.8 1.2Z"), "v_B3"),
+    ("head beside its place", put('refX="3.2"', 'refX="0"'), "v_B3"),
+    ("head that takes its paint from above", lambda text: put("<defs>", '<defs fill="#fff">')(put(' fill="#0b4f9c" stroke="none" /></marker>', " /></marker>")(text)), "v_B3"),
+    ("head without ink", put('d="M0 .2L2.8 .7L0 1.2Z" fill="#0b4f9c"', 'd="M0 .2L2.8 .7L0 1.2Z" fill="none"'), "v_B3"),
+    ("head far off its end", put('refX="3.2"', 'refX="9"'), "v_B3"),
+    ("an arrow aside, alone on its line", mark("v_B3", aside(1.2)), "v_B3"),
     ("an arrow without a name", at_end(ARROW), "arrow"),
     ("one more arrow, wrong", copy_of("v_C", shifted(4)), "v_C"),
     ("one more arrow, longer", copy_of("v_C", having('x2="60"')), "v_C"),
@@ -346,8 +364,11 @@ EX3_1: list[tuple[str, Change, str]] = [
 
 OTHERS: list[tuple[str, str, Change, str]] = [
     ("ex3-7", "guide of the frame moved", mark("link frame guide", having('y1="36" y2="36"')), "frame: ram"),
+    ("p3-6b", "an arrow off its place aside", mark("v_C", aside(0.3)), "v_C"),
+    ("p3-6b", "an arrow far aside", mark("v_C", aside(12)), "v_C"),
+    ("p3-6b", "an arrow aside and along", mark("v_C", shifted(1.2)), "v_C"),
     ("ex3-7", "block turned", mark("link 5 block", having('transform="rotate(1)"')), "5: ram"),
-    ("ex3-7", "head drawn backwards", put("M0 0L2.8 .5L0 1Z", "M2.8 0L0 .5L2.8 1Z"), "v_B3"),
+    ("ex3-7", "head drawn backwards", put("M0 .2L2.8 .7L0 1.2Z", "M2.8 .2L0 .7L2.8 1.2Z"), "v_B3"),
     ("ex3-7", "points shifted against the links", all_points, "1: A B"),
     ("ex3-3", "a wheel of another size", mark("link 2 wheel", lambda t: re.sub(r'\br="[^"]*"', 'r="7"', t)), "2: "),
     ("ex3-3", "vector in defs", mark("v_C", within("<defs>", "</defs>")), "v_C"),

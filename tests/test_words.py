@@ -110,12 +110,12 @@ VELOCITIES_EN = """
 (2) Velocities
   Take the pole p; the fixed points A and D are at rest, so a and d lie on p.
     v_B2 = v_B1 = ω1 l_AB = 10 × 0.024 = 0.24 m/s (⊥AB in the sense of ω1, at 150°)
-  From p lay off pb2 = v_B2/μ_v = 0.24/0.01 = 24 mm.
+  ① From p lay off pb2 = v_B2/μ_v = 0.24/0.01 = 24 mm.
   B3 and B2 are coincident points:
                 v_B3 = v_B2 + v_B3B2
     direction:  ⊥BD    ⊥AB     ∥BC
     size:        ?      √       ?
-  From p draw the line ⊥BD, from b2 the line ∥BC; they meet at b3.
+  ② From p draw the line ⊥BD, from b2 the line ∥BC; they meet at b3.
   Measured: pb3 = 27.12 mm, b2b3 = 32.08 mm; hence
     v_B3 = μ_v·pb3 = 0.01 × 27.12 = 0.2712 m/s (at 72.52° to +x)
     v_B3B2 = μ_v·b2b3 = 0.01 × 32.08 = 0.3208 m/s
@@ -124,7 +124,7 @@ VELOCITIES_EN = """
 (clockwise: p→b3 carried to B turns link 3 so about D)
   Links 2 and 3 slide on each other and do not turn against each other:
     ω2 = ω3 = 3.919 rad/s (clockwise)
-  Velocity image of link 3: △db3c is similar to △DBC, lettered in the same sense; this gives c.
+  ③ Velocity image of link 3: △db3c is similar to △DBC, lettered in the same sense; this gives c.
     v_C = μ_v·pc = 0.01 × 18.81 = 0.1881 m/s (at 15.61° to +x)
 """
 
@@ -133,7 +133,7 @@ ACCELERATIONS_ZH = """
   任取极点 p′；固定点 A、D 不动，故 a′、d′ 与 p′ 重合。
   因 α1 = 0，B 相对 A 只有法向加速度。
     a_B2 = a_B1 = aⁿ_B2A = ω1² l_AB = 10² × 0.024 = 2.4 m/s²（B→A，与 x 轴正向成 240°）
-  由 p′ 作矢量 p′b2′ = a_B2/μ_a = 2.4/0.1 = 24 mm。
+  ④ 由 p′ 作矢量 p′b2′ = a_B2/μ_a = 2.4/0.1 = 24 mm。
   由构件 3 上 B3、D 两点之间以及重合点 B3、B2 之间的加速度关系，有
             a_B3 =  aⁿ_B3D  + aᵗ_B3D = a_B2 +   aᵏ_B3B2   + aʳ_B3B2
     方向：           B→D       ⊥BD     B→A        ⊥BC         ∥BC
@@ -141,9 +141,9 @@ ACCELERATIONS_ZH = """
     aⁿ_B3D = ω3² l_BD = 3.919² × 0.0692 = 1.063 m/s²（B→D，与 x 轴正向成 342.5°）
     aᵏ_B3B2 = 2 ω2 v_B3B2 = 2 × 3.919 × 0.3208 = 2.515 m/s²\
 （将 v_B3B2 沿 ω2 的转向转过 90°：⊥BC，与 x 轴正向成 295.6°）
-  由 p′ 作矢量 p′n3′ = aⁿ_B3D/μ_a = 1.063/0.1 = 10.63 mm。
-  由 b2′ 作矢量 b2′k′ = aᵏ_B3B2/μ_a = 2.515/0.1 = 25.15 mm。
-  过 n3′ 作 ⊥BD 的方向线，过 k′ 作 ∥BC 的方向线，两线交于 b3′。
+  ⑤ 由 p′ 作矢量 p′n3′ = aⁿ_B3D/μ_a = 1.063/0.1 = 10.63 mm。
+  ⑥ 由 b2′ 作矢量 b2′k′ = aᵏ_B3B2/μ_a = 2.515/0.1 = 25.15 mm。
+  ⑦ 过 n3′ 作 ⊥BD 的方向线，过 k′ 作 ∥BC 的方向线，两线交于 b3′。
   由图量得 n3′b3′ = 43.06 mm，k′b3′ = 1.846 mm，p′b3′ = 44.35 mm，于是得
     aᵗ_B3D = μ_a·n3′b3′ = 0.1 × 43.06 = 4.306 m/s²
     aʳ_B3B2 = μ_a·k′b3′ = 0.1 × 1.846 = 0.1846 m/s²
@@ -151,7 +151,7 @@ ACCELERATIONS_ZH = """
     α3 = aᵗ_B3D/l_BD = μ_a·n3′b3′/(μ_l·BD) = 0.1 × 43.06/(0.001 × 69.2) = 62.22 rad/s²\
 （逆时针：将 n3′→b3′ 平移至 B 点，即构件 3 绕 D 点的转向）
     α2 = α3 = 62.22 rad/s²（逆时针）
-  利用加速度影像：作 △d′b3′c′ ∽ △DBC（构件 3），且角标字母顺序方向一致，得 c′。
+  ⑧ 利用加速度影像：作 △d′b3′c′ ∽ △DBC（构件 3），且角标字母顺序方向一致，得 c′。
     a_C = μ_a·p′c′ = 0.1 × 30.76 = 3.076 m/s²（与 x 轴正向成 209.5°）
 """
 

@@ -163,7 +163,7 @@ def _sheets(root: Element) -> Iterator[Element]:
 def mechanism_of(drawing: DrawingFile) -> Mechanism:
     """The mechanism that a drawing carries."""
     text = drawing.claims.get("mechanism")
-    if not isinstance(text, str):
+    if not isinstance(text, str) or not text.strip():
         raise BadDrawing(Where(drawing.file), "mechanism")
     return loading.loads(text, name=Path(drawing.file).stem, file=f"{drawing.file} (mechanism)")
 

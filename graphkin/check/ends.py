@@ -46,20 +46,14 @@ def _aside(vector: _Vector, drawing: DrawingFile, places: _Places, tolerance_mm:
 
 
 def _crowded(vector: _Vector, aside: complex, drawing: DrawingFile) -> bool:
-    """Whether another vector of the plane runs along the line from which this one was moved, or beside it."""
+    """Whether another vector of the plane runs along this one, a step nearer to the line from which it was moved."""
     attributes, tail, head = vector
-    along = (head - tail) / abs(head - tail)
+    along, beside = (head - tail) / abs(head - tail), tail - ASIDE * aside / abs(aside)
     for other, start, end in drawing.vectors:
         if other is attributes or other.get("data-plane") != attributes.get("data-plane"):
             continue
-        offs = [(place - tail + aside) * along.conjugate() for place in (start, end)]
-        steps = round(offs[0].imag / ASIDE)
-        beside = all(abs(off.imag - steps * ASIDE) < _SAME_LINE for off in offs)
-        if beside and abs(steps) <= abs(round(abs(aside) / ASIDE)) and _overlap(offs, abs(head - tail)):
+        offs = [(place - beside) * along.conjugate() for place in (start, end)]
+        low, high = sorted(off.real for off in offs)
+        if all(abs(off.imag) < _SAME_LINE for off in offs) and min(high, abs(head - tail)) > max(low, 0.0):
             return True
     return False
-
-
-def _overlap(offs: list[complex], length: float) -> bool:
-    low, high = sorted(off.real for off in offs)
-    return min(high, length) > max(low, 0.0)

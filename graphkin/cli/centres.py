@@ -66,6 +66,8 @@ def centres(mechanisms: tuple[str, ...], lang: Lang, **options: Any) -> None:
     """
     asked = _Asked(lang=lang, **options)
     if asked.velocities:
+        if asked.steps is not None:
+            raise click.UsageError("--velocities draws one sheet: leave out --steps")
         with said(lang):
             _of_two_velocities(asked)
         return
@@ -192,7 +194,19 @@ def _of_two_velocities(asked: _Asked) -> None:
     from graphkin.centres.two_velocities import from_text
     from graphkin.say.centre_about import pole_words
 
-    click.echo("\n".join(pole_words(from_text(asked.velocities), asked.lang)))
+    found = from_text(asked.velocities)
+    if asked.output is None:
+        click.echo("\n".join(pole_words(found, asked.lang)))
+        return
+    from graphkin.outputs import svg
+    from graphkin.sheet.pole_sheet import pole_sheet
+
+    text = svg.svg(pole_sheet(found, asked.lang, paper=asked.paper))
+    if str(asked.output) == "-":
+        click.echo(text, nl=False)
+        return
+    svg.write(asked.output, text, asked.force)
+    click.echo(str(asked.output))
 
 
 # --- drawings ---------------------------------------------------------------------------------

@@ -60,7 +60,7 @@ def linkage(
 
         click.echo(json_line(data(report)) if as_json else "\n".join(([""] if k else []) + lines))
     if output is not None:
-        _draw(output, told[0][0], mechanism, paper, force, lang)
+        _draw(output, [report for report, _ in told], mechanism, paper, force, lang)
 
 
 def _of_lengths(given: dict[str, tuple[str, ...]], by: str, lang: Lang) -> Iterator[tuple[Report, list[str]]]:
@@ -108,10 +108,12 @@ def _held(mechanism: str | None, given: dict[str, tuple[str, ...]], by: str, lin
     return held(replace(machine, name=kind, file=f"{kind}.toml"), link).text
 
 
-def _draw(output: Path, report: Report, mechanism: str | None, paper: str | None, force: bool, lang: Lang) -> None:
+def _draw(
+    output: Path, reports: list[Report], mechanism: str | None, paper: str | None, force: bool, lang: Lang
+) -> None:
     from graphkin.outputs import svg
     from graphkin.sheet.linkage_sheet import limit_sheet
 
     title = read(mechanism).headline(lang) if mechanism not in (None, "-") else ""
-    svg.write(output, svg.svg(limit_sheet(report, lang, paper=paper, title=title)), force)
+    svg.write(output, svg.svg(limit_sheet(reports, lang, paper=paper, title=title)), force)
     click.echo(str(output), err=True)

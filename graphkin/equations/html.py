@@ -16,10 +16,12 @@ body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font-family: "Times
   "Noto Serif CJK SC", "Songti SC", SimSun, serif; line-height: 1.5; color: #000; background: #fff; }
 h1 { font-size: 1.5rem; } h2 { font-size: 1.2rem; border-bottom: 1px solid #999; } h3 { font-size: 1rem; }
 figure { margin: 1rem 0; text-align: center; } figure svg { max-width: 100%; height: auto; }
-.equation { display: flex; align-items: center; margin: 0.6rem 0 0.6rem 2rem; }
-.rows { flex: 1; overflow-x: auto; } .rows math { display: block; margin: 0.35rem 0; text-align: left; }
+.equation { display: flex; flex-wrap: wrap; align-items: center; margin: 0.6rem 0 0.6rem 2rem; }
+.equation > span { margin-left: auto; padding-left: 1rem; } .rows { flex: 1 0 max-content; }
+.rows math { display: block; margin: 0.35rem 0; text-align: left; }
 table { border-collapse: collapse; } th, td { text-align: left; padding: 0.15rem 1rem 0.15rem 0; }
-math { font-family: "STIX Two Math", "Cambria Math", "Latin Modern Math", "Libertinus Math", math; }
+math { font-family: "STIX Two Math", "Cambria Math", "Latin Modern Math", "Libertinus Math", "XITS Math",
+  "TeX Gyre Termes Math", "DejaVu Math TeX Gyre", math; }
 mtd { padding: 0.25em 0.6em; }
 /* brackets of a matrix: drawn, since they only stretch in fonts made for mathematics */
 .matrix { --b: linear-gradient(#000, #000); border: solid #000; border-width: 0 1px; margin: 0 0.25em;

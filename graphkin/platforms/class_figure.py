@@ -40,7 +40,8 @@ def write_class_figure(path: Path, report: ClassReport, lang: Lang = "en", force
         raise diagram.NotADiagram(str(path))
     spoken: Lang = lang if chinese_font() is not None else "en"
     with beside(path, force, (diagram.MARK.encode(),)) as draft, diagram.settings():
-        class_figure(report, spoken).savefig(draft, format=kind[1:], dpi=200, metadata=diagram.metadata(kind))
+        about = diagram.metadata(kind, say("class_report.part steps", spoken))
+        class_figure(report, spoken).savefig(draft, format=kind[1:], dpi=200, metadata=about)
     return NoChineseFont() if lang != spoken else None
 
 

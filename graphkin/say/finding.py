@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from graphkin.errors import Lang
 from graphkin.finding.answers import Findings, Interval, Phase, Position, SlowPoint, Speeds
 from graphkin.finding.conditions import Comparison, Scaling, Slowest
 from graphkin.mechanism import Driver
 from graphkin.quantities import driven
+from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.numbers import exact, quantity
 
@@ -35,11 +36,12 @@ def _gravity(found: Findings) -> bool:
     return isinstance(wanted, Comparison) and (wanted.size or wanted.other.rstrip().endswith("g"))
 
 
-def _values(found: Findings, position: Position) -> str:
+def _values(found: Findings, position: Position, called: Callable[[str], str] = str) -> str:
     size = isinstance(found.condition, Comparison) and found.condition.size
     values = map(abs, position.values) if size else position.values
     entries = zip(found.quantities, found.units, values)
-    return ", ".join(f"{name} = {quantity(value, unit, gravity=_gravity(found))}" for name, unit, value in entries)
+    shown = ((called(name), quantity(value, unit, gravity=_gravity(found))) for name, unit, value in entries)
+    return ", ".join(f"{name} = {value}" for name, value in shown)
 
 
 # --- lines ------------------------------------------------------------------------------------
@@ -181,7 +183,8 @@ def _accelerations(found: Findings, entry: Speeds) -> str:
 
 
 def caption(found: Findings, position: Position) -> str:
-    """What stands under a position on the sheet: `AB = 26.38 deg: v C = 0 m/s`."""
-    at = f"{found.drivers[found.swept].name} = {_driven(found.drivers[found.swept], position.drivers[found.swept])}"
-    values = _values(found, position)
-    return (f"{at}: {values}" if values else at).replace(" deg", "°").replace("^2", "²")
+    """What stands under a position on the sheet: `φ_AB = 26.38°: v_C = 0 m/s`."""
+    driver, value = found.drivers[found.swept], position.drivers[found.swept]
+    at = f"{'s' if driver.kind == 'slide' else 'φ'}_{driver.name} = {_driven(driver, value)}"
+    values = _values(found, position, names.asked)
+    return (f"{at}: {values}" if values else at).replace(" deg", "°").replace("^2", "²").replace("= -", "= −")

@@ -68,6 +68,25 @@ def vector(name: str) -> str:
     return letter + "".join(_RAISED[c] for c in part or "") + "_" + sites
 
 
+def asked(text: str) -> str:
+    """A question as the field writes it: `aᵏ_B3B2` of `a_k B3B2`, `v_E,x` of `v_x E`, `ω3` of `omega 3`."""
+    if " / " in text:
+        return " / ".join(map(asked, text.split(" / ")))
+    word, _, of = text.partition(" ")
+    letter, _, part = word.partition("_")
+    sign = _GREEK.get(letter, letter)
+    if not of:
+        return text
+    if sign != letter:
+        return of_link(sign, of)
+    if part in ("x", "y"):
+        return f"{sign}_{point(of)},{part}"
+    return sign + "".join(_RAISED[c] for c in part) + "_" + point(of)
+
+
+_GREEK = {"theta": "θ", "omega": "ω", "alpha": "α"}
+
+
 def of_link(symbol: str, link: str) -> str:
     """`ω3`; `ω_guide` for a link called by a word."""
     return symbol + ("" if link[0].isdigit() else "_") + point(link)

@@ -9,6 +9,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
+from itertools import islice
 
 import numpy as np
 
@@ -36,6 +37,8 @@ _NARROWER = (75.0, 50.0, 30.0)
 """What is given is written in shorter lines where long ones have no room [mm]."""
 _SHORT = 5.0
 """A shorter length is told by words alone [mm]."""
+_TRIED = 12
+"""So many places are tried for an arc whose letter finds no room beside it."""
 _HALF = 0.9
 """Half of the width that an arc with its head takes [mm]."""
 _LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": ("α", "acceleration")}
@@ -102,7 +105,7 @@ class Annotated:
             return []
         step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, value)
         label = quantity_label(letter, self.reading.mechanism.called(link))
-        for at, radius, start in self._places(link, sense, free):
+        for at, radius, start in islice(self._places(link, sense, free), _TRIED):
             middle = start * cmath.rect(1, -sense * SWEEP / 2)
             want = Wanted(label, at + middle * radius, gap=0.9, away=middle, step=step)
             arc = [_accented(mark, plane) for mark in spin(at, start, sense, radius, step)]

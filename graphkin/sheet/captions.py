@@ -24,7 +24,8 @@ from graphkin.value import frozen
 
 _LINE = 1.4
 """From base line to base line, as a part of the letters' size."""
-_PIECES = re.compile(r"[^\s\u2e80-\uffef]+[\u3001\u3002\uff0c\uff1b]?|[\u2e80-\uffef][\u3001\u3002\uff0c\uff1b\uff09]?|\s+")
+_STOPS = r"[\u3001\u3002\uff0c\uff1b\uff09]?"
+_PIECES = re.compile(rf"[^\s\u2e80-\uffef]+{_STOPS}|[\u2e80-\uffef]{_STOPS}|\s+")
 
 
 @frozen

@@ -37,7 +37,7 @@ from graphkin.sheet.alone import Alone
 from graphkin.sheet.curves import clipped
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
 from graphkin.sheet.marks import Arc, Disc, Stroke
-from graphkin.sheet.paper import PenName
+from graphkin.sheet.paper import BODY, PenName
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
@@ -48,6 +48,8 @@ _NEAR = 0.25
 """Points nearer than this on paper are one [mm]."""
 _DOT = 0.45
 _PENS: Mapping[str, PenName] = {"admissible": "thin", "FG": "dashed", "minor": "dashed"}
+_SQUARE = 2.2
+"""Side of the square in a right angle [mm]."""
 _ARC = 13.0
 """Radius of the arcs that show angles [mm]."""
 _PART = math.radians(14)
@@ -264,12 +266,31 @@ class DesignFigure:
             yield from self._angle(at["C"], at["B1"], at["B2"], "ψ = θ", one.theta, 2)
             return
         yield from self._angle(at["A"], at["C1"], at["C2"], "θ", one.theta, self._last)
+        yield from self._seen_under()
         if one.swing is not None and "D" in at:
             yield from self._angle(at["D"], at["C1"], at["C2"], "ψ", one.swing, 2)
         if one.stroke is not None:
             ends = self.on.window(at["C1"]), self.on.window(at["C2"])
             label = self._valued("H", 1e3 * one.stroke, " mm")
             yield Wanted(label, ends[0], ends[1], gap=3.4, step=2, spare=True)
+
+    def _seen_under(self) -> Iterator[Entry]:
+        """The triangle on C1C2 that gives the circle: 90° at C2, 90° − θ at C1."""
+        if not {"C1", "C2", "P"} <= self.places.keys():
+            return
+        first, second, third = (self.on.window(self.places[name]) for name in ("C1", "C2", "P"))
+        back, down, stage = first - second, third - second, self.construction.born("P")
+        if abs((back.conjugate() * down).real) > 1e-6 * abs(back * down) or min(abs(back), abs(down)) < 3 * _SQUARE:
+            return
+        a, b = back / abs(back) * _SQUARE, down / abs(down) * _SQUARE
+        yield Stroke((second + a, second + a + b, second + b), "construction", step=stage)
+        yield Wanted(plain("90°"), second + a + b, gap=0.5, away=a + b, size=BODY, step=stage, spare=True)
+        start, sweep = cmath.phase(-back), cmath.phase((third - first) / -back)
+        radius = min(_ARC, 0.5 * abs(back))
+        yield Arc(first, radius, start, sweep, "thin", step=stage)
+        middle = cmath.rect(radius, start + sweep / 2)
+        label = (*plain("90° − "), Run("θ", True))
+        yield Wanted(label, first + middle, gap=0.6, away=middle, size=BODY, step=stage, spare=True)
 
     def _angle(
         self, centre: complex, first: complex, second: complex, letter: str, value: float, stage: int

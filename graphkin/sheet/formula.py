@@ -29,6 +29,11 @@ def formula(text: str) -> Label:
     return tuple(runs + _upright(text[at:]))
 
 
+def points_label(text: str) -> Label:
+    """`AB`, `O1B`: points one after another; a name in small letters as it is, in italics."""
+    return tuple(_points(text)) or (Run(text, True),)
+
+
 def _upright(text: str) -> list[Run]:
     return [Run(text)] if text else []
 

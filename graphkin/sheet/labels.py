@@ -108,7 +108,7 @@ def _leader(spot: Candidate, half: complex, want: Wanted) -> Mark:
     off = spot.anchor - spot.middle
     edge = complex(max(-half.real, min(half.real, off.real)), max(-half.imag, min(half.imag, off.imag)))
     way = off - edge
-    begin = spot.middle + edge + way / abs(way) * 0.5 if abs(way) > 1 else spot.middle + edge
+    begin = spot.middle + edge + way / abs(way) * 0.3 if abs(way) > 1 else spot.middle + edge
     return Stroke((begin, spot.anchor), "leader", step=want.step)
 
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -34,8 +33,6 @@ _NARROWEST = 46.0
 """A heading wants at least so much [mm]."""
 _MECHANISM = 1.3
 """How much more the mechanism counts: its signs keep their size and need room between them."""
-_IN_ORDER = 0.12
-"""What it is worth that the figures follow one another as they are drawn."""
 _INK = 2.0
 """What it is worth that the paper is used."""
 _LARGE_ENOUGH = 130.0
@@ -44,6 +41,8 @@ _LARGE_ENOUGH = 130.0
 
 Height = Callable[[Paper], float]
 """What the tables and the title need on a paper [mm]."""
+Divisions = Callable[[Room, tuple[Plane, ...]], Iterator[dict[Plane, Room]]]
+"""Ways to divide a field, each with all its shares."""
 
 
 @frozen
@@ -122,9 +121,10 @@ def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: S
     Raises TooLargeForPaper where a given scale is too fine for every paper.
     """
     for size in dict.fromkeys(p.width * p.height for p in candidates):
-        best = _best([p for p in candidates if p.width * p.height == size], extents, strip_height)
-        if best is not None:
-            return best
+        papers = [p for p in candidates if p.width * p.height == size]
+        for ways in (_divisions, _other_divisions):
+            if (best := _best(papers, extents, strip_height, ways)) is not None:
+                return best
     raise _too_large(extents, strip_height, candidates)
 
 
@@ -138,18 +138,20 @@ def headed(
     same = [paper for paper in papers if paper.width * paper.height == area]
     for planes in (over, *([plane] for plane in over if len(over) > 1)):
         wanted = {plane: e if plane in planes else replace(e, over=None) for plane, e in extents.items()}
-        found = _best(same, wanted, strip_height) if planes else None
+        found = _best(same, wanted, strip_height, _divisions) if planes else None
         if found is not None and all(found.scales[p] <= layout.scales[p] * coarser for p in extents):
             return replace(found, headed=tuple(planes))
     return layout
 
 
-def _best(papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Height) -> Layout | None:
+def _best(
+    papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Height, divisions: Divisions
+) -> Layout | None:
     """The first of the best divisions, None where nothing fits."""
     best, found = -math.inf, None
     for paper in papers:
         field, strip = divided(paper, strip_height(paper))
-        ways = list(_divisions(field, tuple(extents)))
+        ways = list(divisions(field, tuple(extents)))
         scales = [{plane: _scales(extents[plane], rooms[plane]) for plane in extents} for rooms in ways]
         area = field.size.real * field.size.imag
         for way, rooms in enumerate(ways):
@@ -190,9 +192,7 @@ def _score(
         wide, high = wide + extent.reach.real, high + extent.reach.imag
         total += 0.15 * np.log(1 + np.minimum(room.right - room.left - wide, room.bottom - room.top - high))
         inked += wide * high / area
-    corners = [rooms[plane].top + 0.3 * rooms[plane].left for plane in extents]
-    in_order = np.all([first <= second for first, second in pairwise(corners)], axis=0)
-    return total + _INK * np.log(inked) + np.where(in_order, _IN_ORDER, 0.0)
+    return total + _INK * np.log(inked)
 
 
 def _worth(plane: Plane, large: Any, labels: int) -> Any:
@@ -212,15 +212,19 @@ def _too_large(
     large = [paper for paper in papers if paper.width * paper.height == area]
     for freed in (*([plane] for plane in given), given):
         loose = {plane: replace(e, given=None) if plane in freed else e for plane, e in extents.items()}
-        found = _best(large, loose, strip_height)
+        found = _best(large, loose, strip_height, _other_divisions)
         if found is not None:
             plane = freed[0]
             scale, fits = extents[plane].given, found.scales[plane]
-            while _best(large, loose | {plane: replace(loose[plane], given=finer(fits))}, strip_height):
+            while _best(large, _with_scale(loose, plane, finer(fits)), strip_height, _other_divisions):
                 fits = finer(fits)
             assert scale is not None
             return TooLargeForPaper(NOWHERE, KEYS[plane], scale, fits, large[0].name[:2], UNITS[plane])
     raise AssertionError("free scales fit every paper")
+
+
+def _with_scale(extents: Mapping[Plane, Extent], plane: Plane, scale: float) -> Mapping[Plane, Extent]:
+    return {**extents, plane: replace(extents[plane], given=scale)}
 
 
 # --- ways to divide a field -------------------------------------------------------------------
@@ -229,21 +233,28 @@ _SHARES = np.arange(6, 27) / 32
 
 
 def _divisions(field: Room, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, Room]]:
-    """Rooms for one, two or three figures, each way with all its shares."""
+    """Rooms in the order of drawing: one after the other, or the first beside or over the others."""
     if len(planes) == 1:
         yield {planes[0]: field}
-    elif len(planes) == 2:
+        return
+    share, other = np.repeat(_SHARES, len(_SHARES)), np.tile(_SHARES, len(_SHARES))
+    for across in (True, False):
+        if len(planes) == 2:
+            yield dict(zip(planes, _cut(field, _SHARES, across), strict=True))
+            continue
+        yield _three(field, planes, planes[0], share, other, across)
+        first, rest = _cut(field, share, across)
+        yield dict(zip(planes, (first, *_cut(rest, other, across)), strict=True))
+
+
+def _other_divisions(field: Room, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, Room]]:
+    """Those, and any of three figures beside or over the others: for given scales."""
+    yield from _divisions(field, planes)
+    share, other = np.repeat(_SHARES, len(_SHARES)), np.tile(_SHARES, len(_SHARES))
+    if len(planes) == 3:
         for across in (True, False):
-            first, second = _cut(field, _SHARES, across)
-            yield {planes[0]: first, planes[1]: second}
-    else:
-        share, other = np.repeat(_SHARES, len(_SHARES)), np.tile(_SHARES, len(_SHARES))
-        for across in (True, False):
-            for alone in planes if not across else (planes[0], planes[2]):
+            for alone in planes[1:]:
                 yield _three(field, planes, alone, share, other, across)
-        for across in (True, False):
-            first, rest = _cut(field, share, across)
-            yield dict(zip(planes, (first, *_cut(rest, other, across)), strict=True))
 
 
 def _three(

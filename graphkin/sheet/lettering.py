@@ -128,7 +128,7 @@ def box(label: Label, size: float) -> tuple[float, float, float]:
 
 def _hangs(label: Label) -> bool:
     """Whether a letter goes below the base line."""
-    return any(c in "gjpqyμφψγ,;()Q" for run in label for c in run.text)
+    return any(c in "fgjpqyμφψγ,;()Q" for run in label for c in run.text)
 
 
 # --- names ------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from itertools import combinations
 
 from graphkin.linkages import Linkage
 from graphkin.linkages.linkage import LinkagePosition
@@ -15,9 +16,11 @@ from graphkin.mechanism import FRAME
 from graphkin.sheet import symbols
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.fixed_link import grounds
+from graphkin.sheet.formula import points_label
 from graphkin.sheet.lettering import Label, Run, point_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke
 from graphkin.sheet.mechanism_figure import moving_links
+from graphkin.sheet.paper import BODY
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wanted import Wanted
@@ -27,6 +30,8 @@ Row = Sequence[LinkagePosition]
 """Positions drawn over each other."""
 
 
+_SHORT = 8.0
+"""A shorter bar bears no letters of its own [mm]."""
 _TRIAL = 80.0
 """Size of a figure when it is drawn to see how far its signs reach [mm]."""
 
@@ -52,7 +57,17 @@ def drawn_over(linkage: Linkage, positions: Row, window: Window, primes: bool = 
     marks = list(grounds(first, *others).marks)
     for skeleton in reversed(others):
         marks += [_thin(mark) for mark in _links(linkage, skeleton)]
-    return Figure([*marks, *_links(linkage, first)], list(_names(linkage, positions, first, primes)))
+    wanted = [*_names(linkage, positions, first, primes), *_bars(linkage, positions[0], window)]
+    return Figure([*marks, *_links(linkage, first)], wanted)
+
+
+def _bars(linkage: Linkage, position: LinkagePosition, window: Window) -> Iterator[Wanted]:
+    """The links by their ends, as their lengths are called, where there is room for it."""
+    named = zip(linkage.names, on_paper(position, window), strict=True)
+    for (one, start), (other, end) in combinations(named, 2):
+        name = next((name for name in (one + other, other + one) if name in linkage.sizes), "")
+        if name and abs(end - start) > _SHORT:
+            yield Wanted(points_label(name), start, end, gap=1.2, size=BODY, spare=True)
 
 
 def _links(linkage: Linkage, skeleton: Skeleton) -> Iterator[Mark]:

@@ -6,6 +6,7 @@ positions between which the transmission angle lies. Both at one true scale.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from graphkin.errors import Lang
@@ -17,32 +18,50 @@ from graphkin.say.numbers import angle as degrees
 from graphkin.sheet.layout import divided, papers_for
 from graphkin.sheet.linkage_angles import dimensioned_limits, dimensioned_transmission
 from graphkin.sheet.linkage_figure import drawn_over, pictured
-from graphkin.sheet.page import Page, Sheet
+from graphkin.sheet.linkage_table import linkage_tables
+from graphkin.sheet.page import Page, Panel, Sheet
+from graphkin.sheet.paper import Room
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
 
+_ON_A4 = 2
+"""So many linkages are drawn on A4."""
 _CAPTION = 22.0
 """Room for a caption of four lines under each figure [mm]."""
 
 
-def limit_sheet(report: Report, lang: Lang = "en", *, paper: str | None = None, title: str = "") -> Sheet:
-    """The sheet of a report.
+def limit_sheet(reports: Sequence[Report], lang: Lang = "en", *, paper: str | None = None, title: str = "") -> Sheet:
+    """The sheet of the linkages of a mechanism, or of one by itself: a row of figures each, at one scale.
 
-    paper   a key of `PAPERS`; A4 on its side where left out
-    title   of the title block; the kind where left out
+    paper   a key of `PAPERS`; A4 on its side where left out, A3 for three linkages and more
+    title   of the title block; the kind of the first where left out
 
     Raises UnknownPaper.
     """
-    chosen = papers_for(paper or "A4-landscape")[0]
-    pictures = _pictures(report, lang)
-    field, foot = divided(chosen, strip_height(chosen))
-    cells = field.cells(len(pictures), len(pictures) if chosen.landscape else 1)
-    scale = max(picture.scale(cell) for picture, cell in zip(pictures, cells))
-    panels = [picture.panel(cell, scale) for picture, cell in zip(pictures, cells)]
-    machine = _mechanism(report, title or kind_name(report, lang))
+    chosen = papers_for(paper or ("A4-landscape" if len(reports) <= _ON_A4 else "A3-landscape"))[0]
+    rows, tables = [_pictures(report, lang, len(reports) > 1) for report in reports], linkage_tables(reports)
+    field, foot = divided(chosen, strip_height(chosen, tables))
+    placed = _placed(rows, field, chosen.landscape)
+    panels = [panel for row in placed for panel in _panels(row, len(rows) > 1)]
+    machine = _mechanism(reports[0], title or kind_name(reports[0], lang))
     drivers = [driver.value or 0.0 for driver in machine.drivers]
-    return Page(chosen, panels, machine, drivers, lang, Strip(foot)).sheet()
+    return Page(chosen, panels, machine, drivers, lang, Strip(foot, tables)).sheet()
+
+
+def _placed(rows: Sequence[list[Picture]], field: Room, landscape: bool) -> Iterator[list[tuple[Picture, Room]]]:
+    """Each figure with its cell: a row a linkage; a single one's over one another on upright paper."""
+    for pictures, row in zip(rows, field.cells(len(rows), 1), strict=True):
+        columns = 1 if len(rows) == 1 and not landscape else len(pictures)
+        yield list(zip(pictures, row.cells(len(pictures), columns), strict=True))
+
+
+def _panels(row: list[tuple[Picture, Room]], told: bool) -> Iterator[Panel]:
+    """A linkage's figures at one scale; with `told`, which the captions give."""
+    scale = max(picture.scale(cell) for picture, cell in row)
+    for picture, cell in row:
+        shown = picture.captioned(f"(1:{scale * 1e3:g}) ") if told else picture
+        yield shown.panel(cell, scale)
 
 
 def _mechanism(report: Report, headline: str) -> Mechanism:
@@ -53,7 +72,8 @@ def _mechanism(report: Report, headline: str) -> Mechanism:
 # --- what is drawn ------------------------------------------------------------------------------
 
 
-def _pictures(report: Report, lang: Lang) -> list[Picture]:
+def _pictures(report: Report, lang: Lang, several: bool) -> list[Picture]:
+    """With `several`, captions begin with the letters of the linkage."""
     found = []
     if report.limits:
         found.append(_limits(report, lang))
@@ -62,7 +82,8 @@ def _pictures(report: Report, lang: Lang) -> list[Picture]:
     if not found:
         ends, name = report.critical[:2], kind_name(report, lang)
         found.append(pictured(ends, lambda window: drawn_over(report.linkage, ends, window), _caption(name)))
-    return found
+    name = "".join(report.linkage.names)
+    return [one.captioned(f"{name}: ") for one in found] if several else found
 
 
 def _caption(*texts: str) -> Caption:

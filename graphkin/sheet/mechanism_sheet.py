@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from typing import Literal
 
 from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
@@ -100,9 +100,8 @@ def _given(drawing: _Planes, paper: str | None, lang: Lang, tight: bool) -> Shee
 def _whole(work: _Work, paper: str | None) -> _Composed:
     """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
     for _ in range(_TRIALS):
-        layout = _cut(work, paper)
-        best = work.on(layout)
-        whole = work.on(layout, far=True) if best.lettered.lost else best
+        best = _cut(work, paper)
+        whole = work.on(best.layout, far=True) if best.lettered.lost else best
         if not whole.lettered.left_out or work.tight:
             break
         work = replace(work, apart=[*work.apart, *whole.lettered.left_out])
@@ -197,12 +196,12 @@ def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iter
     return (captions.sheet(whole, number, strip) for number in numbers or range(1, len(captions.acts) + 1))
 
 
-def _cut(work: _Work, paper: str | None) -> Layout:
-    """The paper divided; cut to a single figure, where it was not asked for."""
-    layout = _divided(work, paper).layout
+def _cut(work: _Work, paper: str | None) -> _Composed:
+    """On the paper divided; cut to a single figure, where the paper was not asked for."""
+    best = _divided(work, paper)
     if len(work.planes) > 1 or not (work.tight or paper is None):
-        return layout
-    return cut_to(layout, work.planes[0], work.extent(layout, work.planes[0]))
+        return best
+    return work.on(cut_to(best.layout, work.planes[0], work.extent(best.layout, work.planes[0])))
 
 
 def _divided(work: _Work, paper: str | None) -> _Composed:
@@ -265,11 +264,15 @@ class _Work:
     def layout(self, papers: Sequence[Paper], crowded: Collection[Plane] = (), more: int = 1) -> Layout:
         """The best division; crowded planes count as if they had more labels."""
         extents = {p: replace(e, labels=e.labels * more) if p in crowded else e for p, e in self.extents.items()}
-        height: Height = partial(strip_height, found=self.found, equations=self.apart)
         if self.tight:
-            height, papers = (lambda paper: 0.0), [replace(paper, margin=0.0) for paper in papers]
-        plain = lay_out({plane: replace(extent, over=None) for plane, extent in extents.items()}, height, papers)
-        return headed(plain, extents, height, papers, _COARSER)
+            papers = [replace(paper, margin=0.0) for paper in papers]
+        plain = lay_out({plane: replace(extent, over=None) for plane, extent in extents.items()}, self.height, papers)
+        return headed(plain, extents, self.height, papers, _COARSER)
+
+    @cached_property
+    def height(self) -> Height:
+        """What the strip needs on a paper [mm], reckoned once for each."""
+        return cache(partial(strip_height, found=self.found, equations=self.apart)) if not self.tight else lambda _: 0.0
 
     def roomier(self, composed: _Composed, papers: Sequence[Paper]) -> _Composed:
         """The same size of paper divided for the planes where labels found no place, if there are and that helps."""

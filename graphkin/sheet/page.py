@@ -131,6 +131,10 @@ class Panel:
         """Everything but the labels, which keep off it."""
         return [*self.before, *self.figure.marks]
 
+    def lettered(self, far: bool, off: Sequence[Mark] = ()) -> Settled:
+        """Its labels at their places; `off`: what else they keep off."""
+        return settle(self.figure.wanted, [*self.drawn, *off], self.room, far)
+
 
 @frozen
 class Page:
@@ -166,7 +170,7 @@ class Page:
 
     def lettered(self, far: bool = True) -> Lettered:
         """With its labels; `far`: where some of a panel find no place near what they name, all may go farther off."""
-        return Lettered(self, [settle(one.figure.wanted, one.drawn, one.room, far) for one in self.panels], far)
+        return Lettered(self, [panel.lettered(far) for panel in self.panels], far)
 
     def sheet(self) -> Sheet:
         return self.lettered().sheet
@@ -202,7 +206,7 @@ class Lettered:
     def _finished(self, panel: Panel, settled: Settled) -> tuple[Settled, Added]:
         if panel.more is None:
             return settled, Added()
-        off = settle(panel.figure.wanted, [*panel.drawn, *panel.more.lines()], panel.room, self.far)
+        off = panel.lettered(self.far, panel.more.lines())
         if _worth(off) <= _worth(settled):
             settled = off
         return settled, panel.more([*panel.drawn, *settled.marks, *panel.after], panel.room)

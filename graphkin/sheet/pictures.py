@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 from graphkin.sheet.fit import Extent
-from graphkin.sheet.lettering import plain, width
+from graphkin.sheet.formula import formula
+from graphkin.sheet.lettering import width
 from graphkin.sheet.marks import Text
 from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import BODY, Room
@@ -32,7 +34,7 @@ class Caption:
         pen = cell.bottom - self.height + self.first
         for text in self.texts:
             for line in broken(text, BODY, cell.size.real - 2 * self.sides):
-                label = plain(line)
+                label = formula(line)
                 yield Text(label, complex((cell.left + cell.right - width(label, BODY)) / 2, pen), BODY)
                 pen += self.pitch
 
@@ -44,6 +46,11 @@ class Picture:
     extent: Extent
     draw: Callable[[Window], Figure]
     caption: Caption
+
+    def captioned(self, start: str) -> Picture:
+        """With a word before what is said under it."""
+        first, *others = self.caption.texts
+        return replace(self, caption=replace(self.caption, texts=(start + first, *others)))
 
     def scale(self, cell: Room) -> float:
         """At which it fits a cell [m/mm]."""

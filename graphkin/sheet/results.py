@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from functools import cached_property
 from itertools import pairwise
 
 from graphkin.construction import Node, Plane, Plot
@@ -43,7 +44,7 @@ class Table:
     head: tuple[Label, ...]
     rows: tuple[tuple[Label, ...], ...]
 
-    @property
+    @cached_property
     def widths(self) -> list[float]:
         """Width of each column [mm]."""
         found = []
@@ -54,11 +55,15 @@ class Table:
 
     def before(self, cell: Label, column: int) -> float:
         """What a number leaves free before it [mm]."""
-        if (own := _whole(cell)) is None:
-            return 0.0
-        return max(filter(None, (_whole(row[column]) for row in self.rows)), default=own) - own
+        own = _whole(cell)
+        return self._points[column] - own if own is not None else 0.0
 
-    @property
+    @cached_property
+    def _points(self) -> list[float]:
+        """How far before its point the widest number of each column begins [mm]."""
+        return [max((_whole(row[k]) or 0.0 for row in self.rows), default=0.0) for k in range(len(self.head))]
+
+    @cached_property
     def wide(self) -> float:
         return sum(self.widths) + sum(self.gaps)
 

@@ -83,7 +83,7 @@ def write(
     refuse(path, force)
     drawn = figure(course, names, lang, by)
     with files.beside(path, force, (MARK.encode(),)) as draft, settings():
-        drawn.savefig(draft, format=kind[1:], dpi=DPI, metadata=metadata(kind))
+        drawn.savefig(draft, format=kind[1:], dpi=DPI, metadata=metadata(kind, course.method.mechanism.headline(lang)))
     wanted = lang == "zh" or has_chinese(course.method.mechanism.headline(lang)) or any(map(has_chinese, names))
     return NoChineseFont() if wanted and chinese_font() is None else None
 
@@ -93,12 +93,12 @@ def refuse(path: Path, force: bool) -> None:
     files.refuse(path, force, (MARK.encode(),))
 
 
-def metadata(kind: str) -> dict[str, Any]:
-    """Who wrote it, and no time."""
+def metadata(kind: str, title: str) -> dict[str, Any]:
+    """What it is, who wrote it, and no time."""
     if kind == ".png":
         return {"Software": f"graphkin {MARK}"}
     if kind == ".svg":
-        return {"Creator": f"graphkin {MARK}", "Date": None}
+        return {"Title": title, "Creator": f"graphkin {MARK}", "Date": None}
     return {"Creator": f"graphkin {MARK}", "Producer": None, "CreationDate": None}
 
 
@@ -116,7 +116,7 @@ def settings() -> Iterator[None]:
                 "mathtext.fontset": "stix",
                 "mathtext.fallback": None,
                 "svg.hashsalt": "graphkin",
-                "svg.fonttype": "path",
+                "svg.fonttype": "none",
                 "pdf.fonttype": 3,  # outlines: as 42, letters of OpenType Chinese fonts are not seen
                 "text.hinting": "no_hinting",
                 "path.simplify": False,

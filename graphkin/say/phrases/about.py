@@ -3,6 +3,7 @@
 from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
+    "pole title": ("Pole of a body from two velocities", "由两点速度求瞬心"),
     "assumed": (
         "No driver moves: each is taken to move at 1 rad/s (1 m/s).",
         "原动件均未给定速度：各按 1 rad/s（1 m/s）计算。",

@@ -1,0 +1,107 @@
+"""The pole of a body from two of its velocities, constructed on paper: perpendiculars, or similar triangles."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+
+from graphkin.centres.two_velocities import TwoVelocities
+from graphkin.errors import Lang
+from graphkin.mechanism import FRAME, Link, Mechanism
+from graphkin.say.catalogue import in_both
+from graphkin.say.centre_about import pole_words
+from graphkin.sheet.fit import Extent
+from graphkin.sheet.layout import divided, papers_for
+from graphkin.sheet.lettering import Run, number, plain, point_label, quantity_label
+from graphkin.sheet.marks import Disc, Place, Stroke
+from graphkin.sheet.page import Page, Sheet
+from graphkin.sheet.pictures import Caption, Picture
+from graphkin.sheet.results import Table
+from graphkin.sheet.scales import finest
+from graphkin.sheet.symbols import arrow_head, spin
+from graphkin.sheet.titleblock import Strip, strip_height
+from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.window import Entry, Figure, Window
+
+_ARROW = 45.0
+"""The greater velocity is drawn no longer than this [mm]."""
+_BEYOND = 12.0
+"""How far lines go on [mm]; a line that meets none, so much more."""
+_SQUARE, _RADIUS = 2.2, 9.0
+_FOOT = 24.0
+"""Room for what is said under the figure [mm]."""
+
+
+def pole_sheet(found: TwoVelocities, lang: Lang = "en", *, paper: str | None = None) -> Sheet:
+    """Raises UnknownPaper."""
+    chosen = papers_for(paper or "A4-landscape")[0]
+    fastest = max(map(abs, found.velocities))
+    speed = finest(complex(fastest, fastest), complex(_ARROW, _ARROW))
+
+    def draw(window: Window) -> Figure:
+        return Figure.of(_drawn(found, window, speed))
+
+    places = [*found.points, *([found.place] if cmath.isfinite(found.place) else [])]
+    caption = Caption(tuple(pole_words(found, lang)), _FOOT)
+    tables = [Table((plain(""), plain("")), tuple(_rows(found)))]
+    field, foot = divided(chosen, strip_height(chosen, tables))
+    picture = Picture(Extent.of(places, draw), draw, caption)
+    strip = Strip(foot, tables, further={"velocity": speed} if fastest else {})
+    title = in_both("about.pole title")
+    machine = Mechanism("velocities", "1", {FRAME: Link(FRAME, {})}, title=title, file="velocities")
+    return Page(chosen, [picture.panel(field, picture.scale(field))], machine, (), lang, strip).sheet()
+
+
+def _rows(found: TwoVelocities) -> Iterator[tuple[tuple[Run, ...], tuple[Run, ...]]]:
+    if cmath.isfinite(found.place):
+        for letter, value in (("x", found.place.real), ("y", found.place.imag)):
+            yield quantity_label(letter, "P"), (*number(value * 1e3), Run(" mm"))
+    yield quantity_label("ω", ""), (*number(abs(found.omega)), Run(" rad/s"))
+
+
+def _drawn(found: TwoVelocities, window: Window, speed: float) -> Iterator[Entry]:
+    pole = window(found.place) if cmath.isfinite(found.place) else None
+    ends = [window(point) for point in found.points]
+    tips = [end + velocity.conjugate() / speed for end, velocity in zip(ends, found.velocities, strict=True)]
+    if found.case == "similar" and pole is not None:
+        yield _line([*ends, pole])
+        yield _line([*tips, pole])
+    elif found.case in ("meet", "infinity"):
+        for end, tip in zip(ends, tips, strict=True):
+            yield from _across(end, tip, pole)
+    yield Stroke((ends[0], ends[1]), "visible")
+    for name, end, tip in zip(found.names, ends, tips, strict=True):
+        yield Disc(end, 0.6, "outline", "ink")
+        yield Wanted(point_label(name), end, gap=0.9, away=end - tip)
+        if abs(tip - end) > 1:
+            along = (tip - end) / abs(tip - end)
+            yield Stroke((end, tip - 2 * along), "vector", accent="velocity")
+            yield arrow_head(tip, along, None)
+            yield Wanted(quantity_label("v", name), end, tip)
+    if pole is not None:
+        yield Disc(pole, 0.9, "outline", "paper")
+        yield Wanted(quantity_label("P", ""), pole, gap=1.2, away=pole - ends[0])
+        if found.omega:
+            marks = spin(pole, cmath.rect(1, math.radians(30)), math.copysign(1, found.omega), _RADIUS)
+            yield from marks
+            yield Wanted(quantity_label("ω", ""), pole + _RADIUS, gap=0.8, away=1 + 0j)
+
+
+def _line(places: list[Place]) -> Stroke:
+    """Through places on one line, and on past them."""
+    one, other = max(((a, b) for a in places for b in places), key=lambda pair: abs(pair[1] - pair[0]))
+    way = (other - one) / (abs(other - one) or 1) * _BEYOND
+    return Stroke((one - way, other + way), "construction")
+
+
+def _across(end: Place, tip: Place, pole: Place | None) -> Iterator[Stroke]:
+    """The perpendicular of a velocity, with its right angle."""
+    if abs(tip - end) < 1:
+        return
+    along = (tip - end) / abs(tip - end)
+    side = along * 1j if pole is None or ((along * 1j).conjugate() * (pole - end)).real > 0 else along * -1j
+    reach = _BEYOND * 4 if pole is None else abs(pole - end) + _BEYOND
+    yield Stroke((end, end + side * reach), "construction")
+    square = (end + along * _SQUARE, end + (along + side) * _SQUARE, end + side * _SQUARE)
+    yield Stroke(square, "construction")

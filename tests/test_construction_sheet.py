@@ -1,0 +1,218 @@
+"""The sheet shows how it was drawn: acts with the numbers of the sentences, equations, what is given; three styles."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from graphkin import Drawing, library
+from graphkin.check import measure
+from graphkin.cli import main
+from graphkin.construction import Image, LayOff, Meet
+from graphkin.errors import Lang, NothingToMeasure
+from graphkin.outputs.svg import svg
+from graphkin.planning import plan
+from graphkin.running import replay_all
+from graphkin.say import derivation, vector_equations
+from graphkin.say.entry import Sentence
+from graphkin.sheet import Sheet, Style
+from graphkin.sheet.drafted import Drafted
+from graphkin.sheet.formula import formula
+from graphkin.sheet.lettering import Label
+from graphkin.sheet.marks import Arc, Disc, Stroke, Text, VectorMark
+
+SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
+SEVERAL = ("ex3-1", "p3-16", "p3-17", "p3-22", "s4-ex6", "scotch-yoke")
+
+
+@cache
+def drawing(name: str) -> Drawing:
+    return Drawing.of(library.load(name))
+
+
+@cache
+def sheet(name: str, style: Style = "construction", lang: Lang = "en") -> Sheet:
+    return drawing(name).sheet(style=style, lang=lang)
+
+
+def read(label: Label) -> str:
+    return "".join(run.text for run in label)
+
+
+def texts(page: Sheet) -> list[str]:
+    return [read(mark.label) for mark in page.marks if isinstance(mark, Text)]
+
+
+# --- numbers ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_every_act_is_told_once_in_its_order(name: str) -> None:
+    method = plan(library.load(name))
+    entries = derivation(method, replay_all(method), SCALES, "en")
+    told = [entry.act for entry in entries if isinstance(entry, Sentence) and entry.act is not None]
+    assert told == list(method.acts)
+    numbered = [act for act in method.acts if act.numbered]
+    assert [act.number for act in numbered] == list(range(1, len(numbered) + 1))
+    assert all(isinstance(act.done, LayOff | Meet | Image) for act in numbered)
+
+
+def test_the_words_and_the_sheet_bear_the_same_numbers() -> None:
+    lines = drawing("ex3-1").explain("zh")
+    told = [line for line in lines if re.match(r"\s*[\u2460-\u2473]", line)]
+    assert len(told) == sum(act.numbered for act in drawing("ex3-1").method.acts) == 8
+    rings = [mark for mark in sheet("ex3-1").marks if isinstance(mark, Disc) and mark.pen == "construction"]
+    letters = [mark for mark in sheet("ex3-1").marks if isinstance(mark, Text)]
+    pages = {act.page: act.number for act in drawing("ex3-1").method.acts}
+    inside = [[t for t in letters if abs(t.at - ring.centre) < ring.radius] for ring in rings]
+    assert len(rings) >= 6
+    assert all(read(found.label) == str(pages[ring.step]) for ring, (found,) in zip(rings, inside, strict=True))  # type: ignore[index]
+
+
+@pytest.mark.parametrize("name", SEVERAL)
+def test_what_was_solved_is_thicker(name: str) -> None:
+    method = drawing(name).method
+    solved = {mark.name for mark in sheet(name).marks if isinstance(mark, VectorMark) and mark.solved}
+    unknown = {
+        term.name(plane)
+        for plane, construction in (("velocity", method.velocity), ("acceleration", method.acceleration))
+        for equation in construction.equations
+        for term in equation.left + equation.right
+        if term.size is None
+    }  # fmt: skip
+    assert solved == unknown
+
+
+# --- equations --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("name", SEVERAL)
+def test_the_equations_are_those_of_the_words(name: str, lang: Lang) -> None:
+    method, plot = drawing(name).method, drawing(name).plot
+    written = texts(sheet(name, lang=lang))
+    for plane in ("velocity", "acceleration"):
+        told = vector_equations(method, plot, SCALES, lang, plane).values()  # type: ignore[arg-type]
+        arrows = [arrow for entry in told for arrow in entry.arrows if arrow.size == "?"]
+        assert all(read(formula(arrow.name)) in written for arrow in arrows)
+        assert all(read(formula(arrow.direction)) in written for arrow in arrows)
+
+
+@pytest.mark.parametrize(
+    ("text", "runs"),
+    [
+        ("ω3² l_BD", ["ω", "3_", "2^", " ", "l", "BD_"]),
+        ("aᵏ_B3B2", ["a", "B_", "3_", "B_", "2_", "k^"]),
+        ("⊥BD", ["⊥", "B", "D"]),
+        ("(v_DG + v_S4D)", ["(", "v", "DG_", " + ", "v", "S_", "4_", "D_", ")"]),
+        ("∥guide ram", ["∥guide ram"]),
+        ("AD = 78 mm", ["A", "D", " = 78 mm"]),
+        ("?", ["?"]),
+    ],
+)
+def test_formulas_are_set_as_the_field_writes_them(text: str, runs: list[str]) -> None:
+    places = {"base": "", "sub": "_", "sup": "^"}
+    assert [run.text + places[run.place] for run in formula(text)] == runs
+
+
+# --- styles -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("style", ["construction", "result"])
+@pytest.mark.parametrize("name", SEVERAL)
+def test_a_ruler_measures_every_style_that_has_answers(name: str, style: Style, tmp_path: Path) -> None:
+    (tmp_path / "sheet.svg").write_text(svg(sheet(name, style)), "utf-8")
+    assert measure(tmp_path / "sheet.svg").passed(0.01)
+
+
+def test_results_alone_show_no_construction() -> None:
+    page = sheet("ex3-1", "result")
+    assert not [mark for mark in page.marks if isinstance(mark, Stroke | Disc) and mark.pen in ("construction", "measured")]
+    assert not [mark for mark in page.marks if isinstance(mark, VectorMark) and mark.solved]
+    assert "⊥BD" in texts(sheet("ex3-1"))
+    assert "⊥BD" not in texts(page)
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("name", SEVERAL)
+def test_what_is_given_holds_no_answer(name: str, lang: Lang, tmp_path: Path) -> None:
+    text = svg(page := sheet(name, "given", lang))
+    assert not [mark for mark in page.marks if isinstance(mark, VectorMark)]
+    answers = [a for a in drawing(name).answers().values() if a is not None and a.value and a.unit not in ("m", "rad")]
+    figures = {f"{abs(float(answer.value)):.4g}" for answer in answers}
+    given = {f"{abs(float(v)):.4g}" for d in drawing(name).mechanism.drivers for v in (d.rate, d.acceleration)}
+    assert not [figure for figure in figures - given if len(figure) > 3 and figure in "".join(texts(page))]
+    assert "[[link]]" not in text
+    assert "ask" not in text
+    (tmp_path / "given.svg").write_text(text, "utf-8")
+    with pytest.raises(NothingToMeasure):
+        measure(tmp_path / "given.svg")
+
+
+def test_commands_know_the_styles(tmp_path: Path) -> None:
+    run, given = CliRunner().invoke, str(tmp_path / "given.svg")
+    assert run(main, ["draw", "ex3-1", "--style", "given", "-o", given]).exit_code == 0
+    assert run(main, ["check", given]).exit_code == 3
+    assert run(main, ["draw", "ex3-1", "--style", "given", "--only", "velocity", "-o", given]).exit_code == 2
+
+
+# --- the mechanism ----------------------------------------------------------------------------
+
+
+def test_measured_lengths_rotations_and_what_is_given_stand_on_the_mechanism() -> None:
+    page = sheet("ex3-1")
+    assert {"lBD = 69.2 mm", "ω3", "α3", "ω2", "α2"} <= set(texts(page))
+    assert any(text.startswith("AD = 78 mm,  AB = 24 mm") for text in texts(page))
+    arcs = [mark for mark in page.marks if isinstance(mark, Arc) and mark.accent is not None]
+    turns = {mark.accent: mark.sweep > 0 for mark in arcs}
+    assert turns == {"velocity": True, "acceleration": False}  # clockwise, and counter-clockwise, on paper
+    assert any(isinstance(mark, Stroke) and mark.pen == "measured" for mark in page.marks)
+
+
+# --- steps ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_each_step_has_its_sentence_and_only_the_planes_asked(lang: Lang) -> None:
+    method = drawing("ex3-1").method
+    pages = list(drawing("ex3-1").step_sheets(only="velocity", lang=lang))
+    acts = [act for act in method.acts if act.plane == "velocity"]
+    assert len(pages) == len(acts) == 3
+    signs = ["".join(texts(page)) for page in pages]
+    assert all(chr(0x2460 + k) in text for k, text in enumerate(signs))
+    assert not any(text == "ω3" for page in pages for text in texts(page))
+
+
+def test_a_line_stops_before_letters() -> None:
+    """Direction lines are drawn last, and shortened where labels stand."""
+    from graphkin.sheet.free_room import FreeRoom
+    from graphkin.sheet.lettering import plain
+    from graphkin.sheet.paper import Room
+
+    free = FreeRoom([Text(plain("xxxx"), 20 + 1j, 4.0)], Room(0, -10, 60, 10))
+    assert 18 < free.reach(0j, 1 + 0j, 50) < 20
+    assert free.reach(0j, -1j, 8) == 8
+    assert Drafted.__doc__
+
+
+# --- other sheets -----------------------------------------------------------------------------
+
+
+def test_every_linkage_of_a_mechanism_is_drawn(tmp_path: Path) -> None:
+    out = tmp_path / "limits.svg"
+    assert CliRunner().invoke(main, ["linkage", "ex3-7", "-o", str(out), "--lang", "en"]).exit_code == 0
+    text = re.sub(r"<[^>]+>", "", out.read_text("utf-8"))
+    assert "ABC:" in text
+    assert "CDE:" in text
+
+
+def test_the_pole_of_two_velocities_has_a_sheet(tmp_path: Path) -> None:
+    out = tmp_path / "pole.svg"
+    words = ["centres", "--velocities", "A 0,0 1,0.5; B 100,0 1,-0.2", "-o", str(out)]
+    assert CliRunner().invoke(main, words).exit_code == 0
+    assert out.read_text("utf-8").count("<line") > 5
+    assert CliRunner().invoke(main, [*words, "--steps", str(tmp_path)]).exit_code == 2
