@@ -172,4 +172,4 @@ def test_metadata_spoilt(example: str, key: str, tmp_path: Path):
 
 
 def test_same_bytes(example: str):
-    assert svg(Drawing.of(library.load("ex3-1")).sheet()) == example
+    assert svg(Drawing.of(book.example()).sheet()) == example

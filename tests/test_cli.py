@@ -75,7 +75,7 @@ def test_draw_one_figure(only: str):
     assert run("check", "one.svg").exit_code == 0
 
 
-@pytest.mark.parametrize("paper", ["A4", "A3", "A4-landscape", "A3-landscape"])
+@pytest.mark.parametrize("paper", ["A4", "A3", "A4-landscape", "A3-landscape", "letter"])
 def test_draw_on_paper(paper: str):
     assert run("draw", "ex3-1", "--paper", paper).exit_code == 0
     assert run("check", "ex3-1.svg").exit_code == 0

@@ -15,7 +15,8 @@ from defusedxml.ElementTree import fromstring
 
 from graphkin import Drawing, library
 from graphkin.check import measure
-from graphkin.outputs.svg import runs, svg
+from graphkin.outputs.spans import runs
+from graphkin.outputs.svg import svg
 from graphkin.sheet.lettering import number, plain, point_label, quantity_label, vector_label
 from graphkin.sheet.marks import Text
 

@@ -11,6 +11,7 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
+import book
 import pytest
 
 from graphkin import api, library
@@ -26,7 +27,7 @@ from graphkin.submissions.questions import Questions
 from graphkin.submissions.svg import read_svg
 
 CASES = Path(__file__).parent / "cases" / "submissions"
-DRAWING = api.Drawing.of(api.load("ex3-1"))
+DRAWING = api.Drawing.of(book.example())
 USUAL = Limits()
 EVERY = {"v B2", "v B3", "v B3B2", "a B2", "a_n B3D", "a_t B3D", "a_k B3B2", "a_r B3B2", "a B3"}
 SCALES = {"m/s": 0.01, "m/s^2": 0.1}

@@ -13,7 +13,8 @@ from defusedxml.ElementTree import fromstring
 
 from graphkin import Drawing, library
 from graphkin.outputs.files import FileInTheWay
-from graphkin.outputs.svg import Unwritable, mm, svg, write
+from graphkin.outputs.spans import mm
+from graphkin.outputs.svg import Unwritable, svg, write
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet

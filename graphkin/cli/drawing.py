@@ -30,7 +30,7 @@ from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
     from graphkin.construction import Plane
-    from graphkin.outputs.svg import Ink
+    from graphkin.outputs.paint import Ink
     from graphkin.sheet import Style
 
 

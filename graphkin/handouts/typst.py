@@ -24,7 +24,8 @@ from graphkin.handouts.grid import markers_svg, room_svg
 from graphkin.handouts.scripted import Sign, signs
 from graphkin.outputs.extras import needed
 from graphkin.outputs.paged import unscaled
-from graphkin.outputs.svg import mm, svg
+from graphkin.outputs.spans import mm
+from graphkin.outputs.svg import svg
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.paper import PAPERS
 

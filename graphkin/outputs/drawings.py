@@ -9,7 +9,7 @@ from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.outputs.files import beside
 from graphkin.outputs.files import refuse as refuse_file
-from graphkin.outputs.svg import Ink
+from graphkin.outputs.paint import Ink
 from graphkin.planning import Method
 from graphkin.sheet import Sheet
 from graphkin.value import frozen

@@ -11,7 +11,8 @@ import zlib
 
 from graphkin.errors import Lang
 from graphkin.outputs.extras import needed
-from graphkin.outputs.svg import Ink, svg
+from graphkin.outputs.paint import Ink
+from graphkin.outputs.svg import svg
 from graphkin.sheet import Sheet
 
 MARK = b"graphkin sheet"

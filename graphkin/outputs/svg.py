@@ -13,36 +13,28 @@ import os
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 from itertools import groupby
 from pathlib import Path
-from typing import Any, ClassVar, Literal, assert_never
+from typing import Any, ClassVar, assert_never
 
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs import files
 from graphkin.outputs.files import beside
+from graphkin.outputs.paint import Colours, Ink
+from graphkin.outputs.spans import LATIN, mm, runs, short
 from graphkin.seal import seal
 from graphkin.sheet import Sheet
-from graphkin.sheet.lettering import Label, advance, run_size, run_width, scripts
+from graphkin.sheet.lettering import Label
 from graphkin.sheet.marks import Arc, Disc, Half, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark
 from graphkin.sheet.mechanism_sheet import HEADINGS
 from graphkin.sheet.page import Layer
-from graphkin.sheet.paper import PENS, PenName
 from graphkin.sheet.scales import KEYS, written
-from graphkin.value import frozen
 
 NAMESPACE = "https://graphkin.invalid/sheet/1"
 MARKS = (NAMESPACE.encode(),)
-_LATIN = "Times New Roman, Liberation Serif, Tinos, serif"
-_CHINESE = "Noto Serif CJK SC, Source Han Serif SC, Songti SC, SimSun, WenQuanYi Micro Hei, serif"
-_WIDE = re.compile(r"([\u221a\u2225\u22a5\u2460-\u2473\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]+)")
 _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
-_INK, _NEW, _PALE = "#000000", "#c00000", "#777777"
-_ACCENTS: Mapping[str, str] = {"velocity": "#0b4f9c", "acceleration": "#a3200d"}
-"""Dark in print without colours; widths, not colours, tell what is what."""
-Ink = Literal["accent", "black"]
 _CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 _TIP = 2.8
 """Length of an arrow head; on arrows too short for it, half of that [mm]."""
@@ -99,19 +91,6 @@ def _refuse_control(text: str, where: str) -> None:
         raise Unwritable(f"{where}:{line}", f"U+{ord(found.group()):04X}")
 
 
-def mm(value: float) -> str:
-    """Four decimals, no trailing zeros."""
-    if not math.isfinite(value):
-        raise ValueError(f"a coordinate is {value}")
-    text = f"{value:.4f}".rstrip("0").rstrip(".")
-    return "0" if text in ("", "-0") else text
-
-
-def _short(value: float) -> str:
-    """Two decimals, which is enough for letters."""
-    return mm(round(value, 2))
-
-
 def _xy(place: Place) -> tuple[str, str]:
     return mm(place.real), mm(place.imag)
 
@@ -133,7 +112,7 @@ class _Pen:
         self.heads: set[str] = set()
         self.drawing["xmlns:gk"] = NAMESPACE
         self.drawing["xml:lang"] = sheet.lang
-        self.drawing["font-family"] = _LATIN
+        self.drawing["font-family"] = LATIN
         self.drawing["stroke-linejoin"] = self.drawing["stroke-linecap"] = "round"
         if metadata:
             self.drawing["xmlns:inkscape"] = _INKSCAPE
@@ -233,12 +212,12 @@ class _Pen:
         if len(spans) > 1:
             line = math.nan
             for span in spans:
-                place = {"x": [_short(span.at.real)]} | ({"y": [_short(span.at.imag)]} if span.at.imag != line else {})
+                place = {"x": [short(span.at.real)]} | ({"y": [short(span.at.imag)]} if span.at.imag != line else {})
                 element.add(self.drawing.tspan(span.text, **span.type(mark.size), **place))
                 line = span.at.imag
         elif spans:
             (span,) = spans
-            element = self.drawing.text(span.text, (_short(span.at.real), _short(span.at.imag)))
+            element = self.drawing.text(span.text, (short(span.at.real), short(span.at.imag)))
             element.attribs |= {"font-size": mm(mark.size)} | {k.replace("_", "-"): v for k, v in span.type(0).items()}
         return element
 
@@ -246,48 +225,6 @@ class _Pen:
 _HEADS: Mapping[Half, str] = {
     "": "M0 .2L2.8 .7L0 1.2Z", "left": "M0 0L2.8 .7L0 .7Z", "right": "M0 .7L2.8 .7L0 1.4Z",
 }  # fmt: skip
-
-
-@frozen
-class Colours:
-    """What marks are painted with: an accent a plane, or black alone; of a stage, only what is new stands out."""
-
-    ink: Ink
-    staged: bool
-
-    @classmethod
-    def of(cls, sheet: Sheet, ink: Ink) -> Colours:
-        return cls(ink, any(mark.new for mark in sheet.marks))
-
-    def of_mark(self, mark: Mark, layer: Layer) -> str:
-        if self.ink == "black" or (self.staged and not mark.new):
-            return _INK
-        plane: str | None = getattr(mark, "accent", None) or layer.plane
-        if isinstance(mark, Stroke) and mark.pen in ("construction", "measured") and not mark.new:
-            return _PALE
-        return _ACCENTS.get(plane or "", _NEW if mark.new else _INK)
-
-    def paint(self, layer: Layer, mark: Mark) -> tuple[tuple[str, str], ...]:
-        """What a viewer paints a mark with, as attributes."""
-        colour = self.of_mark(mark, layer)
-        if isinstance(mark, Text):
-            weight = {"font-weight": "bold"} if mark.new and self.ink == "black" else {}
-            return (("fill", colour), *weight.items())
-        pen = PENS[_pen_of(mark)]
-        fill = "none" if isinstance(mark, Arc | VectorMark) else mark.fill
-        found = {"fill": {"paper": "#ffffff", "grey": "#dddddd", "none": "none"}.get(fill, colour)}
-        found |= {"fill-opacity": "0.1"} if fill == "tint" else {}
-        found |= {"stroke": colour, "stroke-width": mm(pen.width * (1.8 if mark.new else 1))}
-        found |= {"stroke-dasharray": " ".join(map(mm, pen.dashes))} if pen.dashes else {}
-        return tuple(found.items())
-
-
-def _pen_of(mark: Stroke | Disc | Arc | VectorMark | PointMark) -> PenName:
-    if isinstance(mark, PointMark):
-        return "outline" if mark.fill == "paper" else "construction"
-    if isinstance(mark, VectorMark):
-        return "solved" if mark.solved else "vector"
-    return mark.pen
 
 
 def _value(mark: VectorMark, scales: Mapping[Plane, float]) -> str:
@@ -330,41 +267,6 @@ def _filled(said: dict[str, str]) -> dict[str, str]:
 
 def _class(mark: Mark) -> str:
     return {VectorMark: "vector", PointMark: "point"}.get(type(mark), "link")
-
-
-@frozen
-class Span:
-    """Letters of one script and style; where they begin, and how large they are [mm]."""
-
-    text: str
-    at: Place
-    size: float
-    italic: bool
-    bold: bool
-
-    def type(self, size: float) -> dict[str, str]:
-        """What they are set in, where the letters around them have that size and are upright Latin ones."""
-        wide = _WIDE.match(self.text) is not None
-        found = {"font_family": _CHINESE} if wide else {}
-        found |= {"font_size": _short(self.size)} if size and self.size != size else {}
-        found |= {"font_style": "italic"} if self.italic and not wide else {}
-        return found | ({"font_weight": "bold"} if self.bold else {})
-
-
-def runs(mark: Text) -> list[Span]:
-    """The letters of a text. Spaces end a span and never begin one: some viewers drop those."""
-    found: list[Span] = []
-    for run, start, drop in scripts(mark.label, mark.size):
-        size = run_size(run, mark.size)
-        for text in filter(None, _WIDE.split(run.text)):
-            bare = text.lstrip(" ") if found else text
-            spaces = text[: len(text) - len(bare)]
-            if spaces:
-                found[-1] = replace(found[-1], text=found[-1].text + spaces)
-            at = mark.at + complex(start + advance(spaces, run.italic) * size, drop)
-            found += [Span(bare, at, size, run.italic, run.bold)] if bare else []
-            start += run_width(replace(run, text=text), mark.size)
-    return found
 
 
 def _rounded(place: Place) -> list[float]:

@@ -9,7 +9,7 @@ from functools import partial
 from itertools import groupby
 from typing import assert_never
 
-from graphkin.outputs.svg import Colours, Ink
+from graphkin.outputs.paint import Colours, Ink
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import Label
 from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark

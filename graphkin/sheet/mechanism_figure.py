@@ -149,18 +149,18 @@ BEFORE_LINKS: Signs = {CircularSlot: circular_slot}
 
 
 def _through_bars(skeleton: Skeleton) -> list[Mark]:
-    """A bar that goes on past a pivot is drawn over its circle; other bars end at it."""
+    """A bar that goes on past a pivot, or past another's that does, is drawn over the circle; other bars end at it."""
     marks: list[Mark] = []
-    for point, way in _passed(skeleton).items():
-        if FRAME in skeleton.mechanism.owners[point]:
+    for point, (way, *others) in _passed(skeleton).items():
+        if others or FRAME in skeleton.mechanism.owners[point]:
             at, half = skeleton.at(point), way * symbols.HINGE
             marks += symbols.bar([at - half, at + half], None, skeleton.step(point))
     return marks
 
 
-def _passed(skeleton: Skeleton) -> dict[str, complex]:
-    """Hinges past which a link's bar goes on, with its direction; the first link's, where two do."""
-    found: dict[str, complex] = {}
+def _passed(skeleton: Skeleton) -> dict[str, list[complex]]:
+    """Hinges past which bars of links go on, with their directions."""
+    found: dict[str, list[complex]] = {}
     for link in skeleton.mechanism.moving:
         names = skeleton.named(link)
         places = [skeleton.at(p) for p in names]
@@ -169,7 +169,7 @@ def _passed(skeleton: Skeleton) -> dict[str, complex]:
         way = places[ends[1]] - places[ends[0]]
         for k, point in enumerate(names):
             if k not in ends and len(skeleton.mechanism.owners[point]) > 1:
-                found.setdefault(point, way / abs(way))
+                found.setdefault(point, []).append(way / abs(way))
     return found
 
 
@@ -183,8 +183,9 @@ def _hinges(skeleton: Skeleton) -> list[Mark]:
     for point in skeleton.points:
         step = skeleton.step(point)
         hinged = len(skeleton.mechanism.owners[point]) > 1 or _is_pin(skeleton, point)
-        if hinged and point in passed and _stands_free(skeleton, point):
-            marks += symbols.hinge_beside(skeleton.at(point), _ending_side(skeleton, point, passed[point]), step)
+        ways = passed.get(point, [])
+        if hinged and len(ways) == 1 and _stands_free(skeleton, point):
+            marks += symbols.hinge_beside(skeleton.at(point), _ending_side(skeleton, point, ways[0]), step)
             hinged = False
         radius = symbols.HINGE if hinged else 0.6
         fill: Fill = "paper" if hinged else "ink"

@@ -1,0 +1,60 @@
+"""With which colours, widths and dashes a mark is painted."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from graphkin.outputs.spans import mm
+from graphkin.sheet import Sheet
+from graphkin.sheet.marks import Arc, Disc, Mark, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.page import Layer
+from graphkin.sheet.paper import PENS, PenName
+from graphkin.value import frozen
+
+_INK, _NEW, _PALE = "#000000", "#c00000", "#777777"
+_ACCENTS: Mapping[str, str] = {"velocity": "#0b4f9c", "acceleration": "#a3200d"}
+"""Dark in print without colours; widths, not colours, tell what is what."""
+Ink = Literal["accent", "black"]
+
+
+@frozen
+class Colours:
+    """What marks are painted with: an accent a plane, or black alone; of a stage, only what is new stands out."""
+
+    ink: Ink
+    staged: bool
+
+    @classmethod
+    def of(cls, sheet: Sheet, ink: Ink) -> Colours:
+        return cls(ink, any(mark.new for mark in sheet.marks))
+
+    def of_mark(self, mark: Mark, layer: Layer) -> str:
+        if self.ink == "black" or (self.staged and not mark.new):
+            return _INK
+        plane: str | None = getattr(mark, "accent", None) or layer.plane
+        if isinstance(mark, Stroke) and mark.pen in ("construction", "measured") and not mark.new:
+            return _PALE
+        return _ACCENTS.get(plane or "", _NEW if mark.new else _INK)
+
+    def paint(self, layer: Layer, mark: Mark) -> tuple[tuple[str, str], ...]:
+        """What a viewer paints a mark with, as attributes."""
+        colour = self.of_mark(mark, layer)
+        if isinstance(mark, Text):
+            weight = {"font-weight": "bold"} if mark.new and self.ink == "black" else {}
+            return (("fill", colour), *weight.items())
+        pen = PENS[_pen_of(mark)]
+        fill = "none" if isinstance(mark, Arc | VectorMark) else mark.fill
+        found = {"fill": {"paper": "#ffffff", "grey": "#dddddd", "none": "none"}.get(fill, colour)}
+        found |= {"fill-opacity": "0.1"} if fill == "tint" else {}
+        found |= {"stroke": colour, "stroke-width": mm(pen.width * (1.8 if mark.new else 1))}
+        found |= {"stroke-dasharray": " ".join(map(mm, pen.dashes))} if pen.dashes else {}
+        return tuple(found.items())
+
+
+def _pen_of(mark: Stroke | Disc | Arc | VectorMark | PointMark) -> PenName:
+    if isinstance(mark, PointMark):
+        return "outline" if mark.fill == "paper" else "construction"
+    if isinstance(mark, VectorMark):
+        return "solved" if mark.solved else "vector"
+    return mark.pen

@@ -1,0 +1,63 @@
+"""The letters of a text in spans of one script and style, each at its own place; numbers as an SVG has them."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import replace
+
+from graphkin.sheet.lettering import advance, run_size, run_width, scripts
+from graphkin.sheet.marks import Place, Text
+from graphkin.value import frozen
+
+LATIN = "Times New Roman, Liberation Serif, Tinos, serif"
+_CHINESE = "Noto Serif CJK SC, Source Han Serif SC, Songti SC, SimSun, WenQuanYi Micro Hei, serif"
+_WIDE = re.compile(r"([\u221a\u2225\u22a5\u2460-\u2473\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]+)")
+
+
+def mm(value: float) -> str:
+    """Four decimals, no trailing zeros."""
+    if not math.isfinite(value):
+        raise ValueError(f"a coordinate is {value}")
+    text = f"{value:.4f}".rstrip("0").rstrip(".")
+    return "0" if text in ("", "-0") else text
+
+
+def short(value: float) -> str:
+    """Two decimals, which is enough for letters."""
+    return mm(round(value, 2))
+
+
+@frozen
+class Span:
+    """Letters of one script and style; where they begin, and how large they are [mm]."""
+
+    text: str
+    at: Place
+    size: float
+    italic: bool
+    bold: bool
+
+    def type(self, size: float) -> dict[str, str]:
+        """What they are set in, where the letters around them have that size and are upright Latin ones."""
+        wide = _WIDE.match(self.text) is not None
+        found = {"font_family": _CHINESE} if wide else {}
+        found |= {"font_size": short(self.size)} if size and self.size != size else {}
+        found |= {"font_style": "italic"} if self.italic and not wide else {}
+        return found | ({"font_weight": "bold"} if self.bold else {})
+
+
+def runs(mark: Text) -> list[Span]:
+    """The letters of a text. Spaces end a span and never begin one: some viewers drop those."""
+    found: list[Span] = []
+    for run, start, drop in scripts(mark.label, mark.size):
+        size = run_size(run, mark.size)
+        for text in filter(None, _WIDE.split(run.text)):
+            bare = text.lstrip(" ") if found else text
+            spaces = text[: len(text) - len(bare)]
+            if spaces:
+                found[-1] = replace(found[-1], text=found[-1].text + spaces)
+            at = mark.at + complex(start + advance(spaces, run.italic) * size, drop)
+            found += [Span(bare, at, size, run.italic, run.bold)] if bare else []
+            start += run_width(replace(run, text=text), mark.size)
+    return found
