@@ -19,8 +19,8 @@ PHRASES: Phrases = {
     ),
     "driven slide": ("slide {slide} is at {place}", "移动副 {slide} 的位移 {place}"),
     # --- places and lines
-    "guide of": ("guide {name}", "导路 {name}"),
-    "origin of": ("the start of guide {name}", "导路 {name} 的起点"),
+    "guide of": ("guide {name}", "{name} 导路"),
+    "origin of": ("the start of guide {name}", "{name} 导路的起点"),
     # --- position
     "fixed points": ("Fixed points, in mm on paper: {points}.", "定出固定点（图上 mm）：{points}。"),
     "fixed guide": (
