@@ -86,7 +86,8 @@ def _on_link(reading: Reading, pair: Slide) -> str:
 
 
 def _line(reading: Reading, line: Line) -> str:
-    start = names.point(line.origin) if line.named else _place(reading, reading.mechanism.links[FRAME].points[line.origin])
+    place = reading.mechanism.links[FRAME].points[line.origin]
+    start = names.point(line.origin) if line.named else _place(reading, place)
     return reading.say("solution.line", start=start, angle=degrees(line.direction))
 
 

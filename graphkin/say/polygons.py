@@ -22,10 +22,10 @@ from graphkin.construction import (
     Swing,
     Touch,
 )
+from graphkin.planning.held_still import held_points, standing
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equations import equation, known_arrow
-from graphkin.planning.held_still import held_points, standing
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
 from graphkin.say.rolling import rolling

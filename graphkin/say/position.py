@@ -54,6 +54,7 @@ class PositionReader:
 
     angles   links whose angles are asked for, None for all
     used     pairs of points whose distance the polygons need; those that nothing gives are measured at the end
+    special  the reading whose special points are told, where the mechanism is drawn by another method
     drawn    points that are there by now
     waiting  links whose angles can be measured as soon as their points are there
     swung    the last tangent drawn: its link, and the slide whose line it is
@@ -63,6 +64,7 @@ class PositionReader:
     reading: Reading
     used: tuple[tuple[str, str], ...] = ()
     angles: frozenset[str] | None = None
+    special: Reading | None = None
     drawn: set[str] = field(default_factory=set)
     waiting: list[str] = field(default_factory=list)
     swung: dict[str, Swing] = field(default_factory=dict)
@@ -82,7 +84,17 @@ class PositionReader:
                 self.drawn |= _made(step)
                 yield from self._angles()
         yield from self._angles(True)
+        yield from self._specials()
         yield from self._used()
+
+    def _specials(self) -> Iterator[Entry]:
+        """The special points of a method whose mechanism is drawn by another one."""
+        if self.special is None or self.special is self.reading:
+            return
+        steps = (step for step in self.special.method.position.steps if isinstance(step, Meet))
+        for step in steps:
+            if step.point in self.special.method.special:
+                yield Sentence(special_point(self.special, step))
 
     def _step(self, step: Step) -> Iterator[Entry]:
         match step:
@@ -97,6 +109,8 @@ class PositionReader:
                 self.swung[step.link] = step
                 yield Sentence(self._swing(step))
                 self.waiting.append(step.link)
+                if self.reading.method.structure.slides[step.slide].named:
+                    yield from self._slide(step.slide)
             case Image(link, corners, _, point):
                 if self.reading.named(point):  # the start of a line that has no name is told where it is needed
                     yield Sentence(self._corner(link, corners))
@@ -231,14 +245,16 @@ class PositionReader:
         if abs(cross(along, arm)) <= reading.noise:
             return reading.say("derivation.lay off parallel", angle=degrees(arm), **words)
         sense = reading.say("common.ccw" if turned > 0 else "common.cw")
-        return reading.say("derivation.lay off turned", turned=f"{number(abs(in_degrees(turned)))}°", sense=sense, **words)
+        words["turned"] = f"{number(abs(in_degrees(turned)))}°"
+        return reading.say("derivation.lay off turned", sense=sense, **words)
 
     def _on_tangent(self, step: LayOff, swing: Swing) -> str:
         """A point of the guide line itself: how far from the foot, and which way."""
         reading = self.reading
         foot, at_pivot = self._foot(swing), self._distance_of(swing) <= reading.noise
         length = reading.distance(step.start, step.tip)
-        words = {"start": reading.place(step.start), "tip": reading.place(step.tip), "length": self._arm(step.start, step.tip)}
+        words = {"start": reading.place(step.start), "tip": reading.place(step.tip),
+                 "length": self._arm(step.start, step.tip)}  # fmt: skip
         if abs(reading.plot.position[step.tip] - foot) <= reading.noise or not length:
             return reading.say("derivation.at the foot", **words)
         ahead = float(dot(reading.plot.position[swing.through] - foot, reading.plot.position[step.tip] - foot))
@@ -310,7 +326,8 @@ class PositionReader:
         along = reading.plot.guide_direction(step.slide)
         arm = reading.plot.arm(step.pivot, step.through)
         offset = self._distance_of(step)
-        words = {"pivot": reading.place(step.pivot), "through": reading.place(step.through), "link": reading.link(step.link)}
+        words = {"pivot": reading.place(step.pivot), "through": reading.place(step.through),
+                 "link": reading.link(step.link)}  # fmt: skip
         if offset <= reading.noise:
             return reading.say("derivation.swing join", **words)
         foot = self._foot_name
@@ -335,7 +352,8 @@ class PositionReader:
         formula, figures = "", ""
         if angle is not None and angle.corner == step.pivot:
             formula = angle.distance
-            figures = f"{number(reading.distance(angle.corner, angle.through))} × sin {number(abs(in_degrees(angle.angle)))}°"
+            length, turned = reading.distance(angle.corner, angle.through), abs(in_degrees(angle.angle))
+            figures = f"{number(length)} × sin {number(turned)}°"
         slot = None if pair.stands_for is None else pair.stands_for.equivalent
         if isinstance(slot, Slot) and abs(offset - abs(slot.offset)) <= reading.noise:
             formula = "r"
@@ -364,7 +382,7 @@ class PositionReader:
     # --- measured -------------------------------------------------------------------------------
 
     def _angles(self, last: bool = False) -> Iterator[Entry]:
-        """Directions of links, and of those that keep their angles to them, by their first two points once these are there.
+        """Directions of links, and of those that keep their angles to them, once their first two points are there.
 
         last  nothing more is drawn
         """
@@ -405,7 +423,7 @@ class PositionReader:
             line = names.pair(origin, point)
             text = self._ruler(f"l_{line}", line, reading.distance(origin, point))
         else:
-            text = self._coordinates(point)
+            return  # where it has come to lie is all there is of it
         yield Sentence(reading.say("derivation.measured slide", length=text))
 
     def _ruler(self, name: str, line: str, metres: float) -> str:
@@ -426,9 +444,12 @@ class PositionReader:
                 continue
             self.measured.add(pair)
             line = names.pair(first, second)
-            found.append(self._ruler(f"l_{line}", line, reading.distance(first, second)))
+            found.append(self._ruler(f"l_{line}", line, self._apart(first, second)))
         if found:
             yield Sentence(reading.say("derivation.measured used", lengths=reading.say("common.semicolon").join(found)))
+
+    def _apart(self, first: str, second: str) -> float:
+        return (self.special or self.reading).distance(first, second)
 
     def _given(self, first: str, second: str) -> bool:
         """Whether one link, or a contact, holds two points apart."""
@@ -437,13 +458,6 @@ class PositionReader:
         apart = any(first in link.points and second in link.points for link in links)
         rods = self.reading.method.structure.bodies.values()
         return apart or bool({first, second} & contact) or any(first in rod and second in rod for rod in rods)
-
-    def _coordinates(self, point: str) -> str:
-        """`x_C = 103.6 mm, y_C = −20 mm`."""
-        reading, name = self.reading, names.point(point)
-        place, noise = complex(reading.plot.position[point]), reading.noise * 1000
-        x, y = (number(value * 1000, noise) for value in (place.real, place.imag))
-        return reading.say("common.and").join([f"x_{name} = {x} mm", f"y_{name} = {y} mm"])
 
 
 def _sentence_start(text: str) -> str:

@@ -6,7 +6,7 @@ PHRASES: Phrases = {
     # --- frame of the text
     "direction row": ("direction:", "方向："),
     "size row": ("magnitude:", "大小："),
-    "given": ("Driven: {drivers}.", "原动件：{drivers}。"),
+    "given": ("Drivers: {drivers}.", "原动件：{drivers}。"),
     "scales": ("Scales: {scales}.", "取比例尺：{scales}。"),
     "plane position": ("(1) The mechanism, drawn to scale", "(1) 作机构运动简图"),
     "plane velocity": ("({number}) Velocities", "({number}) 作速度分析"),
