@@ -52,7 +52,7 @@ def derivation(
     yield from solving(reading)
     posed = by_pose(method, plot)
     drawn = reading if posed is None else Reading(*posed, scales, lang)
-    yield from PositionReader(drawn, goal.levers, goal.angles, special=reading).entries()
+    yield from PositionReader(drawn, goal.levers, reading, angles=goal.angles).entries()
     for number, (plane, parts) in enumerate(goal.parts.items(), start=2):
         yield from polygon(reading, plane, parts, number)
     yield from goal.answers()
