@@ -50,7 +50,7 @@ class PositionReader(Tangents):
     drawn    points that are there by now
     waiting  links whose angles can be measured as soon as their points are there
     told     links whose angles are measured
-    reached  by link, the far end of a reach of several arms, over whose corners further points lie
+    reached  corners of reaches of two arms, with their ends
     ends     by link, the two points between which its angle has been found
     """
 
@@ -58,7 +58,7 @@ class PositionReader(Tangents):
     drawn: set[str] = field(default_factory=set)
     waiting: list[str] = field(default_factory=list)
     told: set[str] = field(default_factory=set)
-    reached: dict[str, str] = field(default_factory=dict)
+    reached: dict[str, tuple[str, str]] = field(default_factory=dict)
     ends: dict[str, tuple[str, str]] = field(default_factory=dict)
 
     def entries(self) -> Iterator[Entry]:
@@ -94,7 +94,7 @@ class PositionReader(Tangents):
                 special = step.point in self.reading.method.special
                 yield Sentence(special_point(self.reading, step) if special else self._meet(step))
             case Swing():
-                self.swung[step.link] = step
+                self.swung |= dict.fromkeys((step.link, *self.reading.group(step.link)), step)
                 yield Sentence(self._swing(step))
                 self.waiting.append(step.link)
                 if self.reading.method.structure.slides[step.slide].named:
@@ -105,8 +105,7 @@ class PositionReader(Tangents):
             case Measure("theta", of):
                 self.waiting.append(of)
                 self.ends |= dict.fromkeys((of, *self.reading.group(of)), (step.tail, step.head))
-                if step.span is not None and len(step.span.parts) > 1:
-                    self.reached |= dict.fromkeys((of, *self.reading.group(of)), step.head)
+                self.reached |= _corner_between(step)
             case Measure(_, of):
                 yield from self._slide(of)
             case Roll():
@@ -174,11 +173,10 @@ class PositionReader(Tangents):
 
     def _over_reach(self, step: LayOff) -> str:
         """A point between the ends of a reach made of several arms: by arcs about both ends; "" of others."""
-        reading, part = self.reading, step.term.size.parts[0] if isinstance(step.term.size, Span) else None
-        end = self.reached.get(part.link, "") if isinstance(part, Arm) else ""
-        owners = reading.mechanism.owners
-        if not end or end == step.tip or not {*owners.get(end, ())} & {*owners.get(step.tip, ())}:
+        reading, ends = self.reading, self.reached.get(step.tip, ("", ""))
+        if step.start not in ends:
             return ""
+        end = ends[1] if step.start == ends[0] else ends[0]
         points = (step.start, step.tip, end)
         side = float(cross(reading.plot.arm(step.start, step.tip), reading.plot.arm(step.start, end)))
         return reading.say(
@@ -284,6 +282,14 @@ class PositionReader(Tangents):
 
 def _sentence_start(text: str) -> str:
     return text[0].upper() + text[1:]
+
+
+def _corner_between(step: Measure) -> dict[str, tuple[str, str]]:
+    """The point at which both arms of a reach meet, with the ends of these."""
+    parts = step.span.parts if step.span is not None else ()
+    if len(parts) != 2 or not (isinstance(parts[0], Arm) and isinstance(parts[1], Arm)):
+        return {}
+    return {parts[0].head: (step.tail, step.head)} if parts[0].head == parts[1].tail else {}
 
 
 def _made(step: Step) -> set[str]:

@@ -42,7 +42,14 @@ class Tangents(PaperLengths):
         length = self._distance(step, offset)
         if abs(dot(along, arm)) <= reading.noise:
             return reading.say("derivation.swing foot", length=length, foot=foot, **words)
-        return reading.say("derivation.swing tangent", length=length, foot=foot, which=which, **words)
+        key = "derivation.swing beside" if self._beside(step) else "derivation.swing tangent"
+        return reading.say(key, length=length, foot=foot, which=which, **words)
+
+    def _beside(self, step: Swing) -> bool:
+        """Whether the point lies beside the guide line, on a block that turns with it: a parallel line is drawn."""
+        plot, pair = self.reading.plot, self.reading.method.structure.slides[step.slide]
+        off = cross(plot.guide_direction(step.slide), plot.arm(pair.line.origin, step.through))
+        return float(abs(off)) > self.reading.noise
 
     def _distance_of(self, step: Swing) -> float:
         """How far the guide line passes from the pivot [m]."""
@@ -55,7 +62,7 @@ class Tangents(PaperLengths):
         pair = reading.method.structure.slides[step.slide]
         angle = None if pair.stands_for is not None else guide_angle(reading, pair)
         formula, figures = "", ""
-        if angle is not None and angle.corner == step.pivot:
+        if angle is not None and angle.corner == step.pivot and not self._beside(step):
             formula = angle.distance
             length, turned = reading.distance(angle.corner, angle.through), abs(in_degrees(angle.angle))
             figures = f"{number(length)} × sin {number(turned)}°"

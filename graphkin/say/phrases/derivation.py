@@ -64,6 +64,10 @@ PHRASES: Phrases = {
         "The guide line of link {link} keeps the distance {length} from {pivot} and passes through {through}: draw the circle about {pivot} with this radius, and from {through} the tangent that touches it at {foot} ({which}). It is the guide line.",
         "构件 {link} 的导路与 {pivot} 的距离恒为 {length}，且须通过 {through}：以 {pivot} 为圆心、以此距离为半径作圆，由 {through} 作该圆的切线，切点为 {foot}（{which}），该切线即为导路。",
     ),
+    "swing beside": (
+        "{through} turns with link {link}, beside its guide line. The line through {through} parallel to the guide line keeps the distance {length} from {pivot}, as the given dimensions have it: draw the circle about {pivot} with this radius, and from {through} the tangent that touches it at {foot} ({which}). The guide line is parallel to it.",
+        "{through} 随构件 {link} 一同转动，但不在其导路上；过 {through} 且平行于导路的直线与 {pivot} 的距离由已知尺寸恒为 {length}：以 {pivot} 为圆心、以此距离为半径作圆，由 {through} 作该圆的切线，切点为 {foot}（{which}），导路与该切线平行。",
+    ),
     "swing foot": (
         "The guide line of link {link} keeps the distance {length} from {pivot}, which is the distance of {through} itself: it is at right angles to the join of {pivot} and {through}, and {foot} falls on {through}.",
         "构件 {link} 的导路与 {pivot} 的距离恒为 {length}，恰等于 {through} 到 {pivot} 的距离，故导路过 {through} 且垂直于 {pivot}、{through} 的连线，切点 {foot} 与 {through} 重合。",
