@@ -96,7 +96,8 @@ class Polygon:
     def between(self, letter: str, link: str, of: str) -> str:
         """A corner of the polygon that is no point of the mechanism: n3', n_arm', k'."""
         called = self.structure.mechanism.called(link)
-        stem = letter if letter == "k" else letter + ("" if called[0].isdigit() else "_") + called
+        worded = self.structure.is_link(link) and not called[0].isdigit()
+        stem = letter if letter == "k" else letter + ("_" if worded else "") + called
         for more in ("", *(str(k) for k in range(1, 1000))):
             dot = "_" if more and stem != "k" else ""
             name = f"{stem}{dot}{more}{self.prime}"
