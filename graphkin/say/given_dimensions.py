@@ -116,6 +116,7 @@ def _roll(reading: Reading, pair: Roll) -> str:
 
 def _cam(reading: Reading, pair: Cam) -> str:
     one, other = (_profile(reading, pair, k) for k in (0, 1))
+    one = one[0].upper() + one[1:]
     return reading.say("solution.cam", first=one, second=other)
 
 
