@@ -61,6 +61,8 @@ class Asked:
 
     def question(self) -> Iterator[Entry]:
         say = self.reading.say
+        if not self.wanted:
+            return
         yield Heading(say("solution.find"))
         if self.chosen:
             named = [self._symbol(one) if one else text for one, text in zip(self.wanted, self.texts, strict=True)]
@@ -92,7 +94,8 @@ class Asked:
     # --- answers ------------------------------------------------------------------------------------
 
     def answers(self) -> Iterator[Entry]:
-        yield Heading(self.reading.say("solution.answer"))
+        if self.wanted:
+            yield Heading(self.reading.say("solution.answer"))
         yield from (self._answer(quantity) for quantity in self.wanted if quantity is not None)
 
     def _answer(self, quantity: Quantity) -> Entry:
