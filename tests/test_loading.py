@@ -179,7 +179,7 @@ def test_titles_sketch_scales_and_questions() -> None:
     text = 'title = "Shaper"\nsource = "p. 7"\nask = ["omega 3", "why?"]\n' + FOURBAR
     mechanism = loads(text + '[sketch]\nC = [65, "4 cm"]\n[scales]\nlength = 0.001\nvelocity = 1\n')
     assert mechanism.title == {"en": "Shaper", "zh": "Shaper"}
-    assert (mechanism.source, mechanism.ask) == ("p. 7", ("omega 3", "why?"))
+    assert (mechanism.credit("zh"), mechanism.ask) == ("p. 7", ("omega 3", "why?"))
     assert mechanism.sketch == {"C": 0.065 + 0.04j}
     assert mechanism.scales == {"length": 0.001, "velocity": 1}
     assert loads('title = { zh = "刨床" }\n' + FOURBAR).title == {"zh": "刨床"}

@@ -378,8 +378,8 @@ def test_fast_mechanisms_have_coarse_scales() -> None:
         ("b3'", [("b", True, "base"), ("3", False, "sub"), ("′", False, "base")]),
         ("O1", [("O", True, "base"), ("1", False, "sub")]),
         ("k'", [("k", True, "base"), ("′", False, "base")]),
-        ("nboom'", [("n", True, "base"), ("boom", True, "sub"), ("′", False, "base")]),
-        ("nc1'", [("n", True, "base"), ("c", True, "sub"), ("1", False, "sub"), ("′", False, "base")]),
+        ("n_boom'", [("n", True, "base"), ("boom", True, "sub"), ("′", False, "base")]),
+        ("n_c1'", [("n", True, "base"), ("c", True, "sub"), ("1", False, "sub"), ("′", False, "base")]),
         ("b@guide'", [("b", True, "base"), ("guide", True, "sub"), ("′", False, "base")]),
     ],
 )

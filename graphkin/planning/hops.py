@@ -95,10 +95,18 @@ def _places(structure: Structure, loop: Loop, lever: str = "") -> list[str]:
         place = places[first] if at_entry else places[last + 1]
         for k in range(first + 1, last + 1):
             places[k] = place
-    for k, joint in enumerate(loop.joints):
-        if isinstance(joint, Sliding) and not places[k]:
-            places[k] = _near_hinge(structure, loop, places, k) or structure.slides[joint.slide].point
+    while waiting := [k for k, joint in enumerate(loop.joints) if isinstance(joint, Sliding) and not places[k]]:
+        near = ((k, place) for k in waiting if (place := _near_hinge(structure, loop, places, k)))
+        k, place = next(near, None) or _own_place(structure, loop, waiting)
+        places[k] = place
     return places
+
+
+def _own_place(structure: Structure, loop: Loop, waiting: list[int]) -> tuple[int, str]:
+    """A joint with no hinge beside it, and its own point: a pin's first, as the circle's centre at a flat face."""
+    slides = [(k, structure.slides[joint.slide]) for k in waiting if isinstance(joint := loop.joints[k], Sliding)]
+    k, slide = min(slides, key=lambda found: found[1].block is not None)
+    return k, slide.point
 
 
 def _groups(structure: Structure, loop: Loop) -> list[tuple[int, int]]:

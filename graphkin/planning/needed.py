@@ -72,23 +72,23 @@ def needed(method: Method, wanted: set[Fact]) -> dict[Plane, tuple[Part, ...]]:
         reader, kept = _Reader(method, construction), list[Part]()
         for part in reversed(construction.parts):
             if isinstance(part, Given) or set(reader.gives(part)) & wanted:
-                kept.append(_without_unwanted(part, wanted))
+                kept.append(_without_unwanted(part, construction.plane, wanted))
                 wanted |= set(reader.needs(kept[-1]))
         found[construction.plane] = tuple(reversed(kept))
     return found
 
 
-def _without_unwanted(part: Part, wanted: set[Fact]) -> Part:
+def _without_unwanted(part: Part, plane: Plane, wanted: set[Fact]) -> Part:
     """An equation without the points behind its unknown arrow that nobody wants."""
     if not isinstance(part, Equation):
         return part
-    plane = "velocity" if ("velocity", part.left[-1].head) in wanted else "acceleration"
-    steps = tuple(step for step in part.steps if not _carried(step) or (plane, getattr(step, "tip", "")) in wanted)
-    return replace(part, steps=steps)
+    carried = {step: (plane, step.tip) for step in part.steps if isinstance(step, LayOff) and _carried(step)}
+    return replace(part, steps=tuple(step for step in part.steps if step not in carried or carried[step] in wanted))
 
 
-def _carried(step: Step) -> bool:
-    return isinstance(step, LayOff) and isinstance(step.term.size, Drawn)
+def _carried(step: LayOff) -> bool:
+    """Whether an arrow is drawn that is there already, for the point at its end."""
+    return isinstance(step.term.size, Drawn)
 
 
 def arms(part: Part) -> Iterator[tuple[str, str]]:
@@ -150,8 +150,8 @@ def _resting(method: Method, construction: Construction, rested: frozenset[Fact]
             found |= set(reader.gives(step))
     found.add((construction.plane, construction.pole))
     for part in construction.parts:
-        needs = [fact for fact in reader.needs(part) if fact[0].removeprefix("driven ") not in ("position", "theta", "s")]
-        if not isinstance(part, Given) and set(needs) <= found:
+        needs = {fact for fact in reader.needs(part) if fact[0] not in ("position", "theta", "driven theta", "s")}
+        if not isinstance(part, Given) and needs <= found:
             found |= set(reader.gives(part))
     return frozenset(found)
 
@@ -235,7 +235,7 @@ class _Reader:
             case Measure(tail=tail, head=head, lever=lever):
                 yield from ((self.plane, node) for node in (tail, head))
                 yield from (("position", point) for point in lever if point)
-            case Roll(contact, angle, slide):
+            case Roll(contact):
                 yield from self._contact(contact, {*self.gives(part)})
             case Fit(closures=closures, contacts=contacts):
                 yield from (("position", point) for closure in closures for point in (closure.start, closure.end))

@@ -97,7 +97,8 @@ class Polygon:
     def between(self, letter: str, link: str, of: str) -> str:
         """A corner of the polygon that is no point of the mechanism: n3', n_arm', k'."""
         called = self.structure.mechanism.called(link)
-        stem = letter if letter == "k" else letter + ("" if called[0].isdigit() else "_") + called
+        worded = self.structure.is_link(link) and not called[0].isdigit()
+        stem = letter if letter == "k" else letter + ("_" if worded else "") + called
         dot = "_" if stem != "k" else ""
         names = chain([f"{stem}{self.prime}"], (f"{stem}{dot}{k}{self.prime}" for k in count(1)))
         return self.new(next(name for name in names if name not in self.nodes and name not in self.reserved), of)

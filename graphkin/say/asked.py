@@ -46,8 +46,9 @@ class Asked:
     @property
     def levers(self) -> tuple[tuple[str, str], ...]:
         """The pairs of points by whose distance the polygons multiply or divide."""
-        shown = {plane: standing(self.reading.method, plane, parts, self.reading.rested) for plane, parts in self.parts.items()}
-        return tuple(dict.fromkeys(pair for parts in shown.values() for part in parts for pair in arms(part)))
+        method, rested = self.reading.method, self.reading.rested
+        shown = (part for plane, parts in self.parts.items() for part in standing(method, plane, parts, rested))
+        return tuple(dict.fromkeys(pair for part in shown for pair in arms(part)))
 
     @property
     def angles(self) -> frozenset[str] | None:
@@ -60,6 +61,8 @@ class Asked:
 
     def question(self) -> Iterator[Entry]:
         say = self.reading.say
+        if not self.wanted:
+            return
         yield Heading(say("solution.find"))
         if self.chosen:
             named = [self.symbol(one) if one else text for one, text in zip(self.wanted, self.texts, strict=True)]
@@ -91,7 +94,8 @@ class Asked:
     # --- answers ------------------------------------------------------------------------------------
 
     def answers(self) -> Iterator[Entry]:
-        yield Heading(self.reading.say("solution.answer"))
+        if self.wanted:
+            yield Heading(self.reading.say("solution.answer"))
         yield from (self._answer(quantity) for quantity in self.wanted if quantity is not None)
 
     def _answer(self, quantity: Quantity) -> Entry:
@@ -176,7 +180,7 @@ def _direct(facts: set[Fact], plane: Plane) -> bool:
 
 
 def _facts(reading: Reading, quantity: Quantity) -> Iterator[Fact]:
-    """What a construction has to give for a quantity of motion; a place needs the mechanism alone, a centre no polygon."""
+    """What a construction has to give for a quantity of motion; a place and a centre need no polygon."""
     for half in quantity.halves:
         if isinstance(half, Rotation) and half.word != "theta":
             yield turning(reading.method, half.word, half.link)

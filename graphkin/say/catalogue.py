@@ -19,7 +19,8 @@ Phrases = Mapping[str, tuple[str, str]]
 """By key: English, Chinese."""
 
 LANGUAGES: tuple[Lang, ...] = get_args(Lang)
-_ROOM = re.compile("(?<=[\u4e00-\u9fff]) +(?=[\u4e00-\u9fff])|(?<=[）；，。、：]) +(?=\\S)|(?<=\\S) +(?=[（）；，。、：])")
+_WORD, _SIGN = "[\u4e00-\u9fff]", "[（）；，。、：]"
+_ROOM = re.compile(f"(?<={_WORD}) +(?={_WORD})|(?<={_SIGN}) +(?=\\S)|(?<=\\S) +(?={_SIGN})")
 
 
 def phrase(name: str, lang: Lang) -> str:

@@ -46,9 +46,10 @@ def equation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
     if sentence := _translation(polygon, part):
         yield polygon.told(next(step for step in part.steps if isinstance(step, LayOff)), sentence)
         return
+    yield from _chosen(polygon, part)
     yield Sentence(_introduction(polygon, part))
     yield worded(polygon, part)
-    yield from _reasons(polygon, part)
+    yield from _whose_rotation(polygon, part)
     terms = part.left + part.right
     laid = (step.term for step in part.steps if isinstance(step, LayOff))
     known = dict.fromkeys(term for term in laid if not isinstance(term.size, Drawn))
@@ -115,20 +116,24 @@ def _introduction(polygon: Polygon, part: Equation) -> str:
     return say("derivation.plain equation", of=names.point(part.of), motion=motion)
 
 
-def _reasons(polygon: Polygon, part: Equation) -> Iterator[Entry]:
-    """Why the coincident points are taken where they are, and whose rotation the Coriolis term of a pin has."""
-    reading, structure = polygon.reading, polygon.reading.method.structure
+def _chosen(polygon: Polygon, part: Equation) -> Iterator[Entry]:
+    """Why the coincident points are taken where they are: told with the velocities, where there is a choice."""
     terms = part.left + part.right
     known = {term.sites[0].point: term for term in terms if isinstance(term.size, Drawn) and term.sites}
-    slips = (term for term in terms if _coincident(term) and len(term.sites) > 1)
-    met = next((term.sites[0].point for term in slips if term.sites[0].point in known), "")
+    slips = (term.sites[0].point for term in terms if _coincident(term) and term.size is None and term.sites)
+    met = next((point for point in slips if point in known), "")
     if polygon.plane == "velocity" and met and polygon.size(known[met].tail, known[met].head):
         name = names.vector(known[met].name(polygon.plane))
-        yield Sentence(reading.say("derivation.chosen", point=names.point(met), known=name))
-    for term in terms:
+        yield Sentence(polygon.reading.say("derivation.chosen", point=names.point(met), known=name))
+
+
+def _whose_rotation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
+    """Which link's rotation the Coriolis term of a pin has: of the one in which its path is straight."""
+    reading, structure = polygon.reading, polygon.reading.method.structure
+    for term in part.left + part.right:
         if isinstance(term.size, Coriolis) and any(structure.is_pin(site.link) for site in term.sites):
-            words = {"link": reading.link(term.size.link), "rate": reading.rate("ω", term.size.link)}
-            yield Sentence(reading.say("derivation.path of the slot", **words))
+            words = {"point": names.point(term.sites[0].point), "link": reading.link(term.size.link)}
+            yield Sentence(reading.say("derivation.path of the slot", rate=reading.rate("ω", term.size.link), **words))
 
 
 def _relation(polygon: Polygon, term: Term) -> str:

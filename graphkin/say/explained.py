@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
+from graphkin.planning.by_pose import by_pose
 from graphkin.say.asked import asked
 from graphkin.say.entry import Entry, VectorEquation
 from graphkin.say.equations import worded
@@ -49,7 +50,9 @@ def derivation(
     yield from given(reading)
     yield from goal.question()
     yield from solving(reading)
-    yield from PositionReader(reading, goal.levers, goal.angles).entries()
+    posed = by_pose(method, plot)
+    drawn = reading if posed is None else Reading(*posed, scales, lang)
+    yield from PositionReader(drawn, goal.levers, reading, angles=goal.angles).entries()
     for number, (plane, parts) in enumerate(goal.parts.items(), start=2):
         yield from polygon(reading, plane, parts, number)
     yield from goal.answers()

@@ -48,7 +48,8 @@ def _pose(reading: Reading, pose: Pose) -> str:
     """What held when the mechanism was drawn."""
     if pose.vector is None:
         place = f"{names.of_slide('s', pose.link)} = {number(pose.value * 1000)} mm"
-        return reading.say(f"derivation.driven {_kind(reading, pose.link)}", slide=reading.slide_name(pose.link), place=place)
+        kind, slide = _kind(reading, pose.link), reading.slide_name(pose.link)
+        return reading.say(f"derivation.driven {kind}", slide=slide, place=place)
     angle, line = f"{number(degrees(pose.value))}°", "".join(names.point(p) for p in pose.vector)
     link = reading.link(pose.link)
     if pose.from_vector is None:

@@ -86,7 +86,8 @@ def _on_link(reading: Reading, pair: Slide) -> str:
 
 
 def _line(reading: Reading, line: Line) -> str:
-    start = names.point(line.origin) if line.named else _place(reading, reading.mechanism.links[FRAME].points[line.origin])
+    place = reading.mechanism.links[FRAME].points[line.origin]
+    start = names.point(line.origin) if line.named else _place(reading, place)
     return reading.say("solution.line", start=start, angle=degrees(line.direction))
 
 
@@ -115,6 +116,7 @@ def _roll(reading: Reading, pair: Roll) -> str:
 
 def _cam(reading: Reading, pair: Cam) -> str:
     one, other = (_profile(reading, pair, k) for k in (0, 1))
+    one = one[0].upper() + one[1:]
     return reading.say("solution.cam", first=one, second=other)
 
 

@@ -39,7 +39,7 @@ class GuideAngle:
 
 
 def guide_angle(reading: Reading, slide: Slide) -> GuideAngle | None:
-    """The angle at which a moving guide's line lies; None of one that passes through two points, or is the link itself."""
+    """The angle at which a moving guide's line lies; None of one through two points, or that is the link itself."""
     found = {pair.name: pair for pair in reading.mechanism.slides if _corner(reading, pair)}
     if slide.name not in found:
         return None
@@ -47,7 +47,8 @@ def guide_angle(reading: Reading, slide: Slide) -> GuideAngle | None:
     arm = reading.mechanism.links[slide.guide].arm(corner, through)
     angle = (float(np.angle(slide.line.direction / arm)) + pi) % (2 * pi) - pi
     alone = len({pair.guide for pair in found.values()}) == 1
-    return GuideAngle("γ" if alone else names.of_link("γ", reading.mechanism.called(slide.guide)), corner, through, angle)
+    symbol = "γ" if alone else names.of_link("γ", reading.mechanism.called(slide.guide))
+    return GuideAngle(symbol, corner, through, angle)
 
 
 def _corner(reading: Reading, slide: Slide) -> str:

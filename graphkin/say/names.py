@@ -17,8 +17,9 @@ _RAISED = {"n": "ⁿ", "t": "ᵗ", "k": "ᵏ", "r": "ʳ"}
 
 
 def point(name: str) -> str:
-    """A point of the mechanism or of a polygon (`B_guide` on a link called by a word), or a link; auxiliary points (`*1`)
-    are numbered ①, ②, ..
+    """A point of the mechanism or of a polygon (`B_guide` on a link called by a word), or a link.
+
+    Auxiliary points (`*1`) are numbered ①, ②, ..
 
     The links of lower-pair equivalents are called e, e2, ..; those that hold a rolling wheel after its contact. The
     line on which a contact moves starts at ⓒ or ⓡ.

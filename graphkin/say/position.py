@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from math import degrees as in_degrees
 from typing import assert_never
-
-import numpy as np
 
 from graphkin.construction import (
     Across,
@@ -35,40 +32,33 @@ from graphkin.construction import (
 )
 from graphkin.geometry import cross, dot
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Slot
-from graphkin.planning.position import touching
 from graphkin.say import names
 from graphkin.say.crossings import crossing
-from graphkin.say.entry import Calculation, Entry, Heading, Sentence
+from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import equivalents
-from graphkin.say.guide_angle import guide_angle
-from graphkin.say.numbers import degrees, number
-from graphkin.say.reading import Reading
+from graphkin.say.numbers import degrees
 from graphkin.say.rolling import rolled, touched
+from graphkin.say.tangents import Tangents
 from graphkin.say.together import fitted, special_point
 
 
 @dataclass
-class PositionReader:
+class PositionReader(Tangents):
     """Reads the steps of the position plane in the order of the pencil.
 
     angles   links whose angles are asked for, None for all
-    used     pairs of points whose distance the polygons need; those that nothing gives are measured at the end
     drawn    points that are there by now
     waiting  links whose angles can be measured as soon as their points are there
-    swung    the last tangent drawn: its link, and the slide whose line it is
-    arcs     by link, the further points that a found reach passes over
+    told     links whose angles are measured
+    reached  corners of reaches of two arms, with their ends
+    ends     by link, the two points between which its angle has been found
     """
 
-    reading: Reading
-    used: tuple[tuple[str, str], ...] = ()
     angles: frozenset[str] | None = None
     drawn: set[str] = field(default_factory=set)
     waiting: list[str] = field(default_factory=list)
-    swung: dict[str, Swing] = field(default_factory=dict)
-    reached: dict[str, str] = field(default_factory=dict)
-    measured: set[frozenset[str]] = field(default_factory=set)
     told: set[str] = field(default_factory=set)
+    reached: dict[str, tuple[str, str]] = field(default_factory=dict)
     ends: dict[str, tuple[str, str]] = field(default_factory=dict)
 
     def entries(self) -> Iterator[Entry]:
@@ -85,7 +75,17 @@ class PositionReader:
                 self.drawn |= _made(step)
                 yield from self._angles()
         yield from self._angles(True)
+        yield from self._specials()
         yield from self._used()
+
+    def _specials(self) -> Iterator[Entry]:
+        """The special points of a method whose mechanism is drawn by another one."""
+        if self.special is None or self.special is self.reading:
+            return
+        steps = (step for step in self.special.method.position.steps if isinstance(step, Meet))
+        for step in steps:
+            if step.point in self.special.method.special:
+                yield Sentence(special_point(self.special, step))
 
     def _step(self, step: Step) -> Iterator[Entry]:
         match step:
@@ -97,17 +97,18 @@ class PositionReader:
                 special = step.point in self.reading.method.special
                 yield Sentence(special_point(self.reading, step) if special else self._meet(step))
             case Swing():
-                self.swung[step.link] = step
+                self.swung |= dict.fromkeys((step.link, *self.reading.group(step.link)), step)
                 yield Sentence(self._swing(step))
                 self.waiting.append(step.link)
+                if self.reading.method.structure.slides[step.slide].named:
+                    yield from self._slide(step.slide)
             case Image(link, corners, _, point):
                 if self.reading.named(point):  # the start of a line that has no name is told where it is needed
                     yield Sentence(self._corner(link, corners))
             case Measure("theta", of):
                 self.waiting.append(of)
                 self.ends |= dict.fromkeys((of, *self.reading.group(of)), (step.tail, step.head))
-                if step.span is not None and len(step.span.parts) > 1:
-                    self.reached |= dict.fromkeys((of, *self.reading.group(of)), step.head)
+                self.reached |= _corner_between(step)
             case Measure(_, of):
                 yield from self._slide(of)
             case Roll():
@@ -142,52 +143,6 @@ class PositionReader:
         x, y = (self.reading.on_paper(value) for value in (place.real, place.imag))
         return f"({x}, {y})"
 
-    # --- lengths --------------------------------------------------------------------------------
-
-    def _length(self, name: str, symbol: str, metres: float) -> str:
-        """`AB = l_AB/μ_l = 0.024/0.001 = 24 mm`."""
-        scale = self.reading.scales["length"]
-        numbers = f"{number(metres)}/{number(scale)}"
-        chain = (name, f"{symbol}/μ_l") if name else (f"{symbol}/μ_l",)
-        return Calculation(chain[0], chain[1:], numbers, metres / scale, "mm").text
-
-    def _reach(self, span: Span, name: str = "") -> str:
-        """A radius or a stretch: an arm, a displacement, or several of them end to end."""
-        first, last = span.parts[0], span.parts[-1]
-        metres = float(abs(self.reading.plot.span(span)))
-        if len(span.parts) == 1 and not isinstance(first, Arm):
-            pair = self.reading.method.structure.slides[first.slide]
-            symbol = self._displacement(first.slide)
-            if not pair.named and pair.line.named:
-                ends = names.pair(pair.line.origin, pair.point)
-                return self._length(name or ends, f"l_{ends}", metres)
-            return self._length(name, f"|{symbol}|" if self.reading.plot.s[first.slide] < 0 else symbol, metres)
-        tail = first.tail if isinstance(first, Arm) else self._ends(first.slide, first.sign)[0]
-        head = last.head if isinstance(last, Arm) else self._ends(last.slide, last.sign)[1]
-        text = self._length(name or names.pair(tail, head), f"l_{names.pair(tail, head)}", metres)
-        if len(span.parts) > 1:
-            self.measured.add(frozenset((tail, head)))
-            text += self.reading.say("common.note", note=self._composed(span))
-        return text
-
-    def _composed(self, span: Span) -> str:
-        """What a reach is made of: arms and displacements at known angles."""
-        found = []
-        for part in span.parts:
-            if isinstance(part, Arm):
-                found.append(f"l_{names.pair(part.tail, part.head)}")
-            else:
-                found.append(self._displacement(part.slide))
-        return self.reading.say("derivation.composed", parts=self.reading.listed(found))
-
-    def _displacement(self, slide: str) -> str:
-        pair = self.reading.method.structure.slides[slide]
-        return names.of_slide("s", slide if pair.named else names.point(pair.point))
-
-    def _ends(self, slide: str, sign: int) -> tuple[str, str]:
-        pair = self.reading.method.structure.slides[slide]
-        ends = (pair.line.origin, pair.point)
-        return ends if sign > 0 else ends[::-1]
 
     # --- steps ----------------------------------------------------------------------------------
 
@@ -219,54 +174,12 @@ class PositionReader:
         line, arm = reading.plot.arm(tail, head), reading.plot.arm(step.start, step.tip)
         return names.pair(tail, head) if abs(cross(line, arm)) <= reading.noise * abs(arm) else ""
 
-    def _beside_guide(self, step: LayOff) -> str:
-        """A further point of a link whose guide line has just been drawn, by how it lies to that line; "" of others."""
-        reading, part = self.reading, step.term.size.parts[0] if isinstance(step.term.size, Span) else None
-        if not isinstance(part, Arm) or part.link not in self.swung:
-            return ""
-        swing = self.swung[part.link]
-        along, arm = reading.plot.guide_direction(swing.slide), reading.plot.arm(step.start, step.tip)
-        words = {"start": reading.place(step.start), "tip": reading.place(step.tip),
-                 "length": self._arm(step.start, step.tip)}  # fmt: skip
-        if abs(cross(along, reading.plot.arm(swing.through, step.tip))) <= reading.noise:
-            return self._on_tangent(step, swing)
-        turned = float(np.angle(arm / along * np.sign(dot(along, arm) or 1.0)))
-        if abs(cross(along, arm)) <= reading.noise:
-            return reading.say("derivation.lay off parallel", angle=degrees(arm), **words)
-        sense = reading.say("common.ccw" if turned > 0 else "common.cw")
-        return reading.say("derivation.lay off turned", turned=f"{number(abs(in_degrees(turned)))}°", sense=sense, **words)
-
-    def _on_tangent(self, step: LayOff, swing: Swing) -> str:
-        """A point of the guide line itself: how far from the foot, and which way."""
-        reading = self.reading
-        foot, at_pivot = self._foot(swing), self._distance_of(swing) <= reading.noise
-        length = reading.distance(step.start, step.tip)
-        words = {"start": reading.place(step.start), "tip": reading.place(step.tip), "length": self._arm(step.start, step.tip)}
-        if abs(reading.plot.position[step.tip] - foot) <= reading.noise or not length:
-            return reading.say("derivation.at the foot", **words)
-        ahead = float(dot(reading.plot.position[swing.through] - foot, reading.plot.position[step.tip] - foot))
-        key = "derivation.on tangent" if ahead > 0 else "derivation.on tangent beyond"
-        named = reading.place(swing.pivot) if at_pivot else self._foot_name
-        return reading.say(key, foot=named, through=reading.place(swing.through), **words)
-
-    def _foot(self, swing: Swing) -> complex:
-        """Where the guide line is nearest to the pivot."""
-        plot = self.reading.plot
-        along, arm = complex(plot.guide_direction(swing.slide)), complex(plot.arm(swing.pivot, swing.through))
-        return complex(plot.position[swing.through] - dot(along, arm) * along)
-
-    @property
-    def _foot_name(self) -> str:
-        """T, or the next letter that no point of the mechanism takes."""
-        return next(letter for letter in ("T", "U", "V", "Z", "T′") if letter not in self.reading.mechanism.owners)
-
     def _over_reach(self, step: LayOff) -> str:
         """A point between the ends of a reach made of several arms: by arcs about both ends; "" of others."""
-        reading, part = self.reading, step.term.size.parts[0] if isinstance(step.term.size, Span) else None
-        end = self.reached.get(part.link, "") if isinstance(part, Arm) else ""
-        owners = reading.mechanism.owners
-        if not end or end == step.tip or not {*owners.get(end, ())} & {*owners.get(step.tip, ())}:
+        reading, ends = self.reading, self.reached.get(step.tip, ("", ""))
+        if step.start not in ends:
             return ""
+        end = ends[1] if step.start == ends[0] else ends[0]
         points = (step.start, step.tip, end)
         side = float(cross(reading.plot.arm(step.start, step.tip), reading.plot.arm(step.start, end)))
         return reading.say(
@@ -308,43 +221,6 @@ class PositionReader:
         at = self.reading.say("derivation.at direction", angle=angle)
         return self.reading.say("derivation.line parallel", through=self.reading.place(through), direction=at)
 
-    def _swing(self, step: Swing) -> str:
-        reading = self.reading
-        along = reading.plot.guide_direction(step.slide)
-        arm = reading.plot.arm(step.pivot, step.through)
-        offset = self._distance_of(step)
-        words = {"pivot": reading.place(step.pivot), "through": reading.place(step.through), "link": reading.link(step.link)}
-        if offset <= reading.noise:
-            return reading.say("derivation.swing join", **words)
-        foot = self._foot_name
-        way = names.point(step.pivot), foot, names.point(step.through)
-        sense = reading.say("common.ccw" if float(cross(along, arm)) * float(dot(along, arm)) > 0 else "common.cw")
-        which = reading.say("common.way round", way="→".join(way), sense=sense)
-        length = self._distance(step, offset)
-        if abs(dot(along, arm)) <= reading.noise:
-            return reading.say("derivation.swing foot", length=length, foot=foot, **words)
-        return reading.say("derivation.swing tangent", length=length, foot=foot, which=which, **words)
-
-    def _distance_of(self, step: Swing) -> float:
-        """How far the guide line passes from the pivot [m]."""
-        plot = self.reading.plot
-        return float(abs(cross(plot.guide_direction(step.slide), plot.arm(step.pivot, step.through))))
-
-    def _distance(self, step: Swing, offset: float) -> str:
-        """`h = l_CD sin γ = 0.048 × sin 100° = 0.04727 m`, and on paper; `h = r1 = 0.02 m` beside a face."""
-        reading = self.reading
-        pair = reading.method.structure.slides[step.slide]
-        angle = None if pair.stands_for is not None else guide_angle(reading, pair)
-        formula, figures = "", ""
-        if angle is not None and angle.corner == step.pivot:
-            formula = angle.distance
-            figures = f"{number(reading.distance(angle.corner, angle.through))} × sin {number(abs(in_degrees(angle.angle)))}°"
-        slot = None if pair.stands_for is None else pair.stands_for.equivalent
-        if isinstance(slot, Slot) and abs(offset - abs(slot.offset)) <= reading.noise:
-            formula = "r"
-        chain = Calculation("h", (formula,) if formula else (), figures, offset, "m").text
-        return f"{chain}{reading.say('derivation.on paper', length=self._length('', 'h', offset))}"
-
     def _corner(self, link: str, corners: tuple[str, str, str]) -> str:
         """A third point of a link whose two points are drawn."""
         reading = self.reading
@@ -360,14 +236,10 @@ class PositionReader:
         words = {"first": lengths[0], "second": lengths[1], "way": reading.way_round(corners, ccw)}
         return reading.say("derivation.shape corner", point=point, link=called, **words)
 
-    def _arm(self, tail: str, head: str) -> str:
-        pair = names.pair(tail, head)
-        return self._length(pair, f"l_{pair}", self.reading.distance(tail, head))
-
     # --- measured -------------------------------------------------------------------------------
 
     def _angles(self, last: bool = False) -> Iterator[Entry]:
-        """Directions of links, and of those that keep their angles to them, by their first two points once these are there.
+        """Directions of links, and of those that keep their angles to them, once their first two points are there.
 
         last  nothing more is drawn
         """
@@ -408,53 +280,19 @@ class PositionReader:
             line = names.pair(origin, point)
             text = self._ruler(f"l_{line}", line, reading.distance(origin, point))
         else:
-            text = self._coordinates(point)
+            return  # where it has come to lie is all there is of it
         yield Sentence(reading.say("derivation.measured slide", length=text))
-
-    def _ruler(self, name: str, line: str, metres: float) -> str:
-        """`BC = 58.87 mm, so l_BC = μ_l·BC = 0.001 × 58.87 = 0.05887 m`."""
-        reading, scale = self.reading, self.reading.scales["length"]
-        metres = metres if abs(metres) > reading.noise else 0.0
-        paper = Calculation(line or f"{name}/μ_l", (), "", metres / scale, "mm").text
-        formula = (f"μ_l·{line}",) if line else ()
-        figures = f"{number(scale)} × {_bracketed(number(metres / scale))}"
-        return reading.say("derivation.ruled", paper=paper, real=Calculation(name, formula, figures, metres, "m").text)
-
-    def _used(self) -> Iterator[Entry]:
-        """The distances that the polygons divide by and that no link gives."""
-        reading, found = self.reading, list[str]()
-        for first, second in self.used:
-            pair = frozenset((first, second))
-            if pair in self.measured or self._given(first, second):
-                continue
-            self.measured.add(pair)
-            line = names.pair(first, second)
-            found.append(self._ruler(f"l_{line}", line, reading.distance(first, second)))
-        if found:
-            yield Sentence(reading.say("derivation.measured used", lengths=reading.say("common.semicolon").join(found)))
-
-    def _given(self, first: str, second: str) -> bool:
-        """Whether one link, or a contact, holds two points apart."""
-        links = self.reading.mechanism.links.values()
-        contact = {letter for letter, _ in touching(self.reading.method.structure)}
-        apart = any(first in link.points and second in link.points for link in links)
-        rods = self.reading.method.structure.bodies.values()
-        return apart or bool({first, second} & contact) or any(first in rod and second in rod for rod in rods)
-
-    def _coordinates(self, point: str) -> str:
-        """`x_C = 103.6 mm, y_C = −20 mm`."""
-        reading, name = self.reading, names.point(point)
-        place, noise = complex(reading.plot.position[point]), reading.noise * 1000
-        x, y = (number(value * 1000, noise) for value in (place.real, place.imag))
-        return reading.say("common.and").join([f"x_{name} = {x} mm", f"y_{name} = {y} mm"])
-
 
 def _sentence_start(text: str) -> str:
     return text[0].upper() + text[1:]
 
 
-def _bracketed(figure: str) -> str:
-    return f"({figure})" if figure.startswith("−") else figure
+def _corner_between(step: Measure) -> dict[str, tuple[str, str]]:
+    """The point at which both arms of a reach meet, with the ends of these."""
+    parts = step.span.parts if step.span is not None else ()
+    if len(parts) != 2 or not (isinstance(parts[0], Arm) and isinstance(parts[1], Arm)):
+        return {}
+    return {parts[0].head: (step.tail, step.head)} if parts[0].head == parts[1].tail else {}
 
 
 def _made(step: Step) -> set[str]:

@@ -84,9 +84,10 @@ class Reading:
 
     def stands(self, link: str) -> bool:
         """Whether a driver at rest holds a link still."""
-        nodes = (node for node in self.method.velocity.nodes.values() if node.site is not None)
-        own = (node for node in nodes if node.site and link in (node.site.link, *self.mechanism.owners.get(node.site.point, ())))
-        still = all(("velocity", node.name) in self.rested for node in own if node.site and node.site.link != FRAME)
+        owners, nodes = self.mechanism.owners, self.method.velocity.nodes
+        sites = {name: node.site for name, node in nodes.items() if node.site is not None and node.site.link != FRAME}
+        own = (name for name, site in sites.items() if link in (site.link, *owners.get(site.point, ())))
+        still = all(("velocity", name) in self.rested for name in own)
         return still and turning(self.method, "omega", link) in self.rested
 
     def translates(self, link: str) -> bool:

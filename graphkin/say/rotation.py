@@ -77,8 +77,8 @@ def _sense_note(polygon: Polygon, step: Measure) -> str:
     if step != polygon.first_lever:
         return sense
     tail, head = (names.point(p) for p in step.lever)
-    ends, link = names.arrow(step.tail, step.head), reading.link(step.of)
-    return reading.say("derivation.sense rule", sense=sense, ends=ends, head=head, link=link, tail=tail)
+    words = {"stretch": names.stretch(step.tail, step.head), "rate": polygon.rate(step.of)}
+    return reading.say("derivation.sense rule", sense=sense, head=head, tail=tail, **words)
 
 
 def _turning(polygon: Polygon, step: Measure) -> float:

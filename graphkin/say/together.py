@@ -232,8 +232,8 @@ def _constant_ratio(polygon: Polygon, step: Simultaneous, members: list[str]) ->
     for link in wheels:
         figures = [_bracketed(value) for value in (plot.alpha[input_], plot.omega[link], plot.omega[input_])]
         formula = f"{rate} {reading.rate('ω', link)}/{turning}"
-        numbers, value = "{} × {}/{}".format(*figures), float(plot.alpha[link])
-        said.append(Calculation(polygon.rate(link), (formula,), numbers, value, "rad/s²", reading.say("derivation.tied")))
+        numbers, value, note = "{} × {}/{}".format(*figures), float(plot.alpha[link]), reading.say("derivation.tied")
+        said.append(Calculation(polygon.rate(link), (formula,), numbers, value, "rad/s²", note))
     return said
 
 

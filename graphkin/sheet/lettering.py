@@ -156,7 +156,7 @@ def _mixed(text: str, place: Literal["base", "sub", "sup"]) -> Label:
 def point_label(name: str) -> Label:
     """A point of the mechanism or of a polygon: `B`, `O1`, `b3'`, `n'`, `b@guide`: digits as subscripts.
 
-    Points have one letter; what follows n, k or t at a corner are before the word that names the link: `n_boom'`, `n_c1_2'`.
+    Points have one letter; at a corner the link's word follows n, k, t or r: `n_boom'`, `n_c1_2'`.
     """
     name = _EQUIVALENT.sub(_equivalent, name)
     if corner := _CORNER.fullmatch(name):

@@ -90,11 +90,11 @@ PHRASES: Phrases = {
         "构件 {links} 组成Ⅲ级（或更高级）杆组，其位置不能用直尺和圆规直接作出。作图时用样板法：将构件 {template} 描在透明纸上试移，直至 {lengths} 均相符；此处用数值法求得：",
     ),
     "fit geared": (
-        "Links {links} hang on each other by their joints and by pure rolling. Ruler and compass do not give their position. On paper a template is tried: link {template} on tracing paper is shifted until {lengths} fit, and {relations} (Δθ: turned since the drawn position). Here the fit is found numerically:",
+        "Links {links} are coupled by their joints and by pure rolling. Ruler and compass do not give their position. On paper a template is tried: link {template} on tracing paper is shifted until {lengths} fit, and {relations} (Δθ: turned since the drawn position). Here the fit is found numerically:",
         "构件 {links} 由运动副和纯滚动互相约束，其位置不能用直尺和圆规直接作出。作图时用样板法：将构件 {template} 描在透明纸上试移，直至 {lengths} 均相符，且 {relations}（Δθ 为自给定位置起的转角）；此处用数值法求得：",
     ),
     "fit train": (
-        "The turns of links {links} since the drawn position (Δθ) hang on each other; the rolling relations {relations} are solved together:",
+        "The turns of links {links} since the drawn position (Δθ) are coupled; the rolling relations {relations} are solved together:",
         "构件 {links} 自给定位置起的转角 Δθ 互相关联，须联立求解纯滚动关系 {relations}：",
     ),
     "lies on": ("{point} on {guide}", "{point} 在 {guide} 上"),
@@ -111,7 +111,7 @@ PHRASES: Phrases = {
         "取构件 {link} 上的特殊点 {of}，分别由 {first} 和 {second} 列方程；每一支路的两个未知矢量在同一方向线上，合为一个矢量作出：",
     ),
     "instant centre": (
-        "Both legs stand on the fixed link: {point} is the absolute instant centre of link {link}, {name} = 0. (Its acceleration is not 0.)",
+        "Both legs are hinged to the fixed link: {point} is the absolute instant centre of link {link}, {name} = 0. (Its acceleration is not 0.)",
         "两支路均与机架相连，{point} 即为构件 {link} 的绝对瞬心，{name} = 0（但其加速度一般不为零）。",
     ),
     "constant ratio at rest": (

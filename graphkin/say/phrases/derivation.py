@@ -5,8 +5,8 @@ from graphkin.say.catalogue import Phrases
 PHRASES: Phrases = {
     # --- frame of the text
     "direction row": ("direction:", "方向："),
-    "size row": ("size:", "大小："),
-    "given": ("Driven: {drivers}.", "原动件：{drivers}。"),
+    "size row": ("magnitude:", "大小："),
+    "given": ("Drivers: {drivers}.", "原动件：{drivers}。"),
     "scales": ("Scales: {scales}.", "取比例尺：{scales}。"),
     "plane position": ("(1) The mechanism, drawn to scale", "(1) 作机构运动简图"),
     "plane velocity": ("({number}) Velocities", "({number}) 作速度分析"),
@@ -19,8 +19,8 @@ PHRASES: Phrases = {
     ),
     "driven slide": ("slide {slide} is at {place}", "移动副 {slide} 的位移 {place}"),
     # --- places and lines
-    "guide of": ("guide {name}", "导路 {name}"),
-    "origin of": ("the start of guide {name}", "导路 {name} 的起点"),
+    "guide of": ("guide {name}", "{name} 导路"),
+    "origin of": ("the start of guide {name}", "{name} 导路的起点"),
     # --- position
     "fixed points": ("Fixed points, in mm on paper: {points}.", "定出固定点（图上 mm）：{points}。"),
     "fixed guide": (
@@ -64,6 +64,10 @@ PHRASES: Phrases = {
         "The guide line of link {link} keeps the distance {length} from {pivot} and passes through {through}: draw the circle about {pivot} with this radius, and from {through} the tangent that touches it at {foot} ({which}). It is the guide line.",
         "构件 {link} 的导路与 {pivot} 的距离恒为 {length}，且须通过 {through}：以 {pivot} 为圆心、以此距离为半径作圆，由 {through} 作该圆的切线，切点为 {foot}（{which}），该切线即为导路。",
     ),
+    "swing beside": (
+        "{through} turns with link {link}, beside its guide line. The line through {through} parallel to the guide line keeps the distance {length} from {pivot}, as the given dimensions have it: draw the circle about {pivot} with this radius, and from {through} the tangent that touches it at {foot} ({which}). The guide line is parallel to it.",
+        "{through} 随构件 {link} 一同转动，但不在其导路上；过 {through} 且平行于导路的直线与 {pivot} 的距离由已知尺寸恒为 {length}：以 {pivot} 为圆心、以此距离为半径作圆，由 {through} 作该圆的切线，切点为 {foot}（{which}），导路与该切线平行。",
+    ),
     "swing foot": (
         "The guide line of link {link} keeps the distance {length} from {pivot}, which is the distance of {through} itself: it is at right angles to the join of {pivot} and {through}, and {foot} falls on {through}.",
         "构件 {link} 的导路与 {pivot} 的距离恒为 {length}，恰等于 {through} 到 {pivot} 的距离，故导路过 {through} 且垂直于 {pivot}、{through} 的连线，切点 {foot} 与 {through} 重合。",
@@ -71,11 +75,11 @@ PHRASES: Phrases = {
     "on paper": (" (on paper {length})", "（图上 {length}）"),
     "on tangent": (
         "On this line {tip} lies at {length} from {start}, on the side of {foot} towards {through}.",
-        "在该线上取 {tip}：{length}，{tip} 在 {foot} 的靠 {through} 一侧。",
+        "在该线上取 {tip}，距 {start} 为 {length}，位于 {foot} 的靠 {through} 一侧。",
     ),
     "on tangent beyond": (
         "On this line {tip} lies at {length} from {start}, on the side of {foot} away from {through}.",
-        "在该线上取 {tip}：{length}，{tip} 在 {foot} 的背离 {through} 一侧。",
+        "在该线上取 {tip}，距 {start} 为 {length}，位于 {foot} 的背离 {through} 一侧。",
     ),
     "at the foot": ("{tip} is the foot of the perpendicular from {start}: {length}.", "{tip} 即由 {start} 所作垂线的垂足：{length}。"),
     "lay off parallel": (
@@ -109,7 +113,7 @@ PHRASES: Phrases = {
         "方程两边都以未知矢量开始，故极点 {pole} 最后确定；固定点与 {pole} 重合。",
     ),
     "from anywhere": (
-        "Take any point as {point} and lay the known vector off first.",
+        "Take any point as {point} and lay off the known vector first.",
         "任取一点作为 {point}，先画出已知矢量。",
     ),
     "pole": ("Take the pole {pole}.", "任取极点 {pole}。"),
@@ -148,7 +152,7 @@ PHRASES: Phrases = {
     "motion velocity": ("velocity", "速度"),
     "motion acceleration": ("acceleration", "加速度"),
     "only normal": (
-        "{alpha} = 0, so {of} has only a normal acceleration against {seen_from}.",
+        "{alpha} = 0, so {of} has only a normal acceleration relative to {seen_from}.",
         "因 {alpha} = 0，{of} 相对 {seen_from} 只有法向加速度。",
     ),
     "translates": (
@@ -160,8 +164,8 @@ PHRASES: Phrases = {
     "no turning": ("as {rate} = 0", "因 {rate} = 0"),
     "no sliding": ("as {relative} = 0", "因 {relative} = 0"),
     "path of the slot": (
-        "The path of the pin is straight in link {link}, so the Coriolis term takes {rate}.",
-        "销在构件 {link} 的槽中作直线相对运动，故科氏加速度取 {rate}。",
+        "The path of {point} is straight in link {link}, so the Coriolis term takes {rate}.",
+        "{point} 相对构件 {link} 沿直线移动，故哥氏加速度取 {rate}。",
     ),
     "chosen": (
         "The coincident point is taken at {point}, where {known} is known.",
@@ -197,8 +201,8 @@ PHRASES: Phrases = {
     "at direction": ("at {angle} to +x", "与 x 轴正向成 {angle}"),
     # --- polygons: rotation
     "sense rule": (
-        "{sense}: {ends} carried to {head} turns link {link} so about {tail}",
-        "{sense}：将 {ends} 平移至 {head} 点，即构件 {link} 绕 {tail} 点的转向",
+        "{sense}: {stretch}, carried to {head} in the mechanism, turns {head} about {tail} in the sense of {rate}",
+        "{sense}：将 {stretch} 平移至机构图上的 {head} 点，其绕 {tail} 点的转向即为 {rate} 的方向",
     ),
     "translation now": (
         "{name} = 0: at this instant link {link} is in translation.",
@@ -206,7 +210,7 @@ PHRASES: Phrases = {
     ),
     "rest now": ("{name} = 0: at this instant link {link} is at rest.", "{name} = 0，此瞬时构件 {link} 静止。"),
     "held": (
-        "Links {links} slide on each other and do not turn against each other:",
+        "Links {links} form a sliding pair, so they have no relative rotation:",
         "构件 {links} 之间组成移动副，无相对转动：",
     ),
     "tied": ("counter-clockwise is positive", "逆时针为正"),
