@@ -11,7 +11,7 @@ from graphkin.linkages.equal import EVEN
 from graphkin.linkages.linkage import LinkagePosition
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.say.catalogue import LANGUAGES, in_both, say
-from graphkin.say.numbers import angle, millimetres
+from graphkin.say.numbers import Figure, angle, exact, millimetres, number
 
 HELD_BLOCKS = ("oscillating guide bar", "rotating guide bar", "slider-crank", "rocker-slider")
 """Kinds that have a name of their own where the block is joined to the frame."""
@@ -81,7 +81,7 @@ def _sums(report: Report, lang: Lang) -> str:
         terms = " + ".join("|e|" if name == "e" else name for name in shown)
         if len(shown) == 1:
             return terms
-        return terms + " = " + " + ".join(f"{abs(sizes[name]) * 1e3:.6g}" for name in shown)
+        return terms + " = " + " + ".join(exact(abs(sizes[name]) * 1e3) for name in shown)
 
     key = "linkages.lengths" if report.slide else "linkages.grashof"
     first = {"ends": added(report.ends), "first": millimetres(report.sum_ends)}
@@ -127,9 +127,9 @@ def _limits(report: Report, lang: Lang) -> Iterator[str]:
     if not report.limits:
         yield say("linkages.no limits", lang, output=report.output)
         return
-    for number, end in enumerate(report.limits, start=1):
+    for nth, end in enumerate(report.limits, start=1):
         text = say(
-            "linkages.limit", lang, number=number, how=_how(report, end, lang), driver=report.driver,
+            "linkages.limit", lang, number=nth, how=_how(report, end, lang), driver=report.driver,
             value=amount(report, end.driver, lang), output=report.output, place=_place(report, end.output, lang),
         )  # fmt: skip
         yield text + ("" if end.gamma is None else say("linkages.and gamma", lang, gamma=angle(end.gamma, lang)))
@@ -146,7 +146,7 @@ def _ratio(report: Report, lang: Lang) -> Iterator[str]:
     elif report.slow is None:
         yield say("linkages.no quick return", lang)
     else:
-        yield say("linkages.theta", lang, theta=angle(report.theta, lang), k=f"{report.k:.5g}")
+        yield say("linkages.theta", lang, theta=angle(report.theta, lang), k=Figure(report.k))
         one, other = (number + 1 for number in report.slow)
         yield say("linkages.slow", lang, one=one, other=other, driver=report.timed_by or report.driver)
 
@@ -181,7 +181,7 @@ def _advantage(report: Report, lang: Lang) -> Iterator[str]:
         return
     unit = " N/(N m)" if report.output_slides else ""
     endless = say("linkages.endless", lang) if found.endless else ""
-    value, at = f"{found.least:.4g}{unit}", amount(report, found.at, lang)
+    value, at = f"{number(found.least)}{unit}", amount(report, found.at, lang)
     yield say("linkages.advantage", lang, value=value, driver=report.driver, at=at, endless=endless)
 
 

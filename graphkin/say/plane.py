@@ -22,7 +22,8 @@ from graphkin.construction import (
 )
 from graphkin.say import names
 from graphkin.say.entry import Calculation
-from graphkin.say.numbers import degrees, number
+from graphkin.say.figures import Operand
+from graphkin.say.numbers import degrees
 from graphkin.say.reading import ROUNDING, Reading
 from graphkin.value import frozen
 
@@ -169,14 +170,14 @@ class Polygon:
     def measured(self, tail: str, head: str, name: str = "", note: str = "") -> Calculation:
         """`v_B3 = μ_v·pb3 = 0.01 × 27.12 = 0.2712 m/s`."""
         ends, mu = names.stretch(tail, head), names.SCALE[self.plane]
-        numbers = f"{number(self.scale)} × {number(self.length_mm(tail, head))}"
+        numbers = Operand(self.scale) * Operand(self.length_mm(tail, head))
         unit, size = names.UNIT[self.plane], self.size(tail, head)
         return Calculation(name or self.name(tail, head), (f"{mu}·{ends}",), numbers, size, unit, note if size else "")
 
     def laid(self, name: str, tail: str, head: str, ends: tuple[str, str] | None = None) -> str:
         """`pb2 = v_B2/μ_v = 0.24/0.01 = 24 mm`; `ends`: drawn elsewhere than where it belongs."""
         size, mu = self.size(tail, head), names.SCALE[self.plane]
-        numbers = f"{number(size)}/{number(self.scale)}"
+        numbers = Operand(size) / Operand(self.scale)
         written = names.stretch(*(ends or (tail, head)))
         return Calculation(written, (f"{name}/{mu}",), numbers, size / self.scale, "mm").text
 

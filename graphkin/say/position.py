@@ -36,6 +36,7 @@ from graphkin.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence
 from graphkin.say.equivalents import equivalents
+from graphkin.say.figures import Operand
 from graphkin.say.numbers import degrees, number
 from graphkin.say.reading import Reading
 from graphkin.say.rolling import rolled, touched
@@ -115,7 +116,7 @@ class PositionReader:
     def _length(self, name: str, symbol: str, metres: float) -> str:
         """`AB = l_AB/μ_l = 0.024/0.001 = 24 mm`."""
         scale = self.reading.scales["length"]
-        numbers = f"{number(metres)}/{number(scale)}"
+        numbers = Operand(metres) / Operand(scale)
         chain = (name, f"{symbol}/μ_l") if name else (f"{symbol}/μ_l",)
         return Calculation(chain[0], chain[1:], numbers, metres / scale, "mm").text
 

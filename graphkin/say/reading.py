@@ -61,6 +61,10 @@ class Reading:
         """`ω3` of a link, from the symbol and the link."""
         return names.of_link(symbol, self.mechanism.called(self.body(link)))
 
+    def signed(self, value: float) -> str:
+        """What the sign of a sum means, in which counter-clockwise is positive; nothing has no sense."""
+        return self.say("derivation.positive" if value > 0 else "derivation.negative") if value else ""
+
     def group(self, link: str) -> list[str]:
         """The other links that hold their angles to this one; the frame and pins are none."""
         turns, links = self.plot.facts.turns, self.mechanism.moving

@@ -9,6 +9,7 @@ from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
+from graphkin.say.figures import Operand, figures, signed_sum
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import ROUNDING
@@ -60,11 +61,11 @@ def _rate(polygon: Polygon, step: Measure, name: str, length_mm: float, direct: 
     reading, line = polygon.reading, names.pair(*step.lever)
     lever, mu = reading.distance(*step.lever), names.SCALE[polygon.plane]
     measured = f"{mu}·{names.stretch(step.tail, step.head)}/(μ_l·{line})"
-    below = f"({number(reading.scales['length'])} × {reading.on_paper(lever)})"
+    below = Operand(reading.scales["length"]) * Operand(lever / reading.scales["length"])
     return Calculation(
         polygon.rate(step.of),
         (f"{name}/l_{line}", measured) if direct else (f"{name}/l_{line}",),
-        f"{number(polygon.scale)} × {number(length_mm)}/{below}",
+        Operand(polygon.scale) * Operand(length_mm) / below,
         length_mm * polygon.scale / lever,
         polygon.rate_unit,
         _sense_note(polygon, step) if length_mm else "",
@@ -96,7 +97,7 @@ def _resolved(polygon: Polygon, step: Measure) -> Iterator[Entry]:
     length_mm = across / polygon.scale
     tail = _corner(polygon, step.tail, step.lever[0])
     name = polygon.seen(polygon.of(step.head), polygon.of(tail), "t")
-    numbers = f"{number(polygon.scale)} × {number(length_mm)}"
+    numbers = Operand(polygon.scale) * Operand(length_mm)
     tangential = Calculation(name, (), numbers, across, names.UNIT[polygon.plane]).text
     ends, line = names.stretch(step.tail, step.head), names.pair(*step.lever)
     yield Sentence(reading.say("derivation.tangential part", ends=ends, line=line, tangential=tangential))
@@ -136,9 +137,9 @@ def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
     if not driven or (len(parts) == 1 and parts[0][0] > 0):
         note = _sense(polygon, value) if value else ""
         return Calculation(polygon.rate(link), (formula,), "", abs(value), polygon.rate_unit, note)
-    figures = [(sign, number(rate, noise)) for sign, _, rate in parts]
-    numbers = _signed(figures) if len(figures) > 1 else ""
-    note = reading.say("derivation.tied")
+    rates = [(sign, rate if abs(rate) > noise else 0.0) for sign, _, rate in parts]
+    numbers = signed_sum(rates) if len(rates) > 1 else ""
+    note = reading.signed(value)
     return Calculation(polygon.rate(link), (formula,), numbers, value, polygon.rate_unit, note)
 
 
@@ -158,13 +159,9 @@ def _driven_between(polygon: Polygon, link: str, other: str) -> list[tuple[int, 
 
 
 def _signed(parts: list[tuple[int, str]]) -> str:
-    """`ω1 + ω21`, `ω2 − ω21`, `−0.49 + 2`, `1.5 − (−2)`."""
-    first = ("−" if parts[0][0] < 0 else "") + _bracketed(parts[0][1], parts[0][0] < 0)
-    return first + "".join(f" {'−' if sign < 0 else '+'} {_bracketed(text, True)}" for sign, text in parts[1:])
-
-
-def _bracketed(figure: str, after_sign: bool) -> str:
-    return f"({figure})" if after_sign and figure.startswith("−") else figure
+    """`ω1 + ω21`, `ω2 − ω21`."""
+    first = ("−" if parts[0][0] < 0 else "") + parts[0][1]
+    return first + "".join(f" {'−' if sign < 0 else '+'} {text}" for sign, text in parts[1:])
 
 
 # --- slides -------------------------------------------------------------------------------------
@@ -227,7 +224,8 @@ def _ratio(polygon: Polygon, step: Image, corners: list[str]) -> str:
     first, second, third = step.corners
     lengths = [polygon.reading.distance(first, p) for p in (third, second)]
     small, scale = polygon.length_mm(*step.base), polygon.reading.scales["length"]
-    numbers = " × ".join([number(small), "/".join(number(length / scale) for length in lengths)])
+    one, other = figures(*(length / scale for length in lengths))
+    numbers = Operand(small) * one / other
     formula = f"{names.stretch(*corners)} × {names.pair(first, third)}/{names.pair(first, second)}"
     name = names.stretch(corners[0], step.point)
     return Calculation(name, (formula,), numbers, small * lengths[0] / lengths[1], "mm").text

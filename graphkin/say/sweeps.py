@@ -11,7 +11,7 @@ from graphkin.errors import Lang, listed
 from graphkin.quantities import EDGE, IN_GRAVITY, Centre, Quotient, Rotation
 from graphkin.running.path import Event
 from graphkin.say.catalogue import say
-from graphkin.say.numbers import at_edge, exact
+from graphkin.say.numbers import at_edge, exact, number
 from graphkin.say.text_table import table
 from graphkin.sweeps import Course, Series, Sweep
 
@@ -78,7 +78,7 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
 
 def _valued(entry: Series, value: float) -> str:
     text = at_edge(value, entry.unit)
-    return text + (f" ({value * IN_GRAVITY.factor:.4g} {IN_GRAVITY.name})" if entry.unit == "m/s^2" else "")
+    return text + (f" ({number(value * IN_GRAVITY.factor)} {IN_GRAVITY.name})" if entry.unit == "m/s^2" else "")
 
 
 # --- tables -------------------------------------------------------------------------------------

@@ -12,6 +12,7 @@ from graphkin.centres.about import About, Circle, InflectionLine
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
+from graphkin.say.numbers import number
 from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.curves import circle, clipped
 from graphkin.sheet.fit import enlarged
@@ -150,7 +151,7 @@ class _Drawing:
 
     @staticmethod
     def _far(place: complex) -> str:
-        return f" ({1e3 * place.real:.4g}, {1e3 * place.imag:.4g})"
+        return f" ({number(1e3 * place.real, 1e-6)}, {number(1e3 * place.imag, 1e-6)})"
 
     def field(self) -> Iterator[Entry]:
         """A light field of velocities over the link's plane, about its points and its pole."""

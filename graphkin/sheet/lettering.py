@@ -12,6 +12,7 @@ from dataclasses import replace
 from functools import cache
 from typing import Literal
 
+from graphkin.quantities.digits import significant
 from graphkin.value import frozen
 
 SMALL = 0.68
@@ -198,7 +199,7 @@ def quantity_label(letter: str, low: str, part: str = "") -> Label:
 
 def number(value: float, digits: int = 4) -> Label:
     """A figure as people write it: 0.2712, −3.919, 0, 2×10⁻⁵; four digits are what paper gives."""
-    mantissa, _, exponent = f"{value:.{digits}g}".replace("-", "−").partition("e")
+    mantissa, _, exponent = significant(value, digits).replace("-", "−").partition("e")
     if mantissa in ("0", "−0") or abs(value) < 1e-300:
         return plain("0")
     if not exponent:

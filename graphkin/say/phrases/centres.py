@@ -116,7 +116,7 @@ PHRASES: Phrases = {
     "column by": ("found by", "求法"),
     "place at infinity": ("at infinity, {angle}°", "无穷远，{angle}°"),
     "advantage": (
-        "Mechanical advantage without losses, torque on link {out} by torque on link {driver}: ω{driver}/ω{out} = {value}",
-        "不计损耗时的机械增益：构件 {out} 与构件 {driver} 的力矩之比 ω{driver}/ω{out} = {value}",
+        "Mechanical advantage without losses, torque on link {out} by torque on link {driver}: {ratio} = {value} ({senses})",
+        "不计损耗时的机械增益：构件 {out} 与构件 {driver} 的力矩之比 {ratio} = {value}（{senses}）",
     ),
 }

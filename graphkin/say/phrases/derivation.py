@@ -164,7 +164,8 @@ PHRASES: Phrases = {
         "Links {links} slide on each other and do not turn against each other:",
         "构件 {links} 之间组成移动副，无相对转动：",
     ),
-    "tied": ("counter-clockwise is positive", "逆时针为正"),
+    "positive": ("positive: counter-clockwise", "正值，为逆时针"),
+    "negative": ("negative: clockwise", "负值，为顺时针"),
     "tangential part": (
         "Resolve {ends} along and across {line}. The part across it is {tangential}.",
         "将 {ends} 沿 {line} 及其垂直方向分解，垂直分量为 {tangential}。",

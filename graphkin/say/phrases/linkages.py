@@ -113,8 +113,8 @@ PHRASES: Phrases = {
     "swing": ("swing of {output}: psi = {value}", "{output} 的摆角 ψ = {value}"),
     "stroke": ("stroke of {output}: H = {value}", "{output} 的行程 H = {value}"),
     "theta": (
-        "between the crank positions: theta = {theta}, K = (180 + theta)/(180 - theta) = {k}",
-        "极位夹角 θ = {theta}，行程速比系数 K = (180° + θ)/(180° − θ) = {k}",
+        "between the crank positions: theta = {theta}, K = (180 + theta)/(180 - theta) = {k:n}",
+        "极位夹角 θ = {theta}，行程速比系数 K = (180° + θ)/(180° − θ) = {k:n}",
     ),
     "no quick return": ("theta = 0, K = 1: no quick return", "θ = 0，K = 1：无急回特性"),
     "slow": (
