@@ -142,14 +142,23 @@ class Drawing:
 
         return map(shown, step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only))
 
-    def explain(self, lang: Lang = "en") -> list[str]:
-        """The vector equations and what is measured, line by line, at the scales of the sheet."""
+    def explain(self, lang: Lang = "en", as_drawn: bool = False) -> list[str]:
+        """The vector equations and what is measured, line by line, at the scales of the sheet.
+
+        as_drawn  lengths are read to 0.5 mm, as a hand reads them, and what follows follows from that
+        """
         from graphkin.say import explain
         from graphkin.sheet import scales_of
 
         scales = scales_of(self.method, self.plot, lang)
         keys: dict[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
-        return explain(self.method, self.plot, {key: scales[plane] for key, plane in keys.items()}, lang)
+        shown = {key: scales[plane] for key, plane in keys.items()}
+        if not as_drawn:
+            return explain(self.method, self.plot, shown, lang)
+        from graphkin.marking.ruler import as_drawn as read_off
+
+        plot, ruler = read_off(self.method, self.plot, scales)
+        return explain(self.method, plot, shown, lang, ruler)
 
     def answers(self) -> dict[str, Answer | None]:
         """What the file asks for, read off the drawing; None for a text that is only shown."""

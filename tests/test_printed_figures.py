@@ -12,8 +12,10 @@ from golden import GOLDEN, LANGUAGES
 
 from graphkin import library
 from graphkin.centres import centres
+from graphkin.marking import ruler
 from graphkin.planning import plan
 from graphkin.running import replay_all
+from graphkin.say import explain
 from graphkin.say.centre_explained import explain_centres
 from graphkin.say.figures import Operand, figures, signed_sum, squared, written
 
@@ -58,6 +60,50 @@ def test_centres_and_polygons_say_one_figure(name: str) -> None:
 
 def test_something_is_said_by_both() -> None:
     assert any(rates(explained(name, "en")).keys() & rates(centred(name, "en")).keys() for name in library.names())
+
+
+# --- read as a hand reads it --------------------------------------------------------------------
+
+
+@cache
+def by_hand(name: str) -> list[str]:
+    method = plan(library.load(name))
+    found, read_by = ruler.as_drawn(method, replay_all(method), scales(name))
+    return explain(method, found, scales(name) | {"length": scales(name)["position"]}, "en", read_by)
+
+
+def scales(name: str) -> dict[str, float]:
+    """Those of its sheet."""
+    line = next(line for line in explained(name, "en") if line.strip().startswith("Scales: "))
+    return dict(zip(("position", "velocity", "acceleration"), map(float, re.findall(r"= (\S+)", line)), strict=True))
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_what_is_read_by_hand_is_worth_what_it_prints(name: str) -> None:
+    lines = by_hand(name)
+    assert hold(lines) > 5
+    readings = [line for line in lines if line.endswith("; hence")]
+    assert readings
+    for line in readings:
+        assert all(2 * float(length) % 1 == 0 for length in re.findall(r"\d[\d.]*(?= mm)", line)), line
+
+
+def test_example_3_1_as_the_book_reads_it() -> None:
+    """27, 32 and 43 mm."""
+    text = "\n".join(by_hand("ex3-1"))
+    assert "Measured: pb3 = 27 mm, b2b3 = 32 mm" in text
+    assert "0.01 × 27/(0.001 × 69) = 3.913 rad/s" in text
+    assert "Measured: n3′b3′ = 43 mm, k′b3′ = 2 mm" in text
+
+
+@pytest.mark.parametrize("name", ["ex3-1", "ex3-2", "p3-12", "p3-22", "p3-17"])
+def test_a_finer_ruler_reads_what_is_right(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ruler, "READ_MM", 1e-9)
+    method = plan(library.load(name))
+    plot = replay_all(method)
+    found, _ = ruler.as_drawn(method, plot, scales(name))
+    for link, rate in plot.alpha.items():
+        assert found.alpha[link] == pytest.approx(rate, rel=1e-6, abs=1e-6 * max(map(abs, plot.alpha.values())))
 
 
 # --- formulas -----------------------------------------------------------------------------------

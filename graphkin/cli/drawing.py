@@ -85,11 +85,12 @@ def draw(
 @method_option
 @angle_option
 @at_option
+@click.option("--as-drawn", is_flag=True, help="Read lengths to 0.5 mm, as a hand does, and go on from that.")
 @lang_option
 @speaking
 def explain(
     mechanism: str, coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...],
-    lang: Lang,
+    as_drawn: bool, lang: Lang,
 ) -> None:  # fmt: skip
     """Write out the vector equations, what is laid off, and what is measured.
 
@@ -100,7 +101,7 @@ def explain(
 
     machine = read(mechanism)
     drawing = drawn(machine, coincident, method, angles, displacements)
-    click.echo("\n".join(drawing.explain(lang)))
+    click.echo("\n".join(drawing.explain(lang, as_drawn)))
 
 
 @click.command()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
@@ -16,19 +17,27 @@ from graphkin.say.polygons import polygon
 from graphkin.say.position import PositionReader
 from graphkin.say.reading import Reading
 
+if TYPE_CHECKING:
+    from graphkin.marking.ruler import Ruler
 
-def explain(method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang) -> list[str]:
+
+def explain(
+    method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang, ruler: Ruler | None = None
+) -> list[str]:
     """The whole solution as lines of plain text.
 
     plot    one position of the method, all three planes replayed
     scales  "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s²)/mm]
+    ruler   reads what is measured; the plot then follows from its readings
     """
-    return list(lines(derivation(method, plot, scales, lang), lang))
+    return list(lines(derivation(method, plot, scales, lang, ruler), lang))
 
 
-def derivation(method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang) -> Iterator[Entry]:
+def derivation(
+    method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang, ruler: Ruler | None = None
+) -> Iterator[Entry]:
     """The whole solution as data: what is given, then the three planes in the order of their constructions."""
-    reading = Reading(method, plot, scales, lang)
+    reading = Reading(method, plot, scales, lang, ruler)
     yield from given(reading)
     yield from PositionReader(reading).entries()
     yield from polygon(reading, "velocity")

@@ -29,6 +29,7 @@ def given(reading: Reading) -> Iterator[Entry]:
     for line in redundant_constraints(reading.method, reading.lang):
         yield Sentence(reading.say("derivation.redundant", line=line))
     yield Sentence(reading.say("derivation.scales", scales=reading.say("common.and").join(_scales(reading))))
+    yield Sentence(reading.say("derivation.by hand" if reading.ruler else "derivation.exactly"))
 
 
 def _scales(reading: Reading) -> Iterator[str]:

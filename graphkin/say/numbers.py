@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Callable
 from decimal import Decimal
 
 from graphkin.errors import Lang
@@ -39,9 +40,9 @@ def number(value: float, zero: float = 0.0, digits: int = DIGITS) -> str:
     return text.replace("-", "−")
 
 
-def degrees(vector: complex) -> str:
-    """Direction of a vector, counter-clockwise from +x, from 0 to 360: `153.4°`."""
-    angle = round(cmath.phase(vector) * 180 / cmath.pi, 6) % 360
+def degrees(vector: complex, read: Callable[[float], float] = float) -> str:
+    """Direction of a vector, counter-clockwise from +x, from 0 to 360: `153.4°`; as a protractor reads it."""
+    angle = read(round(cmath.phase(vector) * 180 / cmath.pi, 6) % 360) % 360
     return f"{number(angle if float(f'{angle:.4g}') < 360 else 0.0)}°"
 
 

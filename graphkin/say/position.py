@@ -224,7 +224,7 @@ class PositionReader:
         for member in (reading.body(link), *reading.group(link)):
             named = reading.method.structure.named(member)
             if len(named) > 1:
-                angle = degrees(reading.plot.arm(named[0], named[1]))
+                angle = reading.angle(reading.plot.arm(named[0], named[1]))
                 name, arrow = reading.rate("θ", member), names.arrow(named[0], named[1])
                 found.append(reading.say("derivation.angle of", name=name, angle=angle, arrow=arrow))
         if found:
@@ -240,7 +240,8 @@ class PositionReader:
             return
         if pair.named:
             along = dot(reading.plot.guide_direction(slide), reading.plot.arm(origin, point))
-            text = f"{names.of_slide('s', slide)} = {number(float(along) * 1000, reading.noise * 1000)} mm"
+            read = reading.measured(float(along))
+            text = f"{names.of_slide('s', slide)} = {number(read * 1000, reading.noise * 1000)} mm"
         elif pair.line.named:
             text = f"l_{names.pair(origin, point)} = {number(reading.distance(origin, point) * 1000)} mm"
         else:
@@ -251,7 +252,7 @@ class PositionReader:
         """`x_C = 103.6 mm, y_C = −20 mm`."""
         reading, name = self.reading, names.point(point)
         place, noise = complex(reading.plot.position[point]), reading.noise * 1000
-        x, y = (number(value * 1000, noise) for value in (place.real, place.imag))
+        x, y = (number(reading.measured(value) * 1000, noise) for value in (place.real, place.imag))
         return reading.say("common.and").join([f"x_{name} = {x} mm", f"y_{name} = {y} mm"])
 
 

@@ -13,8 +13,9 @@ from graphkin.planning.position import touching
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Formula, Operand
+from graphkin.say.noise import cut
 from graphkin.say.plane import Polygon
-from graphkin.say.reading import ROUNDING, Reading
+from graphkin.say.reading import Reading
 
 # --- the relation itself ------------------------------------------------------------------------
 
@@ -118,7 +119,7 @@ class Relation:
     def _along(self, track: str) -> tuple[str, Formula]:
         """`ω1 − ṡ_C/r3`, `ṡ_C/r3` of a wheel on a line."""
         sign = "−" if self.contact.on_slide > 0 else "+"
-        moved = Operand(self.slid_value if abs(self.slid_value) > self.reading.noise else 0.0)
+        moved = Operand(self.slid_value)
         turned = (Operand(self.radian) * moved if self.radian != 1.0 else moved) / self._radius(1)
         formula = f"{self.slid}/{self.radius(1)}"
         if track != FRAME:
@@ -127,8 +128,7 @@ class Relation:
         return (f"−{formula}", -turned) if sign == "−" else (formula, turned)
 
     def _figure(self, link: str) -> Formula:
-        value = self.value(link)
-        return Operand(value if abs(value) > 1e-12 else 0.0)
+        return Operand(self.value(link))
 
 
 def relation_of(polygon: Polygon, contact: InStep) -> Relation:
@@ -136,15 +136,16 @@ def relation_of(polygon: Polygon, contact: InStep) -> Relation:
     reading, plot = polygon.reading, polygon.reading.plot
     first = polygon.plane == "velocity"
     table, slid = (plot.omega, plot.s_rate) if first else (plot.alpha, plot.s_acceleration)
-    noise = ROUNDING * max(float(abs(rate)) for rate in table.values())
+    usual = reading.usual
 
     def value(link: str) -> float:
-        return float(table[link]) if abs(table[link]) > noise else 0.0
+        return usual.rate(float(table[link]), polygon.plane)
 
     symbol = names.SLIDING[polygon.plane]
+    moved = usual.motion(float(slid[contact.slide]), polygon.plane) if contact.slide else 0.0
     return Relation(
         reading, _contact(reading, contact.name), polygon.rate, value,
-        _slid(reading, symbol, contact), float(slid[contact.slide]) if contact.slide else 0.0,
+        _slid(reading, symbol, contact), moved,
     )  # fmt: skip
 
 
@@ -178,9 +179,10 @@ def turned(reading: Reading, contact: InStep) -> Relation:
     drawn = plot.facts.drawn
 
     def value(link: str) -> float:
-        return degrees(float(plot.theta[link]) - drawn.get(link, 0.0))
+        return cut(degrees(float(plot.theta[link]) - drawn.get(link, 0.0)), 360.0)
 
     moved = float(plot.s[found.slide]) - drawn[slide_key(found.slide)] if found.slide else 0.0
+    moved = cut(moved, reading.usual.length)
     slid = _slid(reading, "Δs", contact)
     return Relation(reading, found, lambda link: reading.rate("Δθ", link), value, slid, moved, degrees(1.0))
 
@@ -241,6 +243,7 @@ def rolling(polygon: Polygon, step: Roll) -> Iterator[Entry]:
     else:
         slide, table = names.SLIDING[polygon.plane], polygon.reading.plot
         value = float((table.s_rate if polygon.plane == "velocity" else table.s_acceleration)[step.slide])
+        value = reading.usual.motion(value, polygon.plane)
         yield Calculation(_moved(reading, slide, step.slide), (), "", value, names.UNIT[polygon.plane])
 
 

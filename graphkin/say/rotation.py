@@ -12,7 +12,6 @@ from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Operand, figures, signed_sum
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
-from graphkin.say.reading import ROUNDING
 from graphkin.say.rolling import checked, contacted, same_velocity
 
 # --- rotations ----------------------------------------------------------------------------------
@@ -92,8 +91,8 @@ def _turning(polygon: Polygon, step: Measure) -> float:
 def _resolved(polygon: Polygon, step: Measure) -> Iterator[Entry]:
     """Both ends are known from elsewhere: only the part across the lever turns the link."""
     reading = polygon.reading
-    across = abs(_turning(polygon, step))
-    across = across if across > polygon.noise else 0.0
+    across = reading.usual.motion(abs(_turning(polygon, step)), polygon.plane)
+    across = float(reading.ruler.read(across, polygon.plane)) if reading.ruler else across
     length_mm = across / polygon.scale
     tail = _corner(polygon, step.tail, step.lever[0])
     name = polygon.seen(polygon.of(step.head), polygon.of(tail), "t")
@@ -127,8 +126,7 @@ def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
     """`ω2 = ω3`, or `ω2 = ω1 + ω21` with a driven rotation between them; the frame adds nothing."""
     reading = polygon.reading
     table = reading.plot.omega if polygon.plane == "velocity" else reading.plot.alpha
-    noise = ROUNDING * max(float(abs(rate)) for rate in table.values())
-    value = float(table[link]) if abs(table[link]) > noise else 0.0
+    value = reading.usual.rate(float(table[link]), polygon.plane)
     symbol, drivers = names.RATE[polygon.plane], reading.mechanism.drivers
     parts = [] if other == FRAME else [(1, polygon.rate(other), float(table[reading.body(other)]))]
     driven = _driven_between(polygon, link, other)
@@ -137,7 +135,7 @@ def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
     if not driven or (len(parts) == 1 and parts[0][0] > 0):
         note = _sense(polygon, value) if value else ""
         return Calculation(polygon.rate(link), (formula,), "", abs(value), polygon.rate_unit, note)
-    rates = [(sign, rate if abs(rate) > noise else 0.0) for sign, _, rate in parts]
+    rates = [(sign, reading.usual.rate(rate, polygon.plane)) for sign, _, rate in parts]
     numbers = signed_sum(rates) if len(rates) > 1 else ""
     note = reading.signed(value)
     return Calculation(polygon.rate(link), (formula,), numbers, value, polygon.rate_unit, note)
@@ -172,7 +170,7 @@ def sliding(polygon: Polygon, step: Measure) -> Iterator[Entry]:
     reading = polygon.reading
     pair = reading.method.structure.slides[step.of]
     table = reading.plot.s_rate if polygon.plane == "velocity" else reading.plot.s_acceleration
-    value, size = float(table[step.of]), polygon.size(step.tail, step.head)
+    value, size = float(table[step.of]), polygon.read(step.tail, step.head)
     name, unit = polygon.name(step.tail, step.head), names.UNIT[polygon.plane]
     if pair.named:
         symbol = names.of_slide(names.SLIDING[polygon.plane], step.of)

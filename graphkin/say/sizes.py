@@ -97,7 +97,7 @@ def _coriolis(polygon: Polygon, term: Term, size: Coriolis, direction: str) -> S
     rate, velocity = reading.rate("ω", size.link), Polygon(reading, "velocity")
     relative = velocity.seen(term.of, term.seen_from)
     omega = Operand(abs(reading.plot.omega[size.link]))
-    numbers = Operand(2) * omega * Operand(velocity.size(size.tail, size.head))
+    numbers = Operand(2) * omega * Operand(velocity.read(size.tail, size.head))
     way = reading.say("derivation.quarter turned", relative=relative, rate=rate, direction=direction)
     return Sized(f"2 {rate} {relative}", numbers, way)
 

@@ -198,14 +198,14 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
     equations = equations[0].upper() + equations[1:]
     yield Sentence(reading.say("contacts.together", unknowns=unknowns, equations=equations))
     table = plot.omega if polygon.plane == "velocity" else plot.alpha
-    noise = 1e-9 * max(float(abs(rate)) for rate in table.values())
     for link in dict.fromkeys(members):
-        value = float(table[link]) if abs(table[link]) > noise else 0.0
+        value = reading.usual.rate(float(table[link]), polygon.plane)
         note = reading.say("common.ccw" if value > 0 else "common.cw") if value else ""
         yield Calculation(polygon.rate(link), (), "", abs(value), polygon.rate_unit, note)
     rates = plot.s_rate if polygon.plane == "velocity" else plot.s_acceleration
     for slide, symbol in zip(step.slides, slides, strict=True):
-        yield Calculation(symbol, (), "", float(rates[slide]), names.UNIT[polygon.plane])
+        value = reading.usual.motion(float(rates[slide]), polygon.plane)
+        yield Calculation(symbol, (), "", value, names.UNIT[polygon.plane])
 
 
 def _symbol(polygon: Polygon, slide: str) -> str:

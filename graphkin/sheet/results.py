@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from graphkin.construction import Node, Plot
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
+from graphkin.say.noise import Usual
 from graphkin.sheet.lettering import (
     Label,
     Run,
@@ -28,7 +29,6 @@ SIZE = 2.8
 """Letters of the table [mm]."""
 _GAP, _BETWEEN = 2.6, 6.0
 _MOST_ROWS = 12
-_NOISE = 1e-9
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
 
 
@@ -53,35 +53,12 @@ class Table:
             yield Table(self.head, self.rows[k : k + count])
 
 
-@frozen
-class _Usual:
-    """What is usual in a mechanism: values far below are the noise of computing, and written 0.
-
-    length [m], speed [m/s], acceleration [m/s^2], turning [rad/s]
-    """
-
-    length: float
-    speed: float
-    acceleration: float
-    turning: float
-
-    @classmethod
-    def of(cls, plot: Plot) -> _Usual:
-        places = [complex(v) for v in plot.position.values()]
-        length = max((abs(a - b) for a in places for b in places), default=0.0) or 1.0
-        speed = _largest(plot.velocity)
-        turning = max(_largest(plot.omega), speed / length)
-        return cls(length, speed, max(_largest(plot.acceleration), turning**2 * length), turning)
-
-    def speeds(self, value: float) -> Label:
-        return number(value if abs(value) > _NOISE * self.speed else 0.0)
-
-    def accelerations(self, value: float) -> Label:
-        return number(value if abs(value) > _NOISE * self.acceleration else 0.0)
+def _speed(usual: Usual, value: float) -> Label:
+    return number(usual.motion(value, "velocity"))
 
 
-def _largest(values: Mapping[str, complex]) -> float:
-    return max((abs(v) for v in values.values()), default=0.0)
+def _acceleration(usual: Usual, value: float) -> Label:
+    return number(usual.motion(value, "acceleration"))
 
 
 @frozen
@@ -91,7 +68,7 @@ class _Results:
     method: Method
     plot: Plot
     lang: Lang
-    usual: _Usual
+    usual: Usual
 
     def asked(self, name: str) -> bool:
         """Whether the problem asks for something of this name."""
@@ -106,20 +83,19 @@ class _Results:
         )  # fmt: skip
         names = [name for name in machine.moving if name in plot.omega]
         names.sort(key=lambda name: not self.asked(machine.called(name)))
-        quick = self.usual.acceleration / self.usual.length
         rows = (
             (
                 link_label(machine.called(name)),
-                self.turning(float(plot.omega[name]), self.usual.turning),
-                self.turning(float(plot.alpha[name]), quick),
+                self.turning(self.usual.rate(float(plot.omega[name]), "velocity")),
+                self.turning(self.usual.rate(float(plot.alpha[name]), "acceleration")),
             )
             for name in names
         )
         return Table(head, tuple(rows))
 
-    def turning(self, value: float, usual: float) -> Label:
+    def turning(self, value: float) -> Label:
         """`3.919 cw`."""
-        if abs(value) <= _NOISE * usual:
+        if not value:
             return plain("0")
         return (*number(abs(value)), Run(f" {_SENSE[self.lang][value < 0]}"))
 
@@ -134,8 +110,8 @@ class _Results:
         rows = (
             (
                 point_label(node.of),
-                usual.speeds(abs(plot.velocity[node.name])),
-                usual.accelerations(abs(plot.acceleration[primed[node.of]])),
+                _speed(usual, abs(plot.velocity[node.name])),
+                _acceleration(usual, abs(plot.acceleration[primed[node.of]])),
             )
             for node in nodes
         )
@@ -156,8 +132,8 @@ class _Results:
             if not any(pair):
                 continue
             speed = abs(self.plot.velocity[term.head] - self.plot.velocity[term.tail])
-            sizes = (usual.accelerations(abs(at[t.head] - at[t.tail])) if t else plain("") for t in pair)
-            found.append((_pair_label(low), usual.speeds(speed), *sizes))
+            sizes = (_acceleration(usual, abs(at[t.head] - at[t.tail])) if t else plain("") for t in pair)
+            found.append((_pair_label(low), _speed(usual, speed), *sizes))
         found.sort(key=lambda row: not self.asked("".join(run.text for run in row[0])))
         return Table(head, tuple(found))
 
@@ -172,8 +148,8 @@ class _Results:
             (
                 plain(slide.name, True),
                 number(1000 * float(plot.s[slide.name])),
-                usual.speeds(float(plot.s_rate.get(slide.name, 0.0))),
-                usual.accelerations(float(plot.s_acceleration.get(slide.name, 0.0))),
+                _speed(usual, float(plot.s_rate.get(slide.name, 0.0))),
+                _acceleration(usual, float(plot.s_acceleration.get(slide.name, 0.0))),
             )
             for slide in self.method.mechanism.slides
             if slide.named and slide.name in plot.s
@@ -183,7 +159,7 @@ class _Results:
 
 def tables(method: Method, plot: Plot, lang: Lang) -> list[Table]:
     """Links, points, coincident points, slides; empty ones left out."""
-    results = _Results(method, plot, lang, _Usual.of(plot))
+    results = _Results(method, plot, lang, Usual.of(plot))
     found = (results.links(), results.points(), results.parts(), results.slides())
     return [table for table in found if table.rows]
 

@@ -8,6 +8,15 @@ PHRASES: Phrases = {
     "size row": ("size:", "大小："),
     "given": ("Given: {drivers}. Link {frame} is the frame.", "已知：{drivers}。构件 {frame} 为机架。"),
     "scales": ("Scales: {scales}.", "取比例尺：{scales}。"),
+    "too short": (" (too short to draw)", "（过短，图上画不出）"),
+    "exactly": (
+        "Lengths are those of an exact drawing; figures have four digits, and factors more where their result needs it.",
+        "各长度按精确作图取值；数值取四位有效数字，必要时参与运算的数多取几位。",
+    ),
+    "by hand": (
+        "Every length that is not given is read off the drawing to 0.5 mm, every angle to 0.5°, and used as it is read.",
+        "凡非已知的长度均由图上量取，读至 0.5 mm（角度读至 0.5°），并以量得的值继续计算。",
+    ),
     "plane position": ("(1) The mechanism, drawn to scale", "解：(1) 作机构运动简图"),
     "plane velocity": ("(2) Velocities", "(2) 作速度分析"),
     "plane acceleration": ("(3) Accelerations", "(3) 作加速度分析"),
