@@ -7,6 +7,8 @@ from graphkin.construction import (
     Direction,
     Drawn,
     LayOff,
+    Normal,
+    Relative,
     Simultaneous,
     Site,
     Size,
@@ -93,7 +95,8 @@ def _leg(polygon: Polygon, leg: Leg, point: Site) -> tuple[Term, ...]:
     label = polygon.labels.label
     for sites, part, size, way in _known_of(polygon, leg, point):
         of, seen_from = map(label, sites)
-        head = polygon.between("k" if part == "k" else "n", link, f"a^{part}_{of}{seen_from}")
+        turning = polygon.structure.home(size.link) if isinstance(size, Normal | Relative) else link
+        head = polygon.between("k" if part == "k" else "n", turning, f"a^{part}_{of}{seen_from}")
         terms.append(Term(of, seen_from, part, size, way, tail, head, sites=sites))
         tail = head
     seen_from, part = _unknown_of(polygon, leg.unknown)

@@ -28,6 +28,7 @@ from graphkin.construction import (
     Turning,
 )
 from graphkin.mechanism import FRAME
+from graphkin.naming import image_name, primes
 from graphkin.planning.closing import close
 from graphkin.planning.hops import Hop, Lever, Slip, Twist
 from graphkin.planning.labels import Labels
@@ -35,6 +36,10 @@ from graphkin.planning.structure import Structure
 
 Piece = tuple[str, Size | None, Direction | None]
 """The part (`n`, `t`, `k`, `r`), size and direction of one arrow of a hop."""
+
+
+TIPS = {"n": "nmuw", "t": "tyxw", "k": "kgjx"}
+"""Letters for the tips of normal, tangential and Coriolis arrows; the first that no point of the mechanism has."""
 
 
 @dataclass
@@ -62,9 +67,8 @@ class Polygon:
 
     # --- names --------------------------------------------------------------------------------
 
-    @property
-    def prime(self) -> str:
-        return "'" if self.plane == "acceleration" else ""
+    def image(self, label: str) -> str:
+        return image_name(self.structure.mechanism, self.plane, label)
 
     def key(self, site: Site) -> Site:
         """A hinge moves as one point, whichever of its links it is seen as part of."""
@@ -78,7 +82,7 @@ class Polygon:
             return self.pole
         if key not in self.at:
             label = self.labels.label(key)
-            self.at[key] = self.new(label[0].lower() + label[1:] + self.prime, label, key)
+            self.at[key] = self.new(self.image(label), label, key)
         return self.at[key]
 
     def new(self, name: str, of: str, site: Site | None = None) -> str:
@@ -90,18 +94,20 @@ class Polygon:
         """A fixed point has a name of its own on the pole."""
         site = Site(point, FRAME)
         label = self.labels.label(site)
-        return self.new(label[0].lower() + label[1:] + self.prime, label, site)
+        return self.new(self.image(label), label, site)
 
     def aside(self) -> str:
         self.asides += 1
         return self.new(f"*{self.asides}", "")
 
     def between(self, letter: str, link: str, of: str) -> str:
-        """A corner of the polygon that is no point of the mechanism: n3', k'."""
-        stem = letter if letter == "k" else letter + self.structure.mechanism.called(link)
+        """A corner of the polygon that is no point of the mechanism: n3', k'; another letter where a point has that."""
+        taken = {name[0] for name in (*self.reserved, self.pole)}
+        own = next((other for other in TIPS[letter] if other not in taken), letter)
+        stem = own if letter == "k" else own + self.structure.mechanism.called(link)
         for more in ("", *(str(k) for k in range(1, 1000))):
             dot = "_" if more and stem[-1].isdigit() else ""
-            name = f"{stem}{dot}{more}'"
+            name = f"{stem}{dot}{more}{primes(self.structure.mechanism, self.plane)}"
             if name not in self.nodes and name not in self.reserved:
                 return self.new(name, of)
         raise AssertionError("a thousand corners of one name")

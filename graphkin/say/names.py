@@ -26,9 +26,15 @@ def point(name: str) -> str:
         count = int(name[1:])
         return chr(0x2460 + count - 1) if count <= 20 else f"({count})"
     name = _ORIGIN.sub(_origin, name)
-    return spelled(name).replace("'", "′")
+    return _primed(_COUNTED.sub(r"\1,\2", spelled(name)))
 
 
+def _primed(name: str) -> str:
+    return name.replace("'''", "‴").replace("''", "″").replace("'", "′")
+
+
+_COUNTED = re.compile(r"(?<=[a-z])(\w*\d)_(\d+)(?=')")
+"""The second corner of one letter and link: n4,1'."""
 _ORIGIN = re.compile(r"(?:([cr])(\d+)|\w+) origin")
 
 

@@ -51,7 +51,7 @@ def _table() -> dict[str, tuple[float, float]]:
 
 
 _WIDTHS = _table()
-_CORNER = re.compile(r"([nkt])([^\W\d_]\w*?)(?:_(\d+))?('+)")
+_CORNER = re.compile(r"(?!pole')([a-z])([^\W\d_]\w*?)(?:_(\d+))?('+)")
 _EQUIVALENT = re.compile(r"e [a-z]+(\d*)")
 _CJK = re.compile(r"[\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
 
@@ -142,7 +142,7 @@ def _mixed(text: str, place: Literal["base", "sub", "sup"]) -> Label:
 def point_label(name: str) -> Label:
     """A point of the mechanism or of a polygon: `B`, `O1`, `b3'`, `n'`, `b@guide`: digits as subscripts.
 
-    Points have one letter; what follows n, k or t at a corner is the word that names the link: `nboom'`, `nc1_2'`.
+    Points have one letter; what follows the letter of a corner is the word that names the link: `nboom'`, `nc1_2'`.
     """
     name = _EQUIVALENT.sub(_equivalent, name)
     if corner := _CORNER.fullmatch(name):
