@@ -116,10 +116,7 @@ def _groups(method: Method) -> Iterator[Together]:
     for stage in method.stages:
         match stage:
             case Loop():
-                letters = "".join(_letter(method, joint) for joint in stage.joints)
-                merged = tuple(_merged(method, stage))
-                yield Together("dyad", 2, _named(method, stage.bodies), letters, added=_added(method, stage.bodies),
-                               merged=merged)  # fmt: skip
+                yield _dyad(method, stage)
             case Group() if not stage.loops:
                 yield Together("train", 1, _named(method, stage.angles))
             case Group():
@@ -128,6 +125,27 @@ def _groups(method: Method) -> Iterator[Together]:
                 yield Together("wheel", 1, tuple(method.mechanism.called(wheel) for wheel in stage.contact.wheels))
             case Carry() | Bridge():
                 pass
+
+
+def _dyad(method: Method, stage: Loop) -> Together:
+    """Two links; one that only translates on the other, hinged to the rest, is none of the loop's unknowns."""
+    letters = [_letter(method, joint) for joint in stage.joints]
+    bodies = stage.bodies
+    if len(bodies) == 1:
+        ends = [_far_end(method, joint, bodies[0]) for joint in stage.joints]
+        k = next(k for k, end in enumerate(ends) if end != FRAME)
+        bodies, letters[k] = (*bodies, ends[k]), "RP" if k == 0 else "PR"
+    merged = tuple(_merged(method, stage))
+    return Together("dyad", 2, _named(method, bodies), "".join(letters), added=_added(method, bodies), merged=merged)
+
+
+def _far_end(method: Method, joint: Joint, body: str) -> str:
+    """The other body of a sliding pair."""
+    if isinstance(joint, Hinge):
+        return FRAME
+    slide = method.structure.slides[joint.slide]
+    ends = (slide.guide, method.structure.block(slide))
+    return ends[0] if ends[1] == body else ends[1]
 
 
 def _group(method: Method, stage: Group) -> Together:

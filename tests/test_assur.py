@@ -96,6 +96,7 @@ point = "C"
 guide = "frame"
 through = [0, -40]
 angle = 0
+tilt = 0
 [[pose]]
 slide = "rack"
 at = -50

@@ -10,6 +10,7 @@ from graphkin.finding.conditions import Comparison, Scaling, Slowest
 from graphkin.mechanism import Driver
 from graphkin.quantities import driven
 from graphkin.say.catalogue import say
+from graphkin.say.names import in_signs
 from graphkin.say.numbers import exact, quantity
 
 # --- values -----------------------------------------------------------------------------------
@@ -48,7 +49,7 @@ def _values(found: Findings, position: Position) -> str:
 def lines(found: Findings, lang: Lang = "en") -> Iterator[str]:
     """Everything found, for the terminal; nothing twice."""
     for line in dict.fromkeys(_lines(found, lang)):
-        yield line.replace(" deg", "°") if lang == "zh" else line
+        yield in_signs(line.replace(" deg", "°"), lang) if lang == "zh" else line
 
 
 def _lines(found: Findings, lang: Lang) -> Iterator[str]:

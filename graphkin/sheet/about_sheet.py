@@ -43,7 +43,7 @@ _TOWARDS = 30.0
 HEADING: dict[Lang, str] = {"en": "Link {link} about its instant centre", "zh": "构件 {link} 绕瞬心的运动"}
 INFLECTION: dict[Lang, str] = {"en": "inflection circle", "zh": "拐点圆"}
 INFLECTION_LINE: dict[Lang, str] = {"en": "inflection circle (a line)", "zh": "拐点圆（退化为直线）"}
-RETURN: dict[Lang, str] = {"en": "return circle", "zh": "回转圆"}
+RETURN: dict[Lang, str] = {"en": "cuspidal circle", "zh": "尖点圆"}
 
 
 def about_sheet(seen: About, *, paper: str | None = None, lang: Lang = "en") -> Sheet:

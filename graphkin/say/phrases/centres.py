@@ -70,7 +70,7 @@ PHRASES: Phrases = {
     ),
     "lines coincide": ("no two lines through it that differ are known", "已知的过该点的直线重合或不足两条"),
     "together": (
-        "{name}: links {first} and {second} do not move against each other at this instant, and have no centre.",
+        "{name}: links {first} and {second} have no relative motion at this instant, and no centre.",
         "{name}：构件 {first}、{second} 此瞬时无相对运动，不存在瞬心。",
     ),
     "mm": ("at ({x}, {y}) mm", "坐标（{x}，{y}）mm"),
@@ -109,7 +109,7 @@ PHRASES: Phrases = {
     "by slide": ("sliding pair", "移动副"),
     "by velocities": ("velocities", "由速度求得"),
     "by normal": ("common normal", "公法线"),
-    "by together": ("no motion against each other", "无相对运动"),
+    "by together": ("no relative motion", "无相对运动"),
     "column centre": ("centre", "瞬心"),
     "column links": ("links", "构件"),
     "column place": ("place [mm]", "位置 [mm]"),
