@@ -87,7 +87,8 @@ class LeverReader:
         first, second = (letters.get(end, end) for end in ends)
         if letters.keys() >= {*ends}:
             return names.pair(first, second)
-        return names.point(first) + (" " if "," in first + second else "") + names.point(second)
+        plain = all(names.point(end)[1:].isdigit() for end in ends if end not in letters)
+        return names.point(first) + ("" if plain else " ") + names.point(second)
 
     def _formulas(self, lever: Lever, found: Reckon) -> tuple[tuple[str, ...], Formula | str]:
         """The formulas, and the last one with its figures."""

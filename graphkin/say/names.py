@@ -90,6 +90,7 @@ def of_slide(symbol: str, slide: str) -> str:
 
 
 _LETTERS = {"omega": "ω", "alpha": "α", "theta": "θ"}
+_DEGREES = re.compile(r" ?\bdeg\b")
 _TYPED = re.compile(r"\b(omega|alpha|theta) ([\w'′]+)|\b([sva])(?:_([nktrxy]))? ([\w'′@,]*\w[\w'′@]*)")
 
 
@@ -97,7 +98,7 @@ def in_signs(text: str, lang: Lang) -> str:
     """Quantities and units as they are typed, in Chinese as they are written: `omega 3` as ω3, `rad/s^2` as rad/s²."""
     if lang != "zh":
         return text
-    return _TYPED.sub(_sign, text).replace("/s^2", "/s²")
+    return _DEGREES.sub("°", _TYPED.sub(_sign, text)).replace("/s^2", "/s²")
 
 
 def _sign(found: re.Match[str]) -> str:

@@ -24,7 +24,7 @@ def given_values(mechanism: Mechanism, values: Sequence[float], lang: Lang) -> s
     for driver, value in zip(mechanism.drivers, values, strict=True):
         unit = EDGE[driven(driver.kind == "slide")]
         shown.append(f"{driver.name} = {exact(value * unit.factor)} {unit.name}")
-    return say("common.and", lang).join(shown)
+    return in_signs(say("common.and", lang).join(shown), lang)
 
 
 def solve_lines(mechanism: Mechanism, found: Json, lang: Lang) -> Iterator[str]:

@@ -80,7 +80,7 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
 
 def _valued(entry: Series, value: float) -> str:
     text = at_edge(value, entry.unit)
-    return text + (f" ({number(value * IN_GRAVITY.factor)} {IN_GRAVITY.name})" if entry.unit == "m/s^2" else "")
+    return text + (f" ({number(value * IN_GRAVITY.factor, 1e-9)} {IN_GRAVITY.name})" if entry.unit == "m/s^2" else "")
 
 
 # --- tables -------------------------------------------------------------------------------------

@@ -88,12 +88,12 @@ PHRASES: Phrases = {
     ),
     "bobillier Qc": ("It meets the line {a}{c} at {qc}.", "它与直线 {a}{c} 的交点为 {qc}。"),
     "bobillier K": (
-        "The line {a0}{qc} meets the ray {p}{c} at {k}, the centre of curvature of the path of {c}.",
-        "直线 {a0}{qc} 与射线 {p}{c} 的交点 {k} 即为点 {c} 轨迹的曲率中心。",
+        "The line {a0}–{qc} meets the ray {p}{c} at {k}, the centre of curvature of the path of {c}.",
+        "直线 {a0}–{qc} 与射线 {p}{c} 的交点 {k} 即为点 {c} 轨迹的曲率中心。",
     ),
     "bobillier K far": (
-        "The line {a0}{qc} is parallel to the ray {p}{c}: the path of {c} is straight at this instant.",
-        "直线 {a0}{qc} 与射线 {p}{c} 平行：点 {c} 的轨迹此刻曲率为零。",
+        "The line {a0}–{qc} is parallel to the ray {p}{c}: the path of {c} is straight at this instant.",
+        "直线 {a0}–{qc} 与射线 {p}{c} 平行：点 {c} 的轨迹此刻曲率为零。",
     ),
     # --- two velocities
     "two rigid": (

@@ -32,7 +32,7 @@ PHRASES: Phrases = {
         "各构件的位置均可由原动件直接求得，无需封闭矢量多边形。",
     ),
     "fixed angles": ("Links that keep their angle to one another:", "方位角关系固定的构件："),
-    "same rates": ("so they turn together:", "故其角速度、角加速度分别相等："),
+    "same rates": ("and, differentiated with respect to time:", "对时间求导，得角速度、角加速度的关系："),
     "unknown": ("Unknown: {unknowns}.", "未知量：{unknowns}。"),
     "closure": ("The vectors of the polygon close:", "封闭矢量方程写成复数矢量形式："),
     "parts": ("Real and imaginary parts, by Euler's formula:", "应用欧拉公式将实部和虚部分离，得"),
@@ -69,6 +69,10 @@ PHRASES: Phrases = {
     "newton": (
         "These {count} equations hold {count} unknowns that no pair of them separates: there is no closed form that ruler and compass could draw. They are solved by Newton's method from a nearby position; velocities and accelerations follow from linear equations, below in matrices.",
         "上列 {count} 个方程含 {count} 个未知量，不能逐对分离求解，无简单的封闭解，须用牛顿迭代法由邻近位置求出；速度和加速度由线性方程组求得，以矩阵形式列于下。",
+    ),
+    "linear": (
+        "These {count} rolling relations are linear: eliminating one unknown after the other gives them in closed form.",
+        "上列 {count} 个滚动关系均为线性方程，逐一消元即得封闭解。",
     ),
     # rates
     "rates": (

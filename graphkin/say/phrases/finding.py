@@ -4,6 +4,8 @@ from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
     "looked": ("searched from {driver} = {low} to {high}", "搜索范围：{driver} = {low} 至 {high}"),
+    "in brackets": ("  ({text})", "（{text}）"),
+    "because": ("  (because {zero})", "（因 {zero}）"),
     "turn": (", a full turn", "，即整周"),
     "stopped": (", as far as it gets ({ends})", "，即可到达的范围（{ends}）"),
     "low end": ("dead point at {value}", "{value} 处为死点"),
