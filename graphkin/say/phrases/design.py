@@ -188,6 +188,14 @@ PHRASES: Phrases = {
         "Shortest + longest is more than the other two (Grashof fails): no link turns fully.",
         "最短杆与最长杆之和大于其余两杆之和（不满足杆长条件），没有整转副。",
     ),
+    "reason passed ccw": (
+        "All wanted positions lie on one branch, and AB takes them in order as it turns counter-clockwise.",
+        "各给定位置在同一装配分支上，AB 逆时针转动时依次到达。",
+    ),
+    "reason passed cw": (
+        "All wanted positions lie on one branch, and AB takes them in order as it turns clockwise.",
+        "各给定位置在同一装配分支上，AB 顺时针转动时依次到达。",
+    ),
     "reason crank rocks": ("AB does not turn fully.", "AB 不能整周转动。"),
     "reason drive at CD": (
         "Driven at DC instead, it passes all positions.",
