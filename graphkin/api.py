@@ -147,15 +147,26 @@ class Drawing:
 
         return map(shown, step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only, tight=tight))
 
-    def explain(self, lang: Lang = "en", *, everything: bool = False, only: Plane = "acceleration") -> list[str]:
-        """The vector equations and what is measured, line by line, at the scales of the sheet."""
+    def explain(
+        self, lang: Lang = "en", *, everything: bool = False, only: Plane = "acceleration", as_drawn: bool = False
+    ) -> list[str]:
+        """The solution, line by line, at the scales of the sheet.
+
+        everything, only  all points and links, whatever is asked; the last plane that is drawn
+        as_drawn          lengths are read to 0.5 mm, as a hand reads them, and what follows follows from that
+        """
         from graphkin.say import explain
         from graphkin.sheet import scales_of
 
         scales = scales_of(self.method, self.plot, lang)
         keys: dict[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
         found = {key: scales[plane] for key, plane in keys.items()}
-        return explain(self.method, self.plot, found, lang, everything, only)
+        if not as_drawn:
+            return explain(self.method, self.plot, found, lang, everything, only)
+        from graphkin.marking.ruler import as_drawn as read_off
+
+        plot, ruler = read_off(self.method, self.plot, scales)
+        return explain(self.method, plot, found, lang, everything, only, ruler)
 
     def answers(self) -> dict[str, Answer | None]:
         """What the file asks for, read off the drawing; None for a text that is only shown."""

@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphkin.analytic import Mobility, mobility
-from graphkin.mechanism import FRAME
+from graphkin.mechanism import FRAME, Mechanism
+from graphkin.naming import PairName
+from graphkin.pairs import Pair, Roll, pin_name, rod_name
 from graphkin.planning import Method
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh
 from graphkin.planning.structure import Hinge, Joint
@@ -25,6 +27,8 @@ class Together:
     kind      "dyad", "triad" (by a special point), "higher" (simultaneously), "train" of gears, "wheel" that rolls
     cls       the class: 2 and more; 1 for wheels, which are no Assur group
     letters   a dyad's pairs in order, R and P
+    added     names of pairs whose pin, or whose link of the lower-pair equivalent, is one of the links
+    merged    two links each that a driven sliding pair holds together as one
     point, ternary   a triad's special point, and the link on which it lies
     """
 
@@ -34,13 +38,25 @@ class Together:
     letters: str = ""
     point: str = ""
     ternary: str = ""
+    added: tuple[Added, ...] = ()
+    merged: tuple[tuple[str, ...], ...] = ()
+
+
+@frozen
+class Added:
+    """A link of a group that the file does not have. kind: "block" at a point, or "rod" between two centres."""
+
+    kind: str
+    pair: PairName
 
 
 @frozen
 class Structure:
     """What a mechanism is made of.
 
-    moving, low, high   counts of moving links, of lower and of higher pairs
+    moving, low, high   counts of moving links, of lower and of higher pairs; rolling contacts are neither
+    rolls               each rolling contact by its links, with the freedoms it takes: no slip, and the distance kept,
+                        unless other pairs keep that
     mobility            degrees of freedom by rank
     groups              in the order they are solved
     methods             keys of the methods that the construction needs: "two points", "coincident", ..
@@ -52,11 +68,21 @@ class Structure:
     mobility: Mobility
     groups: tuple[Together, ...]
     methods: tuple[str, ...]
+    rolls: tuple[tuple[tuple[str, ...], int], ...] = ()
+
+    @property
+    def rolled(self) -> int:
+        return sum(taken for _, taken in self.rolls)
+
+    @property
+    def repeated(self) -> int:
+        """Redundant constraints that the formula counts."""
+        return self.mobility.repeated - sum(taken == 1 for _, taken in self.rolls)
 
     @property
     def formula(self) -> int:
-        """F = 3 n - 2 p_l - p_h."""
-        return 3 * self.moving - 2 * self.low - self.high
+        """F = 3 n - 2 p_l - p_h, less what rolling contacts take."""
+        return 3 * self.moving - 2 * self.low - self.high - self.rolled
 
     @property
     def cls(self) -> int:
@@ -64,14 +90,25 @@ class Structure:
 
 
 def structure(method: Method) -> Structure:
-    """A pin in a slot, a cam pair and a gear pair take one freedom, rolling contact two."""
+    """A pin in a slot, a cam pair and a gear pair take one freedom; rolling contact one, or two."""
     mechanism = method.mechanism
-    low = sum(len(hinge.links) - 1 for hinge in mechanism.hinges) + sum(pair.lower for pair in mechanism.pairs)
-    high = sum(not pair.lower for pair in mechanism.pairs)
+    others = [pair for pair in mechanism.pairs if not isinstance(pair, Roll)]
+    low = sum(len(hinge.links) - 1 for hinge in mechanism.hinges) + sum(pair.lower for pair in others)
+    high = sum(not pair.lower for pair in others)
     return Structure(
         len(mechanism.moving), low, high, mobility(mechanism),
-        tuple(_groups(method)), tuple(_methods(method)),
+        tuple(_groups(method)), tuple(_methods(method)), tuple(_rolls(method)),
     )  # fmt: skip
+
+
+def _rolls(method: Method) -> Iterator[tuple[tuple[str, ...], int]]:
+    """Each rolling contact; other pairs keep its distance where neither a path nor a rod stands for it."""
+    mechanism, structure = method.mechanism, method.structure
+    kept = {slide.name for slide in structure.joining if slide.stands_for is not None}
+    for pair in mechanism.pairs:
+        if isinstance(pair, Roll):
+            alone = pair.name in kept or rod_name(pair) in structure.bodies
+            yield tuple(mechanism.called(link) for link in pair.joins), 2 if alone else 1
 
 
 def _groups(method: Method) -> Iterator[Together]:
@@ -79,8 +116,7 @@ def _groups(method: Method) -> Iterator[Together]:
     for stage in method.stages:
         match stage:
             case Loop():
-                letters = "".join(_letter(method, joint) for joint in stage.joints)
-                yield Together("dyad", 2, _named(method, stage.bodies), letters)
+                yield _dyad(method, stage)
             case Group() if not stage.loops:
                 yield Together("train", 1, _named(method, stage.angles))
             case Group():
@@ -91,24 +127,74 @@ def _groups(method: Method) -> Iterator[Together]:
                 pass
 
 
+def _dyad(method: Method, stage: Loop) -> Together:
+    """Two links; one that only translates on the other, hinged to the rest, is none of the loop's unknowns."""
+    letters = [_letter(method, joint) for joint in stage.joints]
+    bodies = stage.bodies
+    if len(bodies) == 1:
+        ends = [_far_end(method, joint, bodies[0]) for joint in stage.joints]
+        k = next(k for k, end in enumerate(ends) if end != FRAME)
+        bodies, letters[k] = (*bodies, ends[k]), "RP" if k == 0 else "PR"
+    merged = tuple(_merged(method, stage))
+    return Together("dyad", 2, _named(method, bodies), "".join(letters), added=_added(method, bodies), merged=merged)
+
+
+def _far_end(method: Method, joint: Joint, body: str) -> str:
+    """The other body of a sliding pair."""
+    if isinstance(joint, Hinge):
+        return FRAME
+    slide = method.structure.slides[joint.slide]
+    ends = (slide.guide, method.structure.block(slide))
+    return ends[0] if ends[1] == body else ends[1]
+
+
 def _group(method: Method, stage: Group) -> Together:
-    links = _named(method, stage.bodies)
+    links, added, merged = _named(method, stage.bodies), _added(method, stage.bodies), tuple(_merged(method, stage))
     if (found := method.ternaries.get(stage)) is not None:
-        return Together("triad", 3, links, point=found.name, ternary=found.link)
+        return Together("triad", 3, links, point=found.name, ternary=found.link, added=added, merged=merged)
     cls = 4 if len(stage.loops) == 2 and not stage.contacts else 3 + len(stage.loops) - 1
-    return Together("higher", min(cls, 5), links)
+    return Together("higher", min(cls, 5), links, added=added, merged=merged)
 
 
 def _letter(method: Method, joint: Joint) -> str:
     """R for a hinge, P for a sliding pair; a driven one counts as rigid."""
     if isinstance(joint, Hinge):
-        return "R"
+        owners = method.mechanism.owners.get(joint.point, ())
+        return "" if any({*pair} <= {*owners} for pair in _turned(method)) else "R"
     return "" if joint.slide in method.structure.slides_driven else "P"
 
 
 def _named(method: Method, bodies: tuple[str, ...]) -> tuple[str, ...]:
     """Links of the file; blocks that stand for pins and links of an equivalent are none."""
     return tuple(body for body in bodies if body in method.mechanism.links and body != FRAME)
+
+
+def _added(method: Method, bodies: tuple[str, ...]) -> tuple[Added, ...]:
+    """Pins in slots, and links that stand for a cam pair or hold a rolling wheel."""
+    structure, found = method.structure, list[Added]()
+    made = {name(pair): pair for name in (pin_name, rod_name) for pair in method.mechanism.pairs}
+    for body in bodies:
+        if not structure.is_link(body) and body in made:
+            found.append(Added("block" if structure.is_pin(body) else "rod", _number(method.mechanism, made[body])))
+    return tuple(found)
+
+
+def _number(mechanism: Mechanism, pair: Pair) -> PairName:
+    return pair.table, [each for each in mechanism.pairs if each.table == pair.table].index(pair)
+
+
+def _merged(method: Method, stage: Loop | Group) -> Iterator[tuple[str, ...]]:
+    """A cylinder and its rod are one link while the displacement is given, as two links with a motor between are."""
+    structure = method.structure
+    driven = [slide for slide in structure.joining if slide.name in structure.slides_driven]
+    pairs = [*((slide.guide, structure.block(slide)) for slide in driven), *_turned(method)]
+    yield from (_named(method, pair) for pair in pairs if {*pair} <= {*stage.bodies})
+
+
+def _turned(method: Method) -> list[tuple[str, str]]:
+    """Two moving links each whose angle to each other is driven."""
+    drivers = method.mechanism.drivers
+    return [(d.from_link, d.link) for d in drivers if d.kind != "slide" and d.from_link != FRAME]
 
 
 def _methods(method: Method) -> Iterator[str]:

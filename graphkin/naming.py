@@ -9,10 +9,13 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 
+from graphkin.construction import Plane
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.value import frozen
 
-__all__ = ["PairName", "Seen", "common_link", "driver_number", "named", "pair", "seen", "spelled"]
+__all__ = [
+    "PairName", "Seen", "common_link", "driver_number", "image_name", "named", "pair", "primes", "seen", "spelled",
+]  # fmt: skip
 
 PairName = tuple[str, int | str]
 """A pair by its table in the file and its number there; a hinge by its point, a link by its name."""
@@ -77,6 +80,18 @@ def _links(mechanism: Mechanism, site: Seen) -> set[str]:
     return set(owners) if not site.explicit or site.link in owners else {site.link}
 
 
+def primes(mechanism: Mechanism, plane: Plane) -> str:
+    """What the letters of a polygon bear: nothing for velocities; for accelerations one prime, or one more than any
+    point of the mechanism has, so that b' is never two points."""
+    own = (len(point) - len(point.rstrip("'")) for point in mechanism.points if point not in mechanism.unnamed)
+    return "'" * (max(own, default=0) + 1) if plane == "acceleration" else ""
+
+
+def image_name(mechanism: Mechanism, plane: Plane, label: str) -> str:
+    """The polygon's point of a site as written: `b3'` of B3."""
+    return label[0].lower() + label[1:] + primes(mechanism, plane)
+
+
 def driver_number(mechanism: Mechanism, name: str) -> int | None:
     """The driver that is called so; one that drives a slide also by the two points whose distance that is (`DH`)."""
     for number, driver in enumerate(mechanism.drivers):
@@ -104,7 +119,7 @@ def named(mechanism: Mechanism, pair: PairName) -> tuple[str, str]:
     return table, names[k] if names.count(names[k]) == 1 else f"{names[k]} ({nth})"
 
 
-_ROD = re.compile(r"(?<![A-Za-z])([nkrt]?)e (?:c(\d+)|(\w+))")
+_ROD = re.compile(r"(?<![A-Za-z])([a-z]?)e (?:c(\d+)|(\w+))")
 
 
 def spelled(name: str) -> str:

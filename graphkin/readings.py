@@ -9,6 +9,7 @@ import numpy as np
 from graphkin.construction import Plot
 from graphkin.geometry import Value
 from graphkin.motions import Motions
+from graphkin.naming import primes
 from graphkin.planning import Method
 from graphkin.value import Lazy
 
@@ -21,11 +22,12 @@ def readings(method: Method, plot: Plot) -> Motions:
     mechanism = method.mechanism
     slides = {pair.name for pair in mechanism.pairs if pair.path is not None}
     links, nodes = set(mechanism.moving), _nodes(method)
+    prime = primes(mechanism, "acceleration")
     theta = Lazy((link for link in plot.theta if link in links), lambda link: np.mod(plot.theta[link], 2 * np.pi))
     return Motions(
         mechanism, theta, _of(plot.omega, links), _of(plot.alpha, links),
         _of(plot.s, slides), _of(plot.s_rate, slides), _of(plot.s_acceleration, slides),
-        plot.position, _of_nodes(plot.velocity, nodes, ""), _of_nodes(plot.acceleration, nodes, "'"),
+        plot.position, _of_nodes(plot.velocity, nodes, ""), _of_nodes(plot.acceleration, nodes, prime),
     )  # fmt: skip
 
 

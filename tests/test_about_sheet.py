@@ -43,7 +43,7 @@ def test_nothing_leaves_the_frame(name: str, link: str):
     assert svg(sheet)  # the writer refuses what is no number
 
 
-@pytest.mark.parametrize(("lang", "words"), [("zh", ("拐点圆", "回转圆")), ("en", ("inflection circle", "return circle"))])
+@pytest.mark.parametrize(("lang", "words"), [("zh", ("拐点圆", "尖点圆")), ("en", ("inflection circle", "cuspidal circle"))])
 def test_labels(lang: str, words: tuple[str, str]):
     texts = lettered(about_sheet(seen("ex3-7", "4"), lang=lang))  # type: ignore[arg-type]
     for word in (*words, "P46", "J", "W", "t", "n", "vD", "vE", "KD"):

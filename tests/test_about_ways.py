@@ -7,6 +7,7 @@ import math
 import random
 
 import pytest
+from calculator import hold
 
 from graphkin.centres.two_velocities import from_text, pole_of
 from graphkin.errors import UnknownUnit
@@ -45,8 +46,7 @@ def test_words_tell_the_construction(case: str, en: str, zh: str):
 
 def test_words_hold_figures_that_fit():
     """omega = v / arm, from the printed figures."""
-    line = pole_words(from_text(CASES[0][0]), "en")[-1].split()
-    assert float(line[2]) / (float(line[5]) / 1e3) == pytest.approx(float(line[8]), rel=1e-3)
+    assert all(hold(pole_words(from_text(case[0]), "en")) == 1 for case in CASES[:1])
 
 
 def test_rest():

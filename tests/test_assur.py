@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 
 from graphkin import api, library
+from graphkin.assur import structure
 from graphkin.loading import loads
+from graphkin.planning import plan
 from graphkin.say.structure import structure_lines
 
 THREE_CRANKS = """
@@ -70,3 +72,63 @@ def test_a_redundant_crank_is_named():
 
 def test_chinese():
     assert "Ⅲ级机构" in report("p3-15", "zh")
+
+
+RACK = """
+[frame]
+A = [0, 0]
+[links.1]
+AB = 30
+[links.2]
+CQ = 100
+[[roll]]
+wheel = "1"
+centre = "A"
+radius = 40
+on = "2"
+through = "C"
+toward = "Q"
+side = "left"
+[[slide]]
+name = "rack"
+block = "2"
+point = "C"
+guide = "frame"
+through = [0, -40]
+angle = 0
+tilt = 0
+[[pose]]
+slide = "rack"
+at = -50
+[[driver]]
+vector = "AB"
+angle = 30
+omega = 5
+[sketch]
+C = [-50, -40]
+Q = [50, -40]
+"""
+
+
+def test_rolling_takes_one_freedom_where_other_pairs_keep_the_distance():
+    held, rolling = structure(plan(loads(RACK))), structure(plan(library.load("p3-16")))
+    assert (held.formula, held.repeated, [taken for _, taken in held.rolls]) == (1, 0, [1])
+    assert (rolling.formula, rolling.repeated, [taken for _, taken in rolling.rolls]) == (1, 0, [2])
+
+
+@pytest.mark.parametrize(("name", "said"), [
+    ("p3-8", "RPR: links 2 and the block that replaces cam pair 1–2"),
+    ("s3-cam", "PRR: links 2 and the link that replaces cam pair 1–2"),
+    ("p3-17", "Class III: links 4, 3, 5, 1+2 (+: one link"),
+    ("ex3-4", "RRR: links 1+2, 3 (+: one link"),
+])  # fmt: skip
+def test_a_group_has_as_many_links_as_its_class_wants(name: str, said: str):
+    assert any(said in line for line in structure_lines(plan(library.load(name)), "en"))
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_groups_have_no_freedom_of_their_own(name: str):
+    """Two links in a dyad, four in a triad: 3 n = 2 p."""
+    for group in structure(plan(library.load(name))).groups:
+        links = len(group.links) + len(group.added) - len(group.merged)
+        assert group.kind not in ("dyad", "triad") or links == (2 if group.kind == "dyad" else 4), group

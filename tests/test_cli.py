@@ -308,8 +308,8 @@ def test_what_lies_around_a_centre_is_drawn_and_told(words: list[str]):
 
 
 def test_a_pole_of_two_velocities():
-    assert "(71.43, -142.9) mm" in run("centres", "--velocities", "A 0,0 1,0.5; B 100,0 1,-0.2").stdout
-    assert "omega = 0" in run("centres", "--velocities", "A 0,0 1,0; B 0,100 1,0").stdout
+    assert "(71.43, −142.9) mm" in run("centres", "--velocities", "A 0,0 1,0.5; B 100,0 1,-0.2").stdout
+    assert "ω = 0" in run("centres", "--velocities", "A 0,0 1,0; B 0,100 1,0").stdout
     for wrong in ("A 0,0 1,0; B 100,0 2,0", "A 0,0 1,0", "A 0,0 1,0; B 0,0 1,0", "nonsense"):
         refused = run("centres", "--velocities", wrong)
         assert refused.exit_code == 3

@@ -21,6 +21,7 @@ from graphkin.errors import (
 from graphkin.linkages import FourBar, SliderCrank, report
 from graphkin.outputs.designs import as_json
 from graphkin.say import design as words
+from graphkin.say.numbers import Figure
 
 RANDOM = np.random.default_rng(23)
 rad = math.radians
@@ -481,7 +482,7 @@ def test_every_design_is_told(name, lang):
     assert text[1].startswith("(1) ")
     assert not any("{" in line or "nan" in line for line in text)
     for one in found.solutions:
-        assert any(f"{one.a * 1e3:.5g} mm" in line for line in text)
+        assert any(f"{Figure(one.a):mm}" in line for line in text)
 
 
 def test_the_sentences_of_example_2_3():

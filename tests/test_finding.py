@@ -287,7 +287,7 @@ def numbers(line: str) -> list[str]:
 def test_words_tell_range_and_dead_points() -> None:
     line = next(lines(found_by("p3-22", "max v S")))
     assert "dead point" in line
-    assert next(lines(found_by("p3-13", "v C = 0"))).endswith("(looked from AB = 0 deg to 360 deg, a full turn)")
+    assert next(lines(found_by("p3-13", "v C = 0"))).endswith("(searched from AB = 0 deg to 360 deg, a full turn)")
     assert any("nearest" in text for text in lines(found_by("p3-13", "v C = 1.2")))
 
 

@@ -138,7 +138,7 @@ def bobillier(seen: About, point: str | complex) -> Bobillier:
     first, second = (replace(entry, written=letters.of_centre(entry)) for entry in _pair(seen, place))
     known = {entry.point: _finite(entry.place) for entry in (first, second)} | {letter: _finite(place)}
     known |= {first.written: first.centre, second.written: second.centre}
-    pole, q, qc, answer = (letters.free(name) for name in ("P", "Q", f"Q{letter}", f"K{letter}"))
+    pole, q, qc, answer = (letters.free(name) for name in ("P", "Q", f"Q_{letter}", f"K_{letter}"))
     stages = tuple(_stages(first, second, letter, pole, (q, qc), answer))
     return Bobillier(Drafting({}, stages, known), (first, second), letter, pole, (q, qc), answer)
 

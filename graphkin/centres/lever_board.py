@@ -1,7 +1,6 @@
 """A board over the centres on which motions of links are worked out: numbers, each with its sense, got by steps.
 
-On paper every value is worked out from the figures that are printed, as a student would do it; without paper the same
-steps give the motions exactly.
+On paper lengths are read in millimetres at its scale; without paper the same steps take them as they are.
 """
 
 from __future__ import annotations
@@ -21,11 +20,6 @@ from graphkin.value import Lazy, frozen
 NEAR = 1e-6
 """Lengths below this part of the mechanism's size are none on paper."""
 SCALE = "scale"
-
-
-def printed(value: float) -> float:
-    """A value as it is printed: four digits."""
-    return float(f"{value:.4g}")
 
 
 @frozen
@@ -85,7 +79,7 @@ class LeverBoard:
     A sense is 1 or -1: counter-clockwise or clockwise; of a link that does not turn, whether it moves a quarter turn
     left or right of the direction in which its centre lies.
 
-    scale    of the drawing from which lengths are taken [m/mm]; 0 without paper: lengths [m], nothing is rounded
+    scale    of the drawing from which lengths are taken [m/mm]; 0 without paper: lengths [m]
     turning  links with known motion; whether each turns
     meant    what each number is
     letters  points of the mechanism by their names on the board
@@ -112,10 +106,10 @@ class LeverBoard:
 
     @cached_property
     def board(self) -> Board:
-        """The centres' board; a ruler reads millimetres of paper on it, and sums have four digits."""
+        """The centres' board; a ruler reads millimetres of paper on it."""
         found = self.found.board
         board = Board(found.origin, found.size, found.underlay, dict(found.points))
-        return replace(board, read=self._read, written=printed) if self.scale else board
+        return replace(board, read=self._read) if self.scale else board
 
     @cached_property
     def size(self) -> float:
@@ -124,7 +118,7 @@ class LeverBoard:
 
     def _read(self, length: float) -> float:
         """What a ruler reads [mm]; nothing for what is only rounding."""
-        return printed(length / self.scale) if length > NEAR * self.size else 0.0
+        return length / self.scale if length > NEAR * self.size else 0.0
 
     # --- what is known --------------------------------------------------------------------------
 
@@ -183,7 +177,7 @@ class LeverBoard:
 
     def know(self, name: str, meant: Number, value: float) -> str:
         """A number that is given."""
-        self.board.numbers |= {name: self.board.written(abs(value)), _sense(name): copysign(1.0, value)}
+        self.board.numbers |= {name: abs(value), _sense(name): copysign(1.0, value)}
         self.meant[name] = meant
         return name
 

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from graphkin.check.widened import Widened
 from graphkin.construction import LETTER, Plane, Site
 from graphkin.mechanism import Mechanism
-from graphkin.naming import seen
+from graphkin.naming import image_name, seen
 from graphkin.pairs import pin_name
 
 
@@ -123,14 +123,13 @@ def is_called_so(exact: Widened, plane: Plane, attributes: Mapping[str, str]) ->
 
 def is_named_so(exact: Widened, attributes: Mapping[str, str]) -> bool:
     """Whether a point's name, as people read it, is that of its site: `B`, `b3`, `b3'`."""
-    plane, name = attributes.get("data-plane", ""), attributes.get("data-name", "")
-    site = attributes.get("data-site", "")
+    plane: Plane = "acceleration" if attributes.get("data-plane") == "acceleration" else "velocity"
+    name, site = attributes.get("data-name", ""), attributes.get("data-site", "")
     if not site:
         return True
-    if plane == "position":
+    if attributes.get("data-plane") == "position":
         return name == site.partition("@")[0]
-    prime = "'" if plane == "acceleration" else ""
-    return name in {written[0].lower() + written[1:] + prime for written in _called(exact, site)}
+    return name in {image_name(exact.mechanism, plane, written) for written in _called(exact, site)}
 
 
 def _reads(name: str, letter: str, part: str, of: set[str], seen_from: set[str]) -> bool:

@@ -103,11 +103,12 @@ def draw(
     "--only", type=click.Choice(["position", "velocity", "acceleration"]), default="acceleration", show_default=True,
     help="How far to go: the mechanism alone, or with velocities, or with both.",
 )  # fmt: skip
+@click.option("--as-drawn", is_flag=True, help="Read lengths to 0.5 mm, as a hand does, and go on from that.")
 @lang_option
 @speaking
 def explain(
     mechanism: str, coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...],
-    everything: bool, only: Plane, lang: Lang,
+    everything: bool, only: Plane, as_drawn: bool, lang: Lang,
 ) -> None:  # fmt: skip
     """Write out the solution: what is given, the vector equations, what is laid off and measured, the answers.
 
@@ -121,7 +122,7 @@ def explain(
 
     machine = read(mechanism)
     drawing = drawn(machine, coincident, method, angles, displacements)
-    click.echo("\n".join(drawing.explain(lang, everything=everything, only=only)))
+    click.echo("\n".join(drawing.explain(lang, everything=everything, only=only, as_drawn=as_drawn)))
 
 
 @click.command()

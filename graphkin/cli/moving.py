@@ -76,7 +76,7 @@ def sweep(
     sweeps.prove(course)
     if output is None:
         found = sweeps.sweep_over(course, names, by)
-        click.echo("\n".join(book_lines(found) if table else sweep_lines(found)))
+        click.echo("\n".join(book_lines(found) if table else sweep_lines(found, lang)))
         undefined = left_out(course, found.undefined, lang)
         for line in (*remarks(course, lang), *undefined, *extremes(found, lang)):
             click.echo(line, err=table)

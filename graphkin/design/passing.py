@@ -48,7 +48,9 @@ def passing(positions: Positions) -> Passing:
     notes += [] if found.grashof else [Reason("no Grashof")]
     if not found.driver_range.full:
         notes.append(Reason("crank rocks"))
-    if why:
+    if not why:
+        notes.append(_passed(positions, found))
+    else:
         turned = [{"A": p["D"], "B": p["C"], "C": p["B"], "D": p["A"]} for p in positions]
         notes += [] if list(_against(turned, report(_bar(turned[0])))) else [Reason("drive at CD")]
     return Passing(found, why, tuple(notes))
@@ -79,6 +81,18 @@ def _against(positions: Positions, found: Report) -> Iterator[Reason]:
     ways = [other - one for one, other in pairwise(turned)]
     if min(ways) < 0 < max(ways):
         yield Reason("order")
+
+
+def _passed(positions: Positions, found: Report) -> Reason:
+    """All positions lie on one branch, and the crank comes to them in order, turning in one sense."""
+    angles = [cmath.phase(places["B"] - places["A"]) for places in positions]
+    if found.driver_range.full:
+        left = sum((other - one) % math.tau for one, other in pairwise(angles)) < math.tau
+    else:
+        low = found.driver_range.low - _EDGE
+        turned = [(angle - low) % math.tau for angle in angles]
+        left = turned[-1] > turned[0]
+    return Reason("passed ccw" if left else "passed cw")
 
 
 def _side(places: Mapping[str, complex]) -> float:

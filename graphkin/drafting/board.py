@@ -29,7 +29,7 @@ class Board:
     """Points, lines, circles (centre [m] and radius [m]), numbers [SI]; single ones, or arrays over positions.
 
     origin, size   where coordinates are counted from [m], and their unit [m]
-    read, written  how the ruler reads a length [m], and how a sum is written down: exactly, if nothing else is said
+    read           how the ruler reads a length [m]: exactly, if nothing else is said
     lean           by point: how far the two lines that meet in it are from being one, 0 to 1
     """
 
@@ -42,7 +42,6 @@ class Board:
     numbers: dict[str, Value] = field(default_factory=dict)
     lean: dict[str, Value] = field(default_factory=dict)
     read: Callable[[Value], Value] = _exactly
-    written: Callable[[Value], Value] = _exactly
 
     def at(self, point: str) -> Value:
         """Where a point is [m]; infinite at infinity, NaN where what should give it does not meet."""

@@ -72,7 +72,7 @@ def _do(step: Step, board: Board) -> None:
         case CircleThrough() | CircleAbout():
             _circle(step, board)
         case Reckon(name, rule, of):
-            numbers[name] = board.written(RULES[rule](*(numbers[one] for one in of)))
+            numbers[name] = RULES[rule](*(numbers[one] for one in of))
         case Measure(name, first, second):
             numbers[name] = board.read(abs(board.at(second) - board.at(first)))
         case MeasureAngle(name, at, toward, to):

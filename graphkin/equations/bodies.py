@@ -2,7 +2,7 @@
 
 Links that a slide or a driver holds at an angle to one another have one unknown between them, named after the link
 whose own points give it a direction: the guide. A driven link has the driver's θ; a link driven from a moving one
-stands at an angle φ to it.
+stands at an angle θ21 to it.
 """
 
 from __future__ import annotations
@@ -127,14 +127,14 @@ class Bodies:
     def _phi(self, driver: Driver) -> Symbol:
         names = self.called(driver.link), self.called(driver.from_link)
         low = "".join(names) if all(len(name) == 1 for name in names) else "/".join(names)
-        symbol = self.ledger.fresh("φ", low, "angle", driver.acceleration == 0)
+        symbol = self.ledger.fresh("θ", low, "angle", driver.acceleration == 0)
         words = {"link": names[0], "other": names[1]}
         texts = tuple(meaning(f"equations.relative {rate}", **words) for rate in _TURNING)
         both = (angle_readers(self.structure, body, self.drawn) for body in (driver.link, driver.from_link))
         return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), difference(*both))
 
     def driven(self, body: str, other: str, number: int, driver: Driver, sign: int) -> Angle:
-        """The angle of `other` that a driver gives: its own θ where `body` stands still, else by φ."""
+        """The angle of `other` that a driver gives: its own θ where `body` stands still, else θ21."""
         if not self.angles[body].moving:
             self.drivers[number] = self._theta(other, driver.acceleration == 0)
             self._named.add(other)

@@ -36,6 +36,8 @@ def write_complex(model: Model, page: Page) -> None:
             _rolled(page, pretty, rolling.moving, Letter(rolling.constant))
         if not task.polygons and len(task.unknowns) == 1:
             _one_rolled(page, pretty, task)
+        elif not task.polygons and len(task.unknowns) == len(task.rollings) == 2:
+            _two_rolled(model, page, pretty, task)
         elif len(task.polygons) + len(task.rollings) > 1:
             _together(model, page, pretty, task)
     _points(model, page, pretty)
@@ -119,6 +121,34 @@ def _one_rolled(page: Page, pretty: Pretty, task: Task) -> None:
         wanted = wanted.rate if wanted.kind != "push" else None
     page.say("equations.hence")
     page.show(*rows)
+
+
+def _two_rolled(model: Model, page: Page, pretty: Pretty, task: Task) -> None:
+    """Two wheels that hang on each other: linear in their angles, and in the same way in their rates."""
+    page.head("equations.group", names=", ".join(model.bodies.called(body) for body in _group_bodies(model, task)))
+    page.say("equations.unknown", unknowns=listed(task.unknowns))
+    page.say("equations.linear", count=2)
+    unknowns, sums = list(task.unknowns), [rolling.sum for rolling in task.rollings]
+    for order in range(3):
+        if order:
+            unknowns, sums = [_rate(each) for each in unknowns], [each.rate for each in sums]
+        one, other = unknowns
+        found = [_eliminated(sums, wanted, away) for wanted, away in ((one, other), (other, one))]
+        names = (Letter(one), Letter(other))
+        page.show(*((name, pretty.quotient(*parts)) for name, parts in zip(names, found, strict=True)))
+
+def _rate(of: Symbol) -> Symbol:
+    assert of.rate is not None
+    return of.rate
+
+
+def _eliminated(sums: Sequence[Sum], wanted: Symbol, away: Symbol) -> tuple[Sum, Sum]:
+    """The unknown wanted as a quotient: the first sum times the other unknown's factor in the second, less the same
+    the other way round."""
+    factors = [each.partial(away) for each in sums]
+    whole = sums[0] * factors[1] - sums[1] * factors[0]
+    rest = Sum(tuple(term for term in whole.terms if not term.has(wanted) and not term.has(away)))
+    return -rest, whole.partial(wanted)
 
 
 def _together(model: Model, page: Page, pretty: Pretty, task: Task) -> None:

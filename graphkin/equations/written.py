@@ -21,6 +21,7 @@ from graphkin.errors import Lang
 from graphkin.geometry import Value
 from graphkin.planning import Method
 from graphkin.quantities import EDGE, Unit
+from graphkin.quantities.digits import significant
 from graphkin.say.catalogue import say
 
 
@@ -96,4 +97,4 @@ def _value(entry: Entry, value: Value) -> str:
 
 
 def _digits(value: float) -> str:
-    return f"{value:.6g}".replace("-", "−")
+    return significant(value, 6).replace("-", "−")

@@ -74,8 +74,8 @@ class NoCentrode(GraphkinError):
     first: str
     second: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: links {first} and {second} have no centrodes: they do not turn against each other, so their "
-        "instant centre stays at infinity, or there is none. Name two links that turn against each other.",
+        "en": "{where}: links {first} and {second} have no centrodes: they have no relative rotation, so their "
+        "instant centre stays at infinity, or there is none. Name two links that turn relative to each other.",
         "zh": "{where}：构件 {first} 与 {second} 没有瞬心线：二者无相对转动，瞬心始终在无穷远处或不存在。"
         "请另选两个有相对转动的构件。",
     }

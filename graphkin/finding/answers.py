@@ -22,12 +22,14 @@ class Position:
     t        where on the way
     drivers  their values [rad, m]
     values   of the quantities of the condition; infinite at a pole
+    factors  of a Coriolis acceleration that is 0: which of its factors are, `omega 3`, `v B3B2`
     """
 
     t: float
     drivers: tuple[float, ...]
     values: tuple[float, ...]
     kind: Kind
+    factors: tuple[str, ...] = ()
 
 
 @frozen

@@ -14,6 +14,7 @@ from graphkin.finding.answers import Findings, Position
 from graphkin.finding.comparing import difference, holding, intervals, nearest
 from graphkin.finding.conditions import WHERE, Comparison, Extreme, Scaling, Slowest
 from graphkin.finding.extremes import Extremes, extremes, stroke
+from graphkin.finding.factors import with_factors
 from graphkin.finding.points import line_of, scaled, slowest, spots
 from graphkin.finding.quantities import checked
 from graphkin.finding.stretch import Stretch, stretch
@@ -109,6 +110,8 @@ def _compared(
         parts = intervals(two_sides, wanted.sign)
         return replace(blank, intervals=parts, nearest=None if parts else nearest(two_sides))
     positions = holding(two_sides)
+    if two_sides.target == 0:
+        positions = with_factors(over, positions)
     return replace(blank, positions=positions, nearest=None if positions else nearest(two_sides))
 
 

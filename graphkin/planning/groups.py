@@ -8,6 +8,7 @@ from graphkin.construction import (
     Drawn,
     LayOff,
     Normal,
+    Relative,
     Simultaneous,
     Site,
     Size,
@@ -94,8 +95,8 @@ def _leg(polygon: Polygon, leg: Leg, point: Site) -> tuple[Term, ...]:
     label = polygon.labels.label
     for sites, part, size, way in _known_of(polygon, leg, point):
         of, seen_from = map(label, sites)
-        squared = polygon.structure.home(size.link) if isinstance(size, Normal) else link
-        head = polygon.between("k" if part == "k" else "n", squared, f"a^{part}_{of}{seen_from}")
+        turning = polygon.structure.home(size.link) if isinstance(size, Normal | Relative) else link
+        head = polygon.between("k" if part == "k" else "n", turning, f"a^{part}_{of}{seen_from}")
         terms.append(Term(of, seen_from, part, size, way, tail, head, sites=sites))
         tail = head
     seen_from, part = _unknown_of(polygon, leg.unknown)

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 
 from graphkin.construction import Construction, Equation, Given, LayOff, Measure, Plane, Simultaneous, Site
 from graphkin.mechanism import FRAME
+from graphkin.naming import image_name, primes
 from graphkin.planning.groups import chain, group, walk
 from graphkin.planning.hops import halves, way_round
 from graphkin.planning.images import drive, fill, reach
@@ -44,10 +45,10 @@ def _with_pole(
     structure: Structure, labels: Labels, plane: Plane, pole: str, velocity: Callable[[Site], str]
 ) -> Polygon:
     """The polygon as it begins: the pole, with the fixed points on it."""
-    prime = "'" if plane == "acceleration" else ""
+    prime = primes(structure.mechanism, plane)
     polygon = Polygon(structure, labels, plane, pole + prime, velocity)
     polygon.new(polygon.pole, "pole")
-    polygon.reserved = {name[0].lower() + name[1:] + prime for name in _written(structure, labels)}
+    polygon.reserved = {image_name(structure.mechanism, plane, name) for name in _written(structure, labels)}
     fixed = tuple(polygon.fixed(point) for point in structure.named(FRAME))
     polygon.parts.append(Given(polygon.pole, fixed))
     return polygon

@@ -30,6 +30,7 @@ from graphkin.construction import (
     Turning,
 )
 from graphkin.mechanism import FRAME
+from graphkin.naming import image_name, primes
 from graphkin.planning.closing import close, pole_is_last
 from graphkin.planning.hops import Hop, Lever, Slip, Twist
 from graphkin.planning.known_first import known_first
@@ -38,6 +39,10 @@ from graphkin.planning.structure import Structure
 
 Piece = tuple[str, Size | None, Direction | None]
 """The part (`n`, `t`, `k`, `r`), size and direction of one arrow of a hop."""
+
+
+TIPS = {"n": "nmuw", "t": "tyxw", "k": "kgjx"}
+"""Letters for the tips of normal, tangential and Coriolis arrows; the first that no point of the mechanism has."""
 
 
 @dataclass
@@ -64,9 +69,8 @@ class Polygon:
 
     # --- names --------------------------------------------------------------------------------
 
-    @property
-    def prime(self) -> str:
-        return "'" if self.plane == "acceleration" else ""
+    def image(self, label: str) -> str:
+        return image_name(self.structure.mechanism, self.plane, label)
 
     def key(self, site: Site) -> Site:
         """A hinge moves as one point, whichever of its links it is seen as part of."""
@@ -80,7 +84,7 @@ class Polygon:
             return self.pole
         if key not in self.at:
             label = self.labels.label(key)
-            self.at[key] = self.new(label[0].lower() + label[1:] + self.prime, label, key)
+            self.at[key] = self.new(self.image(label), label, key)
         return self.at[key]
 
     def new(self, name: str, of: str, site: Site | None = None) -> str:
@@ -92,15 +96,17 @@ class Polygon:
         """A fixed point has a name of its own on the pole."""
         site = Site(point, FRAME)
         label = self.labels.label(site)
-        return self.new(label[0].lower() + label[1:] + self.prime, label, site)
+        return self.new(self.image(label), label, site)
 
     def between(self, letter: str, link: str, of: str) -> str:
-        """A corner of the polygon that is no point of the mechanism: n3', n_arm', k'."""
+        """A corner of the polygon that is no point of the mechanism: n3', n_arm', k'; by a letter that no point has."""
+        taken = {name[0] for name in (*self.reserved, self.pole)}
+        own = next((other for other in TIPS[letter] if other not in taken), letter)
         called = self.structure.mechanism.called(link)
         worded = self.structure.is_link(link) and not called[0].isdigit()
-        stem = letter if letter == "k" else letter + ("_" if worded else "") + called
-        dot = "_" if stem != "k" else ""
-        names = chain([f"{stem}{self.prime}"], (f"{stem}{dot}{k}{self.prime}" for k in count(1)))
+        stem = own if letter == "k" else own + ("_" if worded else "") + called
+        dot, prime = "" if letter == "k" else "_", primes(self.structure.mechanism, self.plane)
+        names = chain([f"{stem}{prime}"], (f"{stem}{dot}{k}{prime}" for k in count(1)))
         return self.new(next(name for name in names if name not in self.nodes and name not in self.reserved), of)
 
     def known(self, site: Site) -> bool:

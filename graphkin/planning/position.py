@@ -258,8 +258,12 @@ def _found_otherwise(order: tuple[Stage, ...]) -> set[str]:
 
 
 def touching(structure: Structure) -> Iterator[tuple[str, Contact]]:
-    """Each rolling contact with a letter of its own: K, L, .., K', L', .. or what the mechanism leaves free."""
-    every = (letter + "'" * primes for primes in count() for letter in "KLMNQRHJVWXYZ")
+    """Each rolling contact with a letter of its own: K, L, .., K', L', .. or what the mechanism leaves free.
+
+    Not N, whose images would be lettered as normal tips are, nor K where there may be a Coriolis tip k'.
+    """
+    sliding = any(slide.guide != FRAME for slide in structure.slides.values())
+    every = (letter + "'" * primes for primes in count() for letter in "KLMQRHJVWXYZ"[sliding:])
     letters = (letter for letter in every if letter not in structure.owners)
     return zip(letters, structure.contacts, strict=False)
 

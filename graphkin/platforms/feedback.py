@@ -12,6 +12,7 @@ from graphkin.platforms.result import Line, Result, Suspicion, texts_in
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
 from graphkin.say.mistakes import hint, together
+from graphkin.say.numbers import number
 
 Reveal = Literal["hint", "mistake", "answer"]
 """How much is told: the verdicts, and where to look again; what the numbers are consistent with; the right values."""
@@ -79,8 +80,8 @@ def _carried(result: Result, line: Line, value: float, lang: Lang) -> str:
 def _shown(value: float, unit: str) -> str:
     """In four digits, as a drawing has hardly more."""
     if unit not in EDGE:
-        return f"{value:.4g} {unit}".rstrip()
-    return f"{value * EDGE[unit].factor:.4g}{EDGE[unit].after}"
+        return f"{number(value)} {unit}".rstrip()
+    return f"{number(value * EDGE[unit].factor)}{EDGE[unit].after}"
 
 
 def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:

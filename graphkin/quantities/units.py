@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from graphkin.quantities.digits import significant
 from graphkin.value import frozen
 
 GRAVITY = 9.80665
@@ -30,7 +31,7 @@ class Unit:
 
     def shown(self, value: float) -> str:
         """`41.2°`, `20 mm`: an SI value in six digits."""
-        return f"{value * self.factor:.6g}{self.after}"
+        return significant(value * self.factor, 6) + self.after
 
 
 EDGE = {

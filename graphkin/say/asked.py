@@ -16,8 +16,9 @@ from graphkin.quantities import EDGE, Centre, Component, Displacement, Moving, P
 from graphkin.readings import readings
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence
+from graphkin.say.noise import ROUNDING
 from graphkin.say.numbers import degrees, number
-from graphkin.say.reading import ROUNDING, Reading
+from graphkin.say.reading import Reading
 from graphkin.value import frozen
 
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
@@ -117,7 +118,8 @@ class Asked:
         """Values up to this are rounding noise [SI]."""
         plot, turned = self.reading.plot, quantity.unit.startswith("rad/s")
         if turned:
-            return self.reading.rate_noise("velocity" if quantity.unit == "rad/s" else "acceleration")
+            usual = self.reading.usual
+            return ROUNDING * (usual.omega if quantity.unit == "rad/s" else usual.alpha)
         if quantity.unit in ("m/s", "m/s^2"):
             points = plot.velocity if quantity.unit == "m/s" else plot.acceleration
             return ROUNDING * max(float(abs(place)) for place in points.values())

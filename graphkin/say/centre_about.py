@@ -11,7 +11,18 @@ from graphkin.centres.about_bobillier import Bobillier, Guided
 from graphkin.centres.two_velocities import TwoVelocities
 from graphkin.drafting import Stage
 from graphkin.errors import Lang
-from graphkin.say.catalogue import say
+from graphkin.say import names
+from graphkin.say.catalogue import say as spoken
+from graphkin.say.entry import Calculation
+from graphkin.say.figures import Operand
+from graphkin.say.numbers import Figure, number
+from graphkin.say.senses import sense, sensed
+
+
+def say(key: str, lang: Lang, /, **words: object) -> str:
+    """A phrase whose numbers have four figures."""
+    told = {name: Figure(word) if isinstance(word, float) else word for name, word in words.items()}
+    return spoken(key, lang, **told)
 
 
 def about_words(seen: About, lang: Lang) -> list[str]:
@@ -20,7 +31,8 @@ def about_words(seen: About, lang: Lang) -> list[str]:
 
 
 def _about(seen: About, lang: Lang) -> Iterator[str]:
-    known = {"link": seen.called, "omega": seen.omega, "alpha": seen.alpha}
+    rates = {"omega": ("ω", seen.omega, "rad/s"), "alpha": ("α", seen.alpha, "rad/s²")}
+    known = {"link": seen.called} | {name: sensed(*rate, lang) for name, rate in rates.items()}
     if seen.assumed:
         yield say("about.assumed", lang)
     if not seen.moves:
@@ -68,7 +80,7 @@ def _point(name: str, carried: CarriedPoint, lang: Lang) -> str:
 def _place(place: complex) -> str:
     """`(66.4, 182.4) mm`; what is nothing but rounding as 0."""
     x, y = (0.0 if abs(value) < 1e-9 else 1e3 * value for value in (place.real, place.imag))
-    return f"({x:.4g}, {y:.4g}) mm"
+    return f"({number(x)}, {number(y)}) mm"
 
 
 def _degrees(direction: complex) -> float:
@@ -113,12 +125,20 @@ def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
     known = {
         "a": first, "b": second, "still": still, "other": other, "x": 1e3 * found.place.real,
         "y": 1e3 * found.place.imag, "omega": abs(found.omega), "at": math.degrees(found.direction or 0.0),
-        "sense": say("common.ccw" if found.omega > 0 else "common.cw", lang),
+        "sense": sense(found.omega, lang),
     }  # fmt: skip
     along = cmath.phase(found.points[1] - found.points[0])
     component = (found.velocities[0] * cmath.rect(1, -along)).real
     component = component if abs(component) > 1e-12 * abs(found.fastest[1]) else 0.0
     told = [say("about.two rigid", lang, **known, component=component), say(f"about.two {found.case}", lang, **known)]
     if found.case in ("meet", "similar", "point"):
-        told.append(say("about.two omega", lang, **known, v=abs(found.fastest[1]), arm=1e3 * abs(found.arm)))
+        told.append(_turning(found, lang))
     return told
+
+
+def _turning(found: TwoVelocities, lang: Lang) -> str:
+    """`ω = v_A/l_AP = 1.118/0.1597 = 7 rad/s`."""
+    place, speed = found.fastest
+    point, arm = names.point(found.names[found.points.index(place)]), abs(found.arm)
+    omega = Calculation("ω", (f"v_{point}/l_{point}P",), Operand(abs(speed)) / Operand(arm), abs(found.omega), "rad/s")
+    return say("about.two omega", lang, omega=omega.text, sense=sense(found.omega, lang))

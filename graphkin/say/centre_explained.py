@@ -8,11 +8,13 @@ from typing import Any
 
 from graphkin.centres import Centres, advantages, as_json
 from graphkin.errors import Lang
+from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.centre_steps import CentreReader
 from graphkin.say.centre_velocities import uses
 from graphkin.say.entry import Entry, Heading
 from graphkin.say.layout import lines
+from graphkin.say.numbers import exact, number
 
 Json = Mapping[str, Any]
 
@@ -47,10 +49,10 @@ def rows(found: Centres, lang: Lang) -> Iterator[list[str]]:
 def place(entry: Json, lang: Lang) -> str:
     """`(66.404, 182.442)` in mm, or `at infinity, 90°`."""
     if "at" in entry:
-        x, y = (f"{value * 1000:.6g}" if abs(value) > 1e-12 else "0" for value in entry["at"])
+        x, y = (exact(value * 1000) if abs(value) > 1e-12 else "0" for value in entry["at"])
         return f"({x}, {y})"
     if "direction" in entry:
-        return say("centres.place at infinity", lang, angle=f"{degrees(entry['direction']):.6g}")
+        return say("centres.place at infinity", lang, angle=exact(round(degrees(entry["direction"]), 9)))
     return "-"
 
 
@@ -65,5 +67,8 @@ def advantage_lines(found: Centres, lang: Lang) -> Iterator[str]:
     mechanism = found.method.mechanism
     driver = next((d for d in mechanism.drivers if d.rate), mechanism.drivers[0])
     for link, value in advantages(found).items():
-        names = {"out": mechanism.called(link), "driver": mechanism.called(driver.link)}
-        yield "  " + say("centres.advantage", lang, value=f"{value:.4g}", **names)
+        senses = say("centres.same", lang) if value > 0 else say("centres.opposite", lang)
+        out, drives = (mechanism.called(one) for one in (link, driver.link))
+        words = {"out": names.point(out), "driver": names.point(drives), "senses": senses}
+        ratio = f"{names.of_link('ω', drives)}/{names.of_link('ω', out)}"
+        yield "  " + say("centres.advantage", lang, value=number(abs(value)), ratio=ratio, **words)

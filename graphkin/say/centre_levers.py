@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import assert_never
 
 from graphkin.centres.lever_board import Lever, Number
@@ -13,14 +13,15 @@ from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.centre_steps import CentreReader
 from graphkin.say.entry import Calculation, Entry, Sentence
-from graphkin.say.numbers import degrees, number
+from graphkin.say.figures import Formula, figures
+from graphkin.say.numbers import degrees
 from graphkin.value import frozen
 
-FORMS: Mapping[str, tuple[str, str]] = {
-    "same": ("{}", ""),
-    "lever": ("{} {} / {}", "{} × {} / {}"),
-    "speed": ("{} {} {}", "{} × {} × {}"),
-    "rate": ("{} / ({} {})", "{} / ({} × {})"),
+FORMS: Mapping[str, tuple[str, Callable[..., Formula | str]]] = {
+    "same": ("{}", lambda value: ""),
+    "lever": ("{} {}/{}", lambda rate, arm, other: rate * arm / other),
+    "speed": ("{} {} {}", lambda rate, arm, scale: rate * arm * scale),
+    "rate": ("{}/({} {})", lambda speed, arm, scale: speed / (arm * scale)),
 }
 """By the rule of a sum, how it is written with names and with figures."""
 
@@ -47,11 +48,11 @@ class LeverReader:
 
     def calculation(self, lever: Lever, found: Reckon, name: str = "") -> Calculation:
         value = float(self.levers.board.numbers[found.name])
-        formulas, figures = self._formulas(lever, found)
+        formulas, numbers = self._formulas(lever, found)
         meant = self.levers.meant[found.name]
         unit = "rad/s" if meant.kind in ("omega", "against") else "m/s"
         note = self._note(lever, meant) if value else ""
-        return Calculation(name or self.symbol(found.name), formulas, figures, value, unit, note)
+        return Calculation(name or self.symbol(found.name), formulas, numbers, value, unit, note)
 
     # --- names ----------------------------------------------------------------------------------
 
@@ -86,22 +87,23 @@ class LeverReader:
         first, second = (letters.get(end, end) for end in ends)
         if letters.keys() >= {*ends}:
             return names.pair(first, second)
-        return names.point(first) + (" " if "," in first + second else "") + names.point(second)
+        plain = all(names.point(end)[1:].isdigit() for end in ends if end not in letters)
+        return names.point(first) + ("" if plain else " ") + names.point(second)
 
-    def _formulas(self, lever: Lever, found: Reckon) -> tuple[tuple[str, ...], str]:
+    def _formulas(self, lever: Lever, found: Reckon) -> tuple[tuple[str, ...], Formula | str]:
         """The formulas, and the last one with its figures."""
         if lever.stage.say == "triangle":
             return (), ""
-        written, figured = FORMS[found.rule]
-        formula = written.format(*(self.symbol(name) for name in found.of))
-        figures = figured.format(*(number(float(self.levers.board.numbers[name])) for name in found.of))
+        names_in, figured = FORMS[found.rule]
+        formula = names_in.format(*(self.symbol(name) for name in found.of))
+        numbers = figured(*figures(*(float(self.levers.board.numbers[name]) for name in found.of)))
         match lever.stage.say:
             case "pushed":
-                return (f"v_{self._shared(lever)}", formula), figures
+                return (f"v_{self._shared(lever)}", formula), numbers
             case "point" if not self.levers.turning[lever.link]:
                 return ((formula,) if self.levers.value(lever.link) else ()), ""
             case _:
-                return (formula,), figures
+                return (formula,), numbers
 
     # --- notes ----------------------------------------------------------------------------------
 

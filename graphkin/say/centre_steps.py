@@ -127,7 +127,7 @@ class CentreReader:
         ends = drawn_through(line)
         links, far = self._three(ends), [end for end in ends if self.is_far(end)]
         if not far:
-            between = " " if any("," in end for end in ends) else ""
+            between = "" if all(self.centre(end)[1:].isdigit() for end in ends) else " "
             return self.say("centres.join", line=between.join(self.centre(end) for end in ends), links=links)
         if len(far) == 2:
             first, second = (self.centre(end) for end in ends)

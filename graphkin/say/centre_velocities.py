@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import hypot
 
-from graphkin.centres.lever_board import printed
 from graphkin.centres.levers import Levers, driven_point
 from graphkin.errors import listed
 from graphkin.mechanism import FRAME, Driver
@@ -16,6 +15,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.centre_levers import LeverReader
 from graphkin.say.centre_steps import CentreReader
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence
+from graphkin.say.figures import Operand
 from graphkin.say.numbers import number
 
 _RATES = ("alpha", "a", "a_n", "a_t", "a_k", "a_r")
@@ -147,7 +147,7 @@ def _difference(levers: LeverReader, name: str, of: Seen, seen_from: Seen) -> It
     largest = hypot(*(abs(velocity) for velocity in velocities))
     difference = difference if abs(difference) > 1e-6 * largest else 0j
     note = levers.reader.say("centres.triangle")
-    yield Calculation(name, (), "", printed(abs(difference)), "m/s", note if difference else "")
+    yield Calculation(name, (), "", abs(difference), "m/s", note if difference else "")
 
 
 def _quotient(levers: LeverReader, top: Quantity, bottom: Quantity) -> Iterator[Entry]:
@@ -159,10 +159,10 @@ def _quotient(levers: LeverReader, top: Quantity, bottom: Quantity) -> Iterator[
     if values[0] is None or values[1] is None or values[1][1] == 0:
         return
     (one, first), (other, second) = values[0], values[1]
-    figures = f"{number(abs(first))} / {number(abs(second))}"
+    figures = Operand(abs(first)) / Operand(abs(second))
     turning = top.word == "omega"
     note = levers.reader.say("centres.same" if first * second > 0 else "centres.opposite") if turning and first else ""
-    yield Calculation(f"{one} / {other}", (), figures, printed(abs(first / second)), "", note)
+    yield Calculation(f"{one}/{other}", (), figures, abs(first / second), "", note)
 
 
 def _value(levers: LeverReader, half: Quantity, answer: list[Entry]) -> tuple[str, float] | None:

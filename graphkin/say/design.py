@@ -63,10 +63,10 @@ def _lines(design: Design, lang: Lang) -> Iterator[str]:
         numbered = enumerate(sentences(best.construction, best.board(), lang), start=1)
         yield from (f"({number}) {text}" for number, text in numbered)
     for number, one in enumerate(design.solutions, start=1):
-        yield say("design.solution" if one.valid else "design.useless", lang, number=number) + _lengths(one)
+        yield say("design.solution" if one.valid else "design.useless", lang, number=number) + _lengths(one, lang)
         yield from _judged(one, lang)
     for one in design.rejected:
-        yield say("design.refused", lang) + _lengths(one)
+        yield say("design.refused", lang) + _lengths(one, lang)
         yield from (f"  {said(reason, lang)}" for reason in one.why)
     if not design.solutions:
         yield say("design.none", lang)
@@ -74,10 +74,11 @@ def _lines(design: Design, lang: Lang) -> Iterator[str]:
     yield from (_family(one, lang) for one in design.families if len(one.angle))
 
 
-def _lengths(one: Solution) -> str:
+def _lengths(one: Solution, lang: Lang) -> str:
     """a = 20.773 mm, b = .. of those it has."""
     sizes = {"a": one.a, "b": one.b, "c": one.c, "d": one.d, "e": one.e}
-    return ", ".join(f"{name} = {Figure(size):mm}" for name, size in sizes.items() if size is not None)
+    told = [f"{name} = {Figure(size):mm}" for name, size in sizes.items() if size is not None]
+    return say("common.and", lang).join(told)
 
 
 def _judged(one: Solution, lang: Lang) -> Iterator[str]:
@@ -94,7 +95,7 @@ def _judged(one: Solution, lang: Lang) -> Iterator[str]:
     told += [f"K = {Figure(found.k):n}"] if found.k is not None else []
     if one.pace is not None:
         told.append(say("design.slow ccw" if one.pace > 0 else "design.slow cw", lang))
-    yield f"  {say('design.proof', lang)}{', '.join(told)}"
+    yield f"  {say('design.proof', lang)}{say('common.and', lang).join(told)}"
     yield from (f"  {said(reason, lang)}" for reason in one.notes if reason.key != "kind")
 
 
@@ -104,7 +105,7 @@ def _family(one: Family, lang: Lang) -> str:
         for arc in one.arcs if arc.name == "admissible"
     ]  # fmt: skip
     x, y, radius, best = map(Figure, (one.centre.real * 1e3, one.centre.imag * 1e3, one.radius, one.best[1]))
-    return say("design.family", lang, arcs=", ".join(arcs), x=x, y=y, radius=radius, best=best)
+    return say("design.family", lang, arcs=say("common.list", lang).join(arcs), x=x, y=y, radius=radius, best=best)
 
 
 # --- its linkage as a file --------------------------------------------------------------------

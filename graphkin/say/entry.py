@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from graphkin.planning.acts import Act
+from graphkin.say.figures import Formula, written
 from graphkin.say.numbers import number
 from graphkin.value import frozen
 
@@ -32,7 +33,7 @@ class Calculation:
 
     name: str
     formulas: tuple[str, ...]
-    numbers: str
+    numbers: Formula | str
     value: float
     unit: str
     note: str = ""
@@ -41,8 +42,13 @@ class Calculation:
     def text(self) -> str:
         """The whole chain without its note; nothing is 0 of a unit."""
         result = f"{number(self.value)} {self.unit}".rstrip() if self.value else "0"
-        figures = [self.numbers] if self.numbers and self.value else []
+        figures = [self.figures] if self.figures and self.value else []
         return " = ".join([self.name, *self.formulas, *figures, result])
+
+    @property
+    def figures(self) -> str:
+        """`numbers` with as many digits as give the value as it is printed."""
+        return written(self.numbers, self.value) if isinstance(self.numbers, Formula) else self.numbers
 
 
 @frozen

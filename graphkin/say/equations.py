@@ -254,7 +254,7 @@ def _sought(polygon: Polygon, node: str) -> Calculation:
 
 def _millimetres(polygon: Polygon, ends: tuple[str, str]) -> str:
     length = polygon.length_mm(*ends)
-    return f"{number(length)} mm" if length else "0"
+    return f"{number(length)} mm{polygon.reading.too_short(length)}" if length else "0"
 
 
 def _result(polygon: Polygon, term: Term) -> Calculation:

@@ -26,7 +26,8 @@ from graphkin.mechanism import FRAME
 from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, Slot, rod_name
 from graphkin.pairs import Roll as RollingPair
 from graphkin.say import names
-from graphkin.say.entry import Entry, Sentence
+from graphkin.say.entry import Calculation, Entry, Sentence
+from graphkin.say.figures import figures
 from graphkin.say.numbers import degrees, number
 from graphkin.say.reading import Reading
 
@@ -132,8 +133,9 @@ EQUIVALENTS: Mapping[type[Pair], Callable[[Reading, Any], Iterator[Entry]]] = {
 def _distance(centres: tuple[str, str], radii: tuple[float, float], internal: bool) -> str:
     """`O1O2 = 35 + 18 = 53 mm`; of circles that touch inside, the difference of the radii."""
     greater, less = sorted((1000 * radius for radius in radii), reverse=True) if internal else [1000 * r for r in radii]
-    sign, length = ("−", greater - less) if internal else ("+", greater + less)
-    return f"{names.pair(*centres)} = {number(greater)} {sign} {number(less)} = {number(length)} mm"
+    one, other = figures(greater, less)
+    numbers, length = (one - other, greater - less) if internal else (one + other, greater + less)
+    return Calculation(names.pair(*centres), (), numbers, length, "mm").text
 
 
 def _radius(radius: float) -> str:

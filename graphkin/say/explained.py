@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
@@ -18,6 +19,9 @@ from graphkin.say.polygons import polygon
 from graphkin.say.position import PositionReader
 from graphkin.say.reading import Reading
 
+if TYPE_CHECKING:
+    from graphkin.marking.ruler import Ruler
+
 
 def explain(
     method: Method,
@@ -26,14 +30,16 @@ def explain(
     lang: Lang,
     everything: bool = False,
     only: Plane = "acceleration",
+    ruler: Ruler | None = None,
 ) -> list[str]:
     """The solution as lines of plain text, as far as the file asks.
 
     plot    one position of the method, all three planes replayed
     scales  "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s²)/mm]
     everything, only   all points and links, whatever is asked; the last plane that is drawn
+    ruler   reads what is measured; the plot then follows from its readings
     """
-    return list(lines(derivation(method, plot, scales, lang, everything, only), lang))
+    return list(lines(derivation(method, plot, scales, lang, everything, only, ruler), lang))
 
 
 def derivation(
@@ -43,15 +49,16 @@ def derivation(
     lang: Lang,
     everything: bool = True,
     only: Plane = "acceleration",
+    ruler: Ruler | None = None,
 ) -> Iterator[Entry]:
     """The solution as data: what is given and asked, the planes in the order of their constructions, the answers."""
-    reading = Reading(method, plot, scales, lang)
+    reading = Reading(method, plot, scales, lang, ruler)
     goal = asked(reading, everything, only)
     yield from given(reading)
     yield from goal.question()
     yield from solving(reading)
     posed = by_pose(method, plot)
-    drawn = reading if posed is None else Reading(*posed, scales, lang)
+    drawn = reading if posed is None else Reading(*posed, scales, lang, ruler)
     yield from PositionReader(drawn, goal.levers, reading, angles=goal.angles).entries()
     for number, (plane, parts) in enumerate(goal.parts.items(), start=2):
         yield from polygon(reading, plane, parts, number)

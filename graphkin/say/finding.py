@@ -11,6 +11,7 @@ from graphkin.mechanism import Driver
 from graphkin.quantities import driven
 from graphkin.say import names
 from graphkin.say.catalogue import say
+from graphkin.say.names import in_signs
 from graphkin.say.numbers import exact, quantity
 
 # --- values -----------------------------------------------------------------------------------
@@ -50,12 +51,12 @@ def _values(found: Findings, position: Position, called: Callable[[str], str] = 
 def lines(found: Findings, lang: Lang = "en") -> Iterator[str]:
     """Everything found, for the terminal; nothing twice."""
     for line in dict.fromkeys(_lines(found, lang)):
-        yield line.replace(" deg", "°") if lang == "zh" else line
+        yield in_signs(line, lang)
 
 
 def _lines(found: Findings, lang: Lang) -> Iterator[str]:
     wanted = found.condition
-    yield f"{wanted.text}" + (f"  ({_looked(found, lang)})" if found.looked else "")
+    yield f"{wanted.text}" + (say("finding.in brackets", lang, text=_looked(found, lang)) if found.looked else "")
     if isinstance(wanted, Slowest):
         yield from (f"  {_slow(found, entry, lang)}" for entry in found.slow)
     elif isinstance(wanted, Scaling):
@@ -106,6 +107,9 @@ def _level(found: Findings, lang: Lang) -> str:
 def _line(found: Findings, position: Position, lang: Lang) -> str:
     said = say(f"finding.kind {position.kind}", lang)
     line = f"{_at(found, position)}{say('common.colon', lang)}{_values(found, position)}"
+    if position.factors:
+        zero = say("common.and", lang).join(f"{name} = 0" for name in position.factors)
+        return line + say("finding.because", lang, zero=zero)
     return line + (f"  ({said})" if said else "")
 
 

@@ -11,7 +11,7 @@ from graphkin.finding.dimensions import DimensionPlace
 from graphkin.finding.varying import VaryingTable
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
-from graphkin.say.numbers import quantity
+from graphkin.say.numbers import exact, quantity
 from graphkin.say.text_table import table
 
 
@@ -33,7 +33,7 @@ def table_lines(found: VaryingTable, lang: Lang = "en") -> Iterator[str]:
 
 def _shown(value: float, place: DimensionPlace) -> str:
     unit = {"length": "m", "angle": "rad"}.get(place.kind, "1")
-    return f"{value * EDGE[unit].factor:.6g}"
+    return exact(value * EDGE[unit].factor)
 
 
 def header(found: Findings, lang: Lang) -> list[str]:
@@ -85,7 +85,7 @@ def _extreme(found: Findings, which: str) -> list[str]:
     cells = [quantity(min(ends), unit), quantity(max(ends), unit)]
     swing = 0.0 if found.everywhere else found.swing
     cells.append("-" if swing is None else quantity(swing, unit))
-    return cells if which == "range" else [*cells, f"{found.stroke.ratio:.6g}" if found.stroke else "-"]
+    return cells if which == "range" else [*cells, exact(found.stroke.ratio) if found.stroke else "-"]
 
 
 def _places(found: Findings) -> str:

@@ -12,6 +12,7 @@ from graphkin.say.given_dimensions import dimensions
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
 from graphkin.say.redundancy import redundant_constraints
+from graphkin.say.senses import sensed
 
 
 def given(reading: Reading) -> Iterator[Entry]:
@@ -36,6 +37,7 @@ def solving(reading: Reading) -> Iterator[Entry]:
     for line in redundant_constraints(reading.method, reading.lang):
         yield Sentence(reading.say("derivation.redundant", line=line))
     yield Sentence(reading.say("derivation.scales", scales=reading.say("common.and").join(_scales(reading))))
+    yield Sentence(reading.say("derivation.by hand" if reading.ruler else "derivation.exactly"))
 
 
 def _scales(reading: Reading) -> Iterator[str]:
@@ -67,8 +69,8 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
     return reading.say("common.and").join(
         [
             _angle(reading, driver, None if posed else value),
-            sensed(reading, reading.against(driver, "ω"), rate, "rad/s"),
-            sensed(reading, reading.against(driver, "α"), more, "rad/s²"),
+            sensed(reading.against(driver, "ω"), rate, "rad/s", reading.lang),
+            sensed(reading.against(driver, "α"), more, "rad/s²", reading.lang),
         ]
     )
 
@@ -109,11 +111,3 @@ def _angle(reading: Reading, driver: Driver, value: float | None) -> str:
     other = "".join(names.point(p) for p in driver.from_vector)
     seen_from = reading.link(driver.from_link)
     return reading.say("derivation.driven joint", line=line, link=link, angle=angle, other=other, seen_from=seen_from)
-
-
-def sensed(reading: Reading, name: str, value: float, unit: str) -> str:
-    """`ω1 = 10 rad/s (counter-clockwise)`; nothing has no sense."""
-    if value == 0:
-        return f"{name} = 0"
-    note = reading.say("common.note", note=reading.say("common.ccw" if value > 0 else "common.cw"))
-    return f"{name} = {number(abs(value))} {unit}{note}"

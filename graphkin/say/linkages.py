@@ -11,7 +11,7 @@ from graphkin.linkages.equal import EVEN
 from graphkin.linkages.linkage import LinkagePosition
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.say.catalogue import LANGUAGES, in_both, say
-from graphkin.say.numbers import angle, millimetres
+from graphkin.say.numbers import Figure, angle, exact, millimetres, number
 
 HELD_BLOCKS = ("oscillating guide bar", "rotating guide bar", "slider-crank", "rocker-slider")
 """Kinds that have a name of their own where the block is joined to the frame."""
@@ -32,7 +32,7 @@ def kind_name(report: Report, lang: Lang) -> str:
 
 def found_lines(found: FoundLinkage, report: Report, lang: Lang) -> Iterator[str]:
     """Lines of a linkage found in a mechanism: which links it is made of first."""
-    links = ", ".join(found.links)
+    links = say("common.list", lang).join(found.links)
     yield say("linkages.links", lang, links=links)
     yield from lines(report, lang)
     if found.driven != "driver":
@@ -42,7 +42,8 @@ def found_lines(found: FoundLinkage, report: Report, lang: Lang) -> Iterator[str
 
 def lines(report: Report, lang: Lang) -> Iterator[str]:
     """What a linkage is and does, one sentence a line."""
-    sizes = ", ".join(f"{name} = {millimetres(value)}" for name, value in report.linkage.sizes.items())
+    told = (f"{name} = {millimetres(value)}" for name, value in report.linkage.sizes.items())
+    sizes = say("common.and", lang).join(told)
     yield f"{kind_name(report, lang)}{say('common.colon', lang)}{sizes}"
     yield say("linkages.drives", lang, driver=report.driver, output=report.output)
     yield _sums(report, lang)
@@ -81,7 +82,7 @@ def _sums(report: Report, lang: Lang) -> str:
         terms = " + ".join("|e|" if name == "e" else name for name in shown)
         if len(shown) == 1:
             return terms
-        return terms + " = " + " + ".join(f"{abs(sizes[name]) * 1e3:.6g}" for name in shown)
+        return terms + " = " + " + ".join(exact(abs(sizes[name]) * 1e3) for name in shown)
 
     key = "linkages.lengths" if report.slide else "linkages.grashof"
     first = {"ends": added(report.ends), "first": millimetres(report.sum_ends)}
@@ -96,7 +97,7 @@ def _equal(report: Report, lang: Lang) -> Iterator[str]:
         f"{one} = {other}" for k, (one, a) in enumerate(sizes) for other, b in sizes[:k] if abs(a - b) <= EVEN * total
     ]
     if pairs:
-        yield say("linkages.equal", lang, pairs=", ".join(pairs))
+        yield say("linkages.equal", lang, pairs=say("common.list", lang).join(pairs))
 
 
 def _turns(report: Report, lang: Lang) -> Iterator[str]:
@@ -106,7 +107,7 @@ def _turns(report: Report, lang: Lang) -> Iterator[str]:
             f"{turn.first}–{frame if turn.second == FRAME else turn.second}"
             for turn in report.turns if turn.full == full
         ]  # fmt: skip
-        joined = ", ".join(pairs) or say("linkages.nothing", lang)
+        joined = say("common.list", lang).join(pairs) or say("linkages.nothing", lang)
         yield say("linkages.full" if full else "linkages.rocks", lang, pairs=joined)
 
 
@@ -127,9 +128,9 @@ def _limits(report: Report, lang: Lang) -> Iterator[str]:
     if not report.limits:
         yield say("linkages.no limits", lang, output=report.output)
         return
-    for number, end in enumerate(report.limits, start=1):
+    for nth, end in enumerate(report.limits, start=1):
         text = say(
-            "linkages.limit", lang, number=number, how=_how(report, end, lang), driver=report.driver,
+            "linkages.limit", lang, number=nth, how=_how(report, end, lang), driver=report.driver,
             value=amount(report, end.driver, lang), output=report.output, place=_place(report, end.output, lang),
         )  # fmt: skip
         yield text + ("" if end.gamma is None else say("linkages.and gamma", lang, gamma=angle(end.gamma, lang)))
@@ -146,7 +147,7 @@ def _ratio(report: Report, lang: Lang) -> Iterator[str]:
     elif report.slow is None:
         yield say("linkages.no quick return", lang)
     else:
-        yield say("linkages.theta", lang, theta=angle(report.theta, lang), k=f"{report.k:.5g}")
+        yield say("linkages.theta", lang, theta=angle(report.theta, lang), k=Figure(report.k))
         one, other = (number + 1 for number in report.slow)
         yield say("linkages.slow", lang, one=one, other=other, driver=report.timed_by or report.driver)
 
@@ -161,7 +162,7 @@ def _gamma(report: Report, lang: Lang) -> Iterator[str]:
         for end in report.critical:
             words = {"gamma": angle(end.gamma or 0.0, lang), "how": _how(report, end, lang)}
             yield say("linkages.gamma", lang, **words, driver=report.driver, value=amount(report, end.driver, lang))
-        values = ", ".join(amount(report, end.driver, lang) for end in report.least)
+        values = say("common.list", lang).join(amount(report, end.driver, lang) for end in report.least)
         words = {"gamma": angle(least, lang), "alpha": angle(alpha, lang)}
         yield say("linkages.least", lang, **words, driver=report.driver, values=values)
 
@@ -169,7 +170,8 @@ def _gamma(report: Report, lang: Lang) -> Iterator[str]:
 def _dead(report: Report, lang: Lang) -> Iterator[str]:
     for driver, values in report.dead.items():
         if values:
-            said = ", ".join(millimetres(value) if driver == report.slide else angle(value, lang) for value in values)
+            told = (millimetres(value) if driver == report.slide else angle(value, lang) for value in values)
+            said = say("common.list", lang).join(told)
             yield say("linkages.dead", lang, driver=driver, values=said)
         else:
             yield say("linkages.no dead", lang, driver=driver)
@@ -181,7 +183,7 @@ def _advantage(report: Report, lang: Lang) -> Iterator[str]:
         return
     unit = " N/(N m)" if report.output_slides else ""
     endless = say("linkages.endless", lang) if found.endless else ""
-    value, at = f"{found.least:.4g}{unit}", amount(report, found.at, lang)
+    value, at = f"{number(found.least)}{unit}", amount(report, found.at, lang)
     yield say("linkages.advantage", lang, value=value, driver=report.driver, at=at, endless=endless)
 
 
@@ -192,7 +194,8 @@ def family_lines(lang: Lang) -> Iterator[str]:
     """One line a kind: its name, and where the library has it."""
     for member in FAMILY:
         name = kind_name(report(member.linkage), lang)
-        yield name + (say("common.colon", lang) + ", ".join(member.library) if member.library else "")
+        files = say("common.colon", lang) + say("common.list", lang).join(member.library)
+        yield name + (files if member.library else "")
 
 
 def titled(linkage: Linkage) -> Mechanism:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from graphkin.construction import Plane
+from graphkin.errors import Lang
 from graphkin.naming import spelled
 
 LETTER: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
@@ -28,9 +29,15 @@ def point(name: str) -> str:
         count = int(name[1:])
         return chr(0x2460 + count - 1) if count <= 20 else f"({count})"
     name = _ORIGIN.sub(_origin, name)
-    return spelled(name).replace("'", "′").replace("@", "_")
+    return _primed(_COUNTED.sub(r"\1,\2", spelled(name))).replace("@", "_")
 
 
+def _primed(name: str) -> str:
+    return name.replace("'''", "‴").replace("''", "″").replace("'", "′")
+
+
+_COUNTED = re.compile(r"(?<=[a-z])(\w*\d)_(\d+)(?=')")
+"""The second corner of one letter and link: n4,1'."""
 _ORIGIN = re.compile(r"(?:([cr])(\d+)|\w+) origin")
 
 
@@ -102,3 +109,24 @@ def relative(symbol: str, link: str, seen_from: str) -> str:
 
 def of_slide(symbol: str, slide: str) -> str:
     return f"{symbol}_{slide}"
+
+
+_LETTERS = {"omega": "ω", "alpha": "α", "theta": "θ"}
+_DEGREES = re.compile(r" ?\bdeg\b")
+_TYPED = re.compile(r"\b(omega|alpha|theta) ([\w'′]+)|\b([sva])(?:_([nktrxy]))? ([\w'′@,]*\w[\w'′@]*)")
+
+
+def in_signs(text: str, lang: Lang) -> str:
+    """Quantities and units as they are typed, in Chinese as they are written: `omega 3` as ω3, `rad/s^2` as rad/s²."""
+    if lang != "zh":
+        return text
+    return _DEGREES.sub("°", _TYPED.sub(_sign, text)).replace("/s^2", "/s²")
+
+
+def _sign(found: re.Match[str]) -> str:
+    turning, link, letter, part, of = found.groups()
+    if turning:
+        return of_link(_LETTERS[turning], link)
+    if part in ("x", "y"):
+        return f"{letter}_{point(of)},{part}"
+    return letter + (_RAISED[part] if part else "") + "_" + point(of)

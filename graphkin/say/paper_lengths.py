@@ -9,7 +9,7 @@ from graphkin.construction import Arm, Span
 from graphkin.planning.position import touching
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
-from graphkin.say.numbers import number
+from graphkin.say.figures import Operand
 from graphkin.say.reading import Reading
 
 
@@ -30,7 +30,7 @@ class PaperLengths:
     def _length(self, name: str, symbol: str, metres: float) -> str:
         """`AB = l_AB/μ_l = 0.024/0.001 = 24 mm`."""
         scale = self.reading.scales["length"]
-        numbers = f"{number(metres)}/{number(scale)}"
+        numbers = Operand(metres) / Operand(scale)
         chain = (name, f"{symbol}/μ_l") if name else (f"{symbol}/μ_l",)
         return Calculation(chain[0], chain[1:], numbers, metres / scale, "mm").text
 
@@ -82,7 +82,7 @@ class PaperLengths:
         metres = metres if abs(metres) > reading.noise else 0.0
         paper = Calculation(line or f"{name}/μ_l", (), "", metres / scale, "mm").text
         formula = (f"μ_l·{line}",) if line else ()
-        figures = f"{number(scale)} × {_bracketed(number(metres / scale))}"
+        figures = Operand(scale) * Operand(metres / scale)
         return reading.say("derivation.ruled", paper=paper, real=Calculation(name, formula, figures, metres, "m").text)
 
     def _used(self) -> Iterator[Entry]:
@@ -108,7 +108,3 @@ class PaperLengths:
         apart = any(first in link.points and second in link.points for link in links)
         rods = self.reading.method.structure.bodies.values()
         return apart or bool({first, second} & contact) or any(first in rod and second in rod for rod in rods)
-
-
-def _bracketed(figure: str) -> str:
-    return f"({figure})" if figure.startswith("−") else figure

@@ -24,8 +24,9 @@ from graphkin.construction import (
 )
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Sentence
-from graphkin.say.numbers import degrees, number
-from graphkin.say.reading import ROUNDING, Reading
+from graphkin.say.figures import Operand
+from graphkin.say.noise import ROUNDING
+from graphkin.say.reading import Reading
 from graphkin.value import frozen
 
 
@@ -64,7 +65,8 @@ class Polygon:
     @cached_property
     def noise(self) -> float:
         """Arrows up to this are none [SI]."""
-        return ROUNDING * max(float(abs(value)) for value in self.reading.plot.points(self.plane).values())
+        usual = self.reading.usual
+        return ROUNDING * (usual.velocity if self.plane == "velocity" else usual.acceleration)
 
     def arrow(self, tail: str, head: str) -> complex:
         """An arrow of the finished polygon [SI]; exactly 0 where it is but rounding noise."""
@@ -75,11 +77,17 @@ class Polygon:
     def size(self, tail: str, head: str) -> float:
         return abs(self.arrow(tail, head))
 
+    def read(self, tail: str, head: str) -> float:
+        """The size of an arrow as the ruler reads it [SI]."""
+        ruler, reading = self.reading.ruler, self.reading
+        exactly = self.size(tail, head)
+        return float(ruler.arrow(reading.plot, self.plane, tail, head)) if ruler and exactly else exactly
+
     def length_mm(self, tail: str, head: str) -> float:
-        return self.size(tail, head) / self.scale
+        return self.read(tail, head) / self.scale
 
     def angle(self, tail: str, head: str) -> str:
-        return degrees(self.arrow(tail, head))
+        return self.reading.angle(self.arrow(tail, head))
 
     # --- names ----------------------------------------------------------------------------------
 
@@ -189,16 +197,17 @@ class Polygon:
     def measured(self, tail: str, head: str, name: str = "", note: str = "") -> Calculation:
         """`v_B3 = μ_v·pb3 = 0.01 × 27.12 = 0.2712 m/s`."""
         ends, mu = names.stretch(tail, head), names.SCALE[self.plane]
-        numbers = f"{number(self.scale)} × {number(self.length_mm(tail, head))}"
-        unit, size = names.UNIT[self.plane], self.size(tail, head)
+        numbers = Operand(self.scale) * Operand(self.length_mm(tail, head))
+        unit, size = names.UNIT[self.plane], self.read(tail, head)
         return Calculation(name or self.name(tail, head), (f"{mu}·{ends}",), numbers, size, unit, note if size else "")
 
     def laid(self, name: str, tail: str, head: str, ends: tuple[str, str] | None = None) -> str:
         """`pb2 = v_B2/μ_v = 0.24/0.01 = 24 mm`; `ends`: drawn elsewhere than where it belongs."""
         size, mu = self.size(tail, head), names.SCALE[self.plane]
-        numbers = f"{number(size)}/{number(self.scale)}"
+        numbers = Operand(size) / Operand(self.scale)
         written = names.stretch(*(ends or (tail, head)))
-        return Calculation(written, (f"{name}/{mu}",), numbers, size / self.scale, "mm").text
+        length = Calculation(written, (f"{name}/{mu}",), numbers, size / self.scale, "mm").text
+        return length + self.reading.too_short(size / self.scale)
 
     def measured_absolute(self, node: str) -> Calculation:
         """The motion of a point, with its direction to +x."""

@@ -250,7 +250,7 @@ class PositionReader(Tangents):
                 if len(named) > 1 and not last and not {*named[:2]} <= self.drawn:
                     waiting.append(member)
                 elif len(named) > 1 and not self._knows(member):
-                    angle = degrees(reading.plot.arm(named[0], named[1]))
+                    angle = reading.angle(reading.plot.arm(named[0], named[1]))
                     name, arrow = reading.rate("θ", member), names.arrow(named[0], named[1])
                     found.append(reading.say("derivation.angle of", name=name, angle=angle, arrow=arrow))
         self.waiting = waiting
@@ -274,7 +274,7 @@ class PositionReader(Tangents):
         if pair.named:
             along = dot(reading.plot.guide_direction(slide), reading.plot.arm(origin, point))
             name = names.of_slide("s", slide)
-            text = self._ruler(name, "", float(along))
+            text = self._ruler(name, "", reading.measured(float(along)))
         elif pair.line.named:
             self.measured.add(frozenset((origin, point)))
             line = names.pair(origin, point)

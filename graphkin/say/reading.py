@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cached_property
 from itertools import combinations
+from typing import TYPE_CHECKING
 
 from graphkin.construction import Plane, Plot, Step
 from graphkin.errors import Lang, listed
@@ -16,11 +17,16 @@ from graphkin.planning.labels import Labels
 from graphkin.planning.needed import Fact, at_rest, turning
 from graphkin.say import names
 from graphkin.say.catalogue import close, say
-from graphkin.say.numbers import number
+from graphkin.say.noise import ROUNDING, Usual
+from graphkin.say.numbers import degrees, number
 from graphkin.value import frozen
 
-ROUNDING = 1e-9
-"""Sizes below this part of the largest of their kind are rounding noise."""
+if TYPE_CHECKING:
+    from graphkin.marking.ruler import Ruler
+
+
+TOO_SHORT_MM = 0.5
+"""Shorter lines are not drawn on paper."""
 
 
 @frozen
@@ -28,16 +34,22 @@ class Reading:
     """A method and the plot of one position of it, about to be worded in one language.
 
     scales  "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s²)/mm]
+    ruler   reads what is measured; exactly where there is none
     """
 
     method: Method
     plot: Plot
     scales: Mapping[str, float]
     lang: Lang
+    ruler: Ruler | None = None
 
     def say(self, key: str, /, **words: object) -> str:
         text = say(key, self.lang, **words)
         return close(text) if self.lang == "zh" else text
+
+    def too_short(self, length_mm: float) -> str:
+        """A note on a length that no pencil draws."""
+        return self.say("derivation.too short") if 0 < length_mm < TOO_SHORT_MM else ""
 
     def listed(self, parts: list[str]) -> str:
         return listed(parts, self.lang)
@@ -75,6 +87,10 @@ class Reading:
     def rate(self, symbol: str, link: str) -> str:
         """`ω3` of a link, from the symbol and the link."""
         return names.of_link(symbol, self.mechanism.called(self.body(link)))
+
+    def signed(self, value: float) -> str:
+        """What the sign of a sum means, in which counter-clockwise is positive; nothing has no sense."""
+        return self.say("derivation.positive" if value > 0 else "derivation.negative") if value else ""
 
     def group(self, link: str) -> list[str]:
         """The other links that hold their angles to this one; the frame and pins are none."""
@@ -127,26 +143,33 @@ class Reading:
     # --- lengths of the mechanism --------------------------------------------------------------
 
     @cached_property
+    def usual(self) -> Usual:
+        """What is usual here; what is far below is nothing."""
+        return Usual.of(self.plot)
+
+    @cached_property
     def noise(self) -> float:
         """Lengths up to this are none [m]."""
-        return ROUNDING * self.size
+        return ROUNDING * self.usual.length
 
     @cached_property
     def size(self) -> float:
         """How far the mechanism reaches [m]."""
-        places = list(self.plot.position.values())
-        return max(float(abs(place - places[0])) for place in places)
-
-    def rate_noise(self, plane: Plane) -> float:
-        """Rates of turning up to this are none [rad/s, rad/s²]: beside the others, and beside what points do."""
-        table = self.plot.omega if plane == "velocity" else self.plot.alpha
-        fastest = max(float(abs(value)) for value in self.plot.points(plane).values())
-        return max(ROUNDING * max(float(abs(rate)) for rate in table.values()), ROUNDING * fastest / (self.size or 1.0))
+        return self.usual.length
 
     def distance(self, first: str, second: str) -> float:
         """Between two points of the mechanism [m]."""
-        length = float(abs(self.plot.arm(first, second)))
+        ruler = self.ruler
+        length = float(ruler.distance(self.plot, first, second) if ruler else abs(self.plot.arm(first, second)))
         return length if length > self.noise else 0.0
+
+    def measured(self, length: float) -> float:
+        """A length of the mechanism, or a coordinate, that is read [m]."""
+        return float(self.ruler.read(length, "position")) if self.ruler else length
+
+    def angle(self, vector: Value) -> str:
+        """A measured direction."""
+        return degrees(vector, self.ruler.angle) if self.ruler else degrees(vector)
 
     def on_paper(self, length: float) -> str:
         """A length of the mechanism in mm on paper, as a figure."""

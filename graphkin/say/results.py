@@ -11,19 +11,20 @@ from graphkin.mechanism import Mechanism
 from graphkin.quantities import EDGE, Unit, driven
 from graphkin.say.catalogue import say
 from graphkin.say.centre_explained import place
+from graphkin.say.names import in_signs
 from graphkin.say.numbers import exact
 from graphkin.say.text_table import table
 
 Json = Mapping[str, Any]
 
 
-def given_values(mechanism: Mechanism, values: Sequence[float]) -> str:
+def given_values(mechanism: Mechanism, values: Sequence[float], lang: Lang) -> str:
     """`AB = 60 deg, ram = 90 mm`."""
     shown = []
     for driver, value in zip(mechanism.drivers, values, strict=True):
         unit = EDGE[driven(driver.kind == "slide")]
         shown.append(f"{driver.name} = {exact(value * unit.factor)} {unit.name}")
-    return ", ".join(shown)
+    return in_signs(say("common.and", lang).join(shown), lang)
 
 
 def solve_lines(mechanism: Mechanism, found: Json, lang: Lang) -> Iterator[str]:
@@ -31,12 +32,14 @@ def solve_lines(mechanism: Mechanism, found: Json, lang: Lang) -> Iterator[str]:
     yield f"{found['name']}  {found['title']}"
     for position in found["positions"]:
         yield ""
-        yield f"{say('results.position', lang)}: {given_values(mechanism, position['drivers'])}"
+        colon = say("common.colon", lang)
+        yield f"{say('results.position', lang)}{colon}{given_values(mechanism, position['drivers'], lang)}"
         heads = ("quantity", "graphical", "analytic", "difference", "unit")
         rows = [[say(f"results.{head}", lang) for head in heads], *_rows(position)]
+        rows = [[in_signs(cell, lang) for cell in row] for row in rows]
         yield from table(rows)
         yield from _answers(position["ask"], lang)
-        yield f"{say('results.worst', lang)}: {position['worst']:.1e}"
+        yield f"{say('results.worst', lang)}{colon}{position['worst']:.1e}"
 
 
 def _rows(position: Json) -> Iterator[list[str]]:
@@ -63,16 +66,18 @@ def _row(name: str, drawn: float, right: float, unit: Unit, off: float | None = 
 
 def _answers(asked: Json, lang: Lang) -> Iterator[str]:
     if asked:
-        yield f"{say('results.asked', lang)}:"
+        yield f"{say('results.asked', lang)}{say('common.colon', lang)}".rstrip()
     for question, entry in asked.items():
+        name = in_signs(question, lang)
         if "at" in entry or "direction" in entry:
-            yield f"  {question} = {place(entry, lang)}" + (" mm" if "at" in entry else "")
+            yield f"  {name} = {place(entry, lang)}" + (" mm" if "at" in entry else "")
             continue
         if entry["value"] is None:
-            yield f"  {question}: {say('results.not answered', lang)}"
+            yield f"  {name}{say('common.colon', lang)}{say('results.not answered', lang)}"
             continue
         unit = EDGE[entry["unit"]]
-        yield f"  {question} = {exact(entry['value'] * unit.factor)} {unit.name}".rstrip() + _components(entry)
+        value = f"{exact(entry['value'] * unit.factor)} {in_signs(unit.name, lang)}".rstrip()
+        yield f"  {name} = {value}{_components(entry)}"
 
 
 def _components(entry: Json) -> str:

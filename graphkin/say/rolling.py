@@ -12,7 +12,8 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import touching
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
-from graphkin.say.numbers import number
+from graphkin.say.figures import Formula, Operand
+from graphkin.say.noise import cut
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
 
@@ -24,7 +25,7 @@ class Relation:
     """`r1(ω1 − ω4) + r2(ω2 − ω4) = 0` of two wheels; `r3(ω3 − ω7) + ṡ_C = 0` of one on a line.
 
     symbol  how the turning of a link is written; value: its size; slid, slid_value: the same of the wheel's path
-    radian  the figure by which turnings are multiplied that are not given in radians
+    radian  by what turnings are multiplied that are not given in radians
     """
 
     reading: Reading
@@ -33,7 +34,7 @@ class Relation:
     value: Callable[[str], float]
     slid: str
     slid_value: float
-    radian: str = ""
+    radian: float = 1.0
 
     @property
     def text(self) -> str:
@@ -43,7 +44,7 @@ class Relation:
             track = "" if one == FRAME else f" − {self.symbol(one)}"
             turning = f"({self.symbol(other)}{track})" if track else f" {self.symbol(other)}"
             return f"{second}{turning} {way} {self.slid} = 0"
-        halves = [self._half(k, False) for k in self._order]
+        halves = [self._half(k) for k in self._order]
         still = [link for link in self.contact.wheels if link == FRAME != self.contact.arm]
         noted = "".join(f" ({self.symbol(link)} = 0)" for link in still)
         return f"{halves[0]} {self._sign} {halves[1]} = 0{noted}"
@@ -57,8 +58,8 @@ class Relation:
     @property
     def figures(self) -> str:
         """The two sides of a pair of wheels in figures, which cancel."""
-        halves = [self._half(k, True) for k in self._order]
-        return f"{halves[0]} {self._sign} {halves[1]}"
+        one, other = (self._half_in_figures(k) for k in self._order)
+        return (one + other if self._sign == "+" else one - other).text()
 
     @property
     def _order(self) -> tuple[int, int]:
@@ -69,26 +70,31 @@ class Relation:
     def _sign(self) -> str:
         return "+" if self.contact.radii[0] * self.contact.radii[1] > 0 else "−"
 
-    def _half(self, k: int, figures: bool) -> str:
-        """`r1(ω1 − ω4)`, `r1 ω1` about fixed centres; or `0.03 × (10 − 2)`."""
-        radius, written = self.radius(k), self.symbol
-        if figures:
-            radius, written = f"{number(abs(self.contact.radii[k]))} × ", self._figure
-        turn, arm = written(self.contact.wheels[k]), self.contact.arm
+    def _half(self, k: int) -> str:
+        """`r1(ω1 − ω4)`, `r1 ω1` about fixed centres."""
+        turn, arm = self.symbol(self.contact.wheels[k]), self.contact.arm
         if arm == FRAME:
-            return f"{radius}{_bracketed(turn)}" if figures else f"{radius} {turn}"
-        return f"{radius}({turn} − {_bracketed(written(arm))})"
+            return f"{self.radius(k)} {turn}"
+        return f"{self.radius(k)}({turn} − {self.symbol(arm)})"
+
+    def _half_in_figures(self, k: int) -> Formula:
+        """`0.03 × (10 − 2)`."""
+        turn, arm = self._figure(self.contact.wheels[k]), self.contact.arm
+        return self._radius(k) * (turn if arm == FRAME else turn - self._figure(arm))
+
+    def _radius(self, k: int) -> Formula:
+        return Operand(abs(self.contact.radii[k]))
 
     def radius(self, k: int) -> str:
         return self.reading.radius(self.contact.wheels[k], abs(self.contact.radii[k]))
 
     def solved(self, unknown: str, value: float, unit: str, note: str) -> Calculation:
         """The turning of `unknown` from that of the others, with its figures."""
-        formula, figures = self._solution(unknown)
+        formula, numbers = self._solution(unknown)
         formulas = (formula,) if formula else ()
-        return Calculation(self.symbol(unknown), formulas, figures, value, unit, note)
+        return Calculation(self.symbol(unknown), formulas, numbers, value, unit, note)
 
-    def _solution(self, unknown: str) -> tuple[str, str]:
+    def _solution(self, unknown: str) -> tuple[str, Formula | str]:
         """`ω4 − r1(ω1 − ω4)/r2`, and the same in figures; nothing where more than one turning is unknown."""
         contact = self.contact
         if unknown not in contact.wheels:
@@ -98,34 +104,30 @@ class Relation:
         if contact.slide:
             return self._along(other) if k else ("", "")
         sign = "−" if self._sign == "+" else "+"
-        radii = [number(abs(contact.radii[n])) for n in (1 - k, k)]
-        arm = contact.arm
+        ratio, arm = (self._radius(1 - k), self._radius(k)), contact.arm
         if arm == FRAME:
             start = "−" if sign == "−" else ""
             formula = f"{start}{self.radius(1 - k)} {self.symbol(other)}/{self.radius(k)}"
-            return formula, f"{start}{radii[0]} × {_bracketed(self._figure(other))}/{radii[1]}"
+            turned = ratio[0] * self._figure(other) / ratio[1]
+            return formula, -turned if start else turned
         turning = f"{self.radius(1 - k)}({self.symbol(other)} − {self.symbol(arm)})"
         formula = f"{self.symbol(arm)} {sign} {turning}/{self.radius(k)}"
-        inner = f"({self._figure(other)} − {_bracketed(self._figure(arm))})"
-        return formula, f"{self._figure(arm)} {sign} {radii[0]} × {inner}/{radii[1]}"
+        turned = ratio[0] * (self._figure(other) - self._figure(arm)) / ratio[1]
+        return formula, self._figure(arm) - turned if sign == "−" else self._figure(arm) + turned
 
-    def _along(self, track: str) -> tuple[str, str]:
+    def _along(self, track: str) -> tuple[str, Formula]:
         """`ω1 − ṡ_C/r3`, `ṡ_C/r3` of a wheel on a line."""
         sign = "−" if self.contact.on_slide > 0 else "+"
-        start = figures = "−" if sign == "−" else ""
+        moved = Operand(self.slid_value)
+        turned = (Operand(self.radian) * moved if self.radian != 1.0 else moved) / self._radius(1)
+        formula = f"{self.slid}/{self.radius(1)}"
         if track != FRAME:
-            start, figures = f"{self.symbol(track)} {sign} ", f"{self._figure(track)} {sign} "
-        times = f"{self.radian} × " if self.radian else ""
-        moved = _bracketed(number(self.slid_value, self.reading.noise))
-        radius = number(abs(self.contact.radii[1]))
-        return f"{start}{self.slid}/{self.radius(1)}", f"{figures}{times}{moved}/{radius}"
+            start = self._figure(track)
+            return f"{self.symbol(track)} {sign} {formula}", start - turned if sign == "−" else start + turned
+        return (f"−{formula}", -turned) if sign == "−" else (formula, turned)
 
-    def _figure(self, link: str) -> str:
-        return number(self.value(link), 1e-12)
-
-
-def _bracketed(figure: str) -> str:
-    return f"({figure})" if figure.startswith("−") else figure
+    def _figure(self, link: str) -> Formula:
+        return Operand(self.value(link))
 
 
 def relation_of(polygon: Polygon, contact: InStep) -> Relation:
@@ -133,15 +135,16 @@ def relation_of(polygon: Polygon, contact: InStep) -> Relation:
     reading, plot = polygon.reading, polygon.reading.plot
     first = polygon.plane == "velocity"
     table, slid = (plot.omega, plot.s_rate) if first else (plot.alpha, plot.s_acceleration)
-    noise = reading.rate_noise(polygon.plane)
+    usual = reading.usual
 
     def value(link: str) -> float:
-        return float(table[link]) if abs(table[link]) > noise else 0.0
+        return usual.rate(float(table[link]), polygon.plane)
 
     symbol = names.SLIDING[polygon.plane]
+    moved = usual.motion(float(slid[contact.slide]), polygon.plane) if contact.slide else 0.0
     return Relation(
         reading, _contact(reading, contact.name), polygon.rate, value,
-        _slid(reading, symbol, contact), float(slid[contact.slide]) if contact.slide else 0.0,
+        _slid(reading, symbol, contact), moved,
     )  # fmt: skip
 
 
@@ -175,11 +178,12 @@ def turned(reading: Reading, contact: InStep) -> Relation:
     drawn = plot.facts.drawn
 
     def value(link: str) -> float:
-        return degrees(float(plot.theta[link]) - drawn.get(link, 0.0))
+        return cut(degrees(float(plot.theta[link]) - drawn.get(link, 0.0)), 360.0)
 
     moved = float(plot.s[found.slide]) - drawn[slide_key(found.slide)] if found.slide else 0.0
+    moved = cut(moved, reading.usual.length)
     slid = _slid(reading, "Δs", contact)
-    return Relation(reading, found, lambda link: reading.rate("Δθ", link), value, slid, moved, "57.3")
+    return Relation(reading, found, lambda link: reading.rate("Δθ", link), value, slid, moved, degrees(1.0))
 
 
 def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:
@@ -199,7 +203,7 @@ def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:
     yield Sentence(reading.say("contacts.turned by", link=reading.link(link), name=name))
     if contact.slide:
         yield Calculation(relation.slid, (), "", moved * 1000, "mm")
-    yield relation.solved(link, value, "°", reading.say("derivation.tied"))
+    yield relation.solved(link, value, "°", reading.signed(value))
 
 
 def _unknown(reading: Reading, step: Roll) -> str:
@@ -233,10 +237,11 @@ def rolling(polygon: Polygon, step: Roll) -> Iterator[Entry]:
     yield Sentence(reading.say("contacts.rolling relation", wheels=wheels, relation=relation.text))
     link = _unknown(reading, step)
     if link:
-        yield relation.solved(link, relation.value(link), polygon.rate_unit, reading.say("derivation.tied"))
+        yield relation.solved(link, relation.value(link), polygon.rate_unit, reading.signed(relation.value(link)))
     else:
         slide, table = names.SLIDING[polygon.plane], polygon.reading.plot
         value = float((table.s_rate if polygon.plane == "velocity" else table.s_acceleration)[step.slide])
+        value = reading.usual.motion(value, polygon.plane)
         yield Calculation(_moved(reading, slide, step.slide), (), "", value, names.UNIT[polygon.plane])
 
 

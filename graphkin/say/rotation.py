@@ -9,6 +9,7 @@ from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
+from graphkin.say.figures import Operand, figures, signed_sum
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
 from graphkin.say.rolling import checked, contacted, same_velocity
@@ -59,11 +60,11 @@ def _rate(polygon: Polygon, step: Measure, name: str, length_mm: float, direct: 
     reading, line = polygon.reading, names.pair(*step.lever)
     lever, mu = reading.distance(*step.lever), names.SCALE[polygon.plane]
     measured = f"{mu}·{names.stretch(step.tail, step.head)}/(μ_l·{line})"
-    below = f"({number(reading.scales['length'])} × {reading.on_paper(lever)})"
+    below = Operand(reading.scales["length"]) * Operand(lever / reading.scales["length"])
     return Calculation(
         polygon.rate(step.of),
         (f"{name}/l_{line}", measured) if direct else (f"{name}/l_{line}",),
-        f"{number(polygon.scale)} × {number(length_mm)}/{below}",
+        Operand(polygon.scale) * Operand(length_mm) / below,
         length_mm * polygon.scale / lever,
         polygon.rate_unit,
         _sense_note(polygon, step) if length_mm else "",
@@ -90,12 +91,12 @@ def _turning(polygon: Polygon, step: Measure) -> float:
 def _resolved(polygon: Polygon, step: Measure) -> Iterator[Entry]:
     """Both ends are known from elsewhere: only the part across the lever turns the link."""
     reading = polygon.reading
-    across = abs(_turning(polygon, step))
-    across = across if across > polygon.noise else 0.0
+    across = reading.usual.motion(abs(_turning(polygon, step)), polygon.plane)
+    across = float(reading.ruler.read(across, polygon.plane)) if reading.ruler else across
     length_mm = across / polygon.scale
     tail = _corner(polygon, step.tail, step.lever[0])
     name = polygon.seen(polygon.of(step.head), polygon.of(tail), "t")
-    numbers = f"{number(polygon.scale)} × {number(length_mm)}"
+    numbers = Operand(polygon.scale) * Operand(length_mm)
     tangential = Calculation(name, (), numbers, across, names.UNIT[polygon.plane]).text
     ends, line = names.stretch(step.tail, step.head), names.pair(*step.lever)
     yield Sentence(reading.say("derivation.tangential part", ends=ends, line=line, tangential=tangential))
@@ -129,8 +130,7 @@ def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
     """`ω2 = ω3`, or `ω2 = ω1 + ω21` with a driven rotation between them; the frame adds nothing."""
     reading = polygon.reading
     table = reading.plot.omega if polygon.plane == "velocity" else reading.plot.alpha
-    noise = reading.rate_noise(polygon.plane)
-    value = float(table[link]) if abs(table[link]) > noise else 0.0
+    value = reading.usual.rate(float(table[link]), polygon.plane)
     symbol, drivers = names.RATE[polygon.plane], reading.mechanism.drivers
     parts = [] if other == FRAME else [(1, polygon.rate(other), float(table[reading.body(other)]))]
     driven = _driven_between(polygon, link, other)
@@ -139,9 +139,9 @@ def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
     if not driven or (len(parts) == 1 and parts[0][0] > 0):
         note = _sense(polygon, value) if value else ""
         return Calculation(polygon.rate(link), (formula,), "", abs(value), polygon.rate_unit, note)
-    figures = [(sign, number(rate, noise)) for sign, _, rate in parts]
-    numbers = _signed(figures) if len(figures) > 1 else ""
-    note = reading.say("derivation.tied")
+    rates = [(sign, reading.usual.rate(rate, polygon.plane)) for sign, _, rate in parts]
+    numbers = signed_sum(rates) if len(rates) > 1 else ""
+    note = reading.signed(value)
     return Calculation(polygon.rate(link), (formula,), numbers, value, polygon.rate_unit, note)
 
 
@@ -161,13 +161,9 @@ def _driven_between(polygon: Polygon, link: str, other: str) -> list[tuple[int, 
 
 
 def _signed(parts: list[tuple[int, str]]) -> str:
-    """`ω1 + ω21`, `ω2 − ω21`, `−0.49 + 2`, `1.5 − (−2)`."""
-    first = ("−" if parts[0][0] < 0 else "") + _bracketed(parts[0][1], parts[0][0] < 0)
-    return first + "".join(f" {'−' if sign < 0 else '+'} {_bracketed(text, True)}" for sign, text in parts[1:])
-
-
-def _bracketed(figure: str, after_sign: bool) -> str:
-    return f"({figure})" if after_sign and figure.startswith("−") else figure
+    """`ω1 + ω21`, `ω2 − ω21`."""
+    first = ("−" if parts[0][0] < 0 else "") + parts[0][1]
+    return first + "".join(f" {'−' if sign < 0 else '+'} {text}" for sign, text in parts[1:])
 
 
 # --- slides -------------------------------------------------------------------------------------
@@ -178,7 +174,7 @@ def sliding(polygon: Polygon, step: Measure) -> Iterator[Entry]:
     reading = polygon.reading
     pair = reading.method.structure.slides[step.of]
     table = reading.plot.s_rate if polygon.plane == "velocity" else reading.plot.s_acceleration
-    value, size = float(table[step.of]), polygon.size(step.tail, step.head)
+    value, size = float(table[step.of]), polygon.read(step.tail, step.head)
     name, unit = polygon.name(step.tail, step.head), names.UNIT[polygon.plane]
     if pair.named:
         symbol = names.of_slide(names.SLIDING[polygon.plane], step.of)
@@ -232,7 +228,8 @@ def _ratio(polygon: Polygon, step: Image, corners: list[str]) -> str:
     first, second, third = step.corners
     lengths = [polygon.reading.distance(first, p) for p in (third, second)]
     small, scale = polygon.length_mm(*step.base), polygon.reading.scales["length"]
-    numbers = " × ".join([number(small), "/".join(number(length / scale) for length in lengths)])
+    one, other = figures(*(length / scale for length in lengths))
+    numbers = Operand(small) * one / other
     formula = f"{names.stretch(*corners)} × {names.pair(first, third)}/{names.pair(first, second)}"
     name = names.stretch(corners[0], step.point)
     return Calculation(name, (formula,), numbers, small * lengths[0] / lengths[1], "mm").text

@@ -7,7 +7,7 @@ from typing import assert_never
 from graphkin.construction import Coriolis, Drawn, Driven, Normal, Relative, Size, Span, Tangential, Term, Turning
 from graphkin.say import names
 from graphkin.say.entry import Calculation
-from graphkin.say.numbers import number
+from graphkin.say.figures import Formula, Operand, squared
 from graphkin.say.plane import Polygon
 from graphkin.value import frozen
 
@@ -17,7 +17,7 @@ class Sized:
     """A size as a formula, with its figures in it, and the way its arrow points."""
 
     formula: str
-    numbers: str
+    numbers: Formula | str
     way: str
 
 
@@ -93,22 +93,22 @@ def _sized(polygon: Polygon, term: Term, size: Size, direction: str) -> Sized:
 
 
 def _times(polygon: Polygon, rate: str, value: float, ends: tuple[str, str], direction: str) -> Sized:
-    length = number(polygon.reading.distance(*ends))
+    length = Operand(polygon.reading.distance(*ends))
     way = polygon.reading.say("derivation.sense of", direction=direction, rate=rate)
-    return Sized(f"{rate} l_{names.pair(*ends)}", f"{number(abs(value))} × {length}", way)
+    return Sized(f"{rate} l_{names.pair(*ends)}", Operand(abs(value)) * length, way)
 
 
 def _squared(polygon: Polygon, rate: str, value: float, ends: tuple[str, str], direction: str) -> Sized:
-    length = number(polygon.reading.distance(*ends))
-    return Sized(f"{rate}² l_{names.pair(*ends)}", f"{number(abs(value))}² × {length}", direction)
+    length = Operand(polygon.reading.distance(*ends))
+    return Sized(f"{rate}² l_{names.pair(*ends)}", squared(abs(value)) * length, direction)
 
 
 def _coriolis(polygon: Polygon, term: Term, size: Coriolis, direction: str) -> Sized:
     reading = polygon.reading
     rate, velocity = reading.rate("ω", size.link), Polygon(reading, "velocity")
     relative = velocity.seen(term.of, term.seen_from)
-    omega = number(abs(reading.plot.omega[size.link]))
-    numbers = f"2 × {omega} × {number(velocity.size(size.tail, size.head))}"
+    omega = Operand(abs(reading.plot.omega[size.link]))
+    numbers = Operand(2) * omega * Operand(velocity.read(size.tail, size.head))
     way = reading.say("derivation.quarter turned", relative=relative, rate=rate, direction=direction)
     return Sized(f"2 {rate} {relative}", numbers, way)
 

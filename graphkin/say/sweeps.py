@@ -11,7 +11,8 @@ from graphkin.errors import Lang, listed
 from graphkin.quantities import EDGE, IN_GRAVITY, Centre, Quotient, Rotation
 from graphkin.running.path import Event
 from graphkin.say.catalogue import say
-from graphkin.say.numbers import at_edge, exact
+from graphkin.say.names import in_signs
+from graphkin.say.numbers import at_edge, exact, number
 from graphkin.say.text_table import table
 from graphkin.sweeps import Course, Series, Sweep
 
@@ -73,18 +74,19 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
             continue
         for key, k in (("greatest", int(np.nanargmax(values))), ("least", int(np.nanargmin(values)))):
             place = named(sweep.course, float(sweep.values[k]))
-            yield say(f"sweeps.extreme {key}", lang, name=entry.name, value=_valued(entry, float(values[k])), at=place)
+            name, value = in_signs(entry.name, lang), in_signs(_valued(entry, float(values[k])), lang)
+            yield say(f"sweeps.extreme {key}", lang, name=name, value=value, at=place)
 
 
 def _valued(entry: Series, value: float) -> str:
     text = at_edge(value, entry.unit)
-    return text + (f" ({value * IN_GRAVITY.factor:.4g} {IN_GRAVITY.name})" if entry.unit == "m/s^2" else "")
+    return text + (f" ({number(value * IN_GRAVITY.factor, 1e-9)} {IN_GRAVITY.name})" if entry.unit == "m/s^2" else "")
 
 
 # --- tables -------------------------------------------------------------------------------------
 
 
-def sweep_lines(sweep: Sweep) -> Iterator[str]:
+def sweep_lines(sweep: Sweep, lang: Lang) -> Iterator[str]:
     """A row for each position, in mm and deg; of an instant centre x and y."""
     first = EDGE[sweep.course.unit]
     heads, values = [[sweep.course.driver.name, first.name]], [sweep.values * first.factor]
@@ -94,7 +96,8 @@ def sweep_lines(sweep: Sweep) -> Iterator[str]:
         at = entry.vectors if entry.is_place else None
         values += [part * unit.factor for part in ((entry.signed,) if at is None else (at.real, at.imag))]
     rows = [[exact(float(column[k])) for column in values] for k in range(sweep.t.size)]
-    yield from table([[head[0] for head in heads], [f"[{head[1]}]" for head in heads], *rows])
+    names, units = ([in_signs(head[k], lang) for head in heads] for k in (0, 1))
+    yield from table([names, [f"[{unit}]" for unit in units], *rows])
 
 
 UNITS = ("rad", "m", "rad/s", "m/s", "rad/s^2", "m/s^2", "1")

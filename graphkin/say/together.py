@@ -22,10 +22,10 @@ from graphkin.construction import (
     Simultaneous,
     Term,
 )
-from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
+from graphkin.say.figures import Operand
 from graphkin.say.numbers import degrees, number
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
@@ -205,14 +205,14 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
     equations = equations[0].upper() + equations[1:]
     yield Sentence(reading.say("contacts.together", unknowns=unknowns, equations=equations))
     table = plot.omega if polygon.plane == "velocity" else plot.alpha
-    noise = reading.rate_noise(polygon.plane)
     for link in dict.fromkeys(members):
-        value = float(table[link]) if abs(table[link]) > noise else 0.0
+        value = reading.usual.rate(float(table[link]), polygon.plane)
         note = reading.say("common.ccw" if value > 0 else "common.cw") if value else ""
         yield Calculation(polygon.rate(link), (), "", abs(value), polygon.rate_unit, note)
     rates = plot.s_rate if polygon.plane == "velocity" else plot.s_acceleration
     for slide, symbol in zip(step.slides, slides, strict=True):
-        yield Calculation(symbol, (), "", float(rates[slide]), names.UNIT[polygon.plane])
+        value = reading.usual.motion(float(rates[slide]), polygon.plane)
+        yield Calculation(symbol, (), "", value, names.UNIT[polygon.plane])
 
 
 def _constant_ratio(polygon: Polygon, step: Simultaneous, members: list[str]) -> list[Entry]:
@@ -230,16 +230,11 @@ def _constant_ratio(polygon: Polygon, step: Simultaneous, members: list[str]) ->
         return [Sentence(reading.say("contacts.constant ratio at rest", rate=rate, zero=zero))]
     said: list[Entry] = [Sentence(reading.say("contacts.constant ratio"))]
     for link in wheels:
-        figures = [_bracketed(value) for value in (plot.alpha[input_], plot.omega[link], plot.omega[input_])]
-        formula = f"{rate} {reading.rate('ω', link)}/{turning}"
-        numbers, value, note = "{} × {}/{}".format(*figures), float(plot.alpha[link]), reading.say("derivation.tied")
-        said.append(Calculation(polygon.rate(link), (formula,), numbers, value, "rad/s²", note))
+        first, second, third = (Operand(float(v)) for v in (plot.alpha[input_], plot.omega[link], plot.omega[input_]))
+        formula, value = f"{rate} {reading.rate('ω', link)}/{turning}", float(plot.alpha[link])
+        note = reading.signed(value)
+        said.append(Calculation(polygon.rate(link), (formula,), first * second / third, value, "rad/s²", note))
     return said
-
-
-def _bracketed(value: Value) -> str:
-    text = number(float(value))
-    return f"({text})" if text.startswith("−") else text
 
 
 def _symbol(polygon: Polygon, slide: str) -> str:

@@ -14,6 +14,7 @@ from graphkin.marking.tolerances import Cost, Tolerances
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import is_phrase, say
 from graphkin.say.marks import shown, table
+from graphkin.say.names import in_signs
 from graphkin.say.numbers import number
 
 _TOLD = 10
@@ -54,7 +55,7 @@ def _rows(found: Tolerances, lang: Lang) -> Iterator[list[str]]:
         part = entry.tolerance / abs(entry.right) if entry.right else math.inf
         worst = found.worst(entry.text)
         yield [
-            f"{entry.text}{' *' if entry.points else ''}", shown(entry.right, entry.unit),
+            f"{in_signs(entry.text, lang)}{' *' if entry.points else ''}", shown(entry.right, entry.unit),
             shown(entry.scatter, entry.unit), f"±{shown(entry.tolerance, entry.unit)}",
             f"{part:.1%}" if part < math.inf else "", EDGE[entry.unit].sign,
             "" if worst is None else f"{_step(worst, lang)} ({worst.parts[entry.text]:.0%})",

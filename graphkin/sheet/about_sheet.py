@@ -12,6 +12,7 @@ from graphkin.centres.about import About, Circle, InflectionLine
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
+from graphkin.say.numbers import number
 from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.curves import circle, clipped
 from graphkin.sheet.fit import enlarged
@@ -42,7 +43,7 @@ _TOWARDS = 30.0
 HEADING: dict[Lang, str] = {"en": "Link {link} about its instant centre", "zh": "构件 {link} 绕瞬心的运动"}
 INFLECTION: dict[Lang, str] = {"en": "inflection circle", "zh": "拐点圆"}
 INFLECTION_LINE: dict[Lang, str] = {"en": "inflection circle (a line)", "zh": "拐点圆（退化为直线）"}
-RETURN: dict[Lang, str] = {"en": "return circle", "zh": "回转圆"}
+RETURN: dict[Lang, str] = {"en": "cuspidal circle", "zh": "尖点圆"}
 
 
 def about_sheet(seen: About, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
@@ -150,7 +151,7 @@ class _Drawing:
 
     @staticmethod
     def _far(place: complex) -> str:
-        return f" ({1e3 * place.real:.4g}, {1e3 * place.imag:.4g})"
+        return f" ({number(1e3 * place.real, 1e-6)}, {number(1e3 * place.imag, 1e-6)})"
 
     def field(self) -> Iterator[Entry]:
         """A light field of velocities over the link's plane, about its points and its pole."""

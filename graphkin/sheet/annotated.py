@@ -18,7 +18,8 @@ from graphkin.mechanism import FRAME
 from graphkin.planning.acts import rate_found
 from graphkin.quantities import Rotation, read
 from graphkin.say.dimensions import dimensions, length, measured_lengths
-from graphkin.say.reading import ROUNDING, Reading
+from graphkin.say.noise import ROUNDING
+from graphkin.say.reading import Reading
 from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Added, FreeRoom
 from graphkin.sheet.lettering import quantity_label

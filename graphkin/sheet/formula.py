@@ -7,7 +7,8 @@ import re
 from graphkin.sheet.lettering import Label, Run, point_label
 
 _RAISED = dict(zip("ⁿᵗᵏʳ²³", "ntkr23", strict=True))
-_SIGN = re.compile(r"([A-Za-zα-ωṡ]\u0308?)([ⁿᵗᵏʳ]*)(?:_((?:[^\s()/|²³·、。，；：,;]|,(?=\w))+)|(\d+))([²³]?)(?![A-Za-z])")
+_LOW = r"(?:[^\s()/|²³·、。，；：,;]|,(?=\w))+"
+_SIGN = re.compile(rf"([A-Za-zα-ωṡ]\u0308?)([ⁿᵗᵏʳ]*)(?:_({_LOW})|(\d+))([²³]?)(?![A-Za-z])")
 _POINT = re.compile(r"[A-Z][0-9]*′*")
 _POINTS = re.compile(rf"(?<=[⊥∥→])(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)")
 _NODE = re.compile(r"[a-z]\d*′*")

@@ -12,6 +12,7 @@ from dataclasses import replace
 from functools import cache
 from typing import Literal
 
+from graphkin.quantities.digits import significant
 from graphkin.value import frozen
 
 SMALL = 0.68
@@ -54,7 +55,7 @@ def _table() -> dict[str, tuple[float, float]]:
 
 
 _WIDTHS = _table()
-_CORNER = re.compile(r"([nktr])_([^\W\d_]\w*?)(?:_(\d+))?('*)")
+_CORNER = re.compile(r"([a-z])_([^\W\d_]\w*?)(?:_(\d+))?('*)")
 _EQUIVALENT = re.compile(r"e [a-z]+(\d*)")
 _CJK = re.compile(r"[\u2460-\u2473\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
 
@@ -156,7 +157,7 @@ def _mixed(text: str, place: Literal["base", "sub", "sup"]) -> Label:
 def point_label(name: str) -> Label:
     """A point of the mechanism or of a polygon: `B`, `O1`, `b3'`, `n'`, `b@guide`: digits as subscripts.
 
-    Points have one letter; at a corner the link's word follows n, k, t or r: `n_boom'`, `n_c1_2'`.
+    Points have one letter; at a corner the link's word follows its letter: `n_boom'`, `n_c1_2'`.
     """
     name = _EQUIVALENT.sub(_equivalent, name)
     if corner := _CORNER.fullmatch(name):
@@ -213,7 +214,7 @@ def quantity_label(letter: str, low: str, part: str = "") -> Label:
 
 def number(value: float, digits: int = 4) -> Label:
     """A figure as people write it: 0.2712, −3.919, 0, 2×10⁻⁵; four digits are what paper gives."""
-    mantissa, _, exponent = f"{value:.{digits}g}".replace("-", "−").partition("e")
+    mantissa, _, exponent = significant(value, digits).replace("-", "−").partition("e")
     if mantissa in ("0", "−0") or abs(value) < 1e-300:
         return plain("0")
     if not exponent:

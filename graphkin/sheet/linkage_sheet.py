@@ -15,6 +15,7 @@ from graphkin.linkages.linkage import LinkagePosition
 from graphkin.mechanism import Mechanism
 from graphkin.say.linkages import amount, kind_name, titled
 from graphkin.say.numbers import angle as degrees
+from graphkin.say.numbers import number
 from graphkin.sheet.layout import divided, papers_for
 from graphkin.sheet.linkage_angles import dimensioned_limits, dimensioned_transmission
 from graphkin.sheet.linkage_figure import drawn_over, pictured
@@ -142,7 +143,7 @@ def _limit_caption(report: Report, lang: Lang) -> tuple[str, ...]:
     found = [_WORDS["limits"][lang].format(output=report.output)]
     if report.k is not None:
         key = "timed" if report.timed_by else "one" if report.slow is None else "k"
-        found.append(_WORDS[key][lang].format(k=f"{report.k:.5g}", crank=report.timed_by))
+        found.append(_WORDS[key][lang].format(k=number(report.k, digits=5), crank=report.timed_by))
     other = [name for name in report.dead if name != report.driver][:1]
     return (*found, *(_dead(report, name, lang) for name in other))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
@@ -12,6 +12,7 @@ from graphkin.construction import Node, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
+from graphkin.say.noise import Usual
 from graphkin.sheet.lettering import (
     Label,
     Run,
@@ -33,7 +34,6 @@ SIZE = 3.0
 """Letters of the table [mm]."""
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
 _MOST_ROWS = 12
-_NOISE = 1e-9
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
 
 
@@ -84,35 +84,12 @@ def _whole(cell: Label) -> float | None:
     return width((replace(first, text=whole[0]),), SIZE) if whole is not None and not first.italic else None
 
 
-@frozen
-class _Usual:
-    """What is usual in a mechanism: values far below are the noise of computing, and written 0.
-
-    length [m], speed [m/s], acceleration [m/s^2], turning [rad/s]
-    """
-
-    length: float
-    speed: float
-    acceleration: float
-    turning: float
-
-    @classmethod
-    def of(cls, plot: Plot) -> _Usual:
-        places = [complex(v) for v in plot.position.values()]
-        length = max((abs(a - b) for a in places for b in places), default=0.0) or 1.0
-        speed = _largest(plot.velocity)
-        turning = max(_largest(plot.omega), speed / length)
-        return cls(length, speed, max(_largest(plot.acceleration), turning**2 * length), turning)
-
-    def speeds(self, value: float) -> Label:
-        return number(value if abs(value) > _NOISE * self.speed else 0.0)
-
-    def accelerations(self, value: float) -> Label:
-        return number(value if abs(value) > _NOISE * self.acceleration else 0.0)
+def _speed(usual: Usual, value: float) -> Label:
+    return number(usual.motion(value, "velocity"))
 
 
-def _largest(values: Mapping[str, complex]) -> float:
-    return max((abs(v) for v in values.values()), default=0.0)
+def _acceleration(usual: Usual, value: float) -> Label:
+    return number(usual.motion(value, "acceleration"))
 
 
 @frozen
@@ -122,7 +99,7 @@ class _Results:
     method: Method
     plot: Plot
     lang: Lang
-    usual: _Usual
+    usual: Usual
 
     def asked(self, name: str, *quantities: str) -> bool:
         """Whether the problem asks for one of these quantities of what bears the name."""
@@ -140,20 +117,21 @@ class _Results:
             plain({"en": "link", "zh": "构件"}[self.lang]), _unit(quantity_label("ω", ""), "rad/s"), (),
             _unit(quantity_label("α", ""), "rad/s²"), (),
         )  # fmt: skip
-        quick = self.usual.acceleration / self.usual.length
         rows = []
         for name in (name for name in machine.moving if name in plot.omega):
             called = machine.called(name)
             label = link_label(called)
             row = [bold(label) if self.asked(called, "omega", "alpha", "theta") else label]
-            for kind, value, usual in (("omega", plot.omega, self.usual.turning), ("alpha", plot.alpha, quick)):
-                row += [self.told(called, one, kind) for one in self.turning(float(value[name]), usual)]
+            turns = (self.usual.rate(float(plot.omega[name]), "velocity"),
+                     self.usual.rate(float(plot.alpha[name]), "acceleration"))  # fmt: skip
+            for kind, value in zip(("omega", "alpha"), turns, strict=True):
+                row += [self.told(called, one, kind) for one in self.turning(value)]
             rows.append(tuple(row))
         return Table(head, tuple(rows))
 
-    def turning(self, value: float, usual: float) -> tuple[Label, Label]:
+    def turning(self, value: float) -> tuple[Label, Label]:
         """`3.919` and `cw`."""
-        if abs(value) <= _NOISE * usual:
+        if not value:
             return plain("0"), ()
         return number(abs(value)), plain(_SENSE[self.lang][value < 0])
 
@@ -167,8 +145,8 @@ class _Results:
         for node in method.velocity.nodes.values():
             if node.of in primed and _moves(method, node):
                 label = point_label(node.of)
-                speed = usual.speeds(abs(plot.velocity[node.name]))
-                other = usual.accelerations(abs(plot.acceleration[primed[node.of]]))
+                speed = _speed(usual, abs(plot.velocity[node.name]))
+                other = _acceleration(usual, abs(plot.acceleration[primed[node.of]]))
                 name = bold(label) if self.asked(node.of, "v", "a") else label
                 rows.append((name, self.told(node.of, speed, "v"), self.told(node.of, other, "a")))
         return Table(head, tuple(rows))
@@ -188,8 +166,8 @@ class _Results:
             if not any(pair):
                 continue
             label, spoken = _pair_label(low), "".join(run.text for run in _pair_label(low))
-            speed = usual.speeds(abs(self.plot.velocity[term.head] - self.plot.velocity[term.tail]))
-            sizes = [usual.accelerations(abs(at[t.head] - at[t.tail])) if t else plain("") for t in pair]
+            speed = _speed(usual, abs(self.plot.velocity[term.head] - self.plot.velocity[term.tail]))
+            sizes = [_acceleration(usual, abs(at[t.head] - at[t.tail])) if t else plain("") for t in pair]
             values = zip((speed, *sizes), ("v", "a_k", "a_r"), strict=True)
             first = bold(label) if self.asked(spoken, "v", "a_k", "a_r") else label
             found.append((first, *(self.told(spoken, value, kind) for value, kind in values)))
@@ -206,8 +184,8 @@ class _Results:
             (
                 bold(plain(slide.name, True)) if self.asked(slide.name, "s") else plain(slide.name, True),
                 self.told(slide.name, number(1000 * float(plot.s[slide.name])), "s"),
-                usual.speeds(float(plot.s_rate.get(slide.name, 0.0))),
-                usual.accelerations(float(plot.s_acceleration.get(slide.name, 0.0))),
+                _speed(usual, float(plot.s_rate.get(slide.name, 0.0))),
+                _acceleration(usual, float(plot.s_acceleration.get(slide.name, 0.0))),
             )
             for slide in self.method.mechanism.slides
             if slide.named and slide.name in plot.s
@@ -224,7 +202,7 @@ _PLANES: dict[str, Plane] = {
 
 def tables(method: Method, plot: Plot, lang: Lang) -> list[Table]:
     """Links, points, coincident points, slides; empty ones left out."""
-    results = _Results(method, plot, lang, _Usual.of(plot))
+    results = _Results(method, plot, lang, Usual.of(plot))
     found = (results.links(), results.points(), results.parts(), results.slides())
     return [table for table in found if table.rows]
 

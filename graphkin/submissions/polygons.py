@@ -68,7 +68,8 @@ def _letters(construction: Construction) -> dict[str, tuple[str, ...]]:
     prime = "'" if construction.plane == "acceleration" else ""
     pole = tuple(dict.fromkeys([construction.pole, *(letter + prime for letter in "poq"), *on_pole]))
     names = [name for name in construction.nodes if name not in on_pole and name[0].isalpha()]
-    return {construction.pole: tuple(name for name in pole if name not in names), **{name: (name,) for name in names}}
+    alike = {name: tuple(dict.fromkeys((name, name.rstrip("'") + prime))) for name in names}
+    return {construction.pole: tuple(name for name in pole if name not in names), **alike}
 
 
 def _on_pole(construction: Construction) -> dict[str, None]:

@@ -70,7 +70,7 @@ PHRASES: Phrases = {
     ),
     "lines coincide": ("no two lines through it that differ are known", "已知的过该点的直线重合或不足两条"),
     "together": (
-        "{name}: links {first} and {second} do not move against each other at this instant, and have no centre.",
+        "{name}: links {first} and {second} have no relative motion at this instant, and no centre.",
         "{name}：构件 {first}、{second} 此瞬时无相对运动，不存在瞬心。",
     ),
     "mm": ("at ({x}, {y}) mm", "坐标（{x}，{y}）mm"),
@@ -109,14 +109,14 @@ PHRASES: Phrases = {
     "by slide": ("sliding pair", "移动副"),
     "by velocities": ("velocities", "由速度求得"),
     "by normal": ("common normal", "公法线"),
-    "by together": ("no motion against each other", "无相对运动"),
+    "by together": ("no relative motion", "无相对运动"),
     "column centre": ("centre", "瞬心"),
     "column links": ("links", "构件"),
     "column place": ("place [mm]", "位置 [mm]"),
     "column by": ("found by", "求法"),
     "place at infinity": ("at infinity, {angle}°", "无穷远，{angle}°"),
     "advantage": (
-        "Mechanical advantage without losses, torque on link {out} by torque on link {driver}: ω{driver}/ω{out} = {value}",
-        "不计损耗时的机械增益：构件 {out} 与构件 {driver} 的力矩之比 ω{driver}/ω{out} = {value}",
+        "Mechanical advantage without losses, torque on link {out} by torque on link {driver}: {ratio} = {value} ({senses})",
+        "不计损耗时的机械增益：构件 {out} 与构件 {driver} 的力矩之比 {ratio} = {value}（{senses}）",
     ),
 }

@@ -8,6 +8,15 @@ PHRASES: Phrases = {
     "size row": ("magnitude:", "大小："),
     "given": ("Drivers: {drivers}.", "原动件：{drivers}。"),
     "scales": ("Scales: {scales}.", "取比例尺：{scales}。"),
+    "too short": (" (too short to draw)", "（过短，图上画不出）"),
+    "exactly": (
+        "Lengths are those of an exact drawing; figures have four digits, and factors more where their result needs it.",
+        "各长度按精确作图取值；数值取四位有效数字，必要时参与运算的数多取几位。",
+    ),
+    "by hand": (
+        "Every length that is not given is read off the drawing to 0.5 mm, every angle to 0.5°, and used as it is read.",
+        "凡非已知的长度均由图上量取，读至 0.5 mm（角度读至 0.5°），并以量得的值继续计算。",
+    ),
     "plane position": ("(1) The mechanism, drawn to scale", "(1) 作机构运动简图"),
     "plane velocity": ("({number}) Velocities", "({number}) 作速度分析"),
     "plane acceleration": ("({number}) Accelerations", "({number}) 作加速度分析"),
@@ -213,7 +222,8 @@ PHRASES: Phrases = {
         "Links {links} form a sliding pair, so they have no relative rotation:",
         "构件 {links} 之间组成移动副，无相对转动：",
     ),
-    "tied": ("counter-clockwise is positive", "逆时针为正"),
+    "positive": ("positive: counter-clockwise", "正值，为逆时针"),
+    "negative": ("negative: clockwise", "负值，为顺时针"),
     "tangential part": (
         "Resolve {ends} along and across {line}. The part across it is {tangential}.",
         "将 {ends} 沿 {line} 及其垂直方向分解，垂直分量为 {tangential}。",

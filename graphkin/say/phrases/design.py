@@ -146,7 +146,7 @@ PHRASES: Phrases = {
         "作 B1B2'、B2'B3' 的中垂线，交点为 C1。",
     ),
     "stage inverted lengths": (
-        "Measure lBC = B1C1 = {b:mm}, lCD = C1D = {c:mm}; DC1 stands at {psi01:deg} to AD.",
+        "Measure lBC = B1C1 = {b:mm}, lCD = C1D = {c:mm}; DC1 makes an angle of {psi01:deg} with AD.",
         "量得 lBC = B1C1 = {b:mm}，lCD = C1D = {c:mm}；DC1 与 AD 成 {psi01:deg}。",
     ),
     # --- why something is no solution, or a poor one
@@ -187,6 +187,14 @@ PHRASES: Phrases = {
     "reason no Grashof": (
         "Shortest + longest is more than the other two (Grashof fails): no link turns fully.",
         "最短杆与最长杆之和大于其余两杆之和（不满足杆长条件），没有整转副。",
+    ),
+    "reason passed ccw": (
+        "All wanted positions lie on one branch, and AB takes them in order as it turns counter-clockwise.",
+        "各给定位置在同一装配分支上，AB 逆时针转动时依次到达。",
+    ),
+    "reason passed cw": (
+        "All wanted positions lie on one branch, and AB takes them in order as it turns clockwise.",
+        "各给定位置在同一装配分支上，AB 顺时针转动时依次到达。",
     ),
     "reason crank rocks": ("AB does not turn fully.", "AB 不能整周转动。"),
     "reason drive at CD": (
@@ -234,9 +242,9 @@ PHRASES: Phrases = {
         "B1、B2'、B3' 共线：C1 在无穷远处。请改变曲柄长度或其中一组角度。",
     ),
     # --- what was found
-    "heading rocker": ("Crank-rocker from swing and K", "按行程速比系数设计曲柄摇杆机构"),
-    "heading slider": ("Slider-crank from stroke and K", "按行程速比系数设计曲柄滑块机构"),
-    "heading guide-bar": ("Oscillating guide bar from K", "按行程速比系数设计摆动导杆机构"),
+    "heading rocker": ("Crank-rocker from swing and K", "按行程速度变化系数 K 设计曲柄摇杆机构"),
+    "heading slider": ("Slider-crank from stroke and K", "按行程速度变化系数 K 设计曲柄滑块机构"),
+    "heading guide-bar": ("Oscillating guide bar from K", "按行程速度变化系数 K 设计摆动导杆机构"),
     "heading coupler": ("Four-bar through positions of its coupler", "按连杆给定位置设计铰链四杆机构"),
     "heading angles": ("Four-bar for three pairs of angles", "按两连架杆三组对应角位置设计铰链四杆机构"),
     "name frame": ("frame", "机架长"),
@@ -249,7 +257,7 @@ PHRASES: Phrases = {
     "name": ("condition", "附加条件"),
     "solution": ("Solution {number}: ", "解 {number}："),
     "useless": ("Linkage {number}, which does not do: ", "机构 {number}（不可用）："),
-    "refused": ("No solution: ", "不是解："),
+    "refused": ("Rejected: ", "舍去："),
     "invalid": ("does not do: ", "不可用："),
     "none": ("There is no solution.", "无解。"),
     "proof": ("Analysed back from its lengths: ", "由杆长分析验证："),

@@ -32,12 +32,12 @@ PHRASES: Phrases = {
         "各构件的位置均可由原动件直接求得，无需封闭矢量多边形。",
     ),
     "fixed angles": ("Links that keep their angle to one another:", "方位角关系固定的构件："),
-    "same rates": ("so they turn together:", "故其角速度、角加速度分别相等："),
+    "same rates": ("and, differentiated with respect to time:", "对时间求导，得角速度、角加速度的关系："),
     "unknown": ("Unknown: {unknowns}.", "未知量：{unknowns}。"),
     "closure": ("The vectors of the polygon close:", "封闭矢量方程写成复数矢量形式："),
     "parts": ("Real and imaginary parts, by Euler's formula:", "应用欧拉公式将实部和虚部分离，得"),
-    "derived": ("Derived by time:", "对时间求导，可得"),
-    "derived again": ("Derived by time once more:", "再对时间求导，可得"),
+    "derived": ("Differentiated with respect to time:", "对时间求导，可得"),
+    "derived again": ("Differentiated with respect to time once more:", "再对时间求导，可得"),
     # positions
     "eliminate angle": (
         "To eliminate {other}, its vectors are left alone on one side, both sides are squared and added. This gives an equation for {angle}:",
@@ -70,10 +70,14 @@ PHRASES: Phrases = {
         "These {count} equations hold {count} unknowns that no pair of them separates: there is no closed form that ruler and compass could draw. They are solved by Newton's method from a nearby position; velocities and accelerations follow from linear equations, below in matrices.",
         "上列 {count} 个方程含 {count} 个未知量，不能逐对分离求解，无简单的封闭解，须用牛顿迭代法由邻近位置求出；速度和加速度由线性方程组求得，以矩阵形式列于下。",
     ),
+    "linear": (
+        "These {count} rolling relations are linear: eliminating one unknown after the other gives them in closed form.",
+        "上列 {count} 个滚动关系均为线性方程，逐一消元即得封闭解。",
+    ),
     # rates
     "rates": (
-        "Multiplied by the direction that eliminates the other unknown, each is found:",
-        "用消去另一未知量的单位矢量点积，可求得",
+        "The scalar product of both sides with a direction across the other unknown's vector eliminates it; each is found so:",
+        "为逐一求出各未知量，将等式两端点乘与另一未知矢量垂直的单位矢量以消去之，得",
     ),
     "rolling relation": (
         "Rolling without slip, seen from the arm, ties the angles; the constant is that of the drawn position:",
@@ -96,7 +100,7 @@ PHRASES: Phrases = {
     ),
     "columns": ("The columns of the followers' velocities and accelerations:", "从动件的速度列阵与加速度列阵为"),
     "driver columns": ("The drivers' velocities and accelerations:", "原动件的速度列阵与加速度列阵为"),
-    "derivatives": ("Their derivatives by time:", "对时间的导数为"),
+    "derivatives": ("Their derivatives with respect to time:", "对时间的导数为"),
     "numbers": ("With the values of the drawn position (m, rad, s):", "代入给定位置的数值（单位 m、rad、s）："),
     "solution": ("Solved:", "解得"),
     "more rows": (
@@ -110,13 +114,13 @@ PHRASES: Phrases = {
     "turning direction": ("direction of link {link}", "构件 {link} 的方位角"),
     "turning angular velocity": ("angular velocity of link {link}", "构件 {link} 的角速度"),
     "turning angular acceleration": ("angular acceleration of link {link}", "构件 {link} 的角加速度"),
-    "relative direction": ("direction of link {link} against link {other}", "构件 {link} 相对构件 {other} 的方位角"),
+    "relative direction": ("direction of link {link} relative to link {other}", "构件 {link} 相对构件 {other} 的方位角"),
     "relative angular velocity": (
-        "angular velocity of link {link} against link {other}",
+        "angular velocity of link {link} relative to link {other}",
         "构件 {link} 相对构件 {other} 的角速度",
     ),
     "relative angular acceleration": (
-        "angular acceleration of link {link} against link {other}",
+        "angular acceleration of link {link} relative to link {other}",
         "构件 {link} 相对构件 {other} 的角加速度",
     ),
     "sliding displacement": (

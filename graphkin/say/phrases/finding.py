@@ -3,7 +3,9 @@
 from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
-    "looked": ("looked from {driver} = {low} to {high}", "查找范围：{driver} = {low} 至 {high}"),
+    "looked": ("searched from {driver} = {low} to {high}", "搜索范围：{driver} = {low} 至 {high}"),
+    "in brackets": ("  ({text})", "（{text}）"),
+    "because": ("  (because {zero})", "（因 {zero}）"),
     "turn": (", a full turn", "，即整周"),
     "stopped": (", as far as it gets ({ends})", "，即可到达的范围（{ends}）"),
     "low end": ("dead point at {value}", "{value} 处为死点"),
@@ -30,7 +32,7 @@ PHRASES: Phrases = {
     "down": ("falling", "减小"),
     "phase": ("{name}: {driver} turns {angle}", "{name}：{driver} 转过 {angle}"),
     "time": (", {time} s, mean speed {mean}", "，用时 {time} s，平均速度 {mean}"),
-    "ratio": ("time ratio K = {value}", "行程速比系数 K = {value}"),
+    "ratio": ("time ratio K = {value}", "行程速度变化系数（行程速比系数）K = {value}"),
     "interval": ("from {begin} to {end}", "{begin} 至 {end}"),
     "peak": ("{what} {values} at {at}", "{what} {values}，位于 {at}"),
     "slow beyond": (
@@ -49,7 +51,7 @@ PHRASES: Phrases = {
         "{at}: link translates: all points of line {line} have the speed {speed}",
         "{at}：构件作平动，直线 {line} 上各点速度均为 {speed}",
     ),
-    "speeds": ("{at}: {quantity} = {value} wants {rates}", "{at}：要使 {quantity} = {value}，须 {rates}"),
+    "speeds": ("{at}: {quantity} = {value} requires {rates}", "{at}：要使 {quantity} = {value}，须 {rates}"),
     "factor": (
         " ({factor} times the file's, where {quantity} is {now})",
         "（为文件所给的 {factor} 倍，其时 {quantity} 为 {now}）",

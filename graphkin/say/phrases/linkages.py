@@ -8,7 +8,7 @@ PHRASES: Phrases = {
     "kind rocker-crank": ("rocker-crank (a crank-rocker driven at the rocker)", "曲柄摇杆机构（摇杆主动）"),
     "kind double-crank": ("double-crank (drag link)", "双曲柄机构"),
     "kind double-rocker": ("double-rocker (the coupler is shortest)", "双摇杆机构（连杆最短，可整周转动）"),
-    "kind triple-rocker": ("triple-rocker (no Grashof)", "双摇杆机构（不满足杆长条件）"),
+    "kind triple-rocker": ("triple-rocker (non-Grashof)", "双摇杆机构（不满足杆长条件）"),
     "kind change-point": ("change-point linkage", "变点机构"),
     "kind slider-crank": ("slider-crank", "曲柄滑块机构"),
     "kind rocker-slider": ("rocker-slider", "摇杆滑块机构"),
@@ -45,7 +45,7 @@ PHRASES: Phrases = {
         "最短杆 {frame} 为机架，{crank} 与 {rocker} 都能整周转动，均为曲柄。",
     ),
     "why double-rocker": (
-        "The coupler {coupler} is the shortest link: it turns fully against both neighbours, {crank} and {rocker} only rock.",
+        "The coupler {coupler} is the shortest link: it turns fully relative to both neighbours, {crank} and {rocker} only rock.",
         "最短杆 {coupler} 为连杆，相对两连架杆能整周转动；{crank} 与 {rocker} 只能摆动。",
     ),
     "why triple-rocker": (
@@ -99,8 +99,8 @@ PHRASES: Phrases = {
         "Lengths: {ends} = {first} {sign} {middle} = {second}",
         "长度关系：{ends} = {first} {sign} {middle} = {second}",
     ),
-    "full": ("Full turn against each other: {pairs}", "能相对整周转动：{pairs}"),
-    "rocks": ("Rock against each other: {pairs}", "只能相对摆动：{pairs}"),
+    "full": ("Full turn relative to each other: {pairs}", "能相对整周转动：{pairs}"),
+    "rocks": ("Rock relative to each other: {pairs}", "只能相对摆动：{pairs}"),
     "nothing": ("none", "无"),
     "range": ("{driver} goes from {low} to {high}", "{driver} 的活动范围：{low} 至 {high}"),
     "turns": ("{driver} turns fully", "{driver} 作整周转动"),
@@ -113,8 +113,8 @@ PHRASES: Phrases = {
     "swing": ("swing of {output}: psi = {value}", "{output} 的摆角 ψ = {value}"),
     "stroke": ("stroke of {output}: H = {value}", "{output} 的行程 H = {value}"),
     "theta": (
-        "between the crank positions: theta = {theta}, K = (180 + theta)/(180 - theta) = {k}",
-        "极位夹角 θ = {theta}，行程速比系数 K = (180° + θ)/(180° − θ) = {k}",
+        "between the crank positions: theta = {theta}, K = (180 + theta)/(180 - theta) = {k:n}",
+        "极位夹角 θ = {theta}，行程速度变化系数（行程速比系数）K = (180° + θ)/(180° − θ) = {k:n}",
     ),
     "no quick return": ("theta = 0, K = 1: no quick return", "θ = 0，K = 1：无急回特性"),
     "slow": (
@@ -156,7 +156,7 @@ PHRASES: Phrases = {
         "{driver} 由其他构件带动；以上数值是就此机构本身而言",
     ),
     "found pair": (
-        "the file drives two moving links against each other; the figures take {driver} for the driver",
+        "the file drives one moving link relative to another; the figures take {driver} for the driver",
         "文件中的主动副在两个活动构件之间；以上数值以 {driver} 为原动件",
     ),
     "found behind": (

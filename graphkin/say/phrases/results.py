@@ -4,8 +4,8 @@ from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
     "quantity": ("quantity", "量"),
-    "graphical": ("graphical", "图解"),
-    "analytic": ("analytic", "解析"),
+    "graphical": ("construction replayed", "按作图步骤重演"),
+    "analytic": ("analytic", "解析法"),
     "difference": ("difference", "差"),
     "unit": ("unit", "单位"),
     "position": ("position", "位置"),

@@ -15,9 +15,16 @@ PHRASES: Phrases = {
     "pair roll": ("rolling without slip: {links}", "纯滚动副：{links}"),
     "pair cam": ("cam pair: {links}", "凸轮副：{links}"),
     "formula": (
-        "Degrees of freedom by the formula: F = 3 × {n} − 2 × {low} − {high} = {f}",
-        "自由度公式：F = 3n − 2p_l − p_h = 3 × {n} − 2 × {low} − {high} = {f}",
+        "Degrees of freedom by the formula: F = 3 × {n} − 2 × {low} − {high}{rolled} = {f}",
+        "自由度公式：F = 3n − 2p_l − p_h = 3 × {n} − 2 × {low} − {high}{rolled} = {f}",
     ),
+    "rolled": (
+        "The last {count}: rolling without slip takes one freedom, and one more where only it keeps the distance ({taken})",
+        "末项 {count} 为纯滚动副的约束：无滑动计一个，法向距离未由其他运动副保证者再计一个（{taken}）",
+    ),
+    "added block": (" and the block that replaces {pair}", " 及代替{pair}的滑块"),
+    "added rod": (" and the link that replaces {pair}", " 及代替{pair}的构件"),
+    "merged": (" (+: one link, as its driver is given)", "（+：其间的原动运动已给定，视为一个构件）"),
     "rank": ("Degrees of freedom by rank: {f}", "由方程的秩得自由度：{f}"),
     "idle": ("idle freedom (turning of): {links}", "局部自由度：构件 {links} 的转动"),
     "redundant": ("redundant constraints: {count}", "虚约束：{count} 个"),

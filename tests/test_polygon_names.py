@@ -1,0 +1,65 @@
+"""One letter stands for one point in a drawing, whatever the points of the mechanism are called."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from graphkin import library, loading
+from graphkin.construction import Construction, Normal
+from graphkin.planning import Method, plan
+from graphkin.say import names
+
+CASES = Path(__file__).parent / "cases"
+LETTERS = str.maketrans("ABCE", "TKNM")
+"""Letters of tips: t, k, n, and m where a point is called N."""
+
+
+@cache
+def planned(name: str) -> Method:
+    name, _, other = name.partition(" with ")
+    if other:
+        return plan(loading.loads(library.text(name).translate(LETTERS)))
+    return plan(loading.load(CASES / f"{name}.toml") if name.startswith("geneva") else library.load(name))
+
+
+def images(construction: Construction) -> dict[str, str]:
+    return {name: node.of for name, node in construction.nodes.items() if node.site is not None}
+
+
+def tips(construction: Construction) -> set[str]:
+    return {name for name, node in construction.nodes.items() if node.of.startswith("a^")}
+
+
+EVERY = [*library.names(), "geneva-with-primes", *(f"{name} with their letters" for name in ("ex3-1", "ex3-2", "p3-6a", "fig3-1"))]
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_no_letter_is_two_points(name: str) -> None:
+    method = planned(name)
+    assert not {*method.velocity.nodes} & {*method.acceleration.nodes} - {n for n in method.velocity.nodes if n[0] == "*"}
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_tips_have_letters_that_no_point_has(name: str) -> None:
+    method = planned(name)
+    points = {name[0] for polygon in (method.velocity, method.acceleration) for name in images(polygon)}
+    assert not {tip[0] for tip in tips(method.acceleration)} & points
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_normal_tips_are_named_after_the_link_that_turns(name: str) -> None:
+    method = planned(name)
+    called = method.mechanism.called
+    for equation in method.acceleration.equations:
+        for term in equation.left + equation.right:
+            if isinstance(term.size, Normal) and term.head in tips(method.acceleration):
+                assert term.head[1:].startswith(called(method.structure.home(term.size.link))), term
+
+
+def test_words_and_drawing_count_corners_alike() -> None:
+    assert names.point("n4_1'") == "n4,1′"
+    assert names.point("b''") == "b″"
+    assert names.point("e2'") == "e2′"

@@ -1,0 +1,134 @@
+"""Whoever puts the printed figures into a calculator gets the printed result, to its last digit: everywhere."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+
+import pytest
+from calculator import NUMBER, calculated, hold
+from golden import GOLDEN, LANGUAGES
+
+from graphkin import library
+from graphkin.centres import centres
+from graphkin.marking import ruler
+from graphkin.planning import plan
+from graphkin.running import replay_all
+from graphkin.say import explain
+from graphkin.say.centre_explained import explain_centres
+from graphkin.say.figures import Operand, figures, signed_sum, squared, written
+
+
+@cache
+def explained(name: str, lang: str) -> list[str]:
+    """As it is kept, which is as it is printed: test_golden sees to that."""
+    return (Path(GOLDEN) / f"explain_{name}_--lang_{lang}.txt").read_text("utf-8").splitlines()
+
+
+@cache
+def centred(name: str, lang: str) -> list[str]:
+    method = plan(library.load(name))
+    return explain_centres(centres(method, replay_all(method)), lang)
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_a_solution_is_worth_what_it_prints(name: str) -> None:
+    counts = [hold(explained(name, lang)) for lang in LANGUAGES]
+    assert counts[0] == counts[1] > 5
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_centres_are_worth_what_they_print(name: str) -> None:
+    counts = [hold(centred(name, lang)) for lang in LANGUAGES]
+    assert counts[0] == counts[1] >= 1
+
+
+def rates(lines: list[str]) -> dict[str, str]:
+    """What each calculation ends with, its unit and sense with it, by what it is called."""
+    ends = [line.strip().split(" = ") for line in lines if " = " in line]
+    return {parts[0]: found[0] for parts in ends if (found := re.match(rf"{NUMBER} (rad|m)/s", parts[-1]))}
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_centres_and_polygons_say_one_figure(name: str) -> None:
+    one, other = rates(explained(name, "en")), rates(centred(name, "en"))
+    assert {what: one[what] for what in one.keys() & other.keys()} == {
+        what: other[what] for what in one.keys() & other.keys()
+    }
+
+
+def test_something_is_said_by_both() -> None:
+    assert any(rates(explained(name, "en")).keys() & rates(centred(name, "en")).keys() for name in library.names())
+
+
+# --- read as a hand reads it --------------------------------------------------------------------
+
+
+@cache
+def by_hand(name: str) -> list[str]:
+    method = plan(library.load(name))
+    found, read_by = ruler.as_drawn(method, replay_all(method), scales(name))
+    return explain(method, found, scales(name) | {"length": scales(name)["position"]}, "en", read_by)
+
+
+def scales(name: str) -> dict[str, float]:
+    """Those of its sheet."""
+    line = next(line for line in explained(name, "en") if line.strip().startswith("Scales: "))
+    return dict(zip(("position", "velocity", "acceleration"), map(float, re.findall(r"= (\S+)", line)), strict=True))
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_what_is_read_by_hand_is_worth_what_it_prints(name: str) -> None:
+    lines = by_hand(name)
+    assert hold(lines) > 5
+    readings = [line for line in lines if line.endswith("; hence")]
+    assert readings
+    for line in readings:
+        assert all(2 * float(length) % 1 == 0 for length in re.findall(r"\d[\d.]*(?= mm)", line)), line
+
+
+def test_example_3_1_as_the_book_reads_it() -> None:
+    """27, 32 and 43 mm."""
+    text = "\n".join(by_hand("ex3-1"))
+    assert "Measured: pb3 = 27 mm, b2b3 = 32 mm" in text
+    assert "0.01 × 27/(0.001 × 69) = 3.913 rad/s" in text
+    assert "Measured: n3′b3′ = 43 mm, k′b3′ = 2 mm" in text
+
+
+@pytest.mark.parametrize("name", ["ex3-1", "ex3-2", "p3-12", "p3-22", "p3-17"])
+def test_a_finer_ruler_reads_what_is_right(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ruler, "READ_MM", 1e-9)
+    method = plan(library.load(name))
+    plot = replay_all(method)
+    found, _ = ruler.as_drawn(method, plot, scales(name))
+    for link, rate in plot.alpha.items():
+        assert found.alpha[link] == pytest.approx(rate, rel=1e-6, abs=1e-6 * max(map(abs, plot.alpha.values())))
+
+
+# --- formulas -----------------------------------------------------------------------------------
+
+
+def test_more_digits_where_four_do_not_suffice() -> None:
+    speed, scale = figures(1.50042, 0.05)
+    assert written(speed / scale, 1.50042 / 0.05) == "1.5004/0.05"
+    assert written(speed * scale, 1.50042 * 0.05) == "1.5004 × 0.05"
+
+
+def test_brackets_stand_where_they_are_needed() -> None:
+    a, b, c, d = figures(1, -2, 3, 4)
+    assert (a * b / (c * d)).text() == "1 × (−2)/(3 × 4)"
+    assert (a - (b + c)).text() == "1 − (−2 + 3)"
+    assert (a * (c - d)).text() == "1 × (3 − 4)"
+    assert (-(a / c)).text() == "−1/3"
+    assert (squared(2.5) * a).text() == "2.5² × 1"
+    assert signed_sum([(-1, 0.49), (1, 2.0), (-1, -3.0)]).text() == "−0.49 + 2 − (−3)"
+    assert calculated((-(a - c)).text()) == (-(a - c)).worth(4) == 2
+
+
+def test_zeros_at_the_end_are_kept_of_what_is_not_exact() -> None:
+    assert Operand(9.1).text() == "9.1"
+    assert Operand(9.1002).text() == "9.100"
+    assert Operand(0.1000004).text(6) == "0.100000"
+    assert Operand(99.9996).text() == "100.0"
+    assert Operand(1.20004e-5).text() == "0.00001200"
