@@ -68,7 +68,7 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
     for name, colour, hatch in _VERDICTS:
         counts = [step.verdicts.get(name, 0) for step in steps]
         axes.barh(range(len(steps)), counts, left=starts, color=colour, hatch=hatch, edgecolor="black", linewidth=0.6,
-                  label=say(f"class_report.legend {name}", lang))  # fmt: skip
+                  label=say(f"verdicts.{name}", lang))  # fmt: skip
         starts = [start + count for start, count in zip(starts, counts, strict=True)]
     _rows(axes, [step.name for step in steps], lang)
     _title(axes, say("class_report.part steps", lang))
