@@ -35,7 +35,9 @@ Own = Mapping[Plane, Mapping[str, complex]]
 """A student's drawing as it was measured: points of each plane by their letters, SI, from any of them."""
 
 _WIDE, _HIGH = 92.0, 84.0
-"""Of the room for one figure with its heading and its caption, at most [mm]."""
+"""Of the room for one of two figures side by side, with its heading and its caption, at most [mm]."""
+_CROWDED, _LARGE = 30, 2.0
+"""Figures with more labels than this stand under one another, in rooms so many times as wide and high."""
 _FOOT = 7.0
 _SMALL = 14.0
 """A figure that comes out smaller beside another has a scale of its own [mm]."""
@@ -66,9 +68,8 @@ def mistake_sheet(
     panels: list[Panel] = []
     top = 0.0
     for row in rows:
-        placed = _row(row, top, answer, lang)
-        panels += placed
-        top = max(panel.room.bottom for panel in placed) + _FOOT
+        panels += _row(row, top, answer, lang)
+        top = panels[-1].room.bottom + _FOOT
     paper = Paper("figure", max(panel.room.right for panel in panels) + 1, top, 0.0)
     title = say("pictures.title", lang)
     whole = Page(paper, panels, method.mechanism, plot.facts.values, lang, title=title).sheet().upto(_OTHERWISE)
@@ -217,16 +218,26 @@ class _Placed:
 
 
 def _row(versions: Sequence[Version], top: float, answer: bool, lang: Lang) -> list[Panel]:
-    """Side by side, at one scale where all are large enough to be read at it."""
+    """Side by side, or under one another, at one scale where all are large enough to be read at it."""
     placed = [_Placed.of(version) for version in versions]
-    largest = Room(0, HEAD, _WIDE, _HIGH - _FOOT)
-    finest = [one.extent.finest(largest) for one in placed]
+    crowded = max(one.extent.labels for one in placed) > _CROWDED
+    wide, high = (_LARGE * _WIDE, _LARGE * _HIGH) if crowded else (_WIDE, _HIGH)
+    finest = [one.extent.finest(Room(0, HEAD, wide, high - _FOOT)) for one in placed]
     scales = [max(finest) if one.extent.longest / max(finest) >= _SMALL else own for one, own in zip(placed, finest)]
-    bottom = top + max(one.height(scale) for one, scale in zip(placed, scales))
-    return [
-        _panel(one, Room(k * _WIDE, top, (k + 1) * _WIDE, bottom), scale, answer, lang)
-        for k, (one, scale) in enumerate(zip(placed, scales))
-    ]
+    heights = [one.height(scale) for one, scale in zip(placed, scales)]
+    cells = _under(wide, heights, top) if crowded else _beside(wide, heights, top)
+    return [_panel(one, cell, scale, answer, lang) for one, cell, scale in zip(placed, cells, scales)]
+
+
+def _beside(wide: float, heights: Sequence[float], top: float) -> Iterator[Room]:
+    for k in range(len(heights)):
+        yield Room(k * wide, top, (k + 1) * wide, top + max(heights))
+
+
+def _under(wide: float, heights: Sequence[float], top: float) -> Iterator[Room]:
+    for height in heights:
+        yield Room(0.0, top, wide, top + height)
+        top += height
 
 
 def _panel(placed: _Placed, cell: Room, scale: float, answer: bool, lang: Lang) -> Panel:
