@@ -66,12 +66,13 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
     steps = report.steps[:_MOST]
     _title(axes, say("class_report.part steps", lang))
     if not steps:
-        return _said(axes, say("class_report.nobody marked", lang))
+        _said(axes, say("class_report.nobody marked", lang))
+        return
     starts = [0] * len(steps)
     for name, colour, hatch in _VERDICTS:
         counts = [step.verdicts.get(name, 0) for step in steps]
         axes.barh(range(len(steps)), counts, left=starts, color=colour, hatch=hatch, edgecolor="black", linewidth=0.6,
-                  label=say(f"verdicts.{name}", lang))  # fmt: skip
+                  label=say(f"verdicts.verdict {name}", lang))  # fmt: skip
         starts = [start + count for start, count in zip(starts, counts, strict=True)]
     _rows(axes, [step.name for step in steps], lang)
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(_VERDICTS), frameon=False, fontsize=8,
@@ -82,7 +83,8 @@ def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
     found = report.mistakes[:_MOST]
     _title(axes, say("class_report.part mistakes", lang))
     if not found:
-        return _said(axes, say("class_report.nothing diagnosed", lang), *_unexplained(report, lang))
+        _said(axes, say("class_report.nothing diagnosed", lang), *_unexplained(report, lang))
+        return
     axes.barh(range(len(found)), [count for _, count in found], color="#bbbbbb", edgecolor="black", linewidth=0.6)
     _rows(axes, [" / ".join(one.ids) or suspected(one, lang) for one, _ in found], lang)
 
@@ -91,7 +93,8 @@ def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
     width = 100 / RANGES
     _title(axes, say("class_report.part distribution", lang))
     if not any(report.ranges):
-        return _said(axes, say("class_report.nobody marked", lang))
+        _said(axes, say("class_report.nobody marked", lang))
+        return
     starts = [k * width for k in range(RANGES)]
     axes.bar(starts, report.ranges, width=width, align="edge", color="#bbbbbb", edgecolor="black", linewidth=0.6)
     axes.set_xlim(0, 100)

@@ -157,7 +157,7 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
 
 def _steps(report: ClassReport, lang: Lang) -> Iterator[str]:
     for step in report.steps:
-        counts = (f"{say(f'verdicts.{name}', lang)} {step.verdicts.get(name, 0)}" for name in get_args(Verdict))
+        counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in get_args(Verdict))
         told = say("common.list", lang).join(counts)
         yield say("class_report.step", lang, name=step.name, verdicts=told, first=step.first)
 

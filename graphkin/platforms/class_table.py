@@ -44,7 +44,7 @@ def _head(names: tuple[str, ...], lang: Lang) -> list[Cell]:
 def _row(result: Result, names: tuple[str, ...], lang: Lang) -> list[Cell]:
     marked = result.status == "marked"
     front: list[Cell] = [
-        result.student, result.file, say(f"verdicts.{result.status}", lang),
+        result.student, result.file, say(f"verdicts.status {result.status}", lang),
         result.earned if marked else None, result.most, result.override, result.total, _percent(result.score),
     ]  # fmt: skip
     by_name = {line.name: line for line in result.lines}

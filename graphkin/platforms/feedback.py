@@ -13,6 +13,7 @@ from graphkin.platforms.result import Line, Picture, Result, Suspicion, texts_in
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
 from graphkin.say.mistakes import hint, together
+from graphkin.say.numbers import number
 from graphkin.say.verdicts import verdict
 from graphkin.value import frozen
 
@@ -34,6 +35,47 @@ class Feedback:
 
 def title(told: Feedback) -> str:
     return say("feedback.title for", told.lang, student=one_line(told.result.student))
+
+
+def table(told: Feedback) -> Iterator[tuple[str, ...]]:
+    """Quantities in columns, under their heads; the first column and the last but one are words, the others numbers."""
+    names = ["marks.column quantity", "feedback.column given", "marks.column verdict", "platforms.column points"]
+    if told.reveal == "answer":
+        names[2:2] = ["marks.column right value", "verdicts.tolerance"]
+    yield tuple(say(name, told.lang) for name in names)
+    for line in told.result.lines:
+        numbers = [line.given, *([line.right, line.tolerance] if told.reveal == "answer" else [])]
+        values = ("" if x is None else shown(x, line.unit) for x in numbers)
+        yield (line.name, *values, verdict(line, told.lang), _points(line, told.lang))
+
+
+def _points(line: Line, lang: Lang) -> str:
+    if not line.most:
+        return ""
+    return say("feedback.of", lang, points=exponentless(line.points), most=exponentless(line.most))
+
+
+def under_table(told: Feedback) -> Iterator[str]:
+    """The arithmetic, and what the numbers are consistent with."""
+    result, lang = told.result, told.lang
+    for line in result.lines:
+        for text in arithmetic(result, line, lang, told.reveal):
+            yield say("feedback.stop", lang, text=say("feedback.line", lang, name=line.name, verdict=text))
+    if any(line.verdict == "carried" for line in result.lines):
+        yield say("verdicts.carried means", lang)
+    yield from diagnosis(result, lang, told.reveal)
+
+
+def at_the_end(told: Feedback) -> Iterator[str]:
+    """What was passed over, and the points that count; of what was not marked, why."""
+    result, lang = told.result, told.lang
+    if result.status == "not marked":
+        yield reason(result, lang)
+    yield from (say("feedback.note", lang, note=note) for note in result.notes)
+    if text := override(result, lang):
+        yield text
+    if result.total is not None:
+        yield total(result, lang)
 
 
 def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
@@ -91,8 +133,8 @@ def _carried(result: Result, line: Line, value: float, lang: Lang) -> str:
 def shown(value: float, unit: str) -> str:
     """In four digits, as a drawing has hardly more."""
     if unit not in EDGE:
-        return f"{value:.4g} {unit}".rstrip()
-    return f"{value * EDGE[unit].factor:.4g}{EDGE[unit].after}"
+        return f"{number(value)} {unit}".rstrip()
+    return f"{number(value * EDGE[unit].factor)}{EDGE[unit].after}"
 
 
 def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:

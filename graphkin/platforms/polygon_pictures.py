@@ -1,7 +1,8 @@
 """Pictures for a page of feedback: the polygons that a mistake changes, and a drawing that was handed in over them.
 
 How much is shown goes with what is told. A hint has no picture. With the mistake there is the drawing that it leads to
-alone, without a scale: it holds no value that could be copied. With the answer the right drawing stands beside it.
+alone, without a scale: what the student has drawn, if the mistake is the one, and no value to copy. With the answer
+the right drawing stands beside it.
 """
 
 from __future__ import annotations

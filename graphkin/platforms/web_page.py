@@ -5,22 +5,9 @@ from __future__ import annotations
 import base64
 from collections.abc import Iterator
 
-from graphkin.errors import Lang
-from graphkin.platforms.feedback import (
-    Feedback,
-    arithmetic,
-    diagnosis,
-    override,
-    reason,
-    shown,
-    title,
-    total,
-)
+from graphkin.platforms.feedback import Feedback, at_the_end, table, title, under_table
 from graphkin.platforms.marked_up import in_html
-from graphkin.platforms.numbers import exponentless
-from graphkin.platforms.result import Line, Picture
-from graphkin.say.catalogue import say
-from graphkin.say.verdicts import verdict
+from graphkin.platforms.result import Picture
 
 PAGE = b'<meta name="generator" content="graphkin">'
 """By this a page is known as graphkin's own."""
@@ -47,52 +34,28 @@ def html(told: Feedback) -> bytes:
 
 
 def _body(told: Feedback) -> Iterator[str]:
-    result, lang = told.result, told.lang
-    if result.status == "not marked":
-        yield _paragraph(reason(result, lang))
-    if result.lines:
+    if told.result.lines:
         yield _table(told)
-    for line in result.lines:
-        yield from (_paragraph(f"{line.name}: {text}") for text in arithmetic(result, line, lang, told.reveal))
-    if any(line.verdict == "carried" for line in result.lines):
-        yield _paragraph(say("verdicts.carried means", lang))
-    yield from map(_paragraph, diagnosis(result, lang, told.reveal))
+    yield from map(_paragraph, under_table(told))
     yield from map(_figure, told.pictures)
-    yield from (_paragraph(say("feedback.note", lang, note=note)) for note in result.notes)
-    last = (override(result, lang), total(result, lang) if result.total is not None else "")
-    yield from (_paragraph(text) for text in last if text)
+    yield from map(_paragraph, at_the_end(told))
 
 
 def _paragraph(text: str) -> str:
     return f"<p>{in_html(text)}</p>"
 
 
-# --- quantities -------------------------------------------------------------------------------
-
-
 def _table(told: Feedback) -> str:
-    names = ["marks.column quantity", "feedback.column given", "marks.column verdict", "platforms.column points"]
-    if told.reveal == "answer":
-        names[2:2] = ["marks.column right value", "verdicts.tolerance"]
-    head = "".join(f"<th>{in_html(say(name, told.lang))}</th>" for name in names)
-    return f"<table>\n<tr>{head}</tr>\n" + "\n".join(_row(told, line) for line in told.result.lines) + "\n</table>"
+    head, *rows = table(told)
+    lines = (_row(row, line.verdict) for row, line in zip(rows, told.result.lines, strict=True))
+    first = "".join(f"<th>{in_html(name)}</th>" for name in head)
+    return f"<table>\n<tr>{first}</tr>\n" + "\n".join(lines) + "\n</table>"
 
 
-def _row(told: Feedback, line: Line) -> str:
-    numbers = [line.given, *([line.right, line.tolerance] if told.reveal == "answer" else [])]
-    cells = [_cell(line.name), *(_cell("" if x is None else shown(x, line.unit), "number") for x in numbers)]
-    cells += [_cell(verdict(line, told.lang), "verdict"), _cell(_points(line, told.lang), "number")]
-    return f'<tr class="{line.verdict}">' + "".join(cells) + "</tr>"
-
-
-def _points(line: Line, lang: Lang) -> str:
-    if not line.most:
-        return ""
-    return say("feedback.of", lang, points=exponentless(line.points), most=exponentless(line.most))
-
-
-def _cell(text: str, kind: str = "") -> str:
-    return f'<td class="{kind}">{in_html(text)}</td>' if kind else f"<td>{in_html(text)}</td>"
+def _row(row: tuple[str, ...], verdict: str) -> str:
+    kinds = ["", *["number"] * (len(row) - 3), "verdict", "number"]
+    cells = (f'<td class="{kind}">{in_html(text)}</td>' for text, kind in zip(row, kinds, strict=True))
+    return f'<tr class="{verdict}">' + "".join(cells) + "</tr>"
 
 
 # --- pictures ---------------------------------------------------------------------------------

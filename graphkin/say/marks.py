@@ -15,10 +15,6 @@ from graphkin.say.numbers import number
 from graphkin.say.text_table import aligned
 from graphkin.say.verdicts import verdict
 
-COLUMNS = (
-    "marks.column quantity", "marks.column given", "marks.column right value", "verdicts.tolerance",
-    "marks.column unit", "marks.column verdict",
-)  # fmt: skip
 _SETS = 4
 """Mistakes of one set that are written out; of more the number is said."""
 
@@ -48,7 +44,11 @@ def shown(value: float, unit: str) -> str:
 
 
 def _header(lang: Lang) -> list[str]:
-    return [say(name, lang) for name in COLUMNS]
+    names = [
+        "marks.column quantity", "marks.column given", "marks.column right value", "verdicts.tolerance",
+        "marks.column unit", "marks.column verdict",
+    ]  # fmt: skip
+    return [say(name, lang) for name in names]
 
 
 def _row(one: Judged, lang: Lang) -> list[str]:

@@ -24,7 +24,8 @@ class Judged(Protocol):
 def verdict(one: Judged, lang: Lang) -> str:
     """With what is wrong, where that is the unit or the sense alone."""
     if one.verdict != "wrong":
-        return say(f"verdicts.{one.verdict}", lang)
+        return say(f"verdicts.verdict {one.verdict}", lang)
     if not one.unit_right:
-        return say("verdicts.wrong unit", lang)
-    return say("verdicts.wrong sense" if one.credit > 0 and one.sense == "wrong" else "verdicts.wrong", lang)
+        return say("verdicts.verdict wrong unit", lang)
+    sense_alone = one.credit > 0 and one.sense == "wrong"
+    return say("verdicts.verdict wrong sense" if sense_alone else "verdicts.verdict wrong", lang)

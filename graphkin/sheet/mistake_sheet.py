@@ -242,7 +242,7 @@ def _under(wide: float, heights: Sequence[float], top: float) -> Iterator[Room]:
 
 def _panel(placed: _Placed, cell: Room, scale: float, answer: bool, lang: Lang) -> Panel:
     plane = placed.version.plane
-    caption = Caption((say(f"pictures.{placed.version.told}", lang),), _FOOT, first=4.0)
+    caption = Caption((say(f"pictures.under {placed.version.told}", lang),), _FOOT, first=4.0)
     panel = Picture(placed.extent, placed.version.figure, caption).panel(cell.inset(0, HEAD, 0), scale)
     words = HEADINGS[lang][plane]
     head = heading(words, plane, scale, cell)

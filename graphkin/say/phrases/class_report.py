@@ -24,5 +24,5 @@ PHRASES: Phrases = {
     "part distribution": ("Distribution of scores", "得分分布"),
     "students": ("students", "人数"),
     "nothing diagnosed": ("No numbers are consistent with a known mistake.", "没有与已知错误相符的结果。"),
-    "nobody marked": ("Nobody is marked.", "无人已评阅。"),
+    "nobody marked": ("Nobody is marked.", "尚无评阅结果。"),
 }

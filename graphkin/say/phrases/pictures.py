@@ -4,8 +4,8 @@ from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
     "title": ("The right drawing, and the one with the mistake", "正确的图与含错误的图"),
-    "right": ("right", "正确"),
-    "mistake": ("with the mistake", "含此错误"),
+    "under right": ("right", "正确"),
+    "under mistake": ("with the mistake", "含此错误"),
     "shows": ("Drawn with this mistake: {mistake}.", "按此错误所画：{mistake}。"),
     "between": (" ", ""),
     "thick": (

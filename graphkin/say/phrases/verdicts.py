@@ -3,14 +3,14 @@
 from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
-    "right": ("right", "正确"),
-    "carried": ("carried", "沿用正确"),
-    "wrong": ("wrong", "错误"),
-    "missing": ("missing", "未答"),
-    "wrong sense": ("wrong sense", "转向（符号）相反"),
-    "wrong unit": ("wrong unit", "单位不符"),
-    "marked": ("marked", "已评阅"),
-    "not marked": ("not marked", "未评阅"),
+    "verdict right": ("right", "正确"),
+    "verdict carried": ("carried", "沿用正确"),
+    "verdict wrong": ("wrong", "错误"),
+    "verdict missing": ("missing", "未答"),
+    "verdict wrong sense": ("wrong sense", "转向（符号）相反"),
+    "verdict wrong unit": ("wrong unit", "单位不符"),
+    "status marked": ("marked", "已评阅"),
+    "status not marked": ("not marked", "未评阅"),
     "tolerance": ("tolerance", "允差"),
     "carried means": (
         "Carried: it follows rightly from your own earlier value, and counts as right.",
