@@ -36,8 +36,9 @@ Own = Mapping[Plane, Mapping[str, complex]]
 
 _WIDE, _HIGH = 92.0, 84.0
 """Of the room for one of two figures side by side, with its heading and its caption, at most [mm]."""
-_CROWDED, _LARGE = 30, 2.0
-"""Figures with more labels than this stand under one another, in rooms so many times as wide and high."""
+_CROWDED, _LARGE = 22, 2.0
+"""Figures with more labels than this leave out those that others tell, too; with more still they stand under one
+another, in rooms so many times as wide and high."""
 _FOOT = 7.0
 _SMALL = 14.0
 """A figure that comes out smaller beside another has a scale of its own [mm]."""
@@ -119,7 +120,10 @@ class Version:
             drawn = plain_mechanism(self.method, self.plot, window).numbered(None)
             return Figure([self._penned(mark) for mark in drawn.marks], drawn.wanted)
         drawn = polygon_figure(self._polygon(self.plot, window))
-        return Figure([self._penned(mark) for mark in drawn.marks], drawn.wanted) + self._over(window)
+        wanted = drawn.wanted
+        if len(wanted) > _CROWDED:
+            wanted = [label for label in wanted if not label.spare]
+        return Figure([self._penned(mark) for mark in drawn.marks], wanted) + self._over(window)
 
     def _polygon(self, plot: Plot, window: Window) -> Polygon:
         return Polygon(self.method.mechanism, self.construction, plot, window, {})
