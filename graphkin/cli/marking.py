@@ -14,11 +14,11 @@ from graphkin.cli.shared import force_option, json_line, lang_option, mechanism_
 from graphkin.errors import BadPencil, Lang, Where
 
 if TYPE_CHECKING:
-    from graphkin.grading import Pencils
+    from graphkin.grading import Judge, Pencils
     from graphkin.marking.graded import Graded
     from graphkin.platforms import Reveal
 
-PLATFORMS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "report")
+PLATFORMS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "pages", "report")
 MARKS = "marks.json"
 """In a folder of results graphkin's own records, from which everything else there is made."""
 
@@ -84,7 +84,7 @@ def grade(
     if output is None:
         deque(records, 0)
     elif kinds:
-        _write_folder(output, records, kinds, lang, reveal, assignment, force, as_json)
+        _write_folder(output, records, kinds, judge, lang, reveal, assignment, force, as_json)
     else:
         _write_records(output, records, lang, force, as_json)
 
@@ -151,7 +151,7 @@ def _write_records(
 
 
 def _write_folder(
-    folder: Path, records: Iterable[Graded], kinds: tuple[str, ...], lang: Lang, reveal: Reveal,
+    folder: Path, records: Iterable[Graded], kinds: tuple[str, ...], judge: Judge, lang: Lang, reveal: Reveal,
     assignment: str, force: bool, as_json: bool,
 ) -> None:  # fmt: skip
     """The records, then everything else, made of them; a table of overrides that cannot be read is said before."""
@@ -159,10 +159,13 @@ def _write_folder(
 
     platforms.prepared(folder)
     _write_records(folder / MARKS, records, lang, force, as_json)
+    pictures = platforms.PolygonPictures(judge)
     for kind in dict.fromkeys(kinds):
         if kind != "json":
             there = platforms.Stored(folder / MARKS)
-            told = platforms.write_results(folder, there, kind, lang, reveal, assignment=assignment, force=force)
+            told = platforms.write_results(
+                folder, there, kind, lang, reveal, assignment=assignment, pictures=pictures, force=force
+            )
             click.echo("\n".join(map(str, told.paths)), err=as_json)
             for line in told.left_out:
                 click.echo(line, err=True)

@@ -26,7 +26,7 @@ class NothingToMark(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: nothing here can be marked as a number. Write for example ask = [\"omega 3\", \"alpha 3\"].",
-        "zh": "{where}：没有可以按数值批改的量。请写成如 ask = [\"omega 3\", \"alpha 3\"]。",
+        "zh": "{where}：没有可以按数值评阅的量。请写成如 ask = [\"omega 3\", \"alpha 3\"]。",
     }
 
 

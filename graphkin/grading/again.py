@@ -15,7 +15,7 @@ from graphkin.grading.sets import Judge
 from graphkin.marking.graded import Graded
 from graphkin.marking.marked import Number, Work
 from graphkin.outputs.marks_file import KIND
-from graphkin.outputs.marks_json import FORMAT
+from graphkin.outputs.marks_json import FORMAT, drawn_of
 
 _GLANCE = 200
 
@@ -72,7 +72,7 @@ def _graded(judge: Judge, record: Mapping[str, Any]) -> Graded:
     if marker is None:
         return Graded(student, file, place, None, UnknownStudent(Where(file), student), notes)
     try:
-        return Graded(student, file, place, marker.mark([work])[0], None, notes)
+        return Graded(student, file, place, marker.mark([work])[0], None, notes, drawn_of(record))
     except GraphkinError as problem:
         return Graded(student, file, place, None, problem, notes)
     except Exception as problem:

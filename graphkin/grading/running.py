@@ -44,7 +44,8 @@ def _graded(judge: Judge, batch: Sequence[Submission]) -> Iterator[Graded]:
         if isinstance(marked, GraphkinError):
             yield Graded(one.student, one.file, one.place, None, marked, notes)
         else:
-            yield Graded(one.student, one.file, one.place, marked, None, notes)
+            drawn = {} if one.drawn is None else one.drawn.in_si()
+            yield Graded(one.student, one.file, one.place, marked, None, notes, drawn)
 
 
 def _marked(judge: Judge, batch: Sequence[Submission]) -> Iterator[Marked | GraphkinError]:

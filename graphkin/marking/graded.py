@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import field
+
+from graphkin.construction import Plane
 from graphkin.errors import GraphkinError
 from graphkin.marking.marked import Marked
 from graphkin.value import frozen
@@ -15,6 +19,7 @@ class Graded:
     marked    verdicts and marks; None where it was not marked
     reason    why it was not, then
     notes     what was passed over in it: a text that is no quantity, a value that is no number
+    drawn     points that were measured on a drawing, by plane and letter, SI, from any of them
     """
 
     student: str
@@ -23,3 +28,4 @@ class Graded:
     marked: Marked | None
     reason: GraphkinError | None = None
     notes: tuple[GraphkinError, ...] = ()
+    drawn: Mapping[Plane, Mapping[str, complex]] = field(default_factory=dict)

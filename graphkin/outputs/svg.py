@@ -186,7 +186,7 @@ class _Pen:
 
     def _vector(self, mark: VectorMark) -> Any:
         element = self.drawing.line(_xy(mark.start), _xy(mark.end))
-        self._line(element, "vector", mark.new)
+        self._line(element, mark.pen, mark.new)
         if mark.length > 0.05:
             _head(element, mark.new, 1.0 if mark.length > 1.6 * _TIP else 0.5)
         return element

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import field
 from decimal import Decimal
-from typing import Any
+from typing import Any, get_args
 
 from graphkin.errors import Lang
 from graphkin.platforms.feedback import suspected
@@ -157,8 +157,9 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
 
 def _steps(report: ClassReport, lang: Lang) -> Iterator[str]:
     for step in report.steps:
-        counts = {name: step.verdicts.get(name, 0) for name in ("right", "carried", "wrong", "missing")}
-        yield say("class_report.step", lang, name=step.name, first=step.first, **counts)
+        counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in get_args(Verdict))
+        told = say("common.list", lang).join(counts)
+        yield say("class_report.step", lang, name=step.name, verdicts=told, first=step.first)
 
 
 def _mistakes(report: ClassReport, lang: Lang) -> Iterator[str]:

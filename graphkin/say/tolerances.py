@@ -30,7 +30,7 @@ def tolerance_lines(found: Tolerances, lang: Lang) -> Iterator[str]:
     yield found.key.title.get(lang) or next(iter(found.key.title.values()), found.key.name)
     yield from _pencil(marking, found.drawings, lang)
     heads = (
-        "marks.column quantity", "marks.column right value", "tolerances.column scatter", "marks.column tolerance",
+        "marks.column quantity", "marks.column right value", "tolerances.column scatter", "verdicts.tolerance",
         "tolerances.column part", "marks.column unit", "tolerances.column worst step",
     )  # fmt: skip
     yield from table([[say(name, lang) for name in heads], *_rows(found, lang)])

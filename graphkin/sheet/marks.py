@@ -96,6 +96,7 @@ class VectorMark:
     sites  of, seen from, over and onto (as in `Term`), each as `B@3`: the point, then the link of which it is meant to
            be a part
     part   which part of the motion, as in `Term`
+    pen    a lighter one for an arrow that is only compared with
     """
 
     plane: Layer
@@ -108,6 +109,7 @@ class VectorMark:
     new: bool = False
     sites: tuple[str, ...] = ()
     part: str = ""
+    pen: PenName = "vector"
 
     @property
     def length(self) -> float:

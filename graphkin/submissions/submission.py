@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Mapping
 from dataclasses import field
 from typing import Literal
@@ -67,6 +68,18 @@ class Drawn:
     scales: Mapping[Plane, float]
     calibrated: tuple[Plane, ...] = ()
     turned: Mapping[Plane, float] = field(default_factory=dict)
+
+    def in_si(self) -> dict[Plane, dict[str, complex]]:
+        """Points from the first of their plane on, SI, turned back; of planes whose scale is known."""
+        found: dict[Plane, dict[str, complex]] = {}
+        for (plane, letter), place in self.points.items():
+            if plane in self.scales:
+                found.setdefault(plane, {})[letter] = place * self.scales[plane] * self._turn(plane)
+        return {plane: {letter: at - first for letter, at in points.items()}
+                for plane, points in found.items() for first in [next(iter(points.values()))]}  # fmt: skip
+
+    def _turn(self, plane: Plane) -> complex:
+        return cmath.rect(1.0, -self.turned.get(plane, 0.0))
 
 
 @frozen

@@ -14,8 +14,8 @@ PHRASES: Phrases = {
     ),
     "part steps": ("Where it goes wrong", "错在哪一步"),
     "step": (
-        "{name}: right {right}, carried {carried}, wrong {wrong}, missing {missing}; the first to fail for {first}",
-        "{name}：正确 {right}，沿用 {carried}，错误 {wrong}，缺 {missing}；首次出错 {first} 人",
+        "{name}: {verdicts}; the first to fail for {first}",
+        "{name}：{verdicts}；首次出错 {first} 人",
     ),
     "part mistakes": ("Mistakes that the numbers are consistent with", "与结果相符的错误"),
     "mistake": ("{mistake}: {count}", "{mistake}：{count} 人"),
@@ -23,8 +23,6 @@ PHRASES: Phrases = {
     "range": ("{low} to {high} %: {count}", "{low}–{high} %：{count} 人"),
     "part distribution": ("Distribution of scores", "得分分布"),
     "students": ("students", "人数"),
-    "legend right": ("right", "正确"),
-    "legend carried": ("carried", "沿用"),
-    "legend wrong": ("wrong", "错误"),
-    "legend missing": ("missing", "缺"),
+    "nothing diagnosed": ("No numbers are consistent with a known mistake.", "没有与已知错误相符的结果。"),
+    "nobody marked": ("Nobody is marked.", "尚无评阅结果。"),
 }
