@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Iterable, Iterator
-from itertools import chain
+import sys
+from collections.abc import Iterable, Iterator, Mapping
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
@@ -14,9 +14,11 @@ from graphkin.cli.shared import force_option, json_line, lang_option, mechanism_
 from graphkin.errors import BadPencil, Lang, Where
 
 if TYPE_CHECKING:
-    from graphkin.grading import Pencils
+    from graphkin.grading import Judge, Pencils, Way
     from graphkin.marking.graded import Graded
     from graphkin.platforms import Reveal
+
+_Record = TypeVar("_Record")
 
 PLATFORMS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "report")
 MARKS = "marks.json"
@@ -51,13 +53,17 @@ relative_option = click.option(
 @pencil_option
 @sigmas_option
 @relative_option
-@click.option("--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes that read submissions.")
+@click.option("--turned", is_flag=True, help="In a drawing a polygon may stand turned on the page.")
+@click.option("--letters", default="", metavar="P,B2,B3",
+              help="The points of drawings without letters, in the file's order.")  # fmt: skip
+@click.option("--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes that read and mark.")
 @force_option
 @lang_option
 @speaking
 def grade(
     key: str, submissions: tuple[str, ...], as_json: bool, output: Path | None, kinds: tuple[str, ...], reveal: Reveal,
-    assignment: str, pencil: str, sigmas: float, relative: float, jobs: int, force: bool, lang: Lang,
+    assignment: str, pencil: str, sigmas: float, relative: float, turned: bool, letters: str, jobs: int, force: bool,
+    lang: Lang,
 ) -> None:  # fmt: skip
     """Mark what students hand in: verdicts, marks, and the mistake that a wrong number is consistent with.
 
@@ -72,21 +78,23 @@ def grade(
       graphkin grade key.json class.zip -o results --format csv --format moodle --reveal mistake
     """
     from graphkin import grading
+    from graphkin.submissions import Limits
 
     _check_output(output, kinds)
     judge = grading.judge_from(key, _pencils(pencil, sigmas, relative))
-    again = [path for path in submissions if grading.is_marks(path)]
-    new = [path for path in submissions if path not in again]
-    old = (grading.grade_again(judge, path) for path in again)
-    records: Iterator[Graded] = chain(*old, grading.grade(judge, new, workers=jobs))
-    if as_json or output is None:
-        records = _printed(records, as_json, lang)
+    names = tuple(name.strip() for name in letters.split(",") if name.strip())
+    way = grading.Way(Limits(turned=turned, names=names), jobs, words=lang)
     if output is None:
-        deque(records, 0)
-    elif kinds:
-        _write_folder(output, records, kinds, lang, reveal, assignment, force, as_json)
-    else:
-        _write_records(output, records, lang, force, as_json)
+        for graded in _counted(grading.grade(judge, submissions, way.limits, workers=jobs), True):
+            _tell(graded, as_json, lang)
+        return
+    if kinds:
+        from graphkin import platforms
+
+        platforms.prepared(output)
+    _write_records(output / MARKS if kinds else output, judge, submissions, way, lang, force, as_json)
+    if kinds:
+        _write_folder(output, kinds, lang, reveal, assignment, force, as_json)
 
 
 @click.command()
@@ -142,23 +150,30 @@ def _check_output(output: Path | None, kinds: tuple[str, ...]) -> None:
 
 
 def _write_records(
-    path: Path, records: Iterable[Graded], lang: Lang, force: bool, as_json: bool
+    path: Path, judge: Judge, submissions: Iterable[str], way: Way, lang: Lang, force: bool, as_json: bool
 ) -> None:
-    from graphkin.outputs import marks_file
+    """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
+    from graphkin import grading
+    from graphkin.outputs import marks_file, marks_json
+    from graphkin.say.marks import interrupted
 
-    marks_file.write(path, records, lang, force)
+    written = partial(marks_json.record, lang=lang)
+    try:
+        with grading.Journal(path, force) as journal:
+            records = _counted(grading.resumed(judge, submissions, journal, way, written), as_json)
+            marks_file.write(path, _printed(records) if as_json else records, force)
+    except KeyboardInterrupt:
+        click.echo(interrupted(path, lang), err=True)
+        raise
     click.echo(str(path), err=as_json)
 
 
 def _write_folder(
-    folder: Path, records: Iterable[Graded], kinds: tuple[str, ...], lang: Lang, reveal: Reveal,
-    assignment: str, force: bool, as_json: bool,
-) -> None:  # fmt: skip
-    """The records, then everything else, made of them; a table of overrides that cannot be read is said before."""
+    folder: Path, kinds: tuple[str, ...], lang: Lang, reveal: Reveal, assignment: str, force: bool, as_json: bool
+) -> None:
+    """Everything else, made of the records."""
     from graphkin import platforms
 
-    platforms.prepared(folder)
-    _write_records(folder / MARKS, records, lang, force, as_json)
     for kind in dict.fromkeys(kinds):
         if kind != "json":
             there = platforms.Stored(folder / MARKS)
@@ -168,17 +183,27 @@ def _write_folder(
                 click.echo(line, err=True)
 
 
-def _printed(records: Iterable[Graded], as_json: bool, lang: Lang) -> Iterator[Graded]:
-    """Each record, once it is printed."""
+def _printed(records: Iterable[Mapping[str, Any]]) -> Iterator[Mapping[str, Any]]:
+    """Each record, once its line is printed."""
+    from graphkin.outputs import marks_json
+
+    for record in records:
+        click.echo(json_line(marks_json.line_of(record)))
+        yield record
+
+
+def _tell(graded: Graded, as_json: bool, lang: Lang) -> None:
     from graphkin.outputs import marks_json
     from graphkin.say.marks import grade_lines
 
-    for graded in records:
-        if as_json:
-            click.echo(json_line(marks_json.line(graded, lang)))
-        else:
-            click.echo("\n".join(grade_lines(graded, lang)))
-        yield graded
+    click.echo(json_line(marks_json.line(graded, lang)) if as_json else "\n".join(grade_lines(graded, lang)))
+
+
+def _counted(records: Iterable[_Record], printed: bool) -> Iterator[_Record]:
+    """How many there are so far, for one who waits at a terminal on which nothing else is being printed."""
+    quiet = not sys.stderr.isatty() or (printed and sys.stdout.isatty())
+    with click.progressbar(records, file=sys.stderr, show_pos=True, hidden=quiet) as bar:
+        yield from bar
 
 
 def _pencils(pencil: str, sigmas: float, relative: float) -> Pencils:

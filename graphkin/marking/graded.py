@@ -15,6 +15,8 @@ class Graded:
     marked    verdicts and marks; None where it was not marked
     reason    why it was not, then
     notes     what was passed over in it: a text that is no quantity, a value that is no number
+    prints    fingerprints of what was handed in, of how it was read, of what was asked, and of the key; empty where it
+              is to be tried again
     """
 
     student: str
@@ -23,3 +25,4 @@ class Graded:
     marked: Marked | None
     reason: GraphkinError | None = None
     notes: tuple[GraphkinError, ...] = ()
+    prints: tuple[str, ...] = ()

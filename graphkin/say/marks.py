@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 from graphkin.errors import Lang
 from graphkin.marking.diagnosis import Explanation
@@ -31,6 +32,11 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
     yield from (f"  {line}" for line in _arithmetic(marked, lang))
     yield from (f"  {line}" for line in _mistakes(marked, lang))
     yield from (f"  {say('marks.note', lang, note=note.message(lang))}" for note in graded.notes)
+
+
+def interrupted(path: Path, lang: Lang) -> str:
+    """That a marking that was broken off can be gone on with."""
+    return say("marks.interrupted", lang, path=path)
 
 
 def table(rows: Sequence[Sequence[str]]) -> Iterator[str]:

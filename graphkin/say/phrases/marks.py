@@ -39,4 +39,8 @@ PHRASES: Phrases = {
     "together": (", together with ", "，同时"),
     "more": ("{count} more", "另有 {count} 种"),
     "note": ("note: {note}", "提示：{note}"),
+    "interrupted": (
+        "Broken off. What was marked is kept beside {path}; the same command goes on from there.",
+        "已中断。已批改的部分保存在 {path} 旁；再次运行同一命令即可继续。",
+    ),
 }
