@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -12,9 +13,10 @@ import click
 
 from graphkin.cli.shared import force_option, json_line, lang_option, mechanism_argument, read, speaking
 from graphkin.errors import BadPencil, Lang, Where
+from graphkin.value import frozen
 
 if TYPE_CHECKING:
-    from graphkin.grading import Judge, Pencils, Way
+    from graphkin.grading import Judge, Pencils, Problem, Way
     from graphkin.marking.graded import Graded
     from graphkin.platforms import Reveal
 
@@ -71,30 +73,44 @@ def grade(
     file of answers or a drawing, a class table, a zip of a whole class, a folder, or a file of marks, whose numbers are
     marked anew. Errors of a pencil count where the key is made of a mechanism.
 
+    With several problems KEY is a folder of them (NAME.key.json, NAME.toml, or a folder NAME), and what was handed in
+    for each is called NAME.csv, NAME.zip, or a folder NAME. Reports and feedback then tell, too, which mistakes show in
+    several problems of a student.
+
+    With -o nothing is marked twice: the same command again marks what is new or changed, and goes on where it was
+    broken off.
+
     \b
     Example:
       graphkin grade ex3-1 s1.toml
       graphkin grade key.json class.zip --json
       graphkin grade key.json class.zip -o results --format csv --format moodle --reveal mistake
+      graphkin grade keys/ handed-in/ -o results --format report --jobs 4
     """
     from graphkin import grading
     from graphkin.submissions import Limits
 
     _check_output(output, kinds)
-    judge = grading.judge_from(key, _pencils(pencil, sigmas, relative))
+    parts = grading.problems_of(key, submissions)
+    if output is not None and not kinds and parts[0].name:
+        raise click.UsageError("several problems are written into a folder: say --format, such as --format json")
+    pencils = _pencils(pencil, sigmas, relative)
     names = tuple(name.strip() for name in letters.split(",") if name.strip())
     way = grading.Way(Limits(turned=turned, names=names), jobs, words=lang)
-    if output is None:
-        for graded in _counted(grading.grade(judge, submissions, way.limits, workers=jobs), True):
-            _tell(graded, as_json, lang)
-        return
-    if kinds:
-        from graphkin import platforms
+    told = _Told(kinds, reveal, assignment, force, as_json, lang)
+    for part in parts:
+        judge = grading.judge_from(part.key, pencils)
+        if output is None:
+            told.print(part.name, grading.grade(judge, part.paths, way.limits, workers=jobs))
+        else:
+            told.write_records(_marks(output, kinds, part), judge, part, way)
+    if output is not None and kinds:
+        told.write_folders(output, parts)
 
-        platforms.prepared(output)
-    _write_records(output / MARKS if kinds else output, judge, submissions, way, lang, force, as_json)
-    if kinds:
-        _write_folder(output, kinds, lang, reveal, assignment, force, as_json)
+
+def _marks(output: Path, kinds: tuple[str, ...], part: Problem) -> Path:
+    """The file of a problem's records."""
+    return output / part.name / MARKS if kinds else output
 
 
 @click.command()
@@ -149,54 +165,75 @@ def _check_output(output: Path | None, kinds: tuple[str, ...]) -> None:
         raise click.UsageError(f"{output}: the file to write must end in .json; or say --format, for a folder")
 
 
-def _write_records(
-    path: Path, judge: Judge, submissions: Iterable[str], way: Way, lang: Lang, force: bool, as_json: bool
-) -> None:
-    """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
-    from graphkin import grading
-    from graphkin.outputs import marks_file, marks_json
-    from graphkin.say.marks import interrupted
+@frozen
+class _Told:
+    """What the options say of how it is told."""
 
-    written = partial(marks_json.record, lang=lang)
-    try:
-        with grading.Journal(path, force) as journal:
-            records = _counted(grading.resumed(judge, submissions, journal, way, written), as_json)
-            marks_file.write(path, _printed(records) if as_json else records, force)
-    except KeyboardInterrupt:
-        click.echo(interrupted(path, lang), err=True)
-        raise
-    click.echo(str(path), err=as_json)
+    kinds: tuple[str, ...]
+    reveal: Reveal
+    assignment: str
+    force: bool
+    as_json: bool
+    lang: Lang
 
+    def print(self, problem: str, records: Iterable[Graded]) -> None:
+        """Each as it comes."""
+        from graphkin.outputs import marks_json
+        from graphkin.say.marks import grade_lines
 
-def _write_folder(
-    folder: Path, kinds: tuple[str, ...], lang: Lang, reveal: Reveal, assignment: str, force: bool, as_json: bool
-) -> None:
-    """Everything else, made of the records."""
-    from graphkin import platforms
+        if problem and not self.as_json:
+            click.echo(f"{problem}:")
+        for graded in _counted(records, True):
+            if self.as_json:
+                click.echo(self._line(problem, marks_json.line(graded, self.lang)))
+            else:
+                click.echo("\n".join(grade_lines(graded, self.lang)))
 
-    for kind in dict.fromkeys(kinds):
-        if kind != "json":
-            there = platforms.Stored(folder / MARKS)
-            told = platforms.write_results(folder, there, kind, lang, reveal, assignment=assignment, force=force)
-            click.echo("\n".join(map(str, told.paths)), err=as_json)
-            for line in told.left_out:
-                click.echo(line, err=True)
+    def _line(self, problem: str, line: Mapping[str, Any]) -> str:
+        return json_line({**line, "problem": problem} if problem else line)
 
+    def write_records(self, path: Path, judge: Judge, part: Problem, way: Way) -> None:
+        """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
+        from graphkin import grading, platforms
+        from graphkin.outputs import marks_file, marks_json
+        from graphkin.say.marks import interrupted
 
-def _printed(records: Iterable[Mapping[str, Any]]) -> Iterator[Mapping[str, Any]]:
-    """Each record, once its line is printed."""
-    from graphkin.outputs import marks_json
+        if self.kinds:
+            platforms.prepared(path.parent)
+        written = partial(marks_json.record, lang=self.lang)
+        try:
+            with grading.Journal(path, self.force) as journal:
+                records = _counted(grading.resumed(judge, part.paths, journal, way, written), self.as_json)
+                marks_file.write(path, self._printed(part.name, records), self.force)
+        except KeyboardInterrupt:
+            click.echo(interrupted(path, self.lang), err=True)
+            raise
+        click.echo(str(path), err=self.as_json)
 
-    for record in records:
-        click.echo(json_line(marks_json.line_of(record)))
-        yield record
+    def _printed(self, problem: str, records: Iterable[Mapping[str, Any]]) -> Iterator[Mapping[str, Any]]:
+        """Each record, once its line is printed where lines are wanted."""
+        from graphkin.outputs import marks_json
 
+        for record in records:
+            if self.as_json:
+                click.echo(self._line(problem, marks_json.line_of(record)))
+            yield record
 
-def _tell(graded: Graded, as_json: bool, lang: Lang) -> None:
-    from graphkin.outputs import marks_json
-    from graphkin.say.marks import grade_lines
+    def write_folders(self, output: Path, parts: Sequence[Problem]) -> None:
+        """Everything else, made of the records; of several problems all are looked at together."""
+        from graphkin import platforms
 
-    click.echo(json_line(marks_json.line(graded, lang)) if as_json else "\n".join(grade_lines(graded, lang)))
+        files = [output / part.name / MARKS for part in parts]
+        several = platforms.Several(files) if len(parts) > 1 else None
+        for file, kind in product(files, dict.fromkeys(self.kinds)):
+            if kind != "json":
+                done = platforms.write_results(
+                    file.parent, platforms.Stored(file), kind, self.lang, self.reveal, assignment=self.assignment,
+                    force=self.force, several=several,
+                )  # fmt: skip
+                click.echo("\n".join(map(str, done.paths)), err=self.as_json)
+                for line in done.left_out:
+                    click.echo(line, err=True)
 
 
 def _counted(records: Iterable[_Record], printed: bool) -> Iterator[_Record]:

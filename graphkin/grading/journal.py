@@ -5,15 +5,13 @@ from __future__ import annotations
 import contextlib
 import json
 import re
-from array import array
 from collections.abc import Mapping
 from pathlib import Path
 from types import TracebackType
 from typing import Any, BinaryIO
 
-import numpy as np
-
 from graphkin.errors import CannotWrite, Where
+from graphkin.grading.places import Places
 from graphkin.outputs.files import refuse
 from graphkin.outputs.marks_file import MARKS, text
 
@@ -28,7 +26,7 @@ class Journal:
     """The records of a marking by fingerprint of what was handed in; new ones are added to a file, a line each.
 
     The file is there as long as the marking is not whole: what was ended at any moment has lost at most the line it
-    was writing. Sixteen bytes of each record are held.
+    was writing.
     """
 
     def __init__(self, path: Path, force: bool = False) -> None:
@@ -55,22 +53,17 @@ class Journal:
     def _open(self) -> None:
         self._new = _appended(self.beside)
         self._files: list[BinaryIO] = [path.open("rb") for path in (self.path, self.beside) if path.is_file()]
-        prints, places = array("Q"), array("Q")
+        self._known = Places()
         for number, file in enumerate(self._files):
             at = 0
             for line in file:
                 if (found := _PRINT.search(line)) is not None:
-                    prints.append(int(found[1], 16))
-                    places.append(number * _FILES + at)
+                    self._known.add(int(found[1], 16), number * _FILES + at)
                 at += len(line)
-        order = np.argsort(np.asarray(prints), kind="stable")
-        self._prints, self._places = np.asarray(prints)[order], np.asarray(places)[order]
 
     def find(self, handed: str) -> int | None:
         """Where the last record of a submission begins, by its fingerprint."""
-        wanted = np.uint64(int(handed, 16))
-        k = int(np.searchsorted(self._prints, wanted, side="right")) - 1
-        return int(self._places[k]) if k >= 0 and self._prints[k] == wanted else None
+        return self._known.find(int(handed, 16))
 
     def read(self, at: int) -> Mapping[str, Any] | None:
         """The record there; None of a line that was cut or changed."""

@@ -3,7 +3,7 @@
     Template + Variants --write_problems--> graphkin's own folder: DIR/NAME.toml, .txt, .key.json, key.json, set.json
     Key --question_of--> Question; Template + Variants --problem_set--> ProblemSet
     ProblemSet of Questions --SETS[format]--> moodle, moodle-numerical, qti, csv, xuexitong: one file
-    file of marks --Stored--> Results
+    file of marks --Stored--> Results; files of several problems --Several--> Habits of a student
     Results --RESULTS[format]--> csv, xlsx, moodle, gradescope, prairielearn, canvas: files in a folder
     Results --class_report--> ClassReport --write_class_figure--> SVG, PNG, PDF
 
@@ -24,12 +24,13 @@ from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.problem_folder import write_problems
 from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record
+from graphkin.platforms.several import Several
 from graphkin.platforms.stored import Stored
 from graphkin.platforms.writing import RESULTS, SETS, Written, prepared, write_results, write_set
 
 __all__ = [
     "RESULTS", "SETS", "Alternative", "ClassReport", "Line", "Overrides", "Part", "Picture", "ProblemSet", "Question",
-    "Result", "Reveal", "Stored", "Suspicion", "Written", "Wrong", "alternatives", "class_report", "file_of",
+    "Result", "Reveal", "Several", "Stored", "Suspicion", "Written", "Wrong", "alternatives", "class_report", "file_of",
     "from_record", "overridden", "prepared", "problem_set", "question_of", "read_overrides", "report_record",
     "report_text", "write_class_figure", "write_problems", "write_results", "write_set",
 ]  # fmt: skip

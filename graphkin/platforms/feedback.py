@@ -6,12 +6,13 @@ from collections.abc import Iterator
 from typing import Literal
 
 from graphkin.errors import Lang
+from graphkin.marking.habits import Habit
 from graphkin.marking.scene import MISTAKES
 from graphkin.platforms.numbers import exponentless
 from graphkin.platforms.result import Line, Result, Suspicion, texts_in
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import hint, together
+from graphkin.say.mistakes import hint, kind, together
 
 Reveal = Literal["hint", "mistake", "answer"]
 """How much is told: the verdicts, and where to look again; what the numbers are consistent with; the right values."""
@@ -26,6 +27,7 @@ def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
     for each in result.lines:
         yield say("feedback.stop", lang, text=quantity(result, each, lang, reveal))
     yield from diagnosis(result, lang, reveal)
+    yield from habits(result, lang, reveal)
     yield from (say("feedback.note", lang, note=note) for note in result.notes)
     if told := override(result, lang):
         yield told
@@ -94,7 +96,20 @@ def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
             yield say("feedback.stop", lang, text=told)
 
 
-def _hints(one: Suspicion, lang: Lang) -> list[str]:
+def habits(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
+    """What shows in several problems of the student, or, as a hint, where to look again."""
+    for one in result.habits:
+        whole = say("feedback.stop", lang, text=habit(one, lang))
+        told = " ".join(_hints(one, lang)) if reveal == "hint" else whole
+        yield say("feedback.habit", lang, shown=one.shown, of=one.of, told=told)
+
+
+def habit(one: Habit, lang: Lang) -> str:
+    """The mistakes in words, whatever they were made with."""
+    return joined([kind(id, lang) for id in one.ids], lang)
+
+
+def _hints(one: Suspicion | Habit, lang: Lang) -> list[str]:
     topics = dict.fromkeys(MISTAKES[id].topic for id in one.ids if id in MISTAKES)
     return [hint(topic, lang) for topic in topics]
 

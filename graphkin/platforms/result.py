@@ -9,6 +9,7 @@ from decimal import Decimal
 from typing import Any, Literal, get_args
 
 from graphkin.errors import Lang, NotAResult, Where
+from graphkin.marking.habits import Habit
 from graphkin.marking.key import Name
 from graphkin.platforms.numbers import points
 from graphkin.platforms.question import Text
@@ -71,6 +72,7 @@ class Result:
     most      points there are; 0 where it was not marked and nobody has said
     notes     what was passed over in it
     override  the teacher's own points, which count instead
+    habits    mistakes that show in several problems of the student
     """
 
     student: str
@@ -82,6 +84,7 @@ class Result:
     most: Decimal = Decimal(0)
     notes: tuple[str, ...] = ()
     override: Decimal | None = None
+    habits: tuple[Habit, ...] = ()
 
     @property
     def earned(self) -> Decimal:

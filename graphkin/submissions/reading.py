@@ -125,8 +125,8 @@ def _unpacked(handed: Handed, limits: Limits, notes: list[GraphkinError]) -> Ite
         try:
             with archives.opened(content, where) as archive:
                 few = dataclasses.replace(limits, members=_INNER, archive_bytes=4 * limits.bytes)
-                for inner, info in archives.members(archive, where, few):
-                    yield inner, archives.read_member(archive, info, where, few)
+                for info in archives.members(archive, where, few):
+                    yield archives.member_name(info), archives.read_member(archive, info, where, few)
         except GraphkinError as problem:
             notes.append(problem)
 
