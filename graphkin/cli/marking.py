@@ -18,7 +18,7 @@ from graphkin.value import frozen
 if TYPE_CHECKING:
     from graphkin.grading import Judge, Pencils, Problem, Way
     from graphkin.marking.graded import Graded
-    from graphkin.platforms import Reveal
+    from graphkin.platforms import Reveal, Several
 
 _Record = TypeVar("_Record")
 
@@ -224,16 +224,21 @@ class _Told:
         from graphkin import platforms
 
         files = [output / part.name / MARKS for part in parts]
-        several = platforms.Several(files) if len(parts) > 1 else None
-        for file, kind in product(files, dict.fromkeys(self.kinds)):
-            if kind != "json":
-                done = platforms.write_results(
-                    file.parent, platforms.Stored(file), kind, self.lang, self.reveal, assignment=self.assignment,
-                    force=self.force, several=several,
-                )  # fmt: skip
-                click.echo("\n".join(map(str, done.paths)), err=self.as_json)
-                for line in done.left_out:
-                    click.echo(line, err=True)
+        with platforms.Several(files if len(files) > 1 else ()) as several:
+            for file, kind in product(files, dict.fromkeys(self.kinds)):
+                if kind != "json":
+                    self._write_kind(file, kind, several)
+
+    def _write_kind(self, file: Path, kind: str, several: Several) -> None:
+        from graphkin import platforms
+
+        done = platforms.write_results(
+            file.parent, platforms.Stored(file), kind, self.lang, self.reveal, assignment=self.assignment,
+            force=self.force, several=several,
+        )  # fmt: skip
+        click.echo("\n".join(map(str, done.paths)), err=self.as_json)
+        for line in done.left_out:
+            click.echo(line, err=True)
 
 
 def _counted(records: Iterable[_Record], printed: bool) -> Iterator[_Record]:

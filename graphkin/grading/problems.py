@@ -38,6 +38,8 @@ def problems_of(key: str, submissions: Sequence[str]) -> tuple[Problem, ...]:
     found: dict[str, list[str]] = {name: [] for name in keys}
     for path in _handed_in(submissions, keys):
         found[_name(path, keys)].append(str(path))
+    if not any(found.values()):
+        raise NoSuchProblem(Where(submissions[0]), Path(submissions[0]).name, tuple(keys))
     return tuple(Problem(name, str(keys[name]), tuple(paths)) for name, paths in found.items() if paths)
 
 

@@ -27,7 +27,6 @@ def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
     for each in result.lines:
         yield say("feedback.stop", lang, text=quantity(result, each, lang, reveal))
     yield from diagnosis(result, lang, reveal)
-    yield from habits(result, lang, reveal)
     yield from (say("feedback.note", lang, note=note) for note in result.notes)
     if told := override(result, lang):
         yield told
@@ -86,7 +85,7 @@ def _shown(value: float, unit: str) -> str:
 
 
 def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
-    """What the numbers are consistent with, or, as a hint, where to look again."""
+    """What the numbers are consistent with, or, as a hint, where to look again; then what shows in several problems."""
     for one in result.suspicions:
         if reveal == "hint":
             yield from _hints(one, lang)
@@ -94,6 +93,7 @@ def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
             explained = say("common.list", lang).join(one.explains)
             told = say("feedback.consistent", lang, explains=explained, mistake=suspected(one, lang))
             yield say("feedback.stop", lang, text=told)
+    yield from habits(result, lang, reveal)
 
 
 def habits(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:

@@ -21,6 +21,13 @@ class Several:
     def __init__(self, paths: Iterable[Path]) -> None:
         self._files = [_Marks(path) for path in paths]
 
+    def __enter__(self) -> Several:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        for marks in self._files:
+            marks.close()
+
     def habits(self, student: str) -> tuple[Habit, ...]:
         """The mistakes that show in more than one problem of a student."""
         found = (file.trace(student) for file in self._files)
@@ -40,6 +47,10 @@ class _Marks:
             raise NoFile(Where(str(path)), path.name, ()) from None
         except OSError as error:
             raise Unreadable(Where(str(path)), error.strerror or str(error)) from None
+
+    def close(self) -> None:
+        """It is not read any more."""
+        self._file.close()
 
     def _students(self) -> Iterator[tuple[str, int]]:
         at = 0
