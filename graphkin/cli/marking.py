@@ -88,6 +88,7 @@ def grade(
       graphkin grade keys/ handed-in/ -o results --format report --jobs 4
     """
     from graphkin import grading
+    from graphkin.say.marks import remarks
     from graphkin.submissions import Limits
 
     _check_output(output, kinds)
@@ -100,6 +101,9 @@ def grade(
     told = _Told(kinds, reveal, assignment, force, as_json, lang)
     for part in parts:
         judge = grading.judge_from(part.key, pencils)
+        if isinstance(judge, grading.OneKey):
+            for line in remarks(judge.asked.mechanism, lang):
+                click.echo(line, err=True)
         if output is None:
             told.print(part.name, grading.grade(judge, part.paths, way.limits, workers=jobs))
         else:

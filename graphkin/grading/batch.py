@@ -1,4 +1,4 @@
-"""A batch of submissions read and marked at once: what a worker does. It never raises but for a key that is spoilt."""
+"""A batch of submissions read and marked at once: what a worker does. It never raises."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Item = Handed | Again | Kept
 
 
 def marked(some: list[Item], judge: Judge, limits: Limits, reading: str) -> list[Graded | Kept]:
-    """What becomes of each, in order. Raises BadKey."""
+    """What becomes of each, in order."""
     read = [one if isinstance(one, Kept) else _read(one, judge, limits, reading) for one in some]
     marks = _marked(judge, [one for one in read if isinstance(one, Read) and one.reason is None])
     return [one if isinstance(one, Kept) else _graded(one, one.reason or next(marks)) for one in read]
@@ -66,15 +66,21 @@ def _read(item: Handed | Again, judge: Judge, limits: Limits, reading: str) -> R
 def _again(item: Again, judge: Judge) -> Read:
     """As it was read then."""
     reason: GraphkinError | None = item.reason
-    if reason is None and judge.marker(item.student) is None:
-        reason = UnknownStudent(Where(item.file), item.student)
+    try:
+        if reason is None and judge.marker(item.student) is None:
+            reason = UnknownStudent(Where(item.file), item.student)
+    except GraphkinError as problem:
+        reason = problem
     prints = (*item.prints[:2], asked_print(judge, item.student), judge.key_print(item.student)) if item.prints else ()
     return Read(item.work, item.file, item.place, reason, item.notes, prints)
 
 
 def asked_print(judge: Judge, student: str) -> str:
-    """A fingerprint of what a student is asked: by the same, work is read alike."""
-    marker = judge.marker(student)
+    """A fingerprint of what a student is asked: by the same, work is read alike. Empty where there is no key."""
+    try:
+        marker = judge.marker(student)
+    except GraphkinError:
+        marker = None
     if marker is None:
         return ""
     return fingerprint(marker.key.text, *(entry.text for entry in marker.key.entries))

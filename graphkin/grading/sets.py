@@ -66,11 +66,12 @@ _READY: dict[tuple[str, ...], Judge] = {}
 
 def _ready(name: tuple[str, ...], made: Callable[[], Judge]) -> Judge:
     """The judge that was made ready here, or made now; the last few are kept."""
-    if name not in _READY:
-        if len(_READY) >= _KEPT:
-            _READY.pop(next(iter(_READY)))
-        _READY[name] = made()
-    return _READY[name]
+    found = _READY.get(name)
+    if found is None:
+        found = _READY[name] = made()
+        for old in list(_READY)[:-_KEPT]:
+            _READY.pop(old, None)
+    return found
 
 
 
@@ -127,11 +128,12 @@ class KeySet(Judge):
     def marker(self, student: str) -> Marker | None:
         if student not in self.files:
             return None
-        if student not in self._made:
-            if len(self._made) >= _KEPT:
-                self._made.pop(next(iter(self._made)))
-            self._made[student] = Marker(key_file(self.folder / self.files[student]))
-        return self._made[student]
+        found = self._made.get(student)
+        if found is None:
+            found = self._made[student] = Marker(key_file(self.folder / self.files[student]))
+            for old in list(self._made)[:-_KEPT]:
+                self._made.pop(old, None)
+        return found
 
     @cached_property
     def _print(self) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import cached_property
+from threading import Lock
 
 import numpy as np
 
@@ -37,6 +38,7 @@ class Marker:
         self._method = method
         self._further: dict[str, Quantity | None] = {}
         self._wider: Marker | None = None
+        self._lock = Lock()
 
     @cached_property
     def method(self) -> Method:
@@ -67,6 +69,10 @@ class Marker:
 
     def wider(self, texts: Iterable[str]) -> Marker:
         """A marker whose key has these quantities, too, as far as they are any, and all that it was asked before."""
+        with self._lock:  # threads that mark at once
+            return self._widened(texts)
+
+    def _widened(self, texts: Iterable[str]) -> Marker:
         known = {entry.text for entry in self.key.entries} | set(self._further)
         new = [text for text in dict.fromkeys(texts) if text not in known][: max(_FURTHER - len(self._further), 0)]
         self._further |= {text: readable(self.method.mechanism, text) for text in new}

@@ -211,9 +211,10 @@ def _questions(key: Asked) -> Questions:
     for asked, questions in _REMEMBERED:
         if asked is key or (asked.questions == key.questions and _same(asked.mechanism, key.mechanism)):
             return questions
-    _REMEMBERED.append((key, Questions(key.mechanism, key.questions)))
+    found = Questions(key.mechanism, key.questions)
+    _REMEMBERED.append((key, found))
     del _REMEMBERED[:-8]
-    return _REMEMBERED[-1][1]
+    return found
 
 
 def _same(one: Mechanism, other: Mechanism) -> bool:
