@@ -283,7 +283,10 @@ def test_a_student_is_marked_alike_alone_and_in_a_class():
     for _ in range(40):
         row = key.singles.values[rng.integers(len(key.singles.names))] * rng.uniform(0.6, 1.6, len(key.entries))
         handed = {entry.text: Number(float(value)) for entry, value in zip(key.entries, row, strict=True) if np.isfinite(value)}
-        works.append(Work("s", {text: number for text, number in handed.items() if rng.random() < 0.6}))
+        own = {text: number for text, number in handed.items() if rng.random() < 0.6}
+        works.append(Work("s", own | {"v C": Number(0.2)}))
+    works += [Work("many", {f"{letter} {point}": Number(2.0)}) for point in "ABCD" for letter in
+              ("v", "a", "v_x", "v_y", "a_x", "a_y", "x", "y", "a_n", "a_t", "r")]  # fmt: skip
     together = Marker(key).mark(works)[1:]
     assert any(one.own for marked in together for one in marked.judged)
     for work, found in zip(works[1:], together, strict=True):
