@@ -17,6 +17,7 @@ from graphkin.construction import Plot
 from graphkin.errors import Where
 from graphkin.marking import Rewrite, rewrites, rewritten
 from graphkin.marking.beside import Beside, beside
+from graphkin.outputs import marks_file
 from graphkin.outputs.marks_json import drawn_of, record
 from graphkin.outputs.svg import inline, svg
 from graphkin.planning import Method, plan
@@ -210,10 +211,8 @@ def test_a_drawing_is_kept_for_marking_anew(tmp_path: Path):
     judge = grading.judge_from("ex3-1")
     path = handed_in(tmp_path / "s1.svg", "ex3-1", ("coriolis-half",))
     (first,) = grading.grade(judge, [path])
-    from graphkin.outputs import marks_file
-
-    marks_file.write(tmp_path / "marks.json", [first], "en")
-    (again,) = grading.grade_again(judge, tmp_path / "marks.json")
+    marks_file.write(tmp_path / "marks.json", [record(first)])
+    (again,) = grading.grade(judge, [tmp_path / "marks.json"])
     assert again.drawn.keys() == first.drawn.keys() == {"velocity", "acceleration"}
     assert again.drawn["velocity"] == pytest.approx(first.drawn["velocity"], rel=1e-5, abs=1e-6)
 

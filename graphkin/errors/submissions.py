@@ -141,8 +141,8 @@ class HandedTwice(GraphkinError):
     student: str
     first: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: student {student!r} handed in {first} too. Leave one of the two.",
-        "zh": "{where}：学生 {student!r} 还提交了 {first}，请只保留其中一份。",
+        "en": "{where}: student {student!r} handed in {first} before, which is marked; this one is not. Leave one of the two.",
+        "zh": "{where}：学生 {student!r} 先提交了 {first}，已按该份批改，这一份不再批改。请只保留其中一份。",
     }
 
 

@@ -7,7 +7,7 @@ given with it, as one set.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import field
 
 import numpy as np
@@ -55,7 +55,7 @@ class Explanation:
 class Diagnosis:
     """What the wrong values come from; `evidence`: by a mistake's id, how it outweighs "none" here (a logarithm).
 
-    Evidence of several problems of one student is added up.
+    Evidence of several problems of one student is added up (`habits`).
     """
 
     explanations: tuple[Explanation, ...] = ()
@@ -84,15 +84,6 @@ def diagnoses(
         for row, k in enumerate(rest):
             found[k] = Diagnosis(_explanations(key, table, given[k], wrong[k], weighed, row, two), found[k].evidence)
     return found
-
-
-def added(found: Iterable[Diagnosis]) -> dict[str, float]:
-    """Evidence of several problems of one student: a mistake that shows in many is a habit, not a slip."""
-    total: dict[str, float] = {}
-    for one in found:
-        for id, weight in one.evidence.items():
-            total[id] = total.get(id, 0.0) + weight
-    return total
 
 
 def independent(key: Key, there: np.ndarray) -> int:

@@ -10,6 +10,9 @@ from graphkin.errors import GraphkinError
 from graphkin.marking.marked import Marked
 from graphkin.value import frozen
 
+Drawn = Mapping[Plane, Mapping[str, complex]]
+"""Points of a drawing by plane and letter, SI, from any of them."""
+
 
 @frozen
 class Graded:
@@ -20,6 +23,8 @@ class Graded:
     reason    why it was not, then
     notes     what was passed over in it: a text that is no quantity, a value that is no number
     drawn     points that were measured on a drawing, by plane and letter, SI, from any of them
+    prints    fingerprints of what was handed in, of how it was read, of what was asked, and of the key; empty where it
+              is to be tried again
     """
 
     student: str
@@ -28,4 +33,5 @@ class Graded:
     marked: Marked | None
     reason: GraphkinError | None = None
     notes: tuple[GraphkinError, ...] = ()
-    drawn: Mapping[Plane, Mapping[str, complex]] = field(default_factory=dict)
+    drawn: Drawn = field(default_factory=dict)
+    prints: tuple[str, ...] = ()

@@ -3,7 +3,7 @@
     Template + Variants --write_problems--> graphkin's own folder: DIR/NAME.toml, .txt, .key.json, key.json, set.json
     Key --question_of--> Question; Template + Variants --problem_set--> ProblemSet
     ProblemSet of Questions --SETS[format]--> moodle, moodle-numerical, qti, csv, xuexitong: one file
-    file of marks --Stored--> Results
+    file of marks --Stored--> Results; files of several problems --Several--> Habits of a student
     Results --RESULTS[format]--> csv, xlsx, moodle, gradescope, prairielearn, canvas, pages: files in a folder
     Result --PolygonPictures--> Pictures, for its page and for platforms that show some
     Results --class_report--> ClassReport --write_class_figure--> SVG, PNG, PDF
@@ -26,13 +26,14 @@ from graphkin.platforms.polygon_pictures import PolygonPictures
 from graphkin.platforms.problem_folder import write_problems
 from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record
+from graphkin.platforms.several import Several
 from graphkin.platforms.stored import Stored
 from graphkin.platforms.writing import RESULTS, SETS, Written, prepared, write_results, write_set
 
 __all__ = [
     "RESULTS", "SETS", "Alternative", "ClassReport", "Feedback", "Line", "Overrides", "Part", "Picture",
-    "PolygonPictures", "ProblemSet", "Question", "Result", "Reveal", "Stored", "Suspicion", "Written", "Wrong",
-    "alternatives", "class_report", "file_of", "from_record", "overridden", "prepared", "problem_set", "question_of",
-    "read_overrides", "report_record", "report_text", "write_class_figure", "write_problems", "write_results",
-    "write_set",
+    "PolygonPictures", "ProblemSet", "Question", "Result", "Reveal", "Several", "Stored", "Suspicion", "Written",
+    "Wrong", "alternatives", "class_report", "file_of", "from_record", "overridden", "prepared", "problem_set",
+    "question_of", "read_overrides", "report_record", "report_text", "write_class_figure", "write_problems",
+    "write_results", "write_set",
 ]  # fmt: skip

@@ -6,13 +6,14 @@ from collections.abc import Iterator, Sequence
 from typing import Literal
 
 from graphkin.errors import Lang
+from graphkin.marking.habits import Habit
 from graphkin.marking.scene import MISTAKES
 from graphkin.platforms.marked_up import one_line
 from graphkin.platforms.numbers import exponentless
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, texts_in
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import hint, together
+from graphkin.say.mistakes import hint, kind, together
 from graphkin.say.numbers import number
 from graphkin.say.verdicts import verdict
 from graphkin.value import frozen
@@ -138,7 +139,7 @@ def shown(value: float, unit: str) -> str:
 
 
 def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
-    """What the numbers are consistent with, or, as a hint, where to look again."""
+    """What the numbers are consistent with, or, as a hint, where to look again; then what shows in several problems."""
     for one in result.suspicions:
         if reveal == "hint":
             yield from _hints(one, lang)
@@ -146,9 +147,23 @@ def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
             explained = say("common.list", lang).join(one.explains)
             told = say("feedback.consistent", lang, explains=explained, mistake=suspected(one, lang))
             yield say("feedback.stop", lang, text=told)
+    yield from habits(result, lang, reveal)
 
 
-def _hints(one: Suspicion, lang: Lang) -> list[str]:
+def habits(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
+    """What shows in several problems of the student, or, as a hint, where to look again."""
+    for one in result.habits:
+        whole = say("feedback.stop", lang, text=habit(one, lang))
+        told = " ".join(_hints(one, lang)) if reveal == "hint" else whole
+        yield say("feedback.habit", lang, shown=one.shown, of=one.of, told=told)
+
+
+def habit(one: Habit, lang: Lang) -> str:
+    """The mistakes in words, whatever they were made with."""
+    return joined([kind(id, lang) for id in one.ids], lang)
+
+
+def _hints(one: Suspicion | Habit, lang: Lang) -> list[str]:
     topics = dict.fromkeys(MISTAKES[id].topic for id in one.ids if id in MISTAKES)
     return [hint(topic, lang) for topic in topics]
 

@@ -10,6 +10,7 @@ from typing import Any, Literal, get_args
 
 from graphkin.construction import Plane
 from graphkin.errors import Lang, NotAResult, Where
+from graphkin.marking.habits import Habit
 from graphkin.marking.key import Name
 from graphkin.outputs.marks_json import drawn_of
 from graphkin.platforms.numbers import points
@@ -77,6 +78,7 @@ class Result:
     notes     what was passed over in it
     override  the teacher's own points, which count instead
     drawn     points that were measured on a drawing, by plane and letter, SI, from any of them
+    habits    mistakes that show in several problems of the student
     """
 
     student: str
@@ -89,6 +91,7 @@ class Result:
     notes: tuple[str, ...] = ()
     override: Decimal | None = None
     drawn: Mapping[Plane, Mapping[str, complex]] = field(default_factory=dict)
+    habits: tuple[Habit, ...] = ()
 
     @property
     def earned(self) -> Decimal:

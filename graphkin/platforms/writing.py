@@ -35,6 +35,7 @@ from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.platform_names import Named, canvas, moodle
 from graphkin.platforms.question import ProblemSet
 from graphkin.platforms.result import Picture, Result
+from graphkin.platforms.several import Several
 from graphkin.platforms.web_page import PAGE, html
 from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.submissions import safe_name
@@ -120,6 +121,7 @@ class Order:
 
     results   gone through as often as a format needs it
     pictures  makes those of a student's page of feedback
+    several   the results in all problems of which this is one
     """
 
     folder: Path
@@ -131,11 +133,13 @@ class Order:
     force: bool
     overrides: Overrides
     most: Decimal
+    several: Several | None = None
 
     def __iter__(self) -> Iterator[Result]:
-        """The results, with the teacher's points; what was not marked is of as many as the others."""
+        """The results, with the teacher's points and habits; what was not marked is of as many as the others."""
         for result in overridden(self.results, self.overrides):
-            yield result if result.lines else replace(result, most=self.most)
+            habits = self.several.habits(result.student) if self.several and result.lines else ()
+            yield replace(result, most=result.most if result.lines else self.most, habits=habits)
 
     def told(self, result: Result) -> Feedback:
         """What a student is told, with pictures."""
@@ -159,19 +163,22 @@ class Order:
 def write_results(
     folder: Path, results: Iterable[Result], kind: str, lang: Lang = "en", reveal: Reveal = "answer", *,
     assignment: str = "graphkin", pictures: Pictures = lambda result, lang, reveal: (), force: bool = False,
+    several: Several | None = None,
 ) -> Written:  # fmt: skip
     """Results into a folder, which is made where it is not there.
 
     results   gone through more than once: a list, or what a results file holds (`Stored`)
     kind      of RESULTS
     pictures  makes those of a student's page (`PolygonPictures`); none where left out
+    several   the results in all problems of which this is one
 
     Overrides in the folder's class table count in every format. Raises NotAnOverride, Unreadable, FileInTheWay,
     CannotWrite, and what going through the results raises.
     """
     overrides = prepared(folder)
     most = max((result.most for result in results), default=Decimal(0))
-    return RESULTS[kind](Order(folder, results, lang, reveal, assignment, pictures, force, overrides, most))
+    order = Order(folder, results, lang, reveal, assignment, pictures, force, overrides, most, several)
+    return RESULTS[kind](order)
 
 
 def prepared(folder: Path) -> Overrides:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 from graphkin.errors import Lang
 from graphkin.marking.diagnosis import Explanation
 from graphkin.marking.graded import Graded
 from graphkin.marking.marked import Judged, Marked
+from graphkin.mechanism import Mechanism
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
 from graphkin.say.mistakes import together
@@ -31,6 +33,17 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
     yield from (f"  {line}" for line in _arithmetic(marked, lang))
     yield from (f"  {line}" for line in _mistakes(marked, lang))
     yield from (f"  {say('marks.note', lang, note=note.message(lang))}" for note in graded.notes)
+
+
+def interrupted(path: Path, lang: Lang) -> str:
+    """That a marking that was broken off can be gone on with."""
+    return say("marks.interrupted", lang, path=path)
+
+
+def remarks(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
+    """What of a problem is not marked."""
+    if any(driver.also for driver in mechanism.drivers):
+        yield say("marks.drawn position", lang, name=mechanism.name)
 
 
 def table(rows: Sequence[Sequence[str]]) -> Iterator[str]:

@@ -19,6 +19,8 @@ PHRASES: Phrases = {
     ),
     "part mistakes": ("Mistakes that the numbers are consistent with", "与结果相符的错误"),
     "mistake": ("{mistake}: {count}", "{mistake}：{count} 人"),
+    "part habits": ("Mistakes that a student makes in several problems", "同一学生在几道题中都出现的错误"),
+    "habit": ("in {shown} of {of} problems {mistake}: {count}", "{of} 题中有 {shown} 题{mistake}：{count} 人"),
     "unexplained": ("wrong, and no known mistake fits: {count}", "有错误，但没有已知错误与之相符：{count} 人"),
     "range": ("{low} to {high} %: {count}", "{low}–{high} %：{count} 人"),
     "part distribution": ("Distribution of scores", "得分分布"),

@@ -28,6 +28,7 @@ PHRASES: Phrases = {
         "Your numbers {explains} are consistent with: {mistake}",
         "你的结果 {explains} 与下述错误相符：{mistake}",
     ),
+    "habit": ("In {shown} of {of} problems: {told}", "{of} 题中有 {shown} 题：{told}"),
     "one of": ("one of these, which cannot be told apart: {mistakes}", "以下之一（无法区分）：{mistakes}"),
     "note": ("Note: {note}", "提示：{note}"),
     "diagnosis": ("What the numbers are consistent with", "与结果相符的错误"),
