@@ -11,11 +11,11 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing, replay
-from graphkin.geometry import cross
+from graphkin.geometry import cross, dot
 from graphkin.planning import Method
 from graphkin.value import frozen
 
-_PLAIN = 0.1
+_PLAIN = 0.02
 """What lies by a smaller part of its distance to one side is not seen to lie there."""
 _SAME = 1e-6
 
@@ -24,29 +24,53 @@ _SAME = 1e-6
 class Lies:
     """A point on one side of the line through two others, or of one other: `line` has two points, or one.
 
-    to   unit vector to that side, across the line or along +-x, +-y; where no side tells, 1 or -1 for which of two
-         places it has, the one farther from the other point or the nearer
+    to     unit vector to that side, across the line or along +-x, +-y; where no side tells, 1 or -1 for which of two
+           places it has, the one farther from the other point or the nearer
+    left   1 where that is to the left of the line, else -1; 0 where there is no line
     """
 
     point: str
     line: tuple[str, ...]
     to: complex
+    left: int = 0
     by_distance: bool = False
+
+    def holds(self, plot: Plot) -> bool:
+        """Whether it lies there in another drawing, as far as one drawing can say."""
+        arm = complex(plot.position[self.point] - plot.position[self.line[0]])
+        across = self.to
+        if len(self.line) > 1:
+            line = complex(plot.position[self.line[1]] - plot.position[self.line[0]])
+            across = 1j * line * self.left
+        return self.by_distance or bool(dot(across, arm) > 0)
 
 
 @frozen
 class Assembled:
-    """lies: a side for each choice that can be seen; fitted: whether links are fitted by trial, as they are drawn."""
+    """lies: a side for each choice that can be seen; near: where points are, roughly, of links fitted by trial [m]."""
 
     lies: tuple[Lies, ...] = ()
-    fitted: bool = False
+    near: tuple[tuple[str, complex], ...] = ()
 
 
 def assembled(method: Method, plot: Plot) -> Assembled:
     """At the position of a plot."""
     steps = tuple(method.position.steps)
     found = (_seen(method, plot, step) for step in steps if isinstance(step, Meet | Swing) and step.choice is not None)
-    return Assembled(tuple(lies for lies in found if lies is not None), any(isinstance(step, Fit) for step in steps))
+    fitted = any(isinstance(step, Fit) for step in steps)
+    return Assembled(tuple(lies for lies in found if lies is not None), tuple(_about(method, plot)) if fitted else ())
+
+
+def _about(method: Method, plot: Plot) -> Iterator[tuple[str, complex]]:
+    """Points that the file has in its sketch, to a twentieth of the mechanism's size."""
+    places = _named(method, plot)
+    size = max((abs(p - q) for p, q in combinations(places.values(), 2)), default=0.0)
+    if size > 0:
+        power = 10.0 ** math.floor(math.log10(size / 20))
+        step = power * max(k for k in (1, 2, 5) if k * power <= size / 20)
+        for name in method.mechanism.sketch:
+            if name in places:
+                yield name, complex(round(places[name].real / step) * step, round(places[name].imag / step) * step)
 
 
 def _seen(method: Method, plot: Plot, step: Meet | Swing) -> Lies | None:
@@ -89,7 +113,7 @@ def _across(
             if sides[0] * sides[1] < 0 and (plain := min(map(abs, sides))) > _PLAIN:
                 line = here[second] - here[first]
                 across = 1j * line / abs(line) * math.copysign(1.0, sides[0])
-                yield plain + 1.0, Lies(point, (first, second), across)
+                yield plain + 1.0, Lies(point, (first, second), across, 1 if sides[0] > 0 else -1)
 
 
 def _sine(places: dict[str, complex], first: str, second: str, point: str) -> float:

@@ -20,8 +20,9 @@ def _told(found: Assembled, lang: Lang) -> Iterator[str]:
     for lies in found.lies:
         line = "".join(map(names.point, lies.line))
         yield say(f"assembly.side {_side(lies)}", lang, point=names.point(lies.point), line=line)
-    if found.fitted:
-        yield say("assembly.fitted", lang)
+    for point, place in found.near:
+        x, y = (f"{1000 * part + 0.0:.4g}" for part in (place.real, place.imag))
+        yield say("assembly.near", lang, point=names.point(point), x=x, y=y)
 
 
 def _side(lies: Lies) -> str:

@@ -96,12 +96,12 @@ def _measured(mechanism: Mechanism, quantity: Quantity | None, lang: Lang) -> st
 
 
 def _line(mechanism: Mechanism, angle: Rotation, lang: Lang) -> str:
-    """From the link's first point to its next; of a block, which has one, along its guide."""
+    """From the link's first point to its next; of a block or a cylinder, which has one, along its guide."""
     symbol = _symbol(angle)
     if (axis := mechanism.links[angle.link].axis) is not None:
         tail, head = map(names.point, axis)
         return say("problems.angle", lang, angle=symbol, tail=tail, head=head)
-    slide = next((slide for slide in mechanism.slides if slide.block == angle.link), None)
+    slide = next((slide for slide in mechanism.slides if angle.link in (slide.block, slide.guide)), None)
     if slide is None:
         return ""
     return say("problems.angle of guide", lang, angle=symbol, guide=mechanism.called(slide.guide))
