@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from itertools import combinations
+from itertools import combinations, islice
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +20,7 @@ from graphkin.marking.key import Entry
 from graphkin.marking.telling import Telling, compared, telling
 from graphkin.marking.told import Always, set_told
 from graphkin.problems import draws, read_template, roster, variants, well_posed
+from graphkin.problems.paper import Paper
 from graphkin.problems.shown import shown_at
 from graphkin.say.told import told_lines
 
@@ -149,6 +150,16 @@ def test_what_a_set_tells_in_chinese(template: Path):
     assert lines[0].startswith("各题答案能区分哪些错误（1 题")
     assert any(re.fullmatch(r"coriolis-omitted +1 +100% +0%", line) for line in lines)
     assert not any("正确作图" in line for line in lines), "no problem was tried"
+
+
+def test_scales_are_about_those_of_the_sheet(tmp_path: Path):
+    """Without laying out a sheet for each problem."""
+    (tmp_path / "a.toml").write_text(TEXT, encoding="utf-8")
+    some = list(islice(draws._sample(read_template(tmp_path / "a.toml"), "1"), 5))
+    paper = Paper.of(some[:3])
+    for posed in some:
+        about, right = paper.marking(posed).scales, marking_of(posed.method).scales
+        assert all(0.4 < about[key] / right[key] < 2.5 for key in right)
 
 
 # --- figures ----------------------------------------------------------------------------------

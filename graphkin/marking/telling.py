@@ -70,11 +70,12 @@ def _rivals(table: Columns, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]
     """
     near, same = (np.ones((len(values), len(values)), dtype=bool) for _ in range(2))
     with np.errstate(divide="ignore", invalid="ignore"):
-        larger = np.nan_to_num(np.abs(values) / np.abs(table.right), nan=1.0, posinf=1.0)
-        reach = np.where(table.angle, table.tolerance, table.tolerance * np.maximum(larger, 1.0))
+        times = np.nan_to_num(np.abs(values) / np.abs(table.right), nan=1.0, posinf=1.0)
+        reach = np.where(table.angle, table.tolerance, table.tolerance * np.maximum(times, 1.0))
         for k in range(values.shape[1]):
             one, value = columns_of(table, np.arange(len(table.right)) == k), values[:, k : k + 1]
             off = np.abs(differences(one, value[:, None], value))[..., 0]
             near &= ~(off > np.maximum(reach[:, None, k], reach[:, k]))
-            same &= ~(off > SAME * np.maximum(np.abs(value), np.abs(value[:, 0])))
+            larger = np.maximum(np.abs(value), np.abs(value[:, 0]))
+            same &= ~(off > SAME * np.maximum(larger, one.tolerance))
     return near, same
