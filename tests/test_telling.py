@@ -99,6 +99,13 @@ def test_what_is_known_to_be_the_same_of_example_3_1():
     assert ("coriolis-half", "coriolis-omitted") not in sets
 
 
+def test_drawings_that_do_not_close_are_counted():
+    """The ram of exercise 3-15 stands 2 degrees from where its links do not reach; four-bars far from it all close."""
+    for name, part in (("p3-15", 0.4), ("ex3-5", 0.0)):
+        method = api.plan(library.load(name))
+        assert telling(method, api.replay(method), marking_of(method)).failed == pytest.approx(part, abs=0.08)
+
+
 # --- sets -------------------------------------------------------------------------------------
 
 

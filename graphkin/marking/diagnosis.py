@@ -127,7 +127,7 @@ def _explanations(
         return ()
     order = np.flatnonzero(same)[np.argsort(-weights[same], kind="stable")]
     explains = _explained(key, table, given, wrong, hypotheses, int(weighed.rows[order[0]]))
-    if wrong.any() and not explains:
+    if not explains:
         return ()
     names = tuple(hypotheses.names[weighed.rows[row]] for row in order)
     return (Explanation(names, probability, float(margin), explains),)

@@ -62,8 +62,11 @@ def make_key(
     )  # fmt: skip
 
 
-def asked_alone(method: Method, plot: Plot, marking: Marking) -> tuple[tuple[Quantity, ...], tuple[Entry, ...]]:
-    """What is asked for, and what paper allows of it, without anything on the way and of fewer drawings."""
+def asked_alone(
+    method: Method, plot: Plot, marking: Marking
+) -> tuple[tuple[Quantity, ...], tuple[Entry, ...], float]:
+    """What is asked for, and what paper allows of it, without anything on the way and of fewer drawings; with the part
+    of these whose links do not meet."""
     asked = asked_of(method.mechanism)
     every = tuple({quantity.text: quantity for quantity in asked.values()}.values())
     words = {quantity.text: question for question, quantity in asked.items()}
@@ -71,10 +74,11 @@ def asked_alone(method: Method, plot: Plot, marking: Marking) -> tuple[tuple[Qua
     naturals, worth = _naturals(every, right), dict.fromkeys(asked, 1.0)
     drawn = drawings_of(method, marking, _FEW).values(every)[0]
     scatters = spread(drawn, right, [sort_of(quantity) for quantity in every])
-    return every, tuple(
+    entries = tuple(
         _entry(words[q.text], q, value, deviation, naturals[q.unit], marking, worth)
         for q, value, deviation in zip(every, right, scatters, strict=True)
     )
+    return every, entries, float(np.isnan(drawn).any(axis=1).mean())
 
 
 def steps_of(method: Method) -> tuple[Step, ...]:

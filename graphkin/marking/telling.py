@@ -6,6 +6,7 @@ Mistakes of one kind count as one wherever they are made: to tell them apart hel
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -28,6 +29,7 @@ class Telling:
     still   whether one leaves all answers as they are (m,)
     near    which two of different kinds that are seen lie within the tolerance in all answers (m, m)
     same    which two of different kinds give the very same answers (m, m)
+    failed  part of the drawings with a pencil whose links do not meet
     """
 
     right: np.ndarray
@@ -37,14 +39,15 @@ class Telling:
     still: np.ndarray
     near: np.ndarray
     same: np.ndarray
+    failed: float = 0.0
 
 
 def telling(method: Method, plot: Plot, marking: Marking) -> Telling:
     """By what a mechanism asks for, at the position of a plot."""
-    quantities, entries = asked_alone(method, plot, marking)
+    quantities, entries, failed = asked_alone(method, plot, marking)
     found = rewrites(method, plot, quantities, marking.scales)
     values = combined(method, plot, quantities, [(one,) for one in found]).values
-    return compared(entries, [one.name for one in found], values)
+    return replace(compared(entries, [one.name for one in found], values), failed=failed)
 
 
 def compared(entries: Sequence[Entry], names: Sequence[Name], values: np.ndarray) -> Telling:

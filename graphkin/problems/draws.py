@@ -30,6 +30,8 @@ _APART = 60
 """So many draws look for numbers that no other student has; then well-posed is enough."""
 _DISTINCT = 0.02
 """Two problems whose answers all differ by a smaller part, or by less than paper allows, are like each other."""
+_FAILS = 0.02
+"""Where more of the drawings with a pencil do not close, a dead point is too near."""
 _SAMPLE, _SAMPLE_TRIES = 9, 60
 """So many problems show how well mistakes can be told apart in a template; of so many draws at most."""
 
@@ -80,6 +82,9 @@ def _drawn(template: Template, student: Student, seed: str, taken: _Taken, goal:
             refused[found] += 1
             continue
         tells = goal.telling(found)
+        if tells.failed > _FAILS:
+            refused["dead point"] += 1
+            continue
         own = _Answers(answers(found), tells.right, tells.tolerance)
         there = taken.has(numbers, own)
         if there and attempt < _APART:
