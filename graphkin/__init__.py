@@ -10,10 +10,10 @@ velocity and its acceleration polygon step by step, and proves them right agains
     Mechanism -- analytic --> Motion            the other road; it never reads a construction
 
     subjects: centres, linkages, design, sweeps, finding    data; what of it is drawn, by drafting.replay on a Board
-    homework: problems     a template with ranges -> a mechanism for each student, posed well
-              submissions  whatever students hand in -> the numbers in it, SI
+    homework: submissions  whatever students hand in -> the numbers in it, SI
               marking      a Key of a Method, and numbers -> verdicts, own values carried on, likely mistakes
               grading      a key and files -> a record a submission
+              problems     a template with ranges -> a mechanism for each student, posed well and tellable
               platforms    sets and records -> files of teaching platforms, and back
     check: Plot, or a drawing file, beside Motion           results: all of it as plain data
     any of these -- say --> lines in either language        -- sheet, outputs, equations --> files
@@ -43,7 +43,7 @@ ORDER = (
     "value", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming",
     "motions", "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur",
     "readings", "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "submissions", "marking",
-    "results", "say", "sheet", "outputs", "equations", "api", "batches", "problems", "grading", "platforms", "cli",
+    "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading", "problems", "platforms", "cli",
 )  # fmt: skip
 
 _WHERE = {

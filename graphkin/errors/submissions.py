@@ -318,5 +318,4 @@ _REFUSED: Words = {
     "dead point": {"en": "near a dead point", "zh": "接近死点"},
     "short": {"en": "a vector too short to measure", "zh": "矢量太短"},
     "taken": {"en": "like another student's", "zh": "与其他学生相同"},
-    "mistakes": {"en": "mistakes cannot be told apart", "zh": "不同错误无法区分"},
 }

@@ -117,7 +117,10 @@ def _explanations(
     if probability < _LIKELY or together < weighed.right[k] + MARGIN:
         return ()
     order = np.flatnonzero(same)[np.argsort(-weights[same], kind="stable")]
-    explains = _explained(key, table, given, wrong, hypotheses, int(weighed.rows[order[0]]))
+    each = (_explained(key, table, given, wrong, hypotheses, int(weighed.rows[row])) for row in order)
+    explains = next(filter(None, each), ())  # some of the set may say nothing of what is wrong
+    if not explains:
+        return ()
     names = tuple(hypotheses.names[weighed.rows[row]] for row in order)
     return (Explanation(names, probability, float(margin), explains),)
 

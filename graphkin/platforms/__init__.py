@@ -1,6 +1,7 @@
 """Formats of teaching platforms, one file a format: problem sets out, results out.
 
-    Template + Variants --write_problems--> graphkin's own folder: DIR/NAME.toml, .txt, .key.json, key.json, set.json
+    Template + Variants --write_problems--> graphkin's own folder: DIR/NAME.toml, .txt, .svg, .key.json; key.json,
+                                            set.json, set.mistakes.txt
     Key --question_of--> Question; Template + Variants --problem_set--> ProblemSet
     ProblemSet of Questions --SETS[format]--> moodle, moodle-numerical, qti, csv, xuexitong: one file
     file of marks --Stored--> Results; files of several problems --Several--> Habits of a student
@@ -23,7 +24,7 @@ from graphkin.platforms.from_key import question_of
 from graphkin.platforms.from_problems import file_of, problem_set
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.polygon_pictures import PolygonPictures
-from graphkin.platforms.problem_folder import write_problems
+from graphkin.platforms.problem_folder import told_of, write_problems
 from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record
 from graphkin.platforms.several import Several
@@ -34,6 +35,6 @@ __all__ = [
     "RESULTS", "SETS", "Alternative", "ClassReport", "Feedback", "Line", "Overrides", "Part", "Picture",
     "PolygonPictures", "ProblemSet", "Question", "Result", "Reveal", "Several", "Stored", "Suspicion", "Written",
     "Wrong", "alternatives", "class_report", "file_of", "from_record", "overridden", "prepared", "problem_set",
-    "question_of", "read_overrides", "report_record", "report_text", "write_class_figure", "write_problems",
+    "question_of", "read_overrides", "report_record", "report_text", "told_of", "write_class_figure", "write_problems",
     "write_results", "write_set",
 ]  # fmt: skip
