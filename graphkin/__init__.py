@@ -10,10 +10,10 @@ velocity and its acceleration polygon step by step, and proves them right agains
     Mechanism -- analytic --> Motion            the other road; it never reads a construction
 
     subjects: centres, linkages, design, sweeps, finding    data; what of it is drawn, by drafting.replay on a Board
-    homework: problems     a template with ranges -> a mechanism for each student, posed well
-              submissions  whatever students hand in -> the numbers in it, SI
+    homework: submissions  whatever students hand in -> the numbers in it, SI
               marking      a Key of a Method, and numbers -> verdicts, own values carried on, likely mistakes
               grading      a key and files -> a record a submission
+              problems     a template with ranges -> a mechanism for each student, posed well and tellable
               handouts     a problem or its solution on paper, from what `say` and `sheet` make
               platforms    sets and records -> files of teaching platforms, and back
     check: Plot, or a drawing file, beside Motion           results: all of it as plain data
@@ -41,10 +41,11 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 ORDER = (
-    "value", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
-    "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings",
-    "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "submissions", "marking", "results",
-    "say", "sheet", "outputs", "equations", "api", "batches", "problems", "grading", "platforms", "handouts", "cli",
+    "value", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming",
+    "motions", "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur",
+    "readings", "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "submissions", "marking",
+    "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading", "problems", "platforms",
+    "handouts", "cli",
 )  # fmt: skip
 
 _WHERE = {

@@ -6,10 +6,9 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import Executor, Future
-from itertools import islice
+from concurrent.futures import Executor
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +16,7 @@ import numpy as np
 from graphkin import api, sweeps
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
+from graphkin.sending import ahead, batched
 from graphkin.sweeps import Road, Series
 from graphkin.value import frozen
 
@@ -63,22 +63,12 @@ def sweep_many(
 
     A mechanism that cannot be read, planned or moved gives one `Swept` with its error and stops nothing.
     """
-    waiting = iter(mechanisms)
     if executor is None:
-        for source in waiting:
+        for source in mechanisms:
             yield _swept(source, ranges, of, by)
         return
-    sent: deque[Future[list[Swept]]] = deque()
-    try:
-        while True:
-            while len(sent) < in_flight and (some := list(islice(waiting, batch))):
-                sent.append(executor.submit(_batch, some, ranges, of, by))
-            if not sent:
-                return
-            yield from sent.popleft().result()
-    finally:
-        for future in sent:
-            future.cancel()
+    work = partial(_batch, ranges=ranges, of=of, by=by)
+    yield from ahead(executor, work, batched(mechanisms, batch), in_flight)
 
 
 def _batch(sources: list[Source], ranges: Sequence[str], of: Sequence[str], by: Road) -> list[Swept]:

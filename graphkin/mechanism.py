@@ -40,6 +40,13 @@ class Link:
         """The vector tail -> head in the link's axes [m]."""
         return self.points[head] - self.points[tail]
 
+    @property
+    def axis(self) -> tuple[str, str] | None:
+        """The first point, and the next that is elsewhere: between them the link's angle is measured."""
+        first = next(iter(self.points), "")
+        size = max((abs(self.arm(first, point)) for point in self.points), default=0.0)
+        return next(((first, point) for point in self.points if abs(self.arm(first, point)) > 1e-9 * size), None)
+
 
 @frozen
 class Driver:

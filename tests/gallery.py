@@ -1,7 +1,8 @@
-"""The gallery: every library mechanism as a sheet in each language.
+"""The gallery: every library mechanism as a sheet in each language, and a page of feedback on homework.
 
     .venv/bin/python tests/gallery.py            rebuilds figures/
     .venv/bin/python tests/gallery.py ex3-1      one of them
+    .venv/bin/python tests/gallery.py feedback   the page of feedback
 """
 
 from __future__ import annotations
@@ -13,9 +14,15 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
 
-from graphkin import Drawing, library
+from graphkin import Drawing, grading, library, platforms
+from graphkin.errors import Where
+from graphkin.outputs.marks_json import record
 from graphkin.outputs.svg import svg
+from graphkin.platforms.svg_page import drawing as page
 
+HOMEWORK = Path(__file__).parent / "cases" / "homework"
+FEEDBACK = "feedback"
+"""The folder of the page of feedback."""
 FIGURES = Path(__file__).parent.parent / "figures"
 NUMBER = re.compile(r"[-+]?\d*\.?\d+(?:e[-+]?\d+)?")
 CLOSE_MM = 0.02
@@ -26,6 +33,16 @@ def drawings(name: str) -> Iterator[tuple[Path, str]]:
     drawing = Drawing.of(library.load(name))
     for lang, end in (("en", ""), ("zh", "-zh")):
         yield Path(name) / f"{name}{end}.svg", svg(drawing.sheet(lang=lang))
+
+
+def feedback() -> Iterator[tuple[Path, str]]:
+    """The page of a student who left out the Coriolis acceleration of example 3-1."""
+    judge = grading.judge_from("ex3-1")
+    (graded,) = grading.grade(judge, [HOMEWORK / "s1.toml"])
+    result, pictures = platforms.from_record(record(graded), Where("s1.toml")), platforms.PolygonPictures(judge)
+    for lang, end in (("en", ""), ("zh", "-zh")):
+        told = platforms.Feedback(result, lang, "answer", pictures(result, lang, "answer"))
+        yield Path(FEEDBACK) / f"{FEEDBACK}{end}.svg", page(told).decode()
 
 
 def differences(old: str, new: str) -> Iterator[str]:
@@ -59,8 +76,8 @@ def main(names: list[str]) -> None:
     """Rebuild all, or some, of the gallery."""
     if not names:
         shutil.rmtree(FIGURES, ignore_errors=True)
-    for name in names or library.names():
-        for path, text in drawings(name):
+    for name in names or (*library.names(), FEEDBACK):
+        for path, text in feedback() if name == FEEDBACK else drawings(name):
             (FIGURES / path).parent.mkdir(parents=True, exist_ok=True)
             (FIGURES / path).write_text(text, encoding="utf-8", newline="\n")
             print(path)

@@ -8,6 +8,7 @@ The gallery keeps the sheets of `draw`; here are words, JSON, and the sheets of 
 
 from __future__ import annotations
 
+import contextlib
 import json
 import math
 import re
@@ -23,6 +24,8 @@ from graphkin import library
 from graphkin.cli import main as graphkin
 
 GOLDEN = Path(__file__).parent / "golden"
+HOMEWORK = Path(__file__).parent / "cases" / "homework"
+"""Where the commands are given: what students hand in, and a problem with ranges."""
 LANGUAGES = ("en", "zh")
 CENTRES = ("fig3-4", "fig3-6", "ex3-1", "ex3-2", "p3-19", "p3-8", "p3-12")
 LINKAGES = ("s2-2", "s2-4", "ex3-7", "p3-5", "fig3-6", "p3-22")
@@ -48,7 +51,7 @@ CLOSE = 1e-9
 
 
 def commands() -> Iterator[str]:
-    """Command lines; `@.svg` stands for a file to write, which is what is kept then."""
+    """Command lines; `@.svg` stands for a file to write, `@/s1.txt` for one in a folder to write: it is kept then."""
     for name in library.names():
         yield f"solve {name} --json"
         for lang in LANGUAGES:
@@ -78,6 +81,9 @@ def commands() -> Iterator[str]:
             yield f"equations {name} --lang {lang} --method complex -o @.html"
         for name in TOLERANCES:
             yield f"tolerance {name} --lang {lang}"
+        yield f"grade ex3-1 s1.toml s2.toml --lang {lang}"
+        yield f"grade ex3-1 s1.toml --format csv --lang {lang} -o @/class.csv"
+        yield f"problems rocker.toml --students 1 --seed 1 --lang {lang} -o @/s1.txt"
         yield f"sweep ex3-7 --table --lang {lang}"
         yield f"sweep ex3-1 --driver 0:360:30 --lang {lang}"
     for name in LINKAGES:
@@ -97,9 +103,9 @@ def commands() -> Iterator[str]:
 
 def place(line: str) -> Path:
     """Where a command's words are kept."""
-    kept = re.search(r"@(\.\w+)", line)
+    kept = re.search(r"@[/\w]*(\.\w+)", line)
     end = kept[1] if kept else ".json" if "--json" in line or line == "schema" else ".txt"
-    return GOLDEN / (re.sub(r"[^\w.=-]+", "_", re.sub(r"(-o|--toml) @\.\w+", "", line)).strip("_") + end)
+    return GOLDEN / (re.sub(r"[^\w.=-]+", "_", re.sub(r"(-o|--toml) @[/\w]*\.\w+", "", line)).strip("_") + end)
 
 
 def said(line: str) -> str:
@@ -107,9 +113,13 @@ def said(line: str) -> str:
     import shlex
 
     with tempfile.TemporaryDirectory() as folder:
+        inside = re.search(r"@/(\S+)", line)
         target = Path(folder) / ("out" + place(line).suffix)
-        words = [str(target) if word.startswith("@") else word for word in shlex.split(line)]
-        done = CliRunner().invoke(graphkin, words, catch_exceptions=False)
+        given = str(Path(folder) if inside else target)
+        words = [given if word.startswith("@") else word for word in shlex.split(line)]
+        with contextlib.chdir(HOMEWORK):
+            done = CliRunner().invoke(graphkin, words, catch_exceptions=False)
+        target = Path(folder) / inside[1] if inside else target
         assert done.exit_code == 0, (line, done.output)
         return target.read_text("utf-8") if "@" in line else done.output
 

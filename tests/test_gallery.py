@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import pytest
-from gallery import FIGURES, differences, drawings
+from gallery import FEEDBACK, FIGURES, differences, drawings, feedback
 
 from graphkin import library
 from graphkin.check import measure
 
 
-@pytest.mark.parametrize("name", library.names())
+@pytest.mark.parametrize("name", [*library.names(), FEEDBACK])
 def test_gallery(name: str):
-    for path, text in drawings(name):
+    for path, text in feedback() if name == FEEDBACK else drawings(name):
         old = FIGURES / path
         found = list(differences(old.read_text("utf-8"), text))
         if found:
@@ -20,10 +20,13 @@ def test_gallery(name: str):
             pytest.fail(f"{new} differs from {old.name}: {found[:3]}; rebuild with tests/gallery.py if it is right")
 
 
-@pytest.mark.parametrize("path", sorted(FIGURES.glob("*/*.svg")), ids=lambda path: path.name)
+SHEETS = sorted(path for path in FIGURES.glob("*/*.svg") if path.parent.name != FEEDBACK)
+
+
+@pytest.mark.parametrize("path", SHEETS, ids=lambda path: path.name)
 def test_gallery_is_good(path):
     assert measure(path).passed(0.01)
 
 
 def test_gallery_is_whole():
-    assert {path.name for path in FIGURES.iterdir()} == set(library.names())
+    assert {path.name for path in FIGURES.iterdir()} == {*library.names(), FEEDBACK}

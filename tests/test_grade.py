@@ -180,7 +180,7 @@ def test_each_student_has_a_key():
 def test_told_in_both_languages(lang: Lang):
     text = run("grade", "ex3-1", handed(CORIOLIS), handed('"omega 3" = -5.65\n"a_k B3B2" = 3.63', "s2"), "--lang", lang).stdout
     assert say("mistakes.made coriolis-omitted", lang, of="a^k_B3B2", form="") in text
-    assert say("marks.verdict carried", lang) in text
+    assert say("verdicts.verdict carried", lang) in text
     assert say("marks.judged with yes", lang, own="omega 3 = −5.65", quantity="a_k B3B2", value="3.625") in text
 
 

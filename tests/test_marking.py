@@ -15,7 +15,8 @@ from random_mechanisms import DYADS, dyad
 from graphkin import api
 from graphkin.errors import NOWHERE, BadKey
 from graphkin.grading import Pencils, key_for, key_from, marking_of
-from graphkin.marking.diagnosis import added, independent
+from graphkin.marking.diagnosis import independent
+from graphkin.marking.habits import Trace, added
 from graphkin.marking.making import drawings_of, half_digit
 from graphkin.marking.marked import Judged, Marked, Number, Work
 from graphkin.marking.marker import Marker
@@ -270,8 +271,31 @@ def test_evidence_adds_up_over_problems():
         marked({"omega 3": -3.92, "alpha 3": -37.3}).diagnosis,
         marked({"omega 3": 2.165, "alpha 3": -8.0}, "p3-4a").diagnosis,
     ]
-    total = added(two)
-    assert total["coriolis-reversed"] == pytest.approx(sum(one.evidence.get("coriolis-reversed", 0.0) for one in two))
+    total = added(Trace((), one.evidence) for one in two)
+    each = [np.logaddexp(np.log(0.8) + one.evidence["coriolis-reversed"], np.log(0.2)) for one in two]
+    assert total["coriolis-reversed"] == pytest.approx(sum(each))
+
+
+def test_a_student_is_marked_alike_alone_and_in_a_class():
+    """Whatever the others hand in, who have own values of other quantities, and of the same by other names."""
+    key, rng = marker().key, np.random.default_rng(1)
+    works = [Work("odd", dict.fromkeys(("v C", "a C", "v_x C", "v_y C", "v B", "x C", "a_n B3D", "a_x B"), Number(1.0)))]
+    for _ in range(40):
+        row = key.singles.values[rng.integers(len(key.singles.names))] * rng.uniform(0.6, 1.6, len(key.entries))
+        handed = {entry.text: Number(float(value)) for entry, value in zip(key.entries, row, strict=True) if np.isfinite(value)}
+        own = {text: number for text, number in handed.items() if rng.random() < 0.6}
+        works.append(Work("s", own | {"v C": Number(0.2)}))
+    works += [Work("many", {f"{letter} {point}": Number(2.0)}) for point in "ABCD" for letter in
+              ("v", "a", "v_x", "v_y", "a_x", "a_y", "x", "y", "a_n", "a_t", "r")]  # fmt: skip
+    together = Marker(key).mark(works)[1:]
+    assert any(one.own for marked in together for one in marked.judged)
+    for work, found in zip(works[1:], together, strict=True):
+        (alone,) = Marker(key).mark([work])
+        for one, other in zip(found.judged, alone.judged, strict=True):
+            assert (one.verdict, one.credit, one.own, one.refused) == (other.verdict, other.credit, other.own, other.refused)
+            assert (one.carried is None) == (other.carried is None)
+            assert one.carried is None or one.carried == pytest.approx(other.carried, rel=1e-9)
+        assert [one.names for one in found.diagnosis.explanations] == [one.names for one in alone.diagnosis.explanations]
 
 
 @pytest.mark.parametrize("name", ["ex3-1", "ex3-5", *DYADS])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -148,6 +149,27 @@ def test_an_arm_that_is_ignored():
     assert values(found, "arm-ignored", "", "omega 2") == pytest.approx([-15.0, (15.0 * 20 + arm * 45) / 25])
     assert values(found, "arm-ignored", "", "omega 3")[1] == pytest.approx(-omega_2 * 20 / 25)
     assert values(found, "arm-ignored", "", "omega 2, omega 3") == pytest.approx([-15.0, 12.0])
+
+
+@pytest.mark.parametrize("seed", [1, 6, 11])
+def test_an_arm_that_is_ignored_among_equations_solved_together(seed: int):
+    """A planet on a coupler about a fixed sun, driven at the far rocker: without the arm it would not turn; the links
+    still join, in velocities and in accelerations."""
+    mechanism = random_mechanisms.geared_five_bar(seed)
+    found = values(led_to(mechanism, "omega 1", "omega 2", "omega 3", "alpha 1", "alpha 2", "alpha 3"), "arm-ignored")
+    exact = motion(mechanism)
+    places = [complex(exact.position[_joining(mechanism, *pair)]) for pair in pairwise(("frame", *"1234", "frame"))]
+    arms = dict(zip("1234", (head - tail for tail, head in pairwise(places)), strict=True))
+    assert found[[1, 4]] == pytest.approx([0, 0], abs=1e-9)
+    omega = {"1": found[0], "2": 0.0, "3": found[2], "4": float(exact.omega["4"])}
+    alpha = {"1": found[3], "2": 0.0, "3": found[5], "4": float(exact.alpha["4"])}
+    assert abs(sum(1j * omega[link] * arms[link] for link in "1234")) < 1e-9 * abs(omega["4"])
+    parts = [(1j * alpha[link] - omega[link] ** 2) * arms[link] for link in "1234"]
+    assert abs(sum(parts)) < 1e-9 * sum(map(abs, parts))
+
+
+def _joining(mechanism: Mechanism, first: str, second: str) -> str:
+    return next(point for point in mechanism.links[first].points if point in mechanism.links[second].points)
 
 
 @pytest.mark.parametrize("name", ["p3-23a", "p3-11a"])

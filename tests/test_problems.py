@@ -206,9 +206,11 @@ def test_the_command(template: Path, tmp_path: Path):
 @pytest.mark.parametrize(
     ("question", "shown"),
     [
-        ("omega 3", "ω3 [rad/s] (1 point)"), ("theta 3", "θ3 [°] (1 point)"), ("v_y C", "v_C,y [m/s] (1 point)"),
+        ("omega 3", "ω3 [rad/s] (1 point)"), ("v_y C", "v_C,y [m/s] (1 point)"),
         ("a_k B3B2", "aᵏ_B3B2 [m/s²] (1 point)"), ("x C", "x_C [mm] (1 point)"), ("omega 3 / omega 2", "ω3 / ω2 (1 point)"),
         ("P13", "P13 [mm]"),
+        ("theta 3", "θ3 [°] (1 point); θ3 is the angle of the direction D→C from +x, counter-clockwise"),
+        ("theta 2", "θ2 [°] (1 point); θ2 is the angle of the sliding direction on link 3 from +x, counter-clockwise"),
     ],
 )  # fmt: skip
 def test_what_is_asked_is_written_as_in_a_book(question: str, shown: str):

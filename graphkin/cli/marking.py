@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Iterable, Iterator
-from itertools import chain
+import sys
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from graphkin.cli.shared import force_option, json_line, lang_option, mechanism_argument, read, speaking
 from graphkin.errors import BadPencil, Lang, Where
+from graphkin.value import frozen
 
 if TYPE_CHECKING:
-    from graphkin.grading import Pencils
+    from graphkin.grading import Judge, Pencils, Problem, Way
     from graphkin.marking.graded import Graded
-    from graphkin.platforms import Reveal
+    from graphkin.platforms import PolygonPictures, Reveal, Several
 
-PLATFORMS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "report")
+_Record = TypeVar("_Record")
+
+PLATFORMS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "pages", "report")
 MARKS = "marks.json"
 """In a folder of results graphkin's own records, from which everything else there is made."""
 
@@ -51,13 +54,17 @@ relative_option = click.option(
 @pencil_option
 @sigmas_option
 @relative_option
-@click.option("--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes that read submissions.")
+@click.option("--turned", is_flag=True, help="In a drawing a polygon may stand turned on the page.")
+@click.option("--letters", default="", metavar="P,B2,B3",
+              help="The points of drawings without letters, in the file's order.")  # fmt: skip
+@click.option("--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes that read and mark.")
 @force_option
 @lang_option
 @speaking
 def grade(
     key: str, submissions: tuple[str, ...], as_json: bool, output: Path | None, kinds: tuple[str, ...], reveal: Reveal,
-    assignment: str, pencil: str, sigmas: float, relative: float, jobs: int, force: bool, lang: Lang,
+    assignment: str, pencil: str, sigmas: float, relative: float, turned: bool, letters: str, jobs: int, force: bool,
+    lang: Lang,
 ) -> None:  # fmt: skip
     """Mark what students hand in: verdicts, marks, and the mistake that a wrong number is consistent with.
 
@@ -65,28 +72,48 @@ def grade(
     file of answers or a drawing, a class table, a zip of a whole class, a folder, or a file of marks, whose numbers are
     marked anew. Errors of a pencil count where the key is made of a mechanism.
 
+    With several problems KEY is a folder of them (NAME.key.json, NAME.toml, or a folder NAME), and what was handed in
+    for each is called NAME.csv, NAME.zip, or a folder NAME. Reports and feedback then tell, too, which mistakes show in
+    several problems of a student.
+
+    With -o nothing is marked twice: the same command again marks what is new or changed, and goes on where it was
+    broken off.
+
     \b
     Example:
       graphkin grade ex3-1 s1.toml
       graphkin grade key.json class.zip --json
       graphkin grade key.json class.zip -o results --format csv --format moodle --reveal mistake
+      graphkin grade keys/ handed-in/ -o results --format report --jobs 4
     """
     from graphkin import grading
+    from graphkin.say.marks import remarks
+    from graphkin.submissions import Limits
 
     _check_output(output, kinds)
-    judge = grading.judge_from(key, _pencils(pencil, sigmas, relative))
-    again = [path for path in submissions if grading.is_marks(path)]
-    new = [path for path in submissions if path not in again]
-    old = (grading.grade_again(judge, path) for path in again)
-    records: Iterator[Graded] = chain(*old, grading.grade(judge, new, workers=jobs))
-    if as_json or output is None:
-        records = _printed(records, as_json, lang)
-    if output is None:
-        deque(records, 0)
-    elif kinds:
-        _write_folder(output, records, kinds, lang, reveal, assignment, force, as_json)
-    else:
-        _write_records(output, records, lang, force, as_json)
+    parts = grading.problems_of(key, submissions)
+    if output is not None and not kinds and parts[0].name:
+        raise click.UsageError("several problems are written into a folder: say --format, such as --format json")
+    pencils = _pencils(pencil, sigmas, relative)
+    names = tuple(name.strip() for name in letters.split(",") if name.strip())
+    way = grading.Way(Limits(turned=turned, names=names), jobs, words=lang)
+    told = _Told(kinds, reveal, assignment, force, as_json, lang)
+    judges = [grading.judge_from(part.key, pencils) for part in parts]
+    for part, judge in zip(parts, judges, strict=True):
+        if isinstance(judge, grading.OneKey):
+            for line in remarks(judge.asked.mechanism, lang):
+                click.echo(line, err=True)
+        if output is None:
+            told.print(part.name, grading.grade(judge, part.paths, way.limits, workers=jobs))
+        else:
+            told.write_records(_marks(output, kinds, part), judge, part, way)
+    if output is not None and kinds:
+        told.write_folders(output, parts, judges)
+
+
+def _marks(output: Path, kinds: tuple[str, ...], part: Problem) -> Path:
+    """The file of a problem's records."""
+    return output / part.name / MARKS if kinds else output
 
 
 @click.command()
@@ -141,44 +168,91 @@ def _check_output(output: Path | None, kinds: tuple[str, ...]) -> None:
         raise click.UsageError(f"{output}: the file to write must end in .json; or say --format, for a folder")
 
 
-def _write_records(
-    path: Path, records: Iterable[Graded], lang: Lang, force: bool, as_json: bool
-) -> None:
-    from graphkin.outputs import marks_file
+@frozen
+class _Told:
+    """What the options say of how it is told."""
 
-    marks_file.write(path, records, lang, force)
-    click.echo(str(path), err=as_json)
+    kinds: tuple[str, ...]
+    reveal: Reveal
+    assignment: str
+    force: bool
+    as_json: bool
+    lang: Lang
+
+    def print(self, problem: str, records: Iterable[Graded]) -> None:
+        """Each as it comes."""
+        from graphkin.outputs import marks_json
+        from graphkin.say.marks import grade_lines
+
+        if problem and not self.as_json:
+            click.echo(f"{problem}:")
+        for graded in _counted(records, True):
+            if self.as_json:
+                click.echo(self._line(problem, marks_json.line(graded, self.lang)))
+            else:
+                click.echo("\n".join(grade_lines(graded, self.lang)))
+
+    def _line(self, problem: str, line: Mapping[str, Any]) -> str:
+        return json_line({**line, "problem": problem} if problem else line)
+
+    def write_records(self, path: Path, judge: Judge, part: Problem, way: Way) -> None:
+        """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
+        from graphkin import grading, platforms
+        from graphkin.outputs import marks_file, marks_json
+        from graphkin.say.marks import interrupted
+
+        if self.kinds:
+            platforms.prepared(path.parent)
+        written = partial(marks_json.record, lang=self.lang)
+        try:
+            with grading.Journal(path, self.force) as journal:
+                records = _counted(grading.resumed(judge, part.paths, journal, way, written), self.as_json)
+                marks_file.write(path, self._printed(part.name, records), self.force)
+        except KeyboardInterrupt:
+            click.echo(interrupted(path, self.lang), err=True)
+            raise
+        click.echo(str(path), err=self.as_json)
+
+    def _printed(self, problem: str, records: Iterable[Mapping[str, Any]]) -> Iterator[Mapping[str, Any]]:
+        """Each record, once its line is printed where lines are wanted."""
+        from graphkin.outputs import marks_json
+
+        for record in records:
+            if self.as_json:
+                click.echo(self._line(problem, marks_json.line_of(record)))
+            yield record
+
+    def write_folders(self, output: Path, parts: Sequence[Problem], judges: Sequence[Judge]) -> None:
+        """Everything else, made of the records; of several problems all are looked at together."""
+        from graphkin import platforms
+
+        files = [output / part.name / MARKS for part in parts]
+        with platforms.Several(files if len(files) > 1 else ()) as several:
+            for file, judge in zip(files, judges, strict=True):
+                pictures = platforms.PolygonPictures(judge)
+                for kind in dict.fromkeys(self.kinds):
+                    if kind != "json":
+                        self._write_kind(file, kind, several, pictures)
+
+    def _write_kind(self, file: Path, kind: str, several: Several, pictures: PolygonPictures) -> None:
+        from graphkin import platforms
+
+        done = platforms.write_results(
+            file.parent, platforms.Stored(file), kind, self.lang, self.reveal, assignment=self.assignment,
+            pictures=pictures, force=self.force, several=several,
+        )  # fmt: skip
+        click.echo("\n".join(map(str, done.paths)), err=self.as_json)
+        for line in done.left_out:
+            click.echo(line, err=True)
 
 
-def _write_folder(
-    folder: Path, records: Iterable[Graded], kinds: tuple[str, ...], lang: Lang, reveal: Reveal,
-    assignment: str, force: bool, as_json: bool,
-) -> None:  # fmt: skip
-    """The records, then everything else, made of them; a table of overrides that cannot be read is said before."""
-    from graphkin import platforms
-
-    platforms.prepared(folder)
-    _write_records(folder / MARKS, records, lang, force, as_json)
-    for kind in dict.fromkeys(kinds):
-        if kind != "json":
-            there = platforms.Stored(folder / MARKS)
-            told = platforms.write_results(folder, there, kind, lang, reveal, assignment=assignment, force=force)
-            click.echo("\n".join(map(str, told.paths)), err=as_json)
-            for line in told.left_out:
-                click.echo(line, err=True)
 
 
-def _printed(records: Iterable[Graded], as_json: bool, lang: Lang) -> Iterator[Graded]:
-    """Each record, once it is printed."""
-    from graphkin.outputs import marks_json
-    from graphkin.say.marks import grade_lines
-
-    for graded in records:
-        if as_json:
-            click.echo(json_line(marks_json.line(graded, lang)))
-        else:
-            click.echo("\n".join(grade_lines(graded, lang)))
-        yield graded
+def _counted(records: Iterable[_Record], printed: bool) -> Iterator[_Record]:
+    """How many there are so far, for one who waits at a terminal on which nothing else is being printed."""
+    quiet = not sys.stderr.isatty() or (printed and sys.stdout.isatty())
+    with click.progressbar(records, file=sys.stderr, show_pos=True, hidden=quiet) as bar:
+        yield from bar
 
 
 def _pencils(pencil: str, sigmas: float, relative: float) -> Pencils:

@@ -44,6 +44,7 @@ def problems(
     found = sets.variants(read, sets.roster(students), seed)
     count = sum(1 for _ in platforms.write_problems(output, read, found, seed, lang, force))
     click.echo(f"{output}: {count}")
+    click.echo(platforms.told_of(output))
     if kinds:
         from graphkin import grading
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from graphkin.construction.terms import Arm, Direction, Size, Slid, Span, Term
+from graphkin.geometry import Value
 from graphkin.value import frozen
 
 
@@ -127,7 +128,7 @@ class InStep:
     """
 
     name: str
-    angles: tuple[tuple[str, float], ...]
+    angles: tuple[tuple[str, Value], ...]
     slide: str = ""
     on_slide: float = 0.0
     way: tuple[tuple[str, float], ...] = ()

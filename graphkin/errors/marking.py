@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import GraphkinError, Lang, Where
+from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
-__all__ = ["BadKey", "BadPencil", "NoMarks", "NothingToMark", "SaidBefore"]
+__all__ = ["BadKey", "BadPencil", "NoMarks", "NoSuchProblem", "NothingToMark", "SaidBefore"]
 
 
 class BadKey(GraphkinError):
@@ -26,7 +26,7 @@ class NothingToMark(GraphkinError):
     where: Where
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: nothing here can be marked as a number. Write for example ask = [\"omega 3\", \"alpha 3\"].",
-        "zh": "{where}：没有可以按数值批改的量。请写成如 ask = [\"omega 3\", \"alpha 3\"]。",
+        "zh": "{where}：没有可以按数值评阅的量。请写成如 ask = [\"omega 3\", \"alpha 3\"]。",
     }
 
 
@@ -38,6 +38,16 @@ class BadPencil(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given!r} is no pencil. Write what a length and a direction may be off, in mm and deg: 0.25,0.25.",
         "zh": "{where}：{given!r} 不是有效的作图误差。请写成长度和方向的误差（mm 和度），如 0.25,0.25。",
+    }
+
+
+class NoSuchProblem(Choice):
+    """Something handed in that belongs to none of several problems."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: of several problems none is called {given!r}. Name what is handed in after its problem, with any "
+        "ending. {hint}",
+        "zh": "{where}：各题中没有名为 {given!r} 的题目。请用题目名称命名提交的文件或文件夹（后缀不限）。{hint}",
     }
 
 

@@ -32,7 +32,7 @@ class NoRightNumber(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "Problem {question}: the right value, the tolerance or the points of {part} are no finite number. "
         "Make the key anew.",
-        "zh": "题目 {question}：{part} 的正确值、容差或分值不是有限数，请重新生成答案。",
+        "zh": "题目 {question}：{part} 的正确值、允差或分值不是有限数，请重新生成答案。",
     }
 
 

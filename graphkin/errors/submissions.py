@@ -141,8 +141,8 @@ class HandedTwice(GraphkinError):
     student: str
     first: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: student {student!r} handed in {first} too. Leave one of the two.",
-        "zh": "{where}：学生 {student!r} 还提交了 {first}，请只保留其中一份。",
+        "en": "{where}: student {student!r} handed in {first} before, which is marked; this one is not. Leave one of the two.",
+        "zh": "{where}：学生 {student!r} 先提交了 {first}，已按该份批改，这一份不再批改。请只保留其中一份。",
     }
 
 
@@ -318,5 +318,4 @@ _REFUSED: Words = {
     "dead point": {"en": "near a dead point", "zh": "接近死点"},
     "short": {"en": "a vector too short to measure", "zh": "矢量太短"},
     "taken": {"en": "like another student's", "zh": "与其他学生相同"},
-    "mistakes": {"en": "mistakes cannot be told apart", "zh": "不同错误无法区分"},
 }

@@ -1,20 +1,26 @@
 """Grading: keys made or read, files that students hand in marked against them, one record a submission.
 
     KEY --key_from--> Key --Marker--+
-    files --submissions.read--> Submission --> `grade` --> Graded, one after another
-    file of marks --> `grade_again` --> Graded, by another key or tolerance
+    files --submissions.handed_in--> Handed --`grade`, batch by batch, here or by workers--> Graded, one after another
+    file of marks --> Again: numbers that were read then --`grade`--> Graded, by another key or tolerance
+    a folder of keys, a folder of files --problems_of--> Problems, each marked by itself
+    files, Journal --`resumed`--> records, of which none that is there and holds is made twice
 
 `outputs` writes what comes out: JSON lines, text.
 """
 
-from graphkin.grading.again import grade_again, is_marks
+from graphkin.grading.again import is_marks
+from graphkin.grading.journal import Journal
 from graphkin.grading.judges import judge_from
 from graphkin.grading.keys import USUAL, Pencils, key_for, key_from, marking_of
-from graphkin.grading.running import grade
+from graphkin.grading.places import Places
+from graphkin.grading.problems import Problem, problems_of
+from graphkin.grading.resuming import resumed
+from graphkin.grading.running import Way, grade
 from graphkin.grading.sets import Judge, KeySet, OneKey, set_text
 from graphkin.marking.graded import Graded
 
 __all__ = [
-    "USUAL", "Graded", "Judge", "KeySet", "OneKey", "Pencils", "grade", "grade_again", "is_marks", "judge_from",
-    "key_for", "key_from", "marking_of", "set_text",
+    "USUAL", "Graded", "Journal", "Judge", "KeySet", "OneKey", "Pencils", "Places", "Problem", "Way", "grade",
+    "is_marks", "judge_from", "key_for", "key_from", "marking_of", "problems_of", "resumed", "set_text",
 ]  # fmt: skip

@@ -1,4 +1,4 @@
-"""Marks given anew: by another key or another tolerance, from what was read of the submissions when they were marked.
+"""What was read of submissions when they were marked, to be marked anew: by another key, or another tolerance.
 
 A file of marks holds every number that was handed in, in SI; the submissions themselves are not needed any more.
 """
@@ -10,12 +10,12 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from graphkin.errors import GraphkinError, NoFile, NoMarks, OwnFault, SaidBefore, UnknownStudent, Unreadable, Where
-from graphkin.grading.sets import Judge
-from graphkin.marking.graded import Graded
+from graphkin.errors import NoFile, NoMarks, SaidBefore, Unreadable, Where
+from graphkin.marking.graded import Drawn
 from graphkin.marking.marked import Number, Work
 from graphkin.outputs.marks_file import KIND
-from graphkin.outputs.marks_json import FORMAT
+from graphkin.outputs.marks_json import FORMAT, drawn_of
+from graphkin.value import frozen
 
 _GLANCE = 200
 
@@ -30,23 +30,45 @@ def is_marks(path: str | Path) -> bool:
     return start.lstrip().startswith(b"{") and f'"kind": "{KIND}"'.encode() in start
 
 
-def grade_again(judge: Judge, path: str | Path) -> Iterator[Graded]:
-    """A record for every one in a file of marks, in order. Raises NoFile, Unreadable, NoMarks."""
-    for record, where in _records(Path(path)):
-        try:
-            yield _graded(judge, record)
-        except (KeyError, TypeError, ValueError, AttributeError):
-            raise NoMarks(where) from None
+@frozen
+class Again:
+    """One record of a file of marks: what was read of a submission then, or why nothing was.
+
+    prints   the record's fingerprints, empty where it has none
+    """
+
+    student: str
+    file: str
+    place: str
+    work: Work
+    reason: SaidBefore | None
+    notes: tuple[SaidBefore, ...]
+    prints: tuple[str, ...]
+    drawn: Drawn
 
 
-def _records(path: Path) -> Iterator[tuple[Mapping[str, Any], Where]]:
-    """The records, a line each, between the file's head and its end."""
+def again(record: Mapping[str, Any], where: Where) -> Again:
+    """Raises NoMarks."""
+    try:
+        student, file, place = (str(record[key]) for key in ("student", "file", "place"))
+        reason = None if record["status"] == "marked" else SaidBefore(str(record["reason"]))
+        notes = tuple(SaidBefore(str(note)) for note in record["notes"])
+        work = _work(student, record["quantities"])
+        prints = tuple(map(str, record.get("fingerprints", ())))
+        return Again(student, file, place, work, reason, notes, prints, drawn_of(record))
+    except (KeyError, TypeError, ValueError, AttributeError):
+        raise NoMarks(where) from None
+
+
+def records_of(path: Path) -> Iterator[Again]:
+    """Those of a file of marks, in order. Raises NoFile, Unreadable, NoMarks."""
     try:
         with path.open(encoding="utf-8") as file:
             for number, line in enumerate(file, 1):
                 text = line.strip().removesuffix(",")
                 if text.startswith('{"format"'):
-                    yield _record(text, Where(str(path), number)), Where(str(path), number)
+                    where = Where(str(path), number)
+                    yield again(_record(text, where), where)
     except FileNotFoundError:
         raise NoFile(Where(str(path)), path.name, ()) from None
     except (OSError, UnicodeDecodeError) as problem:
@@ -61,22 +83,6 @@ def _record(text: str, where: Where) -> Mapping[str, Any]:
     if not isinstance(record, dict) or record.get("format") != FORMAT:
         raise NoMarks(where)
     return record
-
-
-def _graded(judge: Judge, record: Mapping[str, Any]) -> Graded:
-    student, file, place = (str(record[key]) for key in ("student", "file", "place"))
-    notes = tuple(SaidBefore(str(note)) for note in record["notes"])
-    if record["status"] != "marked":
-        return Graded(student, file, place, None, SaidBefore(str(record["reason"])), notes)
-    marker, work = judge.marker(student), _work(student, record["quantities"])
-    if marker is None:
-        return Graded(student, file, place, None, UnknownStudent(Where(file), student), notes)
-    try:
-        return Graded(student, file, place, marker.mark([work])[0], None, notes)
-    except GraphkinError as problem:
-        return Graded(student, file, place, None, problem, notes)
-    except Exception as problem:
-        return Graded(student, file, place, None, OwnFault(Where(file), type(problem).__name__), notes)
 
 
 def _work(student: str, quantities: Mapping[str, Mapping[str, Any]]) -> Work:

@@ -59,11 +59,11 @@ def key_for(
     return key
 
 
-def marking_of(method: Method, pencils: Pencils = USUAL) -> Marking:
-    """A pencil's errors at the scales of the mechanism's sheet."""
-    scales = _scales(method)
+def marking_of(method: Method, pencils: Pencils = USUAL, scales: Mapping[str, float] | None = None) -> Marking:
+    """A pencil's errors at the scales of the mechanism's sheet, or at others."""
+    scales = scales or _scales(method)
     lengths: dict[str, float] = {plane: pencils.length_mm * scales[key] for plane, key in KEYS.items()}
-    return Marking(lengths, math.radians(pencils.angle_deg), scales, pencils.sigmas, pencils.relative)
+    return Marking(lengths, math.radians(pencils.angle_deg), dict(scales), pencils.sigmas, pencils.relative)
 
 
 def _scales(method: Method) -> dict[str, float]:

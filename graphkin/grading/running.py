@@ -1,84 +1,121 @@
-"""Submissions marked one batch after another: memory stays flat, and one that fails stops no other."""
+"""Submissions marked batch by batch, here or by workers: memory stays flat, and one that fails stops no other."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Iterator, Sequence
-from itertools import groupby, islice
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Executor
+from functools import partial
+from itertools import chain
 from pathlib import Path
 
-from graphkin.errors import GraphkinError, OwnFault, Where
-from graphkin.grading.sets import Judge, OneKey
+import graphkin
+from graphkin.errors import OwnFault, Where
+from graphkin.grading.again import Again, is_marks, records_of
+from graphkin.grading.batch import Item, Kept, marked
+from graphkin.grading.sets import Judge, OneKey, fingerprint
 from graphkin.marking.graded import Graded
 from graphkin.marking.key import Key
-from graphkin.marking.marked import Marked, Number, Work
 from graphkin.marking.marker import Marker
-from graphkin.submissions import Limits, Submission, read
+from graphkin.sending import ahead
+from graphkin.submissions import FirstOnes, Handed, Limits, guarded, handed_in
+from graphkin.value import frozen
 
-_BATCH = 256
-"""Submissions that are marked at once."""
+_BATCH, _BYTES = 64, 4 << 20
+"""Submissions, and bytes of them, that go to a worker at once; a single one may be larger."""
+_HERE = 256
+"""Submissions that are marked at once here."""
+_AHEAD = 8
+
+
+@frozen
+class Way:
+    """How a marking is done.
+
+    limits    what is looked at of a submission
+    workers   processes that read and mark, each submission within its time; 0: this one
+    executor  does it instead, any of `concurrent.futures` or a cluster's; its workers must be able to import graphkin,
+              and to reach the keys of a set
+    words     what the records that are written hang on beside: their language
+    """
+
+    limits: Limits = Limits()
+    workers: int = 0
+    executor: Executor | None = None
+    words: str = ""
+
+    @property
+    def reading(self) -> str:
+        """A fingerprint of how submissions are read."""
+        return fingerprint(repr(self.limits), self.words, graphkin.__version__)
 
 
 def grade(
-    judge: Key | Judge, paths: Iterable[str | Path], limits: Limits | None = None, *, workers: int = 0
-) -> Iterator[Graded]:
+    judge: Key | Judge, paths: Iterable[str | Path], limits: Limits | None = None, *, workers: int = 0,
+    executor: Executor | None = None,
+) -> Iterator[Graded]:  # fmt: skip
     """A record for every submission in these files, in order.
 
-    judge    one key for all, or each student's own
-    workers  processes that read them; 0: this one. A submission that cannot be read or marked is a record with its
-             reason.
+    judge   one key for all, or each student's own
+    paths   answers, drawings, class tables, archives, folders; or files of marks, whose numbers are marked anew
+    workers, executor   who reads and marks them, as in `Way`
+
+    A submission that cannot be read or marked is a record with its reason; so is a second one of a student. Raises
+    NoMarks, Unreadable of a file of marks.
     """
     judge = OneKey(Marker(judge)) if isinstance(judge, Key) else judge
-    asked = judge("") if isinstance(judge, OneKey) else judge
-    assert asked is not None
-    submissions = read(paths, asked, limits or Limits(), workers=workers)
-    while batch := list(islice(submissions, _BATCH)):
-        yield from _graded(judge, batch)
+    way = Way(limits or Limits(), workers, executor)
+    for graded in run(judge, items(paths, way), way):
+        assert isinstance(graded, Graded)
+        yield graded
 
 
-def _graded(judge: Judge, batch: Sequence[Submission]) -> Iterator[Graded]:
-    marks = _marked(judge, [submission for submission in batch if submission.reason is None])
-    for one in batch:
-        marked = one.reason or next(marks)
-        notes = (*one.notes, *(given.fault for given in one.values.values() if given.fault is not None))
-        if isinstance(marked, GraphkinError):
-            yield Graded(one.student, one.file, one.place, None, marked, notes)
+def items(paths: Iterable[str | Path], way: Way) -> Iterator[Handed | Again]:
+    """What is to be marked, one after another, in the order of the files."""
+    for path in paths:
+        if is_marks(path):
+            yield from records_of(Path(path))
         else:
-            yield Graded(one.student, one.file, one.place, marked, None, notes)
+            yield from handed_in([path], way.limits)
 
 
-def _marked(judge: Judge, batch: Sequence[Submission]) -> Iterator[Marked | GraphkinError]:
-    """In their order; those in a row who have one key are marked at once."""
-    for marker, some in groupby(batch, lambda one: judge.marker(one.student)):
-        assert marker is not None, "who is not of the class was refused before"
-        yield from _marks(marker, list(some))
+def run(judge: Judge, some: Iterable[Item], way: Way) -> Iterator[Graded | Kept]:
+    """What becomes of each, in order; what is kept goes through as it is."""
+    work = partial(marked, judge=judge, limits=way.limits, reading=way.reading)
+    if way.executor is not None:
+        return firsts(ahead(way.executor, work, _batches(some, _BATCH), _AHEAD))
+    if way.workers:
+        seconds = way.limits.seconds
+        return firsts(guarded(work, _batches(some, _BATCH), way.workers, seconds, _failed))
+    return firsts(chain.from_iterable(map(work, _batches(some, _HERE))))
 
 
-def _marks(marker: Marker, batch: Sequence[Submission]) -> list[Marked | GraphkinError]:
-    """All at once; one by one where that fails, so that an error of ours is one student's row."""
-    works = [_work(one) for one in batch]
-    try:
-        return list(marker.mark(works)) if works else []
-    except Exception:
-        return [_alone(marker, work, one) for work, one in zip(works, batch, strict=True)]
+def firsts(found: Iterable[Graded | Kept]) -> Iterator[Graded | Kept]:
+    """Of each student the first that was marked; a further one says so."""
+    seen = FirstOnes()
+    for one in found:
+        if not one.marked:
+            yield one
+            continue
+        reason = seen.reason(one.student, one.file, one.place)
+        yield one if reason is None else Graded(one.student, one.file, one.place, None, reason)
 
 
-def _alone(marker: Marker, work: Work, submission: Submission) -> Marked | GraphkinError:
-    try:
-        return marker.mark([work])[0]
-    except GraphkinError as problem:
-        return problem
-    except Exception as problem:
-        return OwnFault(Where(submission.file), type(problem).__name__)
+def _failed(item: Item, problem: str) -> Graded | Kept:
+    if isinstance(item, Kept):
+        return item
+    student = item.student if isinstance(item, Again) else item.owner.student
+    return Graded(student, item.file, item.place, None, OwnFault(Where(item.file), problem))
 
 
-def _work(submission: Submission) -> Work:
-    """The numbers of a submission; what is no number was said by the reader."""
-    return Work(
-        submission.student,
-        {
-            text: Number(given.value, given.fault is None)
-            for text, given in submission.values.items()
-            if given.value is not None and math.isfinite(given.value)
-        },
-    )
+def _batches(some: Iterable[Item], size: int) -> Iterator[list[Item]]:
+    """So many at once, and not too many bytes of them."""
+    batch: list[Item] = []
+    held = 0
+    for item in some:
+        batch.append(item)
+        held += sum(len(content) for _, content in item.files) if isinstance(item, Handed) else 0
+        if len(batch) >= size or held >= _BYTES:
+            yield batch
+            batch, held = [], 0
+    if batch:
+        yield batch

@@ -1,14 +1,21 @@
-"""The keys of a problem set: one for each student, read when they are needed."""
+"""Whose key is whose: one for all, or one for each student, read when it is needed.
+
+A judge goes to other processes: one key as it is, a set by the place of its files, which they must reach; each process
+makes it ready once.
+"""
 
 from __future__ import annotations
 
+import hashlib
 import json
-from collections.abc import Mapping
+import pickle
+from collections.abc import Callable, Mapping
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from graphkin.errors import BadKey, Where
-from graphkin.grading.keys import key_file
+from graphkin.grading.keys import key_file, text_of
 from graphkin.marking.marker import Marker
 from graphkin.submissions import Asked
 
@@ -29,7 +36,43 @@ class Judge:
         marker = self.marker(student)
         if marker is None:
             return None
-        return Asked(marker.method.mechanism, tuple(entry.text for entry in marker.key.entries))
+        return asked_by(marker)
+
+    def key_print(self, student: str) -> str:
+        """A fingerprint of the student's key."""
+        raise NotImplementedError
+
+
+def asked_by(marker: Marker) -> Asked:
+    """What a key asks."""
+    return Asked(marker.method.mechanism, tuple(entry.text for entry in marker.key.entries))
+
+
+def fingerprint(*parts: bytes | str) -> str:
+    """Of some texts, in a few letters.
+
+    >>> fingerprint("a", "b") == fingerprint("a", b"b") != fingerprint("ab")
+    True
+    """
+    whole = hashlib.sha256()
+    for part in parts:
+        data = part.encode("utf-8", "surrogatepass") if isinstance(part, str) else part
+        whole.update(b"%d:" % len(data) + data)
+    return whole.hexdigest()[:16]
+
+
+_READY: dict[tuple[str, ...], Judge] = {}
+
+
+def _ready(name: tuple[str, ...], made: Callable[[], Judge]) -> Judge:
+    """The judge that was made ready here, or made now; the last few are kept."""
+    found = _READY.get(name)
+    if found is None:
+        found = _READY[name] = made()
+        for old in list(_READY)[:-_KEPT]:
+            _READY.pop(old, None)
+    return found
+
 
 
 class OneKey(Judge):
@@ -41,26 +84,70 @@ class OneKey(Judge):
     def marker(self, student: str) -> Marker:
         return self._marker
 
+    @cached_property
+    def asked(self) -> Asked:
+        """What all are asked."""
+        return asked_by(self._marker)
+
+    def __call__(self, student: str) -> Asked:
+        return self.asked
+
+    @cached_property
+    def _print(self) -> str:
+        from graphkin.outputs.key_json import key_text
+
+        return fingerprint(key_text(self._marker.key))
+
+    def key_print(self, student: str) -> str:
+        return self._print
+
+    @cached_property
+    def _packed(self) -> bytes:
+        return pickle.dumps(self._marker.key)
+
+    def __reduce__(self) -> tuple[Callable[..., Judge], tuple[object, ...]]:
+        return _one_key, (self._print, self._packed)
+
+
+def _one_key(name: str, packed: bytes) -> Judge:
+    return _ready((name,), lambda: OneKey(Marker(pickle.loads(packed))))
+
 
 class KeySet(Judge):
-    """The keys of a set, by student; `files` are beside the set's own file."""
+    """The keys of a set, by student; `files` are beside the set's own file, `path`."""
 
-    def __init__(self, folder: Path, files: Mapping[str, str]) -> None:
-        self.folder, self.files = folder, dict(files)
-        self._ready: dict[str, Marker] = {}
+    def __init__(self, path: Path, files: Mapping[str, str]) -> None:
+        self.path, self.files = path, dict(files)
+        self._made: dict[str, Marker] = {}
+
+    @property
+    def folder(self) -> Path:
+        """Where the keys are."""
+        return self.path.parent
 
     def marker(self, student: str) -> Marker | None:
         if student not in self.files:
             return None
-        if student not in self._ready:
-            if len(self._ready) >= _KEPT:
-                self._ready.pop(next(iter(self._ready)))
-            self._ready[student] = Marker(key_file(self.folder / self.files[student]))
-        return self._ready[student]
+        found = self._made.get(student)
+        if found is None:
+            found = self._made[student] = Marker(key_file(self.folder / self.files[student]))
+            for old in list(self._made)[:-_KEPT]:
+                self._made.pop(old, None)
+        return found
 
-    def __getstate__(self) -> dict[str, Any]:
-        """To other processes without what is held ready."""
-        return {"folder": self.folder, "files": self.files, "_ready": {}}
+    @cached_property
+    def _print(self) -> str:
+        return fingerprint(json.dumps(self.files))
+
+    def key_print(self, student: str) -> str:
+        """Of the key's file; of one who is not of the class, of the list of the class."""
+        try:
+            return fingerprint((self.folder / self.files[student]).read_bytes())
+        except (KeyError, OSError):
+            return self._print
+
+    def __reduce__(self) -> tuple[Callable[..., Judge], tuple[object, ...]]:
+        return _key_set, (str(self.path), self._print)
 
     @classmethod
     def read(cls, path: Path, data: Mapping[str, Any]) -> KeySet:
@@ -71,7 +158,11 @@ class KeySet(Judge):
         for student, name in students.items():
             if not isinstance(name, str) or Path(name).name != name:
                 raise BadKey(Where(str(path)), f"students: {student}")
-        return cls(path.parent, students)
+        return cls(path, students)
+
+
+def _key_set(path: str, name: str) -> Judge:
+    return _ready((path, name), lambda: KeySet.read(Path(path), json.loads(text_of(Path(path)))))
 
 
 def set_text(files: Mapping[str, str]) -> str:

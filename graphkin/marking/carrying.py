@@ -82,8 +82,9 @@ class Problem:
         whole = self._values(given, used)
         moved, tolerance = self._moved(whole, self.table.right), self._tolerance(whole)
         values = np.where(moved, whole, np.nan)
+        every = np.arange(used.shape[1])
         enters = {
-            int(j): self._moved(whole, self._values(given, used & (np.arange(used.shape[1]) != j))) & moved
+            int(j): self._moved(whole, self._values(given, used & (every != j))) & moved & used[:, [j]]
             for j in np.flatnonzero(used.any(axis=0))
         }
         texts = tuple(entry.text for entry in self.key.entries)

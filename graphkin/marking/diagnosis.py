@@ -7,7 +7,7 @@ given with it, as one set.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import field
 
 import numpy as np
@@ -55,7 +55,7 @@ class Explanation:
 class Diagnosis:
     """What the wrong values come from; `evidence`: by a mistake's id, how it outweighs "none" here (a logarithm).
 
-    Evidence of several problems of one student is added up.
+    Evidence of several problems of one student is added up (`habits`).
     """
 
     explanations: tuple[Explanation, ...] = ()
@@ -84,15 +84,6 @@ def diagnoses(
         for row, k in enumerate(rest):
             found[k] = Diagnosis(_explanations(key, table, given[k], wrong[k], weighed, row, two), found[k].evidence)
     return found
-
-
-def added(found: Iterable[Diagnosis]) -> dict[str, float]:
-    """Evidence of several problems of one student: a mistake that shows in many is a habit, not a slip."""
-    total: dict[str, float] = {}
-    for one in found:
-        for id, weight in one.evidence.items():
-            total[id] = total.get(id, 0.0) + weight
-    return total
 
 
 def independent(key: Key, there: np.ndarray) -> int:
@@ -126,7 +117,10 @@ def _explanations(
     if probability < _LIKELY or together < weighed.right[k] + MARGIN:
         return ()
     order = np.flatnonzero(same)[np.argsort(-weights[same], kind="stable")]
-    explains = _explained(key, table, given, wrong, hypotheses, int(weighed.rows[order[0]]))
+    each = (_explained(key, table, given, wrong, hypotheses, int(weighed.rows[row])) for row in order)
+    explains = next(filter(None, each), ())  # some of the set may say nothing of what is wrong
+    if not explains:
+        return ()
     names = tuple(hypotheses.names[weighed.rows[row]] for row in order)
     return (Explanation(names, probability, float(margin), explains),)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -61,26 +61,30 @@ class Own(Hand):
 
     def __init__(self, own: Mapping[Quantity, Value], arrows: Arrows) -> None:
         self.rotations = {(q.word, q.link): value for q, value in own.items() if isinstance(q, Rotation)}
-        self.vectors: dict[Ends, Value] = {}
-        for quantity, value in _whole(own).items():
+        self.vectors: dict[Ends, list[Value]] = {}
+        for quantity, value in _whole(own):
             if isinstance(quantity, Moving) and (found := arrows.of(quantity)) is not None:
-                (plane, tail, head), sign = found
+                ends, sign = found
                 signed = quantity.along is not None and not np.iscomplexobj(value)
                 vector = value * quantity.along if signed else value
-                self.vectors[plane, tail, head] = sign * vector if np.iscomplexobj(vector) else np.abs(vector)
+                each = sign * vector if np.iscomplexobj(vector) else np.abs(vector)
+                self.vectors.setdefault(ends, []).append(each)
         self.poles = arrows.poles
 
-    def _own(self, ends: Ends, right: Value) -> Value:
-        """The own vector; of an own size, in the right direction. What is right where there is none."""
+    def _own(self, ends: Ends, right: Value, drawn_only: bool = False) -> Value:
+        """The own vector; of an own size, in the right direction. What is right where there is none.
+
+        A vector may go by several names: each student's own is under the name that they have used.
+        """
         plane, tail, head = ends
         sign = 1
         if ends not in self.vectors:
             ends, sign = (plane, head, tail), -1
-        if ends not in self.vectors:
-            return right
-        own = self.vectors[ends]
-        own = sign * own if np.iscomplexobj(own) else own * right / np.abs(right)
-        return _where_given(own, right)
+        found = right
+        for own in self.vectors.get(ends, ()):
+            if np.iscomplexobj(own) or not drawn_only:
+                found = _where_given(sign * own if np.iscomplexobj(own) else own * right / np.abs(right), found)
+        return found
 
     def arrow(self, plot: Redrawing, plane: Plane, size: Size, right: Value) -> Value:
         """A Coriolis term with the own relative velocity."""
@@ -98,8 +102,7 @@ class Own(Hand):
 
     def met(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
         """A drawn vector from the pole moves its point."""
-        ends = plane, self.poles[plane], point
-        return self._own(ends, right) if np.iscomplexobj(self.vectors.get(ends, 0.0)) else right
+        return self._own((plane, self.poles[plane], point), right, drawn_only=True)
 
     def image(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
         return self._own((plane, self.poles[plane], step.point), right)
@@ -117,28 +120,42 @@ class Own(Hand):
 
     def settled(self, plot: Redrawing, quantity: str, links: tuple[str, ...], of: str) -> None:
         """An own omega holds for the links that turn with its link too, unless these have their own."""
-        owned = [link for link in (of, *links) if (quantity, link) in self.rotations]
+        owned = [link for link in dict.fromkeys((of, *links)) if (quantity, link) in self.rotations]
         if not owned:
             return
         table: dict[str, Value] = getattr(plot, quantity)
-        right, leader = {link: table[link] for link in links}, owned[0]
-        more = self._rotation(quantity, leader, right[leader]) - right[leader]
+        right = {link: table[link] for link in links}
+        leads, more = self._leading(quantity, owned, right)
         for link in links:
-            plot.before[quantity, link] = right[link] + (0.0 if link == leader else more)
+            plot.before[quantity, link] = right[link] + np.where(leads.get(link, False), 0.0, more)
             table[link] = self._rotation(quantity, link, right[link] + more)
+
+    def _leading(
+        self, quantity: str, owned: Sequence[str], right: Mapping[str, Value]
+    ) -> tuple[dict[str, np.ndarray], Value]:
+        """Where each link is the first that a student has an own value of, and by how much that one is off."""
+        leads: dict[str, np.ndarray] = {}
+        taken, more = np.zeros((), dtype=bool), np.zeros(())
+        for link in owned:
+            own = self.rotations[quantity, link]
+            leads[link] = np.isfinite(own) & ~taken
+            more = np.where(leads[link], own - right[link], more)
+            taken = taken | leads[link]
+        return leads, more[()]
 
     def _rotation(self, quantity: str, link: str, right: Value) -> Value:
         own = self.rotations.get((quantity, link))
         return right if own is None else _where_given(own, right)
 
 
-def _whole(own: Mapping[Quantity, Value]) -> Mapping[Quantity, Value]:
-    """Both components of a vector put together."""
+def _whole(own: Mapping[Quantity, Value]) -> list[tuple[Quantity, Value]]:
+    """With both components of a vector put together."""
     axes: dict[Moving, dict[str, Value]] = {}
     for quantity, value in own.items():
         if isinstance(quantity, Component):
             axes.setdefault(quantity.whole, {})[quantity.axis] = value
-    return {**own, **{whole: both["x"] + 1j * both["y"] for whole, both in axes.items() if len(both) == 2}}
+    both = [(whole, parts["x"] + 1j * parts["y"]) for whole, parts in axes.items() if len(parts) == 2]
+    return [*own.items(), *both]
 
 
 def _where_given(own: Value, right: Value) -> Value:

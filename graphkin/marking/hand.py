@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from graphkin.construction import Facts, Image, LayOff, Measure, Plane, Ray, Size
+from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Plane, Ray, Size
 from graphkin.geometry import Value
 
 if TYPE_CHECKING:
@@ -49,6 +49,10 @@ class Hand:
     def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Value) -> Value:
         """What ruler and protractor give: omega or alpha of the link, or a slide's rate, with its sense."""
         return right
+
+    def rolling(self, plot: Redrawing, plane: Plane, contact: InStep) -> InStep:
+        """The law of a rolling contact, before it is put into equations that are solved together."""
+        return contact
 
     def settled(self, plot: Redrawing, quantity: str, links: tuple[str, ...], of: str) -> None:
         """After a group of links that turn together has got its omega or alpha; `of`: the link it was read for."""
@@ -99,6 +103,11 @@ class Hands(Hand):
         for hand in self.hands:
             right = hand.read(plot, plane, step, right)
         return right
+
+    def rolling(self, plot: Redrawing, plane: Plane, contact: InStep) -> InStep:
+        for hand in self.hands:
+            contact = hand.rolling(plot, plane, contact)
+        return contact
 
     def settled(self, plot: Redrawing, quantity: str, links: tuple[str, ...], of: str) -> None:
         for hand in self.hands:

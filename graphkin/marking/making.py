@@ -22,6 +22,8 @@ from graphkin.running import replay_all
 
 DRAWINGS = 2000
 """How often the right construction is drawn; each mistaken one is drawn `_FEWER` times."""
+_FEW = 500
+"""How often it is drawn where many problems are compared."""
 _FEWER = 250
 _NOTHING = 1e-9
 """A value that is a smaller part of the largest of its kind is 0."""
@@ -58,6 +60,25 @@ def make_key(
         mechanism.name, mechanism.text, method.structure.coincident, marking, entries, _given(method),
         _together(drawn), _singles(method, plot, every, entries, marking), title, steps_of(method),
     )  # fmt: skip
+
+
+def asked_alone(
+    method: Method, plot: Plot, marking: Marking
+) -> tuple[tuple[Quantity, ...], tuple[Entry, ...], float]:
+    """What is asked for, and what paper allows of it, without anything on the way and of fewer drawings; with the part
+    of these whose links do not meet."""
+    asked = asked_of(method.mechanism)
+    every = tuple({quantity.text: quantity for quantity in asked.values()}.values())
+    words = {quantity.text: question for question, quantity in asked.items()}
+    right = _right(method, plot, every)
+    naturals, worth = _naturals(every, right), dict.fromkeys(asked, 1.0)
+    drawn = drawings_of(method, marking, _FEW).values(every)[0]
+    scatters = spread(drawn, right, [sort_of(quantity) for quantity in every])
+    entries = tuple(
+        _entry(words[q.text], q, value, deviation, naturals[q.unit], marking, worth)
+        for q, value, deviation in zip(every, right, scatters, strict=True)
+    )
+    return every, entries, float(np.isnan(drawn).any(axis=1).mean())
 
 
 def steps_of(method: Method) -> tuple[Step, ...]:

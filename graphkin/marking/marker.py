@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
+from threading import Lock
 
 import numpy as np
 
@@ -26,7 +27,7 @@ _HALF = 0.5
 """What a value is worth whose sense or whose unit alone is wrong."""
 _LARGE = 1e30
 _FURTHER = 40
-"""So many quantities beyond those of the key are marked at most."""
+"""So many quantities of a student beyond those of the key are marked at most."""
 
 
 class Marker:
@@ -37,6 +38,7 @@ class Marker:
         self._method = method
         self._further: dict[str, Quantity | None] = {}
         self._wider: Marker | None = None
+        self._lock = Lock()
 
     @cached_property
     def method(self) -> Method:
@@ -61,14 +63,21 @@ class Marker:
         return pairs_of(self.method, self.plot, self.key, self.quantities)
 
     def mark(self, works: Sequence[Work]) -> list[Marked]:
-        """The marks of some students, in their order."""
-        marker = self.wider(text for work in works for text in work.numbers)
+        """The marks of some students, in their order; they hang on nobody else's work."""
+        asked = {entry.text for entry in self.key.entries}
+        further = list(dict.fromkeys(text for work in works for text in work.numbers if text not in asked))
+        if len(further) > _FURTHER and len(works) > 1:
+            half = len(works) // 2
+            return [*self.mark(works[:half]), *self.mark(works[half:])]
+        with self._lock:  # threads that mark at once
+            marker = self._widened(further[:_FURTHER])
         return marker._mark(works)
 
-    def wider(self, texts: Iterable[str]) -> Marker:
-        """A marker whose key has these quantities, too, as far as they are any, and all that it was asked before."""
-        known = {entry.text for entry in self.key.entries} | set(self._further)
-        new = [text for text in dict.fromkeys(texts) if text not in known][: max(_FURTHER - len(self._further), 0)]
+    def _widened(self, texts: Sequence[str]) -> Marker:
+        """A marker whose key has these quantities, too, as far as they are any, and others that it was asked before."""
+        new = [text for text in texts if text not in self._further]
+        if len(self._further) + len(new) > _FURTHER:
+            self._further, new, self._wider = {}, list(texts), None
         self._further |= {text: readable(self.method.mechanism, text) for text in new}
         if any(self._further[text] is not None for text in new):
             further = [quantity for quantity in self._further.values() if quantity is not None]

@@ -60,14 +60,14 @@ class Power:
 
 def power(marker: Marker, trials: int = 200, texts: Sequence[str] | None = None) -> Power:
     """Students of every single mistake; `texts`: what they hand in, all of the key's quantities where left out."""
-    handed = np.array([texts is None or entry.text in texts for entry in marker.key.entries], dtype=bool)
+    handed = _handed(marker, texts)
     # other slips than those that the key's tolerances come from
     drawings = Drawings.of(
         marker.method, pencil_of(marker.key.marking), Slips(seed_of(marker.method.mechanism) ^ 0x5EED, trials)
     )
     found = tuple(_found(marker, drawings, handed))
     kept = tuple(entry.text for entry, there in zip(marker.key.entries, handed, strict=True) if there)
-    return Power(kept, trials, found, _alarms(marker, handed), _random(marker, handed, 2 * trials))
+    return Power(kept, trials, found, alarms(marker, texts), _random(marker, handed, 2 * trials))
 
 
 def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[Found]:
@@ -107,8 +107,14 @@ def _names(diagnosis: Diagnosis, name: Name) -> bool:
     return any(names == (name,) or (len(names) == 1 and names[0][0] == name[0]) for one in best for names in one.names)
 
 
-def _alarms(marker: Marker, handed: np.ndarray) -> tuple[float, float]:
-    """Right work by a pencil."""
+def _handed(marker: Marker, texts: Sequence[str] | None) -> np.ndarray:
+    """Which of the key's quantities."""
+    return np.array([texts is None or entry.text in texts for entry in marker.key.entries], dtype=bool)
+
+
+def alarms(marker: Marker, texts: Sequence[str] | None = None) -> tuple[float, float]:
+    """Right work by a pencil: part that has a value judged wrong, and that gets a mistake; `texts` as above."""
+    handed = _handed(marker, texts)
     slips = Slips(seed_of(marker.method.mechanism) ^ 0xA1A, _RIGHT)
     drawn = Drawings.of(marker.method, pencil_of(marker.key.marking), slips).values(marker.quantities)[0]
     given = _printed(np.where(handed, drawn, np.nan)[np.isfinite(drawn[:, handed]).all(axis=1)])

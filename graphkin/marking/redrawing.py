@@ -6,7 +6,7 @@ A reader of the steps like `construction.replay`, but one that asks a hand at ea
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import count
 from typing import assert_never
 
@@ -120,7 +120,8 @@ def _draw(construction: Construction, plot: Redrawing, hand: Hand) -> None:
             case Roll():
                 roll(step, plot, plane)
             case Simultaneous():
-                solve_together(step, plot, plane)
+                contacts = tuple(hand.rolling(plot, plane, contact) for contact in step.contacts)
+                solve_together(replace(step, contacts=contacts), plot, plane)
             case Arc() | Swing() | Fit() | Touch():
                 raise AssertionError("a step of the position plane")
             case _:

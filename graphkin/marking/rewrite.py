@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from graphkin.construction import Facts, Image, LayOff, Measure, Meet, Plane, Plot, Ray, Size, Swing, replay
+from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Meet, Plane, Plot, Ray, Size, Swing, replay
 from graphkin.geometry import Value
 from graphkin.marking.hand import Hand
 from graphkin.marking.redrawing import Redrawing
@@ -24,7 +24,8 @@ NOTHING = 1e-9
 Spot = tuple[Hashable, ...]
 """What a hand is asked: ("arrow", plane, size), ("laid", plane, tip), ("line", plane, step number, ray),
 ("through", plane, step number, ray), ("met", plane, point), ("image", plane, point), ("read", plane, quantity, of),
-("settled", quantity, link), ("rate" or "acceleration" or "value", driver number), ("side", number of the choice)."""
+("rolling", plane, contact, link) for a link's coefficient in a law, ("settled", quantity, link), ("rate" or
+"acceleration" or "value", driver number), ("side", number of the choice)."""
 
 Change = Callable[[Any, Value], Value]
 """What is drawn or read instead, from the drawing so far (a `Redrawing`; None for what is given before it begins) and
@@ -178,6 +179,10 @@ class Mistaken(Hand):
 
     def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Value) -> Value:
         return self._done(("read", plane, step.quantity, step.of), plot, right)
+
+    def rolling(self, plot: Redrawing, plane: Plane, contact: InStep) -> InStep:
+        angles = ((link, self._done(("rolling", plane, contact, link), plot, right)) for link, right in contact.angles)
+        return replace(contact, angles=tuple(angles))
 
     def settled(self, plot: Redrawing, quantity: str, links: tuple[str, ...], of: str) -> None:
         table: dict[str, Value] = getattr(plot, quantity)

@@ -16,8 +16,9 @@ from graphkin.marking.key import Hypotheses, Key, Name
 from graphkin.marking.verdicts import Columns, columns_of, differences
 from graphkin.value import frozen
 
-_RIGHT, ONE, TWO, _NONE = np.log((0.5, 0.35, 0.05, 0.1))
-"""How often right work, one mistake, two mistakes and other work are met."""
+_RIGHT, ONE, TWO, _NONE = np.log((0.05, 0.35, 0.05, 0.1))
+"""How often one mistake, two mistakes and other work are met where a value is beyond its tolerance, and right work:
+that has gone astray there by the pencil alone."""
 MOVED = 3.0
 """A mistake that moves no handed-in value by more standard deviations cannot be seen."""
 _COMMON = (0.5, 0.9)

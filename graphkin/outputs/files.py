@@ -27,17 +27,19 @@ class FileInTheWay(GraphkinError):
 
 
 @contextlib.contextmanager
-def beside(path: Path, force: bool, marks: Sequence[bytes]) -> Iterator[Path]:
+def beside(path: Path, force: bool, marks: Sequence[bytes], clear: bool = True) -> Iterator[Path]:
     """A file to write into, which takes the place of `path` once it is whole; a link stays one, to the new file.
 
     marks   bytes by which graphkin knows a file of its own, which it replaces without `force`
+    clear   drafts that ended writers left; not for each of many files in one folder, all of which is gone through
 
     Raises FileInTheWay, NoFolder, CannotWrite.
     """
     refuse(path, force, marks)
     path = Path(os.path.realpath(path))
     draft = path.with_name(f".{path.name[:60]}.{os.getpid()}")
-    _clear(path)
+    if clear:
+        _clear(path)
     try:
         yield draft
         os.replace(draft, path)

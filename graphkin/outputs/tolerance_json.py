@@ -7,6 +7,7 @@ from typing import Any
 
 from graphkin.marking.power import Power
 from graphkin.marking.slips import Mark
+from graphkin.marking.told import SetTold
 from graphkin.marking.tolerances import Tolerances
 
 Json = dict[str, Any]
@@ -59,6 +60,25 @@ def power_data(power: Power) -> Json:
         "right work": {"judged wrong": power.alarms[0], "mistake named": power.alarms[1]},
         "random numbers": {"mistake named": power.random},
     }  # fmt: skip
+
+
+def told_data(told: SetTold) -> Json:
+    """What a set's answers tell of mistakes; parts from 0 to 1."""
+    return {
+        "problems": told.problems,
+        "pencil": dict(zip(("length_mm", "angle_deg"), told.pencil, strict=True)),
+        "places": told.places,
+        "applicable": told.seen,
+        "told apart": told.apart,
+        "lost by numbers": told.lost,
+        "mistakes": {
+            id: {"places": places, "applicable": seen, "told apart": apart}
+            for id, (places, seen, apart) in told.kinds.items()
+        },
+        "sets": [{"ids": list(pair), "part": part} for pair, part in told.sets.items()],
+        "within tolerance": [{"ids": list(pair), "part": part} for pair, part in told.rivals.items()],
+        "right work": {"problems": told.tried, "judged wrong": told.alarms[0], "mistake named": told.alarms[1]},
+    }
 
 
 def _part(value: float) -> float | None:

@@ -1,10 +1,12 @@
 """Formats of teaching platforms, one file a format: problem sets out, results out.
 
-    Template + Variants --write_problems--> graphkin's own folder: DIR/NAME.toml, .txt, .key.json, key.json, set.json
+    Template + Variants --write_problems--> graphkin's own folder: DIR/NAME.toml, .txt, .svg, .key.json; key.json,
+                                            set.json, set.mistakes.txt
     Key --question_of--> Question; Template + Variants --problem_set--> ProblemSet
     ProblemSet of Questions --SETS[format]--> moodle, moodle-numerical, qti, csv, xuexitong: one file
-    file of marks --Stored--> Results
-    Results --RESULTS[format]--> csv, xlsx, moodle, gradescope, prairielearn, canvas: files in a folder
+    file of marks --Stored--> Results; files of several problems --Several--> Habits of a student
+    Results --RESULTS[format]--> csv, xlsx, moodle, gradescope, prairielearn, canvas, pages: files in a folder
+    Result --PolygonPictures--> Pictures, for its page and for platforms that show some
     Results --class_report--> ClassReport --write_class_figure--> SVG, PNG, PDF
 
 A set has one value, `alternatives`: numbers, tolerances and shares of the points, rounded once; every format writes
@@ -17,19 +19,22 @@ To add a format: a file with one function, and its line in `writing`.
 from graphkin.platforms.alternatives import Alternative, alternatives
 from graphkin.platforms.class_figure import write_class_figure
 from graphkin.platforms.class_report import ClassReport, class_report, report_record, report_text
-from graphkin.platforms.feedback import Reveal
+from graphkin.platforms.feedback import Feedback, Reveal
 from graphkin.platforms.from_key import question_of
 from graphkin.platforms.from_problems import file_of, problem_set
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
-from graphkin.platforms.problem_folder import write_problems
+from graphkin.platforms.polygon_pictures import PolygonPictures
+from graphkin.platforms.problem_folder import told_of, write_problems
 from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record
+from graphkin.platforms.several import Several
 from graphkin.platforms.stored import Stored
 from graphkin.platforms.writing import RESULTS, SETS, Written, prepared, write_results, write_set
 
 __all__ = [
-    "RESULTS", "SETS", "Alternative", "ClassReport", "Line", "Overrides", "Part", "Picture", "ProblemSet", "Question",
-    "Result", "Reveal", "Stored", "Suspicion", "Written", "Wrong", "alternatives", "class_report", "file_of",
-    "from_record", "overridden", "prepared", "problem_set", "question_of", "read_overrides", "report_record",
-    "report_text", "write_class_figure", "write_problems", "write_results", "write_set",
+    "RESULTS", "SETS", "Alternative", "ClassReport", "Feedback", "Line", "Overrides", "Part", "Picture",
+    "PolygonPictures", "ProblemSet", "Question", "Result", "Reveal", "Several", "Stored", "Suspicion", "Written",
+    "Wrong", "alternatives", "class_report", "file_of", "from_record", "overridden", "prepared", "problem_set",
+    "question_of", "read_overrides", "report_record", "report_text", "told_of", "write_class_figure", "write_problems",
+    "write_results", "write_set",
 ]  # fmt: skip

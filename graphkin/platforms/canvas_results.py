@@ -5,13 +5,12 @@ Canvas shows a file of feedback under the name of the one that was handed in, so
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from decimal import Decimal
 from pathlib import PurePosixPath
 
-from graphkin.errors import Lang
 from graphkin.platforms.cells import line
-from graphkin.platforms.feedback import Reveal
+from graphkin.platforms.feedback import Feedback
 from graphkin.platforms.pages import KINDS, Page
 from graphkin.platforms.platform_names import canvas
 from graphkin.platforms.result import Result
@@ -28,15 +27,14 @@ def grades(results: Iterable[Result], assignment: str, most: Decimal) -> Iterato
             yield line((named.who, named.id, "", "", "", result.total))
 
 
-def feedback(results: Iterable[Result], lang: Lang, reveal: Reveal, page: Page | None) -> Iterator[tuple[str, bytes]]:
-    """The files of the zip. page: in place of graphkin's own where HTML was handed in."""
+def feedback(results: Iterable[Result], told: Callable[[Result], Feedback]) -> Iterator[tuple[str, bytes]]:
+    """The files of the zip."""
     for result in results:
         named = canvas(result.file)
-        if named is not None and (made := kind(named.name, page)) is not None:
-            yield named.name, made(result, lang, reveal)
+        if named is not None and (made := kind(named.name)) is not None:
+            yield named.name, made(told(result))
 
 
-def kind(name: str, page: Page | None = None) -> Page | None:
+def kind(name: str) -> Page | None:
     """What writes feedback of the kind of a file; None where nothing does."""
-    suffix = PurePosixPath(name).suffix.lower()
-    return page if page is not None and suffix in (".html", ".htm") else KINDS.get(suffix)
+    return KINDS.get(PurePosixPath(name).suffix.lower())

@@ -6,6 +6,7 @@ import csv
 import io
 from collections.abc import Iterable, Iterator, Sequence
 from decimal import Decimal
+from pathlib import Path
 
 from graphkin.platforms.marked_up import clean, one_line
 from graphkin.platforms.numbers import exponentless
@@ -43,22 +44,26 @@ def unharmed(text: str) -> str:
     return text[1:] if text.startswith("'") and text.lstrip("'").startswith(_FORMULA) else text
 
 
-def read_table(data: bytes) -> Iterator[list[str]]:
+def read_table(path: Path) -> Iterator[list[str]]:
     """The rows of a CSV file as a spreadsheet may have saved it: UTF-8 or GBK; commas, semicolons or tabs."""
-    text = _decoded(data)
-    head = text.split("\n", 1)[0]
-    separator = max(_SEPARATORS, key=head.count)
-    for row in csv.reader(io.StringIO(text, newline=""), delimiter=separator):
-        yield [unharmed(clean(cell)) for cell in row]
+    with path.open(encoding=_encoding(path), errors="replace", newline="") as file:
+        head = file.readline()
+        file.seek(0)
+        for row in csv.reader(file, delimiter=max(_SEPARATORS, key=head.count)):
+            yield [unharmed(clean(cell)) for cell in row]
 
 
-def _decoded(data: bytes) -> str:
+def _encoding(path: Path) -> str:
+    """The first in which all of a file can be read."""
     for encoding in ("utf-8-sig", "gb18030"):
         try:
-            return data.decode(encoding)
+            with path.open(encoding=encoding, newline="") as file:
+                while file.read(1 << 16):
+                    pass
         except UnicodeDecodeError:
             continue
-    return data.decode("utf-8-sig", "replace")
+        return encoding
+    return "utf-8-sig"
 
 
 def columns_of(head: Sequence[str]) -> dict[str, int]:

@@ -65,34 +65,53 @@ def class_figure(report: ClassReport, lang: Lang) -> Figure:
 
 def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
     steps = report.steps[:_MOST]
+    _title(axes, say("class_report.part steps", lang))
+    if not steps:
+        _said(axes, say("class_report.nobody marked", lang))
+        return
     starts = [0] * len(steps)
     for name, colour, hatch in _VERDICTS:
         counts = [step.verdicts.get(name, 0) for step in steps]
         axes.barh(range(len(steps)), counts, left=starts, color=colour, hatch=hatch, edgecolor="black", linewidth=0.6,
-                  label=say(f"class_report.legend {name}", lang))  # fmt: skip
+                  label=say(f"verdicts.verdict {name}", lang))  # fmt: skip
         starts = [start + count for start, count in zip(starts, counts, strict=True)]
     _rows(axes, [step.name for step in steps], lang)
-    _title(axes, say("class_report.part steps", lang))
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(_VERDICTS), frameon=False, fontsize=8,
                 borderaxespad=0.2, handlelength=1.4, columnspacing=1.0)  # fmt: skip
 
 
 def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
     found = report.mistakes[:_MOST]
+    _title(axes, say("class_report.part mistakes", lang))
+    if not found:
+        _said(axes, say("class_report.nothing diagnosed", lang), *_unexplained(report, lang))
+        return
     axes.barh(range(len(found)), [count for _, count in found], color="#bbbbbb", edgecolor="black", linewidth=0.6)
     _rows(axes, [" / ".join(one.ids) or suspected(one, lang) for one, _ in found], lang)
-    _title(axes, say("class_report.part mistakes", lang))
 
 
 def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
     width = 100 / RANGES
+    _title(axes, say("class_report.part distribution", lang))
+    if not any(report.ranges):
+        _said(axes, say("class_report.nobody marked", lang))
+        return
     starts = [k * width for k in range(RANGES)]
     axes.bar(starts, report.ranges, width=width, align="edge", color="#bbbbbb", edgecolor="black", linewidth=0.6)
     axes.set_xlim(0, 100)
     axes.set_xlabel(say("platforms.column score percent", lang), fontsize=8)
     axes.set_ylabel(say("class_report.students", lang), fontsize=8)
     _whole(axes.yaxis)
-    _title(axes, say("class_report.part distribution", lang))
+
+
+def _unexplained(report: ClassReport, lang: Lang) -> list[str]:
+    return [say("class_report.unexplained", lang, count=report.unexplained)] if report.unexplained else []
+
+
+def _said(axes: Axes, *texts: str) -> None:
+    """Words in place of a diagram of nothing."""
+    axes.set_axis_off()
+    axes.text(0.0, 1.0, "\n".join(texts), fontsize=8, va="top", parse_math=False, transform=axes.transAxes)
 
 
 def _title(axes: Axes, title: str) -> None:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import field
+from dataclasses import field, replace
 from decimal import Decimal
-from typing import Any
+from typing import Any, get_args
 
 from graphkin.errors import Lang
-from graphkin.platforms.feedback import suspected
+from graphkin.marking.habits import Habit
+from graphkin.platforms.feedback import habit, suspected
 from graphkin.platforms.numbers import exponentless
 from graphkin.platforms.result import Line, Result, Suspicion, Verdict
 from graphkin.say.catalogue import say
@@ -41,6 +42,7 @@ class ClassReport:
     """A class.
 
     mistakes     the best explanation of each, the most frequent first, with how many
+    habits       mistakes that show in several problems of a student, with how many students
     unexplained  how many are wrong somewhere and consistent with no known mistake
     ranges       how many scores in each tenth, the lowest first; the last holds 100 %
     mean, ..     of the scores, from 0 to 1; None where there are none
@@ -53,6 +55,7 @@ class ClassReport:
     mistakes: tuple[tuple[Suspicion, int], ...]
     unexplained: int
     ranges: tuple[int, ...]
+    habits: tuple[tuple[Habit, int], ...] = ()
     mean: Decimal | None = None
     median: Decimal | None = None
     lowest: Decimal | None = None
@@ -77,6 +80,7 @@ class _Count:
     points: dict[str, tuple[Decimal, Decimal]] = field(default_factory=dict)
     mistakes: dict[tuple[str, ...], tuple[Suspicion, int]] = field(default_factory=dict)
     scores: Counter[Decimal] = field(default_factory=Counter)
+    habits: Counter[Habit] = field(default_factory=Counter)
 
     def add(self, result: Result) -> None:
         self.status[result.status] += 1
@@ -86,6 +90,7 @@ class _Count:
         if result.status == "marked":
             self._lines(result.lines)
             self._suspicions(result)
+            self.habits.update(replace(one, weight=0.0) for one in result.habits)
 
     def _lines(self, lines: tuple[Line, ...]) -> None:
         for line in lines:
@@ -110,7 +115,7 @@ class _Count:
         told = self.status
         return ClassReport(
             told["marked"], told["not marked"], told["overridden"], steps, tuple(mistakes), told["unexplained"],
-            _ranges(self.scores), *_spread(self.scores),
+            _ranges(self.scores), tuple(self.habits.most_common()), *_spread(self.scores),
         )  # fmt: skip
 
 
@@ -148,7 +153,8 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
     spread = {key: getattr(report, key) for key in ("mean", "median", "lowest", "highest")}
     if report.mean is not None:
         yield say("class_report.scores", lang, **{key: _percent(value) for key, value in spread.items()})
-    for title, lines in (("steps", _steps), ("mistakes", _mistakes), ("distribution", _distribution)):
+    parts = (("steps", _steps), ("mistakes", _mistakes), ("habits", _habits), ("distribution", _distribution))
+    for title, lines in parts:
         if told := [*lines(report, lang)]:
             yield ""
             yield say(f"class_report.part {title}", lang)
@@ -157,8 +163,9 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
 
 def _steps(report: ClassReport, lang: Lang) -> Iterator[str]:
     for step in report.steps:
-        counts = {name: step.verdicts.get(name, 0) for name in ("right", "carried", "wrong", "missing")}
-        yield say("class_report.step", lang, name=step.name, first=step.first, **counts)
+        counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in get_args(Verdict))
+        told = say("common.list", lang).join(counts)
+        yield say("class_report.step", lang, name=step.name, verdicts=told, first=step.first)
 
 
 def _mistakes(report: ClassReport, lang: Lang) -> Iterator[str]:
@@ -166,6 +173,11 @@ def _mistakes(report: ClassReport, lang: Lang) -> Iterator[str]:
         yield say("class_report.mistake", lang, mistake=suspected(one, lang), count=count)
     if report.unexplained:
         yield say("class_report.unexplained", lang, count=report.unexplained)
+
+
+def _habits(report: ClassReport, lang: Lang) -> Iterator[str]:
+    for one, count in report.habits:
+        yield say("class_report.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), count=count)
 
 
 def _distribution(report: ClassReport, lang: Lang) -> Iterator[str]:
@@ -192,4 +204,8 @@ def report_record(report: ClassReport) -> dict[str, Any]:
         ],
         "mistakes": [{"ids": list(one.ids), "count": count} for one, count in report.mistakes],
         "unexplained": report.unexplained, "ranges": list(report.ranges),
+        "habits": [
+            {"ids": list(one.ids), "in_problems": one.shown, "of_problems": one.of, "count": count}
+            for one, count in report.habits
+        ],
     }  # fmt: skip

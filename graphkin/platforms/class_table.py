@@ -7,10 +7,11 @@ from decimal import Decimal
 
 from graphkin.errors import Lang
 from graphkin.platforms.cells import Cell
-from graphkin.platforms.feedback import suspected, verdict
+from graphkin.platforms.feedback import suspected
 from graphkin.platforms.overrides import Overrides
 from graphkin.platforms.result import Line, Result, texts_in
 from graphkin.say.catalogue import say
+from graphkin.say.verdicts import verdict
 
 _FRONT = ("student", "file", "status", "earned", "most", "override", "total", "score percent")
 _BACK = ("diagnosis", "reason")
@@ -43,7 +44,7 @@ def _head(names: tuple[str, ...], lang: Lang) -> list[Cell]:
 def _row(result: Result, names: tuple[str, ...], lang: Lang) -> list[Cell]:
     marked = result.status == "marked"
     front: list[Cell] = [
-        result.student, result.file, say(f"platforms.status {result.status}", lang),
+        result.student, result.file, say(f"verdicts.status {result.status}", lang),
         result.earned if marked else None, result.most, result.override, result.total, _percent(result.score),
     ]  # fmt: skip
     by_name = {line.name: line for line in result.lines}

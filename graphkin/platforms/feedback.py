@@ -2,22 +2,81 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Literal
 
 from graphkin.errors import Lang
+from graphkin.marking.habits import Habit
 from graphkin.marking.scene import MISTAKES
+from graphkin.platforms.marked_up import one_line
 from graphkin.platforms.numbers import exponentless
-from graphkin.platforms.result import Line, Result, Suspicion, texts_in
+from graphkin.platforms.result import Line, Picture, Result, Suspicion, texts_in
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import hint, together
+from graphkin.say.mistakes import hint, kind, together
 from graphkin.say.numbers import number
+from graphkin.say.verdicts import verdict
+from graphkin.value import frozen
 
 Reveal = Literal["hint", "mistake", "answer"]
 """How much is told: the verdicts, and where to look again; what the numbers are consistent with; the right values."""
 SETS = 4
 """So many mistakes that cannot be told apart are written out; of more the number is said."""
+
+
+@frozen
+class Feedback:
+    """What a student is told, and in which language; with pictures, where what it is written as shows any."""
+
+    result: Result
+    lang: Lang
+    reveal: Reveal
+    pictures: Sequence[Picture] = ()
+
+
+def title(told: Feedback) -> str:
+    return say("feedback.title for", told.lang, student=one_line(told.result.student))
+
+
+def table(told: Feedback) -> Iterator[tuple[str, ...]]:
+    """Quantities in columns, under their heads; the first column and the last but one are words, the others numbers."""
+    names = ["marks.column quantity", "feedback.column given", "marks.column verdict", "platforms.column points"]
+    if told.reveal == "answer":
+        names[2:2] = ["marks.column right value", "verdicts.tolerance"]
+    yield tuple(say(name, told.lang) for name in names)
+    for line in told.result.lines:
+        numbers = [line.given, *([line.right, line.tolerance] if told.reveal == "answer" else [])]
+        values = ("" if x is None else shown(x, line.unit) for x in numbers)
+        yield (line.name, *values, verdict(line, told.lang), _points(line, told.lang))
+
+
+def _points(line: Line, lang: Lang) -> str:
+    if not line.most:
+        return ""
+    return say("feedback.of", lang, points=exponentless(line.points), most=exponentless(line.most))
+
+
+def under_table(told: Feedback) -> Iterator[str]:
+    """The arithmetic, and what the numbers are consistent with."""
+    result, lang = told.result, told.lang
+    for line in result.lines:
+        for text in arithmetic(result, line, lang, told.reveal):
+            yield say("feedback.stop", lang, text=say("feedback.line", lang, name=line.name, verdict=text))
+    if any(line.verdict == "carried" for line in result.lines):
+        yield say("verdicts.carried means", lang)
+    yield from diagnosis(result, lang, told.reveal)
+
+
+def at_the_end(told: Feedback) -> Iterator[str]:
+    """What was passed over, and the points that count; of what was not marked, why."""
+    result, lang = told.result, told.lang
+    if result.status == "not marked":
+        yield reason(result, lang)
+    yield from (say("feedback.note", lang, note=note) for note in result.notes)
+    if text := override(result, lang):
+        yield text
+    if result.total is not None:
+        yield total(result, lang)
 
 
 def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
@@ -40,16 +99,6 @@ def reason(result: Result, lang: Lang) -> str:
     return say("feedback.not marked why", lang, reason=told)
 
 
-def verdict(line: Line, lang: Lang) -> str:
-    """`wrong, the sense`."""
-    plain = say(f"feedback.verdict {line.verdict}", lang)
-    if line.verdict != "wrong":
-        return plain
-    if not line.unit_right:
-        return say("feedback.wrong unit", lang, verdict=plain)
-    return say("feedback.wrong sense", lang, verdict=plain) if line.sense == "wrong" and line.credit > 0 else plain
-
-
 def quantity(result: Result, line: Line, lang: Lang, reveal: Reveal) -> str:
     """One quantity: verdict, what was handed in, what it should be where that is told, points."""
     told = [say("feedback.line", lang, name=line.name, verdict=verdict(line, lang))]
@@ -61,23 +110,28 @@ def quantity(result: Result, line: Line, lang: Lang, reveal: Reveal) -> str:
 
 def _numbers(result: Result, line: Line, lang: Lang, reveal: Reveal) -> Iterator[str]:
     if line.given is not None:
-        yield say("feedback.given", lang, value=_shown(line.given, line.unit))
+        yield say("feedback.given", lang, value=shown(line.given, line.unit))
+    yield from arithmetic(result, line, lang, reveal)
+    if reveal == "answer":
+        right, tolerance = shown(line.right, line.unit), shown(line.tolerance, line.unit)
+        yield say("feedback.answer", lang, value=right, tolerance=tolerance)
+
+
+def arithmetic(result: Result, line: Line, lang: Lang, reveal: Reveal) -> Iterator[str]:
+    """What follows from the student's own values, where it is judged by these and that may be told."""
     if line.carried is not None and (reveal == "answer" or (reveal == "mistake" and line.verdict == "carried")):
         yield _carried(result, line, line.carried, lang)
-    if reveal == "answer":
-        right, tolerance = _shown(line.right, line.unit), _shown(line.tolerance, line.unit)
-        yield say("feedback.answer", lang, value=right, tolerance=tolerance)
 
 
 def _carried(result: Result, line: Line, value: float, lang: Lang) -> str:
     """`judged with your omega 3 = 5.65 rad/s: it should be 3.63 m/s^2: yes`."""
     units = {other.name: other.unit for other in result.lines}
-    own = say("common.list", lang).join(f"{name} = {_shown(x, units.get(name, ''))}" for name, x in line.own.items())
+    own = say("common.list", lang).join(f"{name} = {shown(x, units.get(name, ''))}" for name, x in line.own.items())
     agrees = say("feedback.yes" if line.verdict == "carried" else "feedback.no", lang)
-    return say("feedback.carried", lang, own=own, value=_shown(value, line.unit), agrees=agrees)
+    return say("feedback.carried", lang, own=own, value=shown(value, line.unit), agrees=agrees)
 
 
-def _shown(value: float, unit: str) -> str:
+def shown(value: float, unit: str) -> str:
     """In four digits, as a drawing has hardly more."""
     if unit not in EDGE:
         return f"{number(value)} {unit}".rstrip()
@@ -85,7 +139,7 @@ def _shown(value: float, unit: str) -> str:
 
 
 def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
-    """What the numbers are consistent with, or, as a hint, where to look again."""
+    """What the numbers are consistent with, or, as a hint, where to look again; then what shows in several problems."""
     for one in result.suspicions:
         if reveal == "hint":
             yield from _hints(one, lang)
@@ -93,9 +147,23 @@ def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
             explained = say("common.list", lang).join(one.explains)
             told = say("feedback.consistent", lang, explains=explained, mistake=suspected(one, lang))
             yield say("feedback.stop", lang, text=told)
+    yield from habits(result, lang, reveal)
 
 
-def _hints(one: Suspicion, lang: Lang) -> list[str]:
+def habits(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
+    """What shows in several problems of the student, or, as a hint, where to look again."""
+    for one in result.habits:
+        whole = say("feedback.stop", lang, text=habit(one, lang))
+        told = " ".join(_hints(one, lang)) if reveal == "hint" else whole
+        yield say("feedback.habit", lang, shown=one.shown, of=one.of, told=told)
+
+
+def habit(one: Habit, lang: Lang) -> str:
+    """The mistakes in words, whatever they were made with."""
+    return joined([kind(id, lang) for id in one.ids], lang)
+
+
+def _hints(one: Suspicion | Habit, lang: Lang) -> list[str]:
     topics = dict.fromkeys(MISTAKES[id].topic for id in one.ids if id in MISTAKES)
     return [hint(topic, lang) for topic in topics]
 

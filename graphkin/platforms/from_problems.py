@@ -22,7 +22,7 @@ def problem_set(template: Template, found: Iterable[Variant], judge: Judge) -> P
 def _question(variant: Variant, judge: Judge) -> Question:
     marker = judge.marker(variant.student.id)
     assert marker is not None, "the set has a key for each of its students"
-    text = {lang: "\n".join(statement(variant.mechanism, lang)) for lang in LANGUAGES}
+    text = {lang: "\n".join(statement(variant.mechanism, lang, variant.drawn)) for lang in LANGUAGES}
     return question_of(variant.student.id, marker.key, text)
 
 

@@ -21,7 +21,7 @@ def results_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
     if told := " ".join(diagnosis(result, lang, reveal)):
         tests.append(_told(say("feedback.diagnosis", lang), told, "failed"))
     if result.status == "not marked":
-        tests.append(_told(say("platforms.status not marked", lang), reason(result, lang), "failed"))
+        tests.append(_told(say("verdicts.status not marked", lang), reason(result, lang), "failed"))
     own = {"platform": "gradescope", "format": FORMAT, "student": result.student, "status": result.status}
     file: dict[str, Any] = {
         "output": clean(_output(result, lang)), "output_format": "text", "visibility": "visible", "tests": tests,

@@ -5,15 +5,15 @@ Moodle finds students by the number in `Identifier`; a grade that is left empty 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from graphkin.errors import Lang
 from graphkin.platforms.cells import line
-from graphkin.platforms.feedback import Reveal, lines
+from graphkin.platforms.feedback import Feedback, Reveal, lines
 from graphkin.platforms.marked_up import in_html
-from graphkin.platforms.pages import Page, html
 from graphkin.platforms.platform_names import moodle
 from graphkin.platforms.result import Result
+from graphkin.platforms.web_page import html
 
 HEADERS = (
     "Identifier", "Full name", "Status", "Grade", "Maximum grade", "Last modified (grade)", "Feedback comments",
@@ -30,8 +30,8 @@ def grades(results: Iterable[Result], lang: Lang, reveal: Reveal) -> Iterator[st
             yield line((f"Participant {named.id}", named.who, "", result.total, result.most, "", comment))
 
 
-def feedback(results: Iterable[Result], lang: Lang, reveal: Reveal, page: Page = html) -> Iterator[tuple[str, bytes]]:
+def feedback(results: Iterable[Result], told: Callable[[Result], Feedback]) -> Iterator[tuple[str, bytes]]:
     """The pages of the zip."""
     for result in results:
         if (named := moodle(result.file)) is not None:
-            yield named.name, page(result, lang, reveal)
+            yield named.name, html(told(result))

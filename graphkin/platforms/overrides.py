@@ -61,12 +61,11 @@ def overridden(results: Iterable[Result], overrides: Overrides) -> Iterator[Resu
 def read_overrides(path: Path) -> Overrides:
     """The column `override` of a class table; none where there is no table. Raises Unreadable, NotAnOverride."""
     try:
-        data = path.read_bytes()
+        return Overrides(tuple(_rows(path, read_table(path))))
     except FileNotFoundError:
         return Overrides()
     except OSError as error:
         raise Unreadable(Where(str(path)), error.strerror or str(error)) from None
-    return Overrides(tuple(_rows(path, read_table(data))))
 
 
 def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Kept]:

@@ -40,7 +40,8 @@ def _file(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[Picture
     told = [text for text in (override(result, lang), total(result, lang)) if text]
     return {
         "gradable": True, "score": float(result.score), "message": clean(told[-1]), "output": clean("\n".join(told)),
-        "images": [_image(picture) for picture in pictures], "tests": [*_tests(result, lang, reveal)], **mark,
+        "images": [_image(picture) for picture in pictures if picture.data],
+        "tests": [*_tests(result, lang, reveal)], **mark,
     }  # fmt: skip
 
 

@@ -1,4 +1,5 @@
-"""A problem set in graphkin's own folder: each student's mechanism file, problem and key, all or nothing a file."""
+"""A problem set in graphkin's own folder: each student's mechanism, problem, figure and key, all or nothing a file; and
+what the set tells of mistakes."""
 
 from __future__ import annotations
 
@@ -8,17 +9,34 @@ import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from graphkin.api import plan
 from graphkin.errors import CannotWrite, Lang
 from graphkin.grading import key_for, set_text
+from graphkin.grading.keys import USUAL
+from graphkin.marking.key import Key
+from graphkin.marking.marker import Marker
+from graphkin.marking.power import alarms
+from graphkin.marking.told import SetTold, set_told
 from graphkin.outputs.files import beside, refuse
 from graphkin.outputs.key_json import key_text
+from graphkin.outputs.svg import inline
+from graphkin.outputs.tolerance_json import told_data
 from graphkin.problems import Template, Variant
-from graphkin.say.problems import problem
+from graphkin.problems.shown import shown_at
+from graphkin.running import replay_all
+from graphkin.say.problems import MADE, problem
+from graphkin.say.told import told_lines
+from graphkin.sheet.problem_sheet import problem_sheet
 from graphkin.submissions import safe_name
 
 MARK = "graphkin problems"
 """By which graphkin knows files of its own, which it writes anew."""
 KEY = ".key.json"
+FIGURE = ".svg"
+TOLD = "set.mistakes.txt"
+"""No student's file has two dots in its name but a key."""
+_TRIED = 3
+"""Problems whose false alarms are counted."""
 _MARKS = [MARK.encode(), b'"kind": "graphkin key']
 
 
@@ -26,45 +44,68 @@ def write_problems(
     folder: Path, template: Template, found: tuple[Variant, ...], seed: str, lang: Lang, force: bool = False,
     keys: bool = True,
 ) -> Iterator[Path]:  # fmt: skip
-    """Writes NAME.toml, NAME.txt and NAME.key.json for each student, then key.json, by which the whole set is marked,
-    and set.json; gives each path when it is whole.
+    """Writes NAME.toml, .txt, .svg and .key.json for each student, then key.json, by which the whole set is marked,
+    set.mistakes.txt, which mistakes its answers tell apart, and set.json; gives each path when it is whole.
 
     Raises FileInTheWay before anything is written, CannotWrite.
     """
     names = file_names(variant.student.id for variant in found)
-    suffixes = (".toml", ".txt", *((KEY,) if keys else ()))
+    suffixes = (".toml", ".txt", FIGURE, *((KEY,) if keys else ()))
     paths = [folder / f"{name}{suffix}" for name in names.values() for suffix in suffixes]
-    paths += [folder / "key.json"] if keys else []
-    marks = _MARKS
+    paths += [folder / "key.json", folder / TOLD] if keys else []
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise CannotWrite(str(folder), error.strerror or str(error)) from None
     for path in (*paths, folder / "set.json"):
-        refuse(path, force, marks)
+        refuse(path, force, _MARKS)
+    rates: list[tuple[float, float]] = []
     for variant in found:
         name = names[variant.student.id]
-        head = f"# {MARK}: {template.name}, {variant.student.id}\n"
-        texts = ((".toml", head + template.text(variant.numbers)), (".txt", _text(template, variant, lang)))
-        for suffix, text in texts:
+        for suffix, text in _handed_out(template, variant, name, lang).items():
             yield _written(folder / f"{name}{suffix}", text, force)
         if keys:
-            yield _written(folder / f"{name}{KEY}", _key(template, variant), force)
+            key = key_for(variant.mechanism, points=template.points or None)
+            rates += [_alarms(key)] if len(rates) < _TRIED else []
+            yield _written(folder / f"{name}{KEY}", key_text(key), force)
+    told = set_told([variant.told for variant in found], (USUAL.length_mm, USUAL.angle_deg), rates)
     if keys:
+        yield _written(folder / TOLD, "\n".join((*told_lines(told, lang), "", MADE, "")), force)
         index = {student: f"{name}{KEY}" for student, name in names.items()}
         yield _written(folder / "key.json", set_text(index), force)
-    yield _written(folder / "set.json", _listed(template, found, names, seed), force)
+    yield _written(folder / "set.json", _listed(template, found, names, seed, told), force)
 
 
-def _text(template: Template, variant: Variant, lang: Lang) -> str:
-    """What the student reads."""
-    own = variant.student
-    return problem(variant.mechanism, own.id, [name for _, name in own.names], template.points, lang)
+def told_of(folder: Path) -> str:
+    """What a written set tells of mistakes, in the words of its folder."""
+    return (folder / TOLD).read_text("utf-8").removesuffix(f"\n{MADE}\n").rstrip()
 
 
-def _key(template: Template, variant: Variant) -> str:
-    """What the student's problem is marked by."""
-    return key_text(key_for(variant.mechanism, points=template.points or None))
+def _handed_out(template: Template, variant: Variant, name: str, lang: Lang) -> dict[str, str]:
+    """What the student gets, by the suffix of the file: mechanism, problem and figure."""
+    head = f"# {MARK}: {template.name}, {variant.student.id}\n"
+    own, figure = variant.student, _figure(variant, lang)
+    shown = ("", True) if figure is None else (f"{name}{FIGURE}", figure[1])
+    others = [text for _, text in own.names]
+    text = problem(variant.mechanism, own.id, others, template.points, lang, variant.drawn, *shown)
+    drawn = {} if figure is None else {FIGURE: figure[0]}
+    return {".toml": head + template.text(variant.numbers), ".txt": text, **drawn}
+
+
+def _figure(variant: Variant, lang: Lang) -> tuple[str, bool] | None:
+    """The mechanism as SVG, with nothing in it that is asked for, and whether in the drawn position."""
+    method = plan(variant.mechanism)
+    shown = shown_at(method, replay_all(method))
+    if shown is None:
+        return None
+    plot, there = shown
+    head = f'<?xml version="1.0" encoding="utf-8"?>\n<!-- {MARK} -->\n'
+    return head + inline(problem_sheet(method, plot, lang)) + "\n", there
+
+
+def _alarms(key: Key) -> tuple[float, float]:
+    """Right work by pencil, what is asked handed in: part with a value judged wrong, and part that gets a mistake."""
+    return alarms(Marker(key), [entry.text for entry in key.entries if entry.points])
 
 
 def file_names(students: Iterable[str]) -> dict[str, str]:
@@ -81,7 +122,7 @@ def _written(path: Path, text: str, force: bool) -> Path:
     return path
 
 
-def _listed(template: Template, found: tuple[Variant, ...], names: dict[str, str], seed: str) -> str:
+def _listed(template: Template, found: tuple[Variant, ...], names: dict[str, str], seed: str, told: SetTold) -> str:
     """What the set is: who has which numbers."""
     students = {
         variant.student.id: {
@@ -95,5 +136,6 @@ def _listed(template: Template, found: tuple[Variant, ...], names: dict[str, str
         }
         for variant in found
     }
-    whole = {"format": 1, "program": MARK, "template": template.name, "seed": seed, "points": dict(template.points)}
-    return json.dumps({**whole, "students": students}, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+    whole: dict[str, object] = {"format": 1, "program": MARK, "template": template.name, "seed": seed}
+    whole |= {"points": dict(template.points), "told": told_data(told), "students": students}
+    return json.dumps(whole, ensure_ascii=False, indent=1, allow_nan=False) + "\n"

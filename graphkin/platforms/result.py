@@ -8,8 +8,11 @@ from dataclasses import field
 from decimal import Decimal
 from typing import Any, Literal, get_args
 
+from graphkin.construction import Plane
 from graphkin.errors import Lang, NotAResult, Where
+from graphkin.marking.habits import Habit
 from graphkin.marking.key import Name
+from graphkin.outputs.marks_json import drawn_of
 from graphkin.platforms.numbers import points
 from graphkin.platforms.question import Text
 from graphkin.value import frozen
@@ -57,7 +60,10 @@ class Suspicion:
 
 @frozen
 class Picture:
-    """A picture for a platform that shows one: PNG, JPEG or GIF, as `kind` ("image/png") says."""
+    """A picture on a page or a platform: what is said of it, its kind ("image/svg+xml"), its bytes.
+
+    Without bytes there is nothing to be seen, and `label` says why.
+    """
 
     label: str
     kind: str
@@ -71,6 +77,8 @@ class Result:
     most      points there are; 0 where it was not marked and nobody has said
     notes     what was passed over in it
     override  the teacher's own points, which count instead
+    drawn     points that were measured on a drawing, by plane and letter, SI, from any of them
+    habits    mistakes that show in several problems of the student
     """
 
     student: str
@@ -82,6 +90,8 @@ class Result:
     most: Decimal = Decimal(0)
     notes: tuple[str, ...] = ()
     override: Decimal | None = None
+    drawn: Mapping[Plane, Mapping[str, complex]] = field(default_factory=dict)
+    habits: tuple[Habit, ...] = ()
 
     @property
     def earned(self) -> Decimal:
@@ -127,7 +137,7 @@ def _read(record: Mapping[str, Any]) -> Result:
         _string(record["student"]), _string(record["file"]), record["status"], _text(record.get("reason")), lines,
         tuple(_suspicion(each) for each in record["mistakes"]),
         sum((line.most for line in lines), Decimal(0)),
-        tuple(_string(note) for note in record.get("notes", ())),
+        tuple(_string(note) for note in record.get("notes", ())), drawn=drawn_of(record),
     )  # fmt: skip
 
 

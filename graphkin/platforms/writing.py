@@ -29,13 +29,14 @@ from graphkin.platforms.archive import COMMENT, pack
 from graphkin.platforms.cells import BOM, Cell, line
 from graphkin.platforms.class_figure import write_class_figure
 from graphkin.platforms.class_report import ClassReport, class_report, report_record, report_text
-from graphkin.platforms.feedback import Reveal
+from graphkin.platforms.feedback import Feedback, Reveal
 from graphkin.platforms.marked_up import clean
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
-from graphkin.platforms.pages import Page, html
 from graphkin.platforms.platform_names import Named, canvas, moodle
 from graphkin.platforms.question import ProblemSet
 from graphkin.platforms.result import Picture, Result
+from graphkin.platforms.several import Several
+from graphkin.platforms.web_page import PAGE, html
 from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.submissions import safe_name
 from graphkin.value import frozen
@@ -111,12 +112,16 @@ class Written:
     left_out: tuple[str, ...] = ()
 
 
+Pictures = Callable[[Result, Lang, Reveal], Sequence[Picture]]
+
+
 @frozen
 class Order:
     """What is to be written.
 
     results   gone through as often as a format needs it
-    page      makes a student's page of feedback; pictures: those of a student, for PrairieLearn
+    pictures  makes those of a student's page of feedback
+    several   the results in all problems of which this is one
     """
 
     folder: Path
@@ -124,16 +129,21 @@ class Order:
     lang: Lang
     reveal: Reveal
     assignment: str
-    page: Page | None
-    pictures: Callable[[Result], Sequence[Picture]]
+    pictures: Pictures
     force: bool
     overrides: Overrides
     most: Decimal
+    several: Several | None = None
 
     def __iter__(self) -> Iterator[Result]:
-        """The results, with the teacher's points; what was not marked is of as many as the others."""
+        """The results, with the teacher's points and habits; what was not marked is of as many as the others."""
         for result in overridden(self.results, self.overrides):
-            yield result if result.lines else replace(result, most=self.most)
+            habits = self.several.habits(result.student) if self.several and result.lines else ()
+            yield replace(result, most=result.most if result.lines else self.most, habits=habits)
+
+    def told(self, result: Result) -> Feedback:
+        """What a student is told, with pictures."""
+        return Feedback(result, self.lang, self.reveal, self.pictures(result, self.lang, self.reveal))
 
     def lines(self, name: str, lines: Iterable[str], marks: Sequence[bytes]) -> Path:
         """A file of text in the folder."""
@@ -152,20 +162,23 @@ class Order:
 
 def write_results(
     folder: Path, results: Iterable[Result], kind: str, lang: Lang = "en", reveal: Reveal = "answer", *,
-    assignment: str = "graphkin", page: Page | None = None,
-    pictures: Callable[[Result], Sequence[Picture]] = lambda result: (), force: bool = False,
+    assignment: str = "graphkin", pictures: Pictures = lambda result, lang, reveal: (), force: bool = False,
+    several: Several | None = None,
 ) -> Written:  # fmt: skip
     """Results into a folder, which is made where it is not there.
 
-    results  gone through more than once: a list, or what a results file holds (`Stored`)
-    kind     of RESULTS
+    results   gone through more than once: a list, or what a results file holds (`Stored`)
+    kind      of RESULTS
+    pictures  makes those of a student's page (`PolygonPictures`); none where left out
+    several   the results in all problems of which this is one
 
     Overrides in the folder's class table count in every format. Raises NotAnOverride, Unreadable, FileInTheWay,
     CannotWrite, and what going through the results raises.
     """
     overrides = prepared(folder)
     most = max((result.most for result in results), default=Decimal(0))
-    return RESULTS[kind](Order(folder, results, lang, reveal, assignment, page, pictures, force, overrides, most))
+    order = Order(folder, results, lang, reveal, assignment, pictures, force, overrides, most, several)
+    return RESULTS[kind](order)
 
 
 def prepared(folder: Path) -> Overrides:
@@ -210,7 +223,7 @@ def _moodle(order: Order) -> Written:
     grades = order.lines(
         "moodle-grades.csv", moodle_results.grades(order, order.lang, order.reveal), (b"Identifier,Full name,",),
     )  # fmt: skip
-    members = moodle_results.feedback(order, order.lang, order.reveal, order.page or html)
+    members = moodle_results.feedback(order, order.told)
     out = tuple(_unnamed(order, moodle, "Moodle"))
     return Written((grades, order.packed("moodle-feedback.zip", members)), out)
 
@@ -219,7 +232,7 @@ def _canvas(order: Order) -> Written:
     grades = order.lines(
         "canvas-grades.csv", canvas_results.grades(order, order.assignment, order.most), (b"Points Possible,",),
     )  # fmt: skip
-    members = canvas_results.feedback(order, order.lang, order.reveal, order.page)
+    members = canvas_results.feedback(order, order.told)
     return Written((grades, order.packed("canvas-feedback.zip", members)), tuple(_without_canvas(order)))
 
 
@@ -229,7 +242,7 @@ def _without_canvas(order: Order) -> Iterator[str]:
     kinds: Counter[str] = Counter()
     for result in order.results:
         named = canvas(result.file)
-        if named is not None and canvas_results.kind(named.name, order.page) is None:
+        if named is not None and canvas_results.kind(named.name) is None:
             kinds[Path(named.name).suffix] += 1
     for suffix, count in kinds.items():
         yield say("platforms.no feedback in kind", order.lang, count=count, kind=suffix or "?")
@@ -251,23 +264,40 @@ def _gradescope(order: Order) -> Written:
 
 def _prairielearn(order: Order) -> Written:
     def made(result: Result) -> bytes:
-        return prairielearn.results_json(result, order.lang, order.reveal, order.pictures(result))
+        return prairielearn.results_json(result, order.lang, order.reveal, order.told(result).pictures)
 
     return _each(order, "prairielearn", made)
 
 
-def _each(order: Order, platform: str, made: Callable[[Result], bytes]) -> Written:
-    """`results.json` in the folder where there is one submission; else in a folder each, within the platform's."""
-    alone = len([*islice(order.results, 2)]) == 1
+def _named(order: Order) -> Iterator[tuple[str, Result]]:
+    """Every result with a name of its own for its file."""
     taken: set[str] = set()
     for result in order:
         name = safe_name(result.student)
         name = safe_name(f"{result.student}\0{result.file}") if name in taken else name
         taken.add(name)
+        yield name, result
+
+
+def _pages(order: Order) -> Written:
+    """A page of feedback each."""
+    folder = _made(order.folder / "pages")
+    for name, result in _named(order):
+        with beside(folder / f"{name}.html", order.force, [PAGE], clear=False) as draft:
+            draft.write_bytes(html(order.told(result)))
+    return Written((folder,))
+
+
+def _each(order: Order, platform: str, made: Callable[[Result], bytes]) -> Written:
+    """`results.json` in the folder where there is one submission; else in a folder each, within the platform's."""
+    alone = len([*islice(order.results, 2)]) == 1
+    any_there = False
+    for name, result in _named(order):
+        any_there = True
         folder = order.folder if alone else _made(order.folder / platform / name)
         with beside(folder / "results.json", order.force, [f'"platform": "{platform}"'.encode()]) as draft:
             draft.write_bytes(made(result))
-    return Written((order.folder / "results.json",) if alone else (order.folder / platform,) if taken else ())
+    return Written((order.folder / "results.json",) if alone else (order.folder / platform,) if any_there else ())
 
 
 def _report(order: Order) -> Written:
@@ -287,6 +317,6 @@ def _report_lines(report: ClassReport, lang: Lang) -> Iterator[str]:
 
 RESULTS: Mapping[str, Callable[[Order], Written]] = {
     "csv": _csv, "xlsx": _xlsx, "moodle": _moodle, "gradescope": _gradescope,
-    "prairielearn": _prairielearn, "canvas": _canvas, "report": _report,
+    "prairielearn": _prairielearn, "canvas": _canvas, "pages": _pages, "report": _report,
 }  # fmt: skip
 """By name, as `graphkin grade --format` has them."""

@@ -17,9 +17,10 @@ from graphkin.planning import Method
 from graphkin.quantities import Rotation, read
 from graphkin.readings import readings
 from graphkin.results import driver_values
+from graphkin.running import replay_all
 from graphkin.value import frozen
 
-Refused = Literal["assembly", "dead point", "short", "taken", "mistakes"]
+Refused = Literal["assembly", "dead point", "short", "taken"]
 
 DEAD = math.radians(5)
 """Lines that meet at a smaller angle are too near a dead point."""
@@ -31,10 +32,14 @@ _FAR = 1e12
 
 @frozen
 class Posed:
-    """A mechanism that is solved at the positions its problem asks for."""
+    """A mechanism that is solved at the positions its problem asks for.
+
+    drawn  the one that is drawn and marked
+    """
 
     method: Method
     plots: tuple[Plot, ...]
+    drawn: Plot
 
 
 def well_posed(mechanism: Mechanism) -> Posed | Refused:
@@ -45,16 +50,7 @@ def well_posed(mechanism: Mechanism) -> Posed | Refused:
         return "dead point"
     if any(_short(method, plot) for plot in plots):
         return "short"
-    posed = Posed(method, plots)
-    return posed if tellable(posed) else "mistakes"
-
-
-def tellable(posed: Posed) -> bool:
-    """Whether mistakes lead to values that differ by more than the tolerance, from each other and from the right ones.
-
-    The place for what the judge knows of a problem; until it says, every problem will do.
-    """
-    return True
+    return Posed(method, plots, replay_all(method))
 
 
 def answers(posed: Posed) -> np.ndarray:

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 from graphkin.errors import Lang
 from graphkin.marking.diagnosis import Explanation
 from graphkin.marking.graded import Graded
 from graphkin.marking.marked import Judged, Marked
+from graphkin.mechanism import Mechanism
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
 from graphkin.say.mistakes import together
 from graphkin.say.numbers import number
 from graphkin.say.text_table import aligned
+from graphkin.say.verdicts import verdict
 
-COLUMNS = ("quantity", "given", "right value", "tolerance", "unit", "verdict")
 _SETS = 4
 """Mistakes of one set that are written out; of more the number is said."""
 
@@ -33,6 +35,17 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
     yield from (f"  {say('marks.note', lang, note=note.message(lang))}" for note in graded.notes)
 
 
+def interrupted(path: Path, lang: Lang) -> str:
+    """That a marking that was broken off can be gone on with."""
+    return say("marks.interrupted", lang, path=path)
+
+
+def remarks(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
+    """What of a problem is not marked."""
+    if any(driver.also for driver in mechanism.drivers):
+        yield say("marks.drawn position", lang, name=mechanism.name)
+
+
 def table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
     """Columns side by side, the first and the last to the left."""
     return (line.rstrip() for line in aligned(rows, "<" + ">" * (len(rows[0]) - 2) + "<"))
@@ -44,20 +57,17 @@ def shown(value: float, unit: str) -> str:
 
 
 def _header(lang: Lang) -> list[str]:
-    return [say(f"marks.column {key}", lang) for key in COLUMNS]
+    names = [
+        "marks.column quantity", "marks.column given", "marks.column right value", "verdicts.tolerance",
+        "marks.column unit", "marks.column verdict",
+    ]  # fmt: skip
+    return [say(name, lang) for name in names]
 
 
 def _row(one: Judged, lang: Lang) -> list[str]:
     given = "" if one.given is None else shown(one.given, one.unit)
     right, tolerance = shown(one.right, one.unit), f"±{shown(one.tolerance, one.unit)}"
-    return [one.text, given, right, tolerance, EDGE[one.unit].sign, say(f"marks.verdict {_verdict(one)}", lang)]
-
-
-def _verdict(one: Judged) -> str:
-    """With what is wrong, where that is the unit or the sense alone."""
-    if not one.unit_right:
-        return "unit wrong"
-    return "sense wrong" if one.verdict == "wrong" and one.credit and one.sense == "wrong" else one.verdict
+    return [one.text, given, right, tolerance, EDGE[one.unit].sign, verdict(one, lang)]
 
 
 def _arithmetic(marked: Marked, lang: Lang) -> Iterator[str]:

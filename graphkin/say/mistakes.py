@@ -21,6 +21,11 @@ def together(names: tuple[Name, ...], lang: Lang) -> str:
     return say("marks.together", lang).join(mistake(name, lang) for name in names)
 
 
+def kind(id: str, lang: Lang) -> str:
+    """A mistake by itself, whatever it was made with."""
+    return say(f"mistakes.kind {id}", lang) if is_phrase(f"mistakes.kind {id}") else id
+
+
 def hint(topic: str, lang: Lang) -> str:
     """Where to look again, by a mistake's topic."""
     return say(f"mistakes.look {topic}", lang)

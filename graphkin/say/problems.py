@@ -9,28 +9,42 @@ from typing import Any
 from graphkin.errors import Lang
 from graphkin.marking.handed import asked_of
 from graphkin.mechanism import Mechanism
-from graphkin.quantities import EDGE, Centre, Component, Quantity, Quotient, read
+from graphkin.quantities import EDGE, Centre, Component, Quantity, Quotient, Rotation, read
+from graphkin.running.assembled import Assembled
 from graphkin.say import names
+from graphkin.say.assembly import assembly
 from graphkin.say.catalogue import is_phrase, say
 
 
-def problem(mechanism: Mechanism, student: str, others: Sequence[str], points: Mapping[str, float], lang: Lang) -> str:
-    """The text of one student's problem. others: what else the student is called; points: by question, else 1."""
+def problem(
+    mechanism: Mechanism, student: str, others: Sequence[str], points: Mapping[str, float], lang: Lang,
+    drawn: Assembled | None = None, figure: str = "", there: bool = True,
+) -> str:  # fmt: skip
+    """The text of one student's problem.
+
+    others  what else the student is called; points: by question, else 1
+    drawn   in which assembly; figure: the file that shows it, `there` or in another position
+    """
     called = " ".join((student, *others))
-    lines = [say("problems.student", lang, student=called), *statement(mechanism, lang), "", say("problems.find", lang)]
+    lines = [say("problems.student", lang, student=called), *statement(mechanism, lang, drawn)]
+    lines += [say(f"problems.figure {'drawn' if there else 'elsewhere'}", lang, file=figure)] if figure else []
+    lines += ["", say("problems.find", lang)]
     marked = asked_of(mechanism)
     for question in mechanism.ask:
         worth = _worth(points.get(question, 1.0), lang) if question in marked else ""
-        lines.append(f"  {_asked(question, read(mechanism, question))}{worth}")
+        quantity = read(mechanism, question)
+        lines.append(f"  {_asked(question, quantity)}{worth}{_measured(mechanism, quantity, lang)}")
     lines += ["", say("problems.hand in", lang), "", f"  student = {_quoted(student)}", "  [answers]"]
     lines += [f'  "{question}" = ' for question in marked]
-    return "\n".join(lines) + f"\n\n{_MADE}\n"
+    return "\n".join(lines) + f"\n\n{MADE}\n"
 
 
-def statement(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
-    """The mechanism and what is given of it, in lines."""
+def statement(mechanism: Mechanism, lang: Lang, drawn: Assembled | None = None) -> Iterator[str]:
+    """The mechanism and what is given of it, in lines; with the assembly it is drawn in."""
     yield from (mechanism.headline(lang), "", say("problems.given", lang))
     yield from (f"  {line}" for line in _given(tomllib.loads(mechanism.text), lang))
+    if drawn is not None and (told := assembly(drawn, lang)):
+        yield f"  {told}"
 
 
 def remark(shared: Sequence[str], lang: Lang) -> str:
@@ -39,7 +53,8 @@ def remark(shared: Sequence[str], lang: Lang) -> str:
     return say("problems.shared", lang, count=len(shared), students=few)
 
 
-_MADE = "-- graphkin problems"
+MADE = "-- graphkin problems"
+"""The last line of a text that this program wrote."""
 
 
 def _quoted(text: str) -> str:
@@ -71,6 +86,25 @@ def _symbol(quantity: Quantity) -> str:
         return names.of_link(quantity.letter, quantity.of)
     part = f"^{quantity.part}" if quantity.part else ""
     return names.vector(f"{quantity.letter}{part}_{quantity.of}")
+
+
+def _measured(mechanism: Mechanism, quantity: Quantity | None, lang: Lang) -> str:
+    """Along which line of its link an angle is measured, of all in what is asked."""
+    parts = quantity.halves if isinstance(quantity, Quotient) else (quantity,)
+    told = (_line(mechanism, part, lang) for part in parts if isinstance(part, Rotation) and part.word == "theta")
+    return "".join(dict.fromkeys(told))
+
+
+def _line(mechanism: Mechanism, angle: Rotation, lang: Lang) -> str:
+    """From the link's first point to its next; of a block or a cylinder, which has one, along its guide."""
+    symbol = _symbol(angle)
+    if (axis := mechanism.links[angle.link].axis) is not None:
+        tail, head = map(names.point, axis)
+        return say("problems.angle", lang, angle=symbol, tail=tail, head=head)
+    slide = next((slide for slide in mechanism.slides if angle.link in (slide.block, slide.guide)), None)
+    if slide is None:
+        return ""
+    return say("problems.angle of guide", lang, angle=symbol, guide=mechanism.called(slide.guide))
 
 
 # --- what is given ----------------------------------------------------------------------------

@@ -19,6 +19,8 @@ from graphkin.say.numbers import number
 
 _TOLD = 10
 """Steps that are told."""
+_WELL = 0.95
+"""A mistake that is named for so many of its students is told well."""
 _SCALES = {"length": "μ_l = {} m/mm", "velocity": "μ_v = {} (m/s)/mm", "acceleration": "μ_a = {} (m/s²)/mm"}
 
 
@@ -31,7 +33,7 @@ def tolerance_lines(found: Tolerances, lang: Lang) -> Iterator[str]:
     yield found.key.title.get(lang) or next(iter(found.key.title.values()), found.key.name)
     yield from _pencil(marking, found.drawings, lang)
     heads = (
-        "marks.column quantity", "marks.column right value", "tolerances.column scatter", "marks.column tolerance",
+        "marks.column quantity", "marks.column right value", "tolerances.column scatter", "verdicts.tolerance",
         "tolerances.column part", "marks.column unit", "tolerances.column worst step",
     )  # fmt: skip
     yield from table([[say(name, lang) for name in heads], *_rows(found, lang)])
@@ -83,6 +85,10 @@ def power_lines(power: Power, lang: Lang) -> Iterator[str]:
     rows = [_power_row(id, [one for one in power.found if one.name[0] == id]) for id in ids]
     head = [*(say(f"tolerances.column {key}", lang) for key in heads), ""]
     yield from table([head, *rows, _power_row(say("tolerances.all", lang), power.found)])
+    some = [one for one in power.found if one.applicable]
+    if some:
+        well, hidden = sum(one.named >= _WELL for one in some), sum(one.wrong < _WELL for one in some)
+        yield say("tolerances.well named", lang, count=well, all=len(some), part=f"{_WELL:.0%}", hidden=hidden)
     out = [one for one in power.found if not one.applicable]
     names = dict.fromkeys(one.name[0] for one in out)
     share = f"{len(out) / max(len(power.found), 1):.0%}"

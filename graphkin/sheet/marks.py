@@ -107,6 +107,7 @@ class VectorMark:
     part   which part of the motion, as in `Term`
     solved the construction found its length
     half   on which side of the line alone its head opens, seen along it; back: how far its tip stands off the end [mm]
+    pen    a lighter one for an arrow that is only compared with
     """
 
     plane: Layer
@@ -122,6 +123,7 @@ class VectorMark:
     solved: bool = False
     half: Half = ""
     back: float = 0.0
+    pen: PenName = "vector"
 
     @property
     def length(self) -> float:

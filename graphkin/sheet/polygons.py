@@ -72,7 +72,7 @@ class Polygon:
                 solved = self.solving and term.size is None
                 yield self._vector(name, term.tail, term.head, self._sites(term), term.part, solved)
         pole = self.construction.pole
-        for name in self.points:
+        for name in self.points if pole in self.points else ():
             node = self.construction.nodes.get(name)
             if node is None or node.site is None or name in self.fixed or (pole, name) in drawn:
                 continue

@@ -1,8 +1,9 @@
 """What students hand in, read: numbers in tables and texts, vectors measured on drawings, whole classes.
 
     files, archives, class tables --handed_in--> Handed (owner, names and bytes, or a row), one after another
-    Handed + Asked --read_one--> Submission      pure; goes to any executor
-    read = both, with a time limit for each
+    Handed + Asked --read_one--> Submission      pure, within its time; goes to any executor
+    read = both
+    batches --guarded--> what worker processes make of them, in order; one that hangs or dies takes nobody with it
 
     documents, tables --Entry--> answers --questions, numbers, scales--> Given
     drawings: svg, geogebra, dxf --Picture--> letters --> measuring --> Given
@@ -16,8 +17,9 @@ from graphkin.submissions.handed import Handed, handed_in
 from graphkin.submissions.pool import guarded
 from graphkin.submissions.reading import read, read_one
 from graphkin.submissions.submission import Asked, Drawn, Given, Limits, Sense, Submission
+from graphkin.submissions.twice import FirstOnes
 
 __all__ = [
-    "Asked", "Drawn", "Given", "Handed", "Limits", "Sense", "Submission", "guarded", "handed_in", "read", "read_one",
-    "safe_name",
+    "Asked", "Drawn", "FirstOnes", "Given", "Handed", "Limits", "Sense", "Submission", "guarded", "handed_in", "read",
+    "read_one", "safe_name",
 ]  # fmt: skip

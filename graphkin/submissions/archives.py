@@ -27,8 +27,8 @@ def checked_zip(content: bytes, where: Where, limits: Limits) -> None:
     """Whether a file that is a zip inside (.xlsx, .ggb) is within the limits, before another's reader opens it."""
     with opened(content, where) as archive:
         infos = archive.infolist()
-        if len(infos) > limits.members:
-            raise TooMuch(where, "members", limits.members)
+        if len(infos) > limits.parts:
+            raise TooMuch(where, "members", limits.parts)
         if sum(info.file_size for info in infos) > 16 * limits.bytes:
             raise TooMuch(where, "archive", 16 * limits.bytes)
         for info in infos:
@@ -50,22 +50,25 @@ def _check_true_size(archive: ZipFile, info: ZipInfo, where: Where) -> None:
 _BROKEN = (BadZipFile, zlib.error, OSError, ValueError, RuntimeError, NotImplementedError, EOFError, OverflowError)
 
 
-def members(archive: ZipFile, where: Where, limits: Limits) -> Iterator[tuple[str, ZipInfo]]:
-    """The files in it with their names. Raises TooMuch."""
-    infos = [info for info in archive.infolist() if not info.is_dir()]
-    if len(infos) > limits.members:
+def members(archive: ZipFile, where: Where, limits: Limits) -> Iterator[ZipInfo]:
+    """The files in it. Raises TooMuch."""
+    infos = archive.infolist()
+    if sum(not info.is_dir() for info in infos) > limits.members:
         raise TooMuch(where, "members", limits.members)
     if sum(info.file_size for info in infos) > limits.archive_bytes:
         raise TooMuch(where, "archive", limits.archive_bytes)
+    archive.NameToInfo.clear()  # of a large class that is much, and no member is asked for by its name
     for info in infos:
+        if info.is_dir():
+            continue
         name = member_name(info)
         if not any(part in name for part in _JUNK) and not name.rpartition("/")[2].startswith("._"):
-            yield name, info
+            yield info
 
 
 def member_name(info: ZipInfo) -> str:
     """Its name as its maker wrote it: archives that say no encoding hold UTF-8 or GBK."""
-    if info.flag_bits & _FLAG_UTF8:
+    if info.flag_bits & _FLAG_UTF8 or info.filename.isascii():
         return info.filename
     try:
         raw = info.filename.encode("cp437")

@@ -26,7 +26,8 @@ def read_ggb(content: bytes, where: Where, limits: Limits) -> Picture:
     """Raises BrokenSubmission, TooMuch."""
     archives.checked_zip(content, where, limits)
     with archives.opened(content, where) as archive:
-        inside = next((info for name, info in archives.members(archive, where, limits) if name == "geogebra.xml"), None)
+        infos = archives.members(archive, where, limits)
+        inside = next((info for info in infos if archives.member_name(info) == "geogebra.xml"), None)
         if inside is None:
             raise BrokenSubmission(where, "GeoGebra", "geogebra.xml")
         xml = archives.read_member(archive, inside, where, limits)

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path, PurePosixPath
+
+import numpy as np
 
 from graphkin.errors import BrokenSubmission, GraphkinError, NoFile, TooMuch, Unreadable, Where
 from graphkin.submissions import archives
@@ -130,65 +131,80 @@ def _of_row(row: Row, by_file: Owner, file: str) -> Handed:
 
 def _of_folder(path: Path, limits: Limits) -> Iterator[Handed]:
     """A folder as an archive that was unpacked; links out of it are not followed."""
-    found = sorted(_walked(path))
-    if len(found) > limits.members:
+    names = sorted(_walked(path))
+    if len(names) > limits.members:
         raise TooMuch(Where(str(path)), "members", limits.members)
-    names = [inside.relative_to(path).as_posix() for inside in found]
-    for who, numbers in _grouped(names).items():
+    for who, numbers in _grouped(names):
         files, reason = [], None
         for k in numbers:
+            where = Where(f"{path}/{names[k]}")
             try:
-                files.append((names[k], _content(found[k], Where(str(found[k])), limits)))
+                files.append((names[k], _content(path / names[k], where, limits)))
             except GraphkinError as problem:
                 reason = problem
             except OSError as problem:
-                reason = Unreadable(Where(str(found[k])), problem.strerror or str(problem))
+                reason = Unreadable(where, problem.strerror or str(problem))
         first = names[numbers[0]]
         yield Handed(who, f"{path}/{first}", first, tuple(files), reason=None if files else reason)
 
 
-def _walked(path: Path) -> Iterator[Path]:
+def _walked(path: Path) -> Iterator[str]:
+    """The files in a folder, by their places in it."""
     for folder, below, files in os.walk(path):
         below.sort()
         for name in files:
             inside = Path(folder, name)
             if not name.startswith(".") and inside.is_file() and not inside.is_symlink():
-                yield inside
+                yield inside.relative_to(path).as_posix()
 
 
 def _of_archive(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
     with archives.opened(path, where) as archive:
-        inside = list(archives.members(archive, where, limits))
-        names = [name for name, _ in inside]
-        if not inside:
+        infos = list(archives.members(archive, where, limits))
+        names = [archives.member_name(info) for info in infos]
+        if not infos:
             raise BrokenSubmission(where, "ZIP")
-        for who, numbers in _grouped(names).items():
+        for who, numbers in _grouped(names):
             files, reason = [], None
             for k in numbers:
                 member = Where(f"{path}!{names[k]}")
                 try:
-                    files.append((names[k], archives.read_member(archive, inside[k][1], member, limits)))
+                    files.append((names[k], archives.read_member(archive, infos[k], member, limits)))
                 except GraphkinError as problem:
                     reason = problem
             first = names[numbers[0]]
             yield Handed(who, f"{path}!{first}", first, tuple(files), reason=None if files else reason)
 
 
-def _grouped(names: list[str]) -> dict[Owner, list[int]]:
-    """The files of each hand-in, in the order of the first of each."""
-    root = _root(names)
-    found: dict[str, tuple[Owner, list[int]]] = {}
-    shared = _shared_folders(names)
-    for k, name in enumerate(names):
-        who = owner(name, root, alone=_folder(name) in shared)
-        found.setdefault(who.group, (who, []))[1].append(k)
-    return dict(found.values())
+def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:
+    """The files of each hand-in, in the order of the first of each; of a large class hardly more is held than names."""
+    root, shared = _root(names), _shared_folders(names)
+
+    def of(k: int) -> Owner:
+        return owner(names[k], root, alone=hash(_folder(names[k])) in shared)
+
+    number: dict[int, int] = {}
+    groups = np.fromiter((number.setdefault(hash(of(k).group), len(number)) for k in range(len(names))), np.int64)
+    del number
+    order = np.argsort(groups, kind="stable")
+    ends = np.flatnonzero(np.diff(groups[order], append=-1)) + 1
+    start = 0
+    for end in map(int, ends):
+        numbers = order[start:end].tolist()
+        yield of(numbers[0]), numbers
+        start = end
 
 
-def _shared_folders(names: list[str]) -> set[str]:
+def _shared_folders(names: list[str]) -> set[int]:
     """Folders with several files of one kind: a class's, while a student's own has answers and a drawing."""
-    kinds = Counter((_folder(name), PurePosixPath(name).suffix.lower()) for name in names)
-    return {folder for (folder, _), count in kinds.items() if count > 1}
+    seen: set[int] = set()
+    found: set[int] = set()
+    for name in names:
+        kind = hash((_folder(name), PurePosixPath(name).suffix.lower()))
+        if kind in seen:
+            found.add(hash(_folder(name)))
+        seen.add(kind)
+    return found
 
 
 def _folder(name: str) -> str:
@@ -201,7 +217,8 @@ def _root(names: list[str]) -> str:
     shared = slash and all(name.startswith(f"{folder}/") for name in names)
     if not shared or "_assignsubmission_" in folder:
         return ""
-    below = {name[len(folder) + 1 :].partition("/")[0] for name in names}
-    if len(below) > 1 or len(names) == 1:
+    below = names[0][len(folder) + 1 :].partition("/")[0]
+    several = any(name[len(folder) + 1 :].partition("/")[0] != below for name in names)
+    if several or len(names) == 1:
         return f"{folder}/"
     return f"{folder}/" + _root([name[len(folder) + 1 :] for name in names])

@@ -6,64 +6,70 @@ An alarm ends a reader that is too slow; this is for what no alarm reaches, and 
 from __future__ import annotations
 
 import multiprocessing
-from collections import deque
+import signal
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from itertools import islice
 from typing import TypeVar
+
+from graphkin.sending import Sent
 
 _Item = TypeVar("_Item")
 _Found = TypeVar("_Found")
-_BATCH, _AHEAD = 16, 3
+_AHEAD = 3
 _GRACE = 5.0
 """Beyond its limits a batch is waited for so long [s]."""
 
 
 def guarded(
-    one: Callable[[_Item], _Found],
-    items: Iterable[_Item],
+    work: Callable[[list[_Item]], list[_Found]],
+    batches: Iterable[list[_Item]],
     workers: int,
     seconds: float,
     failed: Callable[[_Item, str], _Found],
 ) -> Iterator[_Found]:
-    """`one` of every item, in order, a bounded number of them in flight.
+    """What `work` makes of every item, in order, a bounded number of batches in flight.
 
-    one      a function that processes can import; it keeps to `seconds` by itself
+    work     a function that processes can import; it keeps to `seconds` an item by itself
     failed   what stands for an item whose process hung ("hung") or ended ("died")
     """
-    waiting, sent = iter(items), deque[tuple[list[_Item], Future[list[_Found]]]]()
     pool = _pool(workers)
+
+    def send(some: list[_Item]) -> Future[list[_Found]]:
+        try:
+            return pool.submit(work, some)
+        except BrokenProcessPool as problem:  # told when it is this batch's turn
+            future: Future[list[_Found]] = Future()
+            future.set_exception(problem)
+            return future
+
+    sent = Sent(send, batches, _AHEAD * workers)
     try:
-        while True:
-            while len(sent) < _AHEAD * workers and (some := list(islice(waiting, _BATCH))):
-                sent.append((some, pool.submit(_each, one, some)))
-            if not sent:
-                return
-            some, future = sent.popleft()
+        for some, future in sent:
             try:
-                yield from future.result(timeout=seconds * len(some) + _GRACE)
+                found = future.result(timeout=seconds * len(some) + _GRACE)
             except (TimeoutError, BrokenProcessPool):
                 _end(pool)
-                yield from _alone(one, some, seconds, failed)
+                yield from _alone(work, some, seconds, failed)
                 pool = _pool(workers)
-                sent = deque((batch, pool.submit(_each, one, batch)) for batch, _ in sent)
+                sent.anew()
+            else:
+                yield from found
     finally:
         _end(pool)
 
 
-def _each(one: Callable[[_Item], _Found], items: list[_Item]) -> list[_Found]:
-    return [one(item) for item in items]
-
-
 def _alone(
-    one: Callable[[_Item], _Found], items: list[_Item], seconds: float, failed: Callable[[_Item, str], _Found]
+    work: Callable[[list[_Item]], list[_Found]],
+    items: list[_Item],
+    seconds: float,
+    failed: Callable[[_Item, str], _Found],
 ) -> Iterator[_Found]:
     """Each in a process of its own, so that it is known which of them it was."""
     for item in items:
         pool = _pool(1)
         try:
-            yield pool.submit(_each, one, [item]).result(timeout=seconds + _GRACE)[0]
+            yield pool.submit(work, [item]).result(timeout=seconds + _GRACE)[0]
         except TimeoutError:
             yield failed(item, "hung")
         except BrokenProcessPool:
@@ -73,7 +79,12 @@ def _alone(
 
 
 def _pool(workers: int) -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
+    """Of processes that leave an interruption to the one that has sent them the work."""
+    spawn = multiprocessing.get_context("spawn")
+    return ProcessPoolExecutor(workers, mp_context=spawn, initializer=signal.signal, initargs=_DEAF)
+
+
+_DEAF = (signal.SIGINT, signal.SIG_IGN)
 
 
 def _end(pool: ProcessPoolExecutor) -> None:

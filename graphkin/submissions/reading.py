@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Iterable, Iterator
-from functools import partial
 from pathlib import Path, PurePosixPath
 
 from graphkin.errors import (
     BrokenSubmission,
     GraphkinError,
-    HandedTwice,
     NoAnswers,
     NotMarkable,
     OwnFault,
@@ -25,12 +23,12 @@ from graphkin.submissions.class_names import tidy_id
 from graphkin.submissions.deadline import limited
 from graphkin.submissions.documents import Document, read_json, read_lines, read_toml
 from graphkin.submissions.handed import Handed, handed_in
-from graphkin.submissions.pool import guarded
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.spelling import short
 from graphkin.submissions.submission import Asked, Drawn, Given, Limits, Submission
 from graphkin.submissions.tables import Row, csv_cells, rows_of, xlsx_cells
 from graphkin.submissions.texts import decoded
+from graphkin.submissions.twice import FirstOnes
 
 Key = Asked | Callable[[str], Asked | None]
 """One problem for all, or each student's own by id; None for a student there is not."""
@@ -42,31 +40,13 @@ _INNER = 50
 """Files in an archive that a student hands in."""
 
 
-def read(
-    paths: Iterable[str | Path], asked: Key, limits: Limits = USUAL, *, workers: int = 0
-) -> Iterator[Submission]:
-    """Every submission in these files, archives and folders, in order; a second one of a student says so.
-
-    workers  processes that read; 0: this one. A submission that hangs or kills its process is one with its reason.
-    """
-    seen: dict[str, tuple[str, str]] = {}
-    one = partial(read_one, asked=asked, limits=limits)
-    items = handed_in(paths, limits)
-    found = guarded(one, items, workers, limits.seconds, _failed) if workers else map(one, items)
-    for submission in found:
-        here = submission.file, submission.place
-        first = seen.setdefault(submission.student, here) if submission.reason is None else here
-        yield submission if first == here else _second(submission, first)
-
-
-def _second(submission: Submission, first: tuple[str, str]) -> Submission:
-    where = Where(submission.file, int(submission.place) if submission.place.isdecimal() else None)
-    reason = HandedTwice(where, submission.student, first[0])
-    return Submission(submission.student, submission.file, reason=reason, place=submission.place)
-
-
-def _failed(handed: Handed, problem: str) -> Submission:
-    return _refused(handed, handed.owner.student, OwnFault(Where(handed.file), problem))
+def read(paths: Iterable[str | Path], asked: Key, limits: Limits = USUAL) -> Iterator[Submission]:
+    """Every submission in these files, archives and folders, in order; a second one of a student says so."""
+    seen = FirstOnes()
+    for handed in handed_in(paths, limits):
+        one = read_one(handed, asked, limits)
+        second = seen.reason(one.student, one.file, one.place) if one.reason is None else None
+        yield one if second is None else Submission(one.student, one.file, reason=second, place=one.place)
 
 
 def read_one(handed: Handed, asked: Key, limits: Limits = USUAL) -> Submission:
@@ -145,8 +125,8 @@ def _unpacked(handed: Handed, limits: Limits, notes: list[GraphkinError]) -> Ite
         try:
             with archives.opened(content, where) as archive:
                 few = dataclasses.replace(limits, members=_INNER, archive_bytes=4 * limits.bytes)
-                for inner, info in archives.members(archive, where, few):
-                    yield inner, archives.read_member(archive, info, where, few)
+                for info in archives.members(archive, where, few):
+                    yield archives.member_name(info), archives.read_member(archive, info, where, few)
         except GraphkinError as problem:
             notes.append(problem)
 
@@ -231,9 +211,10 @@ def _questions(key: Asked) -> Questions:
     for asked, questions in _REMEMBERED:
         if asked is key or (asked.questions == key.questions and _same(asked.mechanism, key.mechanism)):
             return questions
-    _REMEMBERED.append((key, Questions(key.mechanism, key.questions)))
+    found = Questions(key.mechanism, key.questions)
+    _REMEMBERED.append((key, found))
     del _REMEMBERED[:-8]
-    return _REMEMBERED[-1][1]
+    return found
 
 
 def _same(one: Mechanism, other: Mechanism) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Mapping
 from dataclasses import field
 from typing import Literal
@@ -68,6 +69,18 @@ class Drawn:
     calibrated: tuple[Plane, ...] = ()
     turned: Mapping[Plane, float] = field(default_factory=dict)
 
+    def in_si(self) -> dict[Plane, dict[str, complex]]:
+        """Points from the first of their plane on, SI, turned back; of planes whose scale is known."""
+        found: dict[Plane, dict[str, complex]] = {}
+        for (plane, letter), place in self.points.items():
+            if plane in self.scales:
+                found.setdefault(plane, {})[letter] = place * self.scales[plane] * self._turn(plane)
+        return {plane: {letter: at - first for letter, at in points.items()}
+                for plane, points in found.items() for first in [next(iter(points.values()))]}  # fmt: skip
+
+    def _turn(self, plane: Plane) -> complex:
+        return cmath.rect(1.0, -self.turned.get(plane, 0.0))
+
 
 @frozen
 class Submission:
@@ -94,17 +107,18 @@ class Submission:
 class Limits:
     """How much of a hostile file is looked at.
 
-    seconds  for one submission; bytes of a file or member; members of an archive, bytes of all of them together, and
-             how much larger than packed; elements and depth of a drawing, copies (`use`, blocks) followed; answers in
-             one file; rows and columns of a class table
+    seconds  for one submission; bytes of a file or member; members of a class's archive, bytes of all of them
+             together, and how much larger than packed; parts of a file that is an archive inside; elements and depth
+             of a drawing, copies (`use`, blocks) followed; answers in one file; rows and columns of a class table
     turned   whether a polygon may stand turned on the page
     names    names of a drawing's marked points, in the file's order, where it has no letters
     """
 
     seconds: float = 10.0
     bytes: int = 16 << 20
-    members: int = 20_000
-    archive_bytes: int = 2 << 30
+    members: int = 500_000
+    archive_bytes: int = 64 << 30
+    parts: int = 20_000
     ratio: float = 200.0
     elements: int = 50_000
     depth: int = 100

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 
 from graphkin.geometry import Value
 from graphkin.marking.redrawing import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite
+from graphkin.marking.rewrite import Change, Edit, Rewrite, times
 from graphkin.marking.scene import Scene, mistake
 from graphkin.planning.equivalent import Contact
-from graphkin.planning.stages import Mesh
+from graphkin.planning.position import in_step
+from graphkin.planning.stages import Group, Mesh
 
 __all__: list[str] = []
 
@@ -18,7 +20,8 @@ __all__: list[str] = []
 def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
     """omega_a / omega_b = -r_b / r_a with the wheels' own rotations, though the arm that bears them turns.
 
-    At one contact, or at all; the wheels after it turn as their own contacts then have it.
+    At one contact, or at all; the wheels after it turn as their own contacts then have it. Where wheels and arm are
+    found together, the law of the contact is put into the equations without the arm.
     """
     contacts = list(_contacts(scene))
     wrong = [k for k, (_, contact) in enumerate(contacts) if _matters(scene, contact)]
@@ -26,6 +29,23 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
         yield _ignoring(scene, contacts, {k})
     if len(wrong) > 1:
         yield _ignoring(scene, contacts, set(wrong))
+    together = dict(_found_together(scene))
+    for name, edits in together.items():
+        yield Rewrite("arm-ignored", name, edits=edits)
+    if len(together) > 1:
+        yield Rewrite("arm-ignored", ", ".join(together), edits=tuple(chain(*together.values())))
+
+
+def _found_together(scene: Scene) -> Iterator[tuple[str, tuple[Edit, ...]]]:
+    """Contacts on an arm in groups whose rotations several equations give, by the wheels that these give."""
+    for stage in scene.method.stages:
+        for contact in stage.contacts if isinstance(stage, Group) else ():
+            wheels = [wheel for wheel in contact.wheels if not scene.driven(wheel)]
+            borne = contact.arm and not any(scene.turns_with(wheel, contact.arm) for wheel in wheels)
+            if wheels and borne and _matters(scene, contact):
+                spots = (("rolling", plane, in_step(contact), contact.arm) for plane in ("velocity", "acceleration"))
+                name = ", ".join(scene.rotation_name("omega", wheel) for wheel in wheels)
+                yield name, tuple(Edit(spot, times(0.0)) for spot in spots)
 
 
 def _contacts(scene: Scene) -> Iterator[tuple[str, Contact]]:

@@ -4,19 +4,12 @@ from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
     "student": ("{student}  ({file})  score {score}", "{student}（{file}）  得分 {score}"),
-    "not marked": ("{student}  ({file})  not marked: {reason}", "{student}（{file}）  未批改：{reason}"),
+    "not marked": ("{student}  ({file})  not marked: {reason}", "{student}（{file}）  未评阅：{reason}"),
     "column quantity": ("quantity", "量"),
     "column given": ("handed in", "所交"),
     "column right value": ("right", "正确值"),
-    "column tolerance": ("tolerance", "允差"),
     "column unit": ("unit", "单位"),
     "column verdict": ("verdict", "评定"),
-    "verdict right": ("right", "正确"),
-    "verdict carried": ("carried", "延续正确"),
-    "verdict wrong": ("wrong", "错误"),
-    "verdict missing": ("missing", "未交"),
-    "verdict sense wrong": ("wrong sense", "转向（符号）相反"),
-    "verdict unit wrong": ("wrong unit", "单位不符"),
     "judged with yes": (
         "judged with the own {own}: {quantity} should be {value}: yes",
         "按所交的 {own} 计算，{quantity} 应为 {value}：相符",
@@ -25,7 +18,7 @@ PHRASES: Phrases = {
         "judged with the own {own}: {quantity} should be {value}: no",
         "按所交的 {own} 计算，{quantity} 应为 {value}：不符",
     ),
-    "not carried": ("not carried on: {own}", "不予延续：{own}"),
+    "not carried": ("not carried on: {own}", "不予沿用：{own}"),
     "consistent": (
         "is consistent with {what} (probability {probability}, explains {explains})",
         "与“{what}”相符（概率 {probability}，可解释 {explains}）",
@@ -39,4 +32,13 @@ PHRASES: Phrases = {
     "together": (", together with ", "，同时"),
     "more": ("{count} more", "另有 {count} 种"),
     "note": ("note: {note}", "提示：{note}"),
+    "interrupted": (
+        "Broken off. What was marked is kept beside {path}; the same command goes on from there.",
+        "已中断。已批改的部分保存在 {path} 旁；再次运行同一命令即可继续。",
+    ),
+    "drawn position": (
+        "{name} asks for more than one position (also); the drawn one is marked. To mark others, write a mechanism "
+        "file for each, and grade them as several problems.",
+        "{name} 要求多个位置（also），这里只批改所画位置。其余位置请各写一个机构文件，作为多道题一起批改。",
+    ),
 }

@@ -152,6 +152,73 @@ PHRASES: Phrases = {
     ),
     "made other-assembly": ("{of} taken on the other side: the other assembly", "{of} 取了另一装配位置"),
     "made angle-clockwise": ("the angle of the driver {of} measured clockwise", "原动件 {of} 的位置角按顺时针量取"),
+    # a mistake by itself, as it shows in several problems. A sentence, after `in 3 of 4 problems`
+    "kind driver-reversed": ("the sense of the driver is taken the other way round", "原动件的转向（或移动方向）取反"),
+    "kind driver-along-crank": ("the crank's velocity is laid along the crank", "曲柄端点速度沿曲柄方向画出"),
+    "kind velocity-along-link": (
+        "the direction line of a velocity is drawn along the link",
+        "相对速度的方向线沿构件方向画出",
+    ),
+    "kind wrong-radius": ("the direction line of a velocity is drawn across the wrong radius", "速度方向线的半径取错"),
+    "kind sliding-across": ("the direction line of sliding is drawn across the guide", "相对滑动速度的方向线垂直于导路画出"),
+    "kind orthogonal-split": (
+        "the known velocity is split along the guide and at right angles to it, though the guide passes beside the pivot",
+        "导路不过转动中心，却把已知速度沿导路及其垂线分解",
+    ),
+    "kind absolute-for-relative": (
+        "an angular velocity is found from an absolute velocity instead of the relative one",
+        "求角速度时用了绝对速度而非相对速度",
+    ),
+    "kind wrong-length": ("an angular velocity is found from the wrong length", "求角速度时所用长度有误"),
+    "kind sliding-as-turning": ("the velocity of sliding is taken for one of turning", "把相对滑动速度当作转动速度求角速度"),
+    "kind omega-sense": ("the sense of an angular velocity is read the wrong way round", "角速度的转向判断反了"),
+    "kind block-omega": ("the angular velocity of the block is wrong", "滑块的角速度取错"),
+    "kind image-mirrored": ("the image is lettered in the opposite sense", "影像的字母绕行方向与原图相反"),
+    "kind image-wrong-point": (
+        "the image is drawn on the coincident point of the other link",
+        "影像作在另一构件的重合点上",
+    ),
+    "kind normal-omitted": ("a normal acceleration is left out", "漏掉法向加速度"),
+    "kind normal-outward": ("a normal acceleration points away from the centre", "法向加速度画成背离转动中心"),
+    "kind coriolis-omitted": ("the Coriolis term is left out", "漏掉哥氏加速度"),
+    "kind coriolis-reversed": ("the Coriolis term points the wrong way", "哥氏加速度的指向反了"),
+    "kind coriolis-half": ("the factor 2 of the Coriolis term is missing", "哥氏加速度漏乘系数 2"),
+    "kind coriolis-crank-omega": (
+        "the Coriolis term is found with the driver's angular velocity",
+        "哥氏加速度误用原动件的角速度",
+    ),
+    "kind coriolis-absolute-velocity": (
+        "the Coriolis term is found with an absolute velocity instead of that of sliding",
+        "哥氏加速度误用绝对速度",
+    ),
+    "kind coriolis-not-turned": (
+        "the Coriolis term lies along the velocity of sliding, not turned by 90°",
+        "哥氏加速度沿相对速度方向画出，未转 90°",
+    ),
+    "kind normal-size": ("the size of a normal acceleration is wrong", "法向加速度的大小取错"),
+    "kind tangential-along": (
+        "the direction line of a tangential acceleration is drawn along the link",
+        "切向加速度的方向线沿构件方向画出",
+    ),
+    "kind wrong-tail": (
+        "an arrow of the acceleration polygon begins or is measured at the wrong point",
+        "加速度多边形中矢量的起点或所量线段取错",
+    ),
+    "kind conversion": ("a unit, a scale or a sign is converted wrongly", "单位、比例尺或正负号换算有误"),
+    "kind centre-ratio": ("the ratio of distances from the instant centres is wrong", "用瞬心求角速度时距离之比有误"),
+    "kind centre-acceleration-zero": (
+        "a point without velocity is taken to have no acceleration",
+        "把速度为零的点的加速度也当作零",
+    ),
+    "kind arm-ignored": ("the rotation of the arm is left out of the ratio of the wheels", "传动比中未计系杆（转臂）的转动"),
+    "kind relative-as-absolute": (
+        "the relative rotation of the driver is taken as absolute",
+        "把原动件的相对角速度当作绝对角速度",
+    ),
+    "kind driver-acceleration-dropped": ("the acceleration of the driver is left out", "漏掉原动件的加速度"),
+    "kind slider-normal-term": ("a slider is given a normal acceleration", "给滑块多画了法向加速度"),
+    "kind other-assembly": ("the mechanism is drawn in its other assembly", "机构取了另一装配位置"),
+    "kind angle-clockwise": ("the angle of the driver is measured clockwise", "原动件的位置角按顺时针量取"),
     # a hint, by topic: the place to look at again, and no more
     "look driver": ("Look again at what is given of the driver.", "检查原动件的已知运动。"),
     "look position": ("Look again at the drawing of the mechanism.", "检查机构位置图。"),

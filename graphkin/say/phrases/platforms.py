@@ -11,7 +11,7 @@ PHRASES: Phrases = {
     "column points": ("points", "分值"),
     "column percent": ("percent", "得分百分比"),
     "column number": ("number", "数值"),
-    "column tolerance": ("tolerance", "容差"),
+    "column tolerance": ("tolerance", "允差"),
     "column mistakes": ("mistakes", "错误"),
     "column sentence": ("sentence", "说明"),
     "column file": ("file", "文件"),
@@ -24,8 +24,6 @@ PHRASES: Phrases = {
     "column part earned": ("{name} points", "{name} 得分"),
     "column diagnosis": ("consistent with", "与之相符的错误"),
     "column reason": ("reason", "原因"),
-    "status marked": ("marked", "已评阅"),
-    "status not marked": ("not marked", "未评阅"),
     "no platform name": (
         "{count} submissions are not named as {platform} names its downloads (the first: {file}): nothing goes "
         "back for them. Mark the archive as it was downloaded.",

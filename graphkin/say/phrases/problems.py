@@ -8,6 +8,18 @@ PHRASES: Phrases = {
         "Given (mm, degrees, rad/s, rad/s², m/s, m/s² where no unit stands; counter-clockwise positive):",
         "已知（未注单位者为 mm、°、rad/s、rad/s²、m/s、m/s²；逆时针为正）：",
     ),
+    "figure drawn": ("Figure: {file}", "图：{file}"),
+    "figure elsewhere": (
+        "Figure, in another position than the one asked for: {file}", "图（非所求位置）：{file}",
+    ),
+    "angle": (
+        "; {angle} is the angle of the direction {tail}→{head} from +x, counter-clockwise",
+        "；{angle} 为方向 {tail}→{head} 与 +x 的夹角，逆时针为正",
+    ),
+    "angle of guide": (
+        "; {angle} is the angle of the sliding direction on link {guide} from +x, counter-clockwise",
+        "；{angle} 为构件 {guide} 上导路方向与 +x 的夹角，逆时针为正",
+    ),
     "find": ("Find graphically:", "用图解法求："),
     "points one": (" ({points:g} point)", "（{points:g} 分）"),
     "points many": (" ({points:g} points)", "（{points:g} 分）"),

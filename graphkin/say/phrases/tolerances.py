@@ -50,6 +50,11 @@ PHRASES: Phrases = {
     "column alone": ("named alone", "单独命中"),
     "column least": ("least", "最低"),
     "all": ("all", "合计"),
+    "well named": (
+        "Named first for at least {part} of the students: at {count} of {all} places. At {hidden} places fewer than {part} "
+        "have a value judged wrong at all: the mistake stays near the tolerance.",
+        "至少 {part} 的学生首位命中：{all} 处中有 {count} 处。有 {hidden} 处判为有错的学生不足 {part}：该错误的影响接近允差。",
+    ),
     "false alarms": (
         "Right work with a pencil: a value judged wrong in {wrong}, a mistake named in {named}.",
         "正确作图：{wrong} 有量被判错，{named} 被误诊。",

@@ -1,0 +1,31 @@
+"""Verdicts in words, the same everywhere."""
+
+from __future__ import annotations
+
+from typing import Literal, Protocol
+
+from graphkin.errors import Lang
+from graphkin.say.catalogue import say
+
+
+class Judged(Protocol):
+    """What a verdict is told by."""
+
+    @property
+    def verdict(self) -> Literal["right", "carried", "wrong", "missing"]: ...
+    @property
+    def sense(self) -> Literal["right", "wrong"] | None: ...
+    @property
+    def unit_right(self) -> bool: ...
+    @property
+    def credit(self) -> float: ...
+
+
+def verdict(one: Judged, lang: Lang) -> str:
+    """With what is wrong, where that is the unit or the sense alone."""
+    if one.verdict != "wrong":
+        return say(f"verdicts.verdict {one.verdict}", lang)
+    if not one.unit_right:
+        return say("verdicts.verdict wrong unit", lang)
+    sense_alone = one.credit > 0 and one.sense == "wrong"
+    return say("verdicts.verdict wrong sense" if sense_alone else "verdicts.verdict wrong", lang)

@@ -1,0 +1,253 @@
+"""The right drawing, and beside it what mistakes make of it, at one scale; a student's own drawing over both.
+
+    versions (`Version`) of a plane --> Pictures in a row, a row a plane --> Page on a paper cut to them
+
+What is laid off or directed otherwise is drawn thick in both; the right drawing is thin. A picture that must not give
+the answer away has the wrong drawing alone, and tells no scale.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from graphkin.construction import Construction, Plane, Plot
+from graphkin.errors import Lang
+from graphkin.marking.beside import Beside
+from graphkin.planning import Method
+from graphkin.say.catalogue import say
+from graphkin.sheet.fit import Extent, enlarged
+from graphkin.sheet.layout import HEAD
+from graphkin.sheet.lettering import joined, plain, point_label
+from graphkin.sheet.marks import Disc, Mark, PointMark, Stroke, VectorMark
+from graphkin.sheet.mechanism_sheet import HEADINGS
+from graphkin.sheet.page import Page, Panel, Sheet, heading
+from graphkin.sheet.paper import Paper, Room
+from graphkin.sheet.pictures import Caption, Picture
+from graphkin.sheet.plain_mechanism import plain_mechanism, shown_places
+from graphkin.sheet.polygons import Polygon, polygon_figure
+from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.window import PLANES, Figure, Window, constructions
+from graphkin.value import frozen
+
+Own = Mapping[Plane, Mapping[str, complex]]
+"""A student's drawing as it was measured: points of each plane by their letters, SI, from any of them."""
+
+_WIDE, _HIGH = 92.0, 84.0
+"""Of the room for one of two figures side by side, with its heading and its caption, at most [mm]."""
+_CROWDED, _LARGE = 22, 2.0
+"""Figures with more labels than this leave out those that others tell, too; with more still they stand under one
+another, in rooms so many times as wide and high."""
+_FOOT = 7.0
+_SMALL = 14.0
+"""A figure that comes out smaller beside another has a scale of its own [mm]."""
+_OFF = 2.5
+"""A point of the student's that lies farther off than this bears its letter [mm]."""
+_RING = 0.9
+"""Radius of the circles about the student's points [mm]."""
+_FAR = 2.0
+"""Points of the student's that would make the figure more than so many times as large are not drawn."""
+_OTHERWISE = 1
+"""The step that what is drawn otherwise is marked with, until it is emphasised."""
+
+
+def mistake_sheet(
+    method: Method, plot: Plot, *, found: Beside | None = None, own: Own | None = None, answer: bool = True,
+    lang: Lang = "en",
+) -> Sheet | None:  # fmt: skip
+    """The planes that mistakes change, and those that a student has drawn; None where there is nothing to show.
+
+    plot    the right drawing
+    found   what mistakes draw otherwise; the right drawing alone where left out
+    own     the student's drawing, laid over with its pole on the pole
+    answer  whether the right drawing may be shown: without it, the drawing with the mistakes alone
+    """
+    rows = [row for plane in PLANES if (row := [*_versions(method, plot, plane, found, own or {}, answer)])]
+    if not rows:
+        return None
+    panels: list[Panel] = []
+    top = 0.0
+    for row in rows:
+        panels += _row(row, top, answer, lang)
+        top = panels[-1].room.bottom + _FOOT
+    paper = Paper("figure", max(panel.room.right for panel in panels) + 1, top, 0.0)
+    title = say("pictures.title", lang)
+    whole = Page(paper, panels, method.mechanism, plot.facts.values, lang, title=title).sheet().upto(_OTHERWISE)
+    return whole.redrawn(lambda mark: replace(mark, step=None))
+
+
+# --- versions of a plane ----------------------------------------------------------------------
+
+
+@dataclass
+class Version:
+    """A plane as it is drawn by somebody.
+
+    told    what it is, under it
+    thin    only to be compared with
+    arrows, images   what is drawn otherwise, as in `Beside`
+    own     the student's points, from the pole
+    """
+
+    method: Method
+    plane: Plane
+    plot: Plot
+    told: str
+    thin: bool = False
+    arrows: frozenset[frozenset[str]] = frozenset()
+    images: frozenset[str] = frozenset()
+    own: Mapping[str, complex] | None = None
+
+    @property
+    def construction(self) -> Construction:
+        return constructions(self.method)[self.plane]
+
+    def places(self) -> list[complex]:
+        """What it shows, SI."""
+        if self.plane == "position":
+            return shown_places(self.method, self.plot)
+        return [*self._there.values(), *self._own.values()]
+
+    @property
+    def _there(self) -> Mapping[str, complex]:
+        """The polygon's points."""
+        names = {self.construction.pole, *self.construction.nodes}
+        return {name: complex(v) for name, v in self.plot.points(self.plane).items() if name in names}
+
+    def figure(self, window: Window) -> Figure:
+        if self.plane == "position":
+            drawn = plain_mechanism(self.method, self.plot, window).numbered(None)
+            return Figure([self._penned(mark) for mark in drawn.marks], drawn.wanted)
+        drawn = polygon_figure(self._polygon(self.plot, window))
+        wanted = drawn.wanted
+        if len(wanted) > _CROWDED:
+            wanted = [label for label in wanted if not label.spare]
+        return Figure([self._penned(mark) for mark in drawn.marks], wanted) + self._over(window)
+
+    def _polygon(self, plot: Plot, window: Window) -> Polygon:
+        return Polygon(self.method.mechanism, self.construction, plot, window, {})
+
+    def _penned(self, mark: Mark) -> Mark:
+        """Thick where it is drawn otherwise; thin where it is only compared with."""
+        if self._otherwise(mark):
+            return replace(mark, step=_OTHERWISE)
+        if self.thin and isinstance(mark, VectorMark | Stroke) and mark.pen in ("vector", "visible"):
+            return replace(mark, pen="thin")
+        return mark
+
+    def _otherwise(self, mark: Mark) -> bool:
+        match mark:
+            case VectorMark(tail=tail, head=head):
+                found = frozenset((tail, head))
+                return found in self.arrows or (self.construction.pole in found and bool(found & self.images))
+            case PointMark(name=name):
+                return name in self.images
+            case Stroke(shows=shows) if shows is not None:
+                return bool(self.images.intersection(shows.points))
+            case _:
+                return False
+
+    @property
+    def _own(self) -> Mapping[str, complex]:
+        """The student's points where this version has its own: the pole upon the pole, or the first upon the first."""
+        there = self._there
+        own = {name: value for name, value in (self.own or {}).items() if name in there}
+        if not own:
+            return {}
+        pole = self.construction.pole
+        first = pole if pole in own else next(iter(own))
+        laid = {name: there[first] + value - own[first] for name, value in own.items()}
+        near = {*enlarged([*there.values()], laid.values(), _FAR)}
+        return {name: value for name, value in laid.items() if value in near}
+
+    def _over(self, window: Window) -> Figure:
+        """The student's drawing, dashed; letters in brackets where its points lie elsewhere."""
+        own = self._own
+        drawn = Plot(self.plot.facts)
+        drawn.points(self.plane).update(own)
+        polygon = self._polygon(drawn, window)
+        figure = Figure()
+        for arrow in polygon.vectors():
+            figure.marks.append(Stroke((arrow.start, arrow.end), "dashed"))
+        for name, at in polygon.points.items():
+            figure.marks.append(Disc(at, _RING, "thin"))
+            if abs(at - window(self._there[name])) > _OFF:
+                label = joined([plain("("), point_label(name), plain(")")], "")
+                figure.wanted.append(Wanted(label, at, gap=_RING))
+        return figure
+
+
+def _versions(
+    method: Method, plot: Plot, plane: Plane, found: Beside | None, own: Own, answer: bool
+) -> Iterator[Version]:
+    changed = found is not None and plane in found.planes
+    drawn = own.get(plane) if plane != "position" else None
+    arrows = found.arrows.get(plane, frozenset()) if found is not None else frozenset()
+    images = found.images.get(plane, frozenset()) if found is not None else frozenset()
+    if answer and (changed or drawn):
+        yield Version(method, plane, _drawable(plot, plane), "right", changed, arrows, images, drawn)
+    if changed and found is not None:
+        yield Version(method, plane, _drawable(found.other, plane), "mistake", False, arrows, images, drawn)
+
+
+def _drawable(plot: Plot, plane: Plane) -> Plot:
+    """The same with the points alone that lie somewhere."""
+    points = plot.points(plane)
+    there = {name: value for name, value in points.items() if cmath.isfinite(complex(value))}
+    if len(there) == len(points):
+        return plot
+    found = Plot(plot.facts, position=dict(plot.position), theta=dict(plot.theta), s=dict(plot.s))
+    found.points(plane).clear()
+    found.points(plane).update(there)
+    return found
+
+
+# --- on paper ---------------------------------------------------------------------------------
+
+
+@frozen
+class _Placed:
+    """A version with the room it wants."""
+
+    version: Version
+    extent: Extent
+
+    @classmethod
+    def of(cls, version: Version) -> _Placed:
+        return cls(version, Extent.of(version.places(), version.figure))
+
+    def height(self, scale: float) -> float:
+        return HEAD + self.extent.size.imag / scale + self.extent.reach.imag + _FOOT
+
+
+def _row(versions: Sequence[Version], top: float, answer: bool, lang: Lang) -> list[Panel]:
+    """Side by side, or under one another, at one scale where all are large enough to be read at it."""
+    placed = [_Placed.of(version) for version in versions]
+    crowded = max(one.extent.labels for one in placed) > _CROWDED
+    wide, high = (_LARGE * _WIDE, _LARGE * _HIGH) if crowded else (_WIDE, _HIGH)
+    finest = [one.extent.finest(Room(0, HEAD, wide, high - _FOOT)) for one in placed]
+    scales = [max(finest) if one.extent.longest / max(finest) >= _SMALL else own for one, own in zip(placed, finest)]
+    heights = [one.height(scale) for one, scale in zip(placed, scales)]
+    cells = _under(wide, heights, top) if crowded else _beside(wide, heights, top)
+    return [_panel(one, cell, scale, answer, lang) for one, cell, scale in zip(placed, cells, scales)]
+
+
+def _beside(wide: float, heights: Sequence[float], top: float) -> Iterator[Room]:
+    for k in range(len(heights)):
+        yield Room(k * wide, top, (k + 1) * wide, top + max(heights))
+
+
+def _under(wide: float, heights: Sequence[float], top: float) -> Iterator[Room]:
+    for height in heights:
+        yield Room(0.0, top, wide, top + height)
+        top += height
+
+
+def _panel(placed: _Placed, cell: Room, scale: float, answer: bool, lang: Lang) -> Panel:
+    plane = placed.version.plane
+    caption = Caption((say(f"pictures.under {placed.version.told}", lang),), _FOOT, first=4.0)
+    panel = Picture(placed.extent, placed.version.figure, caption).panel(cell.inset(0, HEAD, 0), scale)
+    words = HEADINGS[lang][plane]
+    head = heading(words, plane, scale, cell)
+    return replace(panel, before=head if answer else head[:1], plane=None)

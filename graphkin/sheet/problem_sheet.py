@@ -1,0 +1,17 @@
+"""The figure of a problem: the mechanism with its letters, and nothing that is found of it."""
+
+from __future__ import annotations
+
+from graphkin.construction import Plot
+from graphkin.errors import Lang
+from graphkin.planning import Method
+from graphkin.sheet.alone import place_for
+from graphkin.sheet.mechanism_sheet import HEADINGS
+from graphkin.sheet.page import Sheet
+from graphkin.sheet.plain_mechanism import shown_places
+
+
+def problem_sheet(method: Method, plot: Plot, lang: Lang) -> Sheet:
+    """At the position of a plot, without results and in no step of a construction."""
+    alone = place_for(method, [plot], shown_places(method, plot), None)
+    return alone.sheet(plot, HEADINGS[lang]["position"], alone.mechanism(plot), lang)
