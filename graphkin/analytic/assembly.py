@@ -83,10 +83,10 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
     relations, c = _standing(mechanism, loops, driving)
     closure = EquationSystem.of(loops, relations)
     seen = guess(mechanism, loops)
-    starts = _starts(seen, mechanism, loops)
-    first, _ = _closed(closure, starts[:1], c)
+    first, _ = _closed(closure, np.nan_to_num(seen)[None], c)
     if len(first) and _as_sketched(mechanism, loops, first[0]):
         return Assembled(first[0], 0.0)
+    starts = _starts(seen, mechanism, loops)
     found, ends = _closed(closure, branched(closure, _judge(mechanism, loops), seen, starts, c), c)
     if not len(found):
         found, ends = _closed(closure, starts[:: 1 + len(closure.known.free) // _MANY], c)
