@@ -24,7 +24,7 @@ class _Sample:
     entry: int
 
 
-_FIELDS = "__dataclass_fields__"
+_FIELDS, _HOW = "__dataclass_fields__", "__dataclass_params__"
 _PLAIN = getattr(fields(_Sample)[0], "_field_type")  # noqa: B009
 
 
@@ -39,8 +39,9 @@ def frozen(cls: type[_T]) -> type[_T]:
     return cls
 
 
+@dataclass_transform(eq_default=False, field_specifiers=(field,))
 def filled(cls: type[_T]) -> type[_T]:
-    """The class with an `__init__` that fills the fields it names; nothing else of a dataclass."""
+    """Like `dataclass(eq=False)`: an `__init__` that fills the fields, and nothing else of a dataclass."""
     _declare(cls)
     setattr(cls, "__init__", _filling(cls))  # noqa: B010
     return cls
@@ -85,6 +86,7 @@ def _declare(cls: Any) -> None:
         elif isinstance(given, Field):
             delattr(cls, name)
     setattr(cls, _FIELDS, found)
+    setattr(cls, _HOW, getattr(_Sample, _HOW))
     setattr(cls, "__match_args__", tuple(found))  # noqa: B010
 
 

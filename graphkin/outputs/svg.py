@@ -12,19 +12,20 @@ import math
 import os
 import re
 import xml.etree.ElementTree as ET
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar, assert_never
 
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs import files
 from graphkin.outputs.files import beside
+from graphkin.outputs.svgwriting import svgwrite
 from graphkin.seal import seal
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import SMALL, Label, scripts
 from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
 from graphkin.sheet.scales import KEYS
+from graphkin.value import filled
 
 NAMESPACE = "https://graphkin.invalid/sheet/1"
 MARKS = (NAMESPACE.encode(),)
@@ -108,10 +109,8 @@ class _Pen:
     """One drawing in the making."""
 
     def __init__(self, sheet: Sheet, metadata: bool) -> None:
-        import svgwrite
-
         wide, high = mm(sheet.paper.width), mm(sheet.paper.height)
-        self.drawing: Any = svgwrite.Drawing(
+        self.drawing: Any = svgwrite().Drawing(
             size=(f"{wide}mm", f"{high}mm"), viewBox=f"0 0 {wide} {high}", profile="full", debug=False
         )
         self.drawing["xmlns:gk"] = NAMESPACE
@@ -239,7 +238,7 @@ def _head(element: Any, new: bool, part: float = 1.0) -> None:
     element["marker-end"] = f"url(#{_tip(new, part)})"
 
 
-@dataclass
+@filled
 class _Line:
     """Lays the runs of a label one after another."""
 

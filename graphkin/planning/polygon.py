@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import chain, count
 
 from graphkin.construction import (
@@ -33,12 +33,13 @@ from graphkin.planning.closing import close
 from graphkin.planning.hops import Hop, Lever, Slip, Twist
 from graphkin.planning.labels import Labels
 from graphkin.planning.structure import Structure
+from graphkin.value import filled
 
 Piece = tuple[str, Size | None, Direction | None]
 """The part (`n`, `t`, `k`, `r`), size and direction of one arrow of a hop."""
 
 
-@dataclass
+@filled
 class Polygon:
     """The steps so far, and where the sites drawn by them are.
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Slide
 from graphkin.sheet import symbols
@@ -13,6 +11,7 @@ from graphkin.sheet.marks import Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
+from graphkin.value import filled
 
 _REACH = 13.0
 """How far a fixed guide is drawn to each side of its block [mm]."""
@@ -55,7 +54,7 @@ def ground_way(point: str, *skeletons: Skeleton) -> complex:
 # --- fixed guides -----------------------------------------------------------------------------
 
 
-@dataclass
+@filled
 class _Run:
     """A stretch of a fixed line, with what slides on it."""
 

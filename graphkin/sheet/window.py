@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import assert_never
 
 from graphkin.construction import (
@@ -26,7 +26,7 @@ from graphkin.construction import (
 from graphkin.planning import Method
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.wanted import Wanted
-from graphkin.value import frozen
+from graphkin.value import filled, frozen
 
 Entry = Mark | Wanted
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
@@ -48,7 +48,7 @@ class Window:
         return complex(direction).conjugate()
 
 
-@dataclass
+@filled
 class Figure:
     """What one plane puts on paper: marks in the order of painting, and labels that want a place."""
 
