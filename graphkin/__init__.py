@@ -52,6 +52,7 @@ _WHERE = {
     "load": "api",
     "plan": "api",
     "replay": "api",
+    "replay_many": "running.variants",
     "motion": "analytic",
     "Drawing": "api",
     "explain": "say",
@@ -61,7 +62,8 @@ _WHERE = {
     "GraphkinError": "errors",
 }
 
-__all__ = ["Drawing", "GraphkinError", "explain", "load", "measure", "motion", "plan", "replay", "sweep", "sweep_many"]
+__all__ = ["Drawing", "GraphkinError", "explain", "load", "measure", "motion", "plan", "replay", "replay_many", "sweep",
+           "sweep_many"]
 
 if TYPE_CHECKING:
     from graphkin.analytic import motion
@@ -69,6 +71,7 @@ if TYPE_CHECKING:
     from graphkin.batches import sweep_many
     from graphkin.check import measure
     from graphkin.errors import GraphkinError
+    from graphkin.running.variants import replay_many
     from graphkin.say import explain
 
 

@@ -7,13 +7,15 @@ decides how close to parallel is too close. No word of mechanisms here.
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 __all__ = [
-    "Leg", "Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines", "unit", "weights_of",
+    "Leg", "Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines", "phase", "unit",
+    "weights_of",
 ]  # fmt: skip
 
 Value = Any
@@ -40,6 +42,11 @@ def unit(a: Value) -> Value:
     """Vector of length 1 along `a`; NaN for the zero vector."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return a / np.abs(a)
+
+
+def phase(a: Value) -> Value:
+    """The angle of a vector from +x, above -pi [rad]."""
+    return np.angle(a) if isinstance(a, np.ndarray) else cmath.phase(a)
 
 
 def leg(hypotenuse: Value, other: Value) -> Value:

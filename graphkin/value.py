@@ -8,13 +8,24 @@ hundred such classes, and `graphkin draw` is to start about as fast as its impor
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields
+from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, fields
 from operator import attrgetter
 from typing import Any, TypeVar, dataclass_transform
 
 __all__ = ["Lazy", "filled", "frozen"]
 
 _T = TypeVar("_T")
+
+
+@dataclass(init=False, repr=False, eq=False)
+class _Sample:
+    """A class as `dataclasses` declares it."""
+
+    entry: int
+
+
+_FIELDS, _HOW = "__dataclass_fields__", "__dataclass_params__"
+_PLAIN = getattr(fields(_Sample)[0], "_field_type")  # noqa: B009
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
@@ -28,9 +39,11 @@ def frozen(cls: type[_T]) -> type[_T]:
     return cls
 
 
+@dataclass_transform(eq_default=False, field_specifiers=(field,))
 def filled(cls: type[_T]) -> type[_T]:
-    """The class with an `__init__` that fills the fields it names; nothing else of a dataclass."""
-    setattr(cls, "__init__", _filling(dataclass(init=False, repr=False, eq=False)(cls)))  # noqa: B010
+    """Like `dataclass(eq=False)`: an `__init__` that fills the fields, and nothing else of a dataclass."""
+    _declare(cls)
+    setattr(cls, "__init__", _filling(cls))  # noqa: B010
     return cls
 
 
@@ -55,6 +68,26 @@ class Lazy(Mapping[str, _T]):
 
     def __len__(self) -> int:
         return len(self._made)
+
+
+def _declare(cls: Any) -> None:
+    """What `dataclasses` reads of a class: its fields, those it inherits first. Annotations are texts, and stay so."""
+    found = {name: each for base in reversed(cls.__mro__[1:]) for name, each in vars(base).get(_FIELDS, {}).items()}
+    for name, kind in vars(cls).get("__annotations__", {}).items():
+        if kind.startswith("ClassVar"):
+            continue
+        given = vars(cls).get(name, MISSING)
+        entry: Any = given if isinstance(given, Field) else field(default=given)
+        entry.name, entry.type, entry._field_type = name, kind, _PLAIN
+        entry.kw_only = False
+        found[name] = entry
+        if entry.default is not MISSING:
+            setattr(cls, name, entry.default)
+        elif isinstance(given, Field):
+            delattr(cls, name)
+    setattr(cls, _FIELDS, found)
+    setattr(cls, _HOW, getattr(_Sample, _HOW))
+    setattr(cls, "__match_args__", tuple(found))  # noqa: B010
 
 
 def _names(cls: Any) -> tuple[str, ...]:

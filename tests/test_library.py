@@ -23,6 +23,7 @@ def test_every_file_loads(name: str) -> None:
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_titles_are_distinct(lang: str) -> None:
     titles = library.titles(lang)  # type: ignore[arg-type]
+    assert titles == {name: library.load(name).headline(lang) for name in library.names()}  # type: ignore[arg-type]
     assert len(set(titles.values())) == len(library.names())
 
 

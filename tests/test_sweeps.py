@@ -259,7 +259,7 @@ def test_tables_hold_the_same(tmp_path: Path):
     parquet = pytest.importorskip("pyarrow.parquet", reason="needs graphkin[parquet]")
     names = ["theta 3", "omega 3", "v E", "a_k B3B2", "s ram", "P13"]
     found = sweep(plan(library.load("ex3-7")), ["0:360:15"], names)
-    for suffix in (".csv", ".json", ".parquet"):
+    for suffix in (".csv", ".json", ".jsonl", ".parquet"):
         done = run("sweep", "ex3-7", "--driver", "0:360:15", "--of", ", ".join(names), "-o", str(tmp_path / f"t{suffix}"))
         assert done.exit_code == 0, done.stderr
     text = (tmp_path / "t.csv").read_text("utf-8")
@@ -279,6 +279,23 @@ def test_tables_hold_the_same(tmp_path: Path):
     assert data["quantities"]["omega 3"]["unit"] == "rad/s"
     assert np.allclose(data["quantities"]["omega 3"]["values"], found["omega 3"].values)
     assert np.allclose(data["driver"]["values"], found.values)
+    lines = [json.loads(line) for line in (tmp_path / "t.jsonl").read_text("utf-8").splitlines()]
+    assert [name.split(" [")[0] for name in lines[0]] == [name.split(" [")[0] for name in head]
+    assert [line["theta 3 [rad]"] for line in lines] == list(found["theta 3"].values)
+    assert [line["s ram [m]"] for line in lines] == list(found["s ram"].values)
+    assert [complex(line["v E x [m/s]"], line["v E y [m/s]"]) for line in lines] == list(found["v E"].vectors)
+
+
+def test_json_lines_hold_no_nan(tmp_path: Path):
+    """A quotient by 0 is null; and an own file is written over."""
+    for _ in range(2):
+        path, of = str(tmp_path / "t.jsonl"), "omega 1/omega 4, omega 4"
+        done = run("sweep", "ex3-7", "--driver", "0:360:90", "--of", of, "-o", path)
+        assert done.exit_code == 0, done.stderr
+    text = (tmp_path / "t.jsonl").read_text("utf-8")
+    lines = [json.loads(line, parse_constant=pytest.fail) for line in text.splitlines()]
+    assert [line["omega 1/omega 4 [1]"] is None for line in lines] == [False, True, False, True, False]
+    assert all(isinstance(line["omega 4 [rad/s]"], float) for line in lines)
 
 
 def test_csv_on_stdout_and_over_an_own_file(tmp_path: Path):

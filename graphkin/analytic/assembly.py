@@ -8,7 +8,7 @@ exact needs no choice.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from functools import cache, partial
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from graphkin.analytic.vectors import Complex, Real
 from graphkin.errors import NoAssembly
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.tolerances import ROUNDED
+from graphkin.value import frozen
 
 _STARTS = 128
 _MANY = 32
@@ -29,7 +30,7 @@ _EXACT = 1e-6
 """An assembly this near its sketch has none nearer [size]."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Assembled:
     """The chosen position q (n,), or None; then the smallest gap found [m]."""
 
@@ -37,7 +38,7 @@ class Assembled:
     gap: float
 
 
-@dataclass(frozen=True)
+@frozen
 class DrawnPosition:
     """The drawn position: unknowns q (n,), and each driver's value there [rad or m]."""
 
@@ -83,13 +84,13 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
     relations, c = _standing(mechanism, loops, driving)
     closure = EquationSystem.of(loops, relations)
     seen = guess(mechanism, loops)
-    starts = _starts(seen, mechanism, loops)
-    first, _ = _closed(closure, starts[:1], c)
+    first, _ = _closed(closure, np.nan_to_num(seen)[None], c)
     if len(first) and _as_sketched(mechanism, loops, first[0]):
         return Assembled(first[0], 0.0)
+    starts = cache(partial(_starts, seen, mechanism, loops))
     found, ends = _closed(closure, branched(closure, _judge(mechanism, loops), seen, starts, c), c)
     if not len(found):
-        found, ends = _closed(closure, starts[:: 1 + len(closure.known.free) // _MANY], c)
+        found, ends = _closed(closure, starts()[:: 1 + len(closure.known.free) // _MANY], c)
     if not len(found):
         return Assembled(None, _smallest_gap(closure, ends, c) * loops.size)
     return Assembled(choose(mechanism, loops, _distinct(found)), 0.0)

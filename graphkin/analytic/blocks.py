@@ -7,7 +7,7 @@ from many starts never has to hit upon all of it at once.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from graphkin.analytic.elimination import Elimination
 from graphkin.analytic.newton import EquationSystem
 from graphkin.analytic.vectors import Complex, Real, Vectors
+from graphkin.value import frozen
 
 _NOTHING = 1e-12
 """Coefficients below this are rounding, in units of size."""
@@ -23,7 +24,7 @@ Indices = NDArray[np.intp]
 Flags = NDArray[np.bool_]
 
 
-@dataclass(frozen=True)
+@frozen
 class Block:
     """Some loops and the unknowns left (of y) that they give, with all others known.
 

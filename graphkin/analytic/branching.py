@@ -7,7 +7,7 @@ not every block was as sketched, all are searched again for what lies nearer to 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
 from functools import cached_property
 
 import numpy as np
@@ -16,6 +16,7 @@ from graphkin.analytic.blocks import Block, Flags, Indices, blocks_of, moved_by
 from graphkin.analytic.newton import EquationSystem, close, inverse, search
 from graphkin.analytic.vectors import Complex, Real
 from graphkin.tolerances import ROUNDED
+from graphkin.value import filled, frozen
 
 _WIDTHS = (1, 8, 64)
 """Branches kept."""
@@ -23,11 +24,12 @@ _STARTS = 24
 """Starts for each unknown of a block, as far as there are as many."""
 _NEAR = 0.05
 """A block this near to the sketch, as part of its condition, has no other assembly as near."""
+Starts = Callable[[], Real]
 SAME = 1e-4
 """Positions of all unknowns nearer than this are one assembly [rad, size]."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Judge:
     """What branches are judged by, each with the unknowns left that it hangs on.
 
@@ -41,11 +43,11 @@ class Judge:
     forwards: list[int]
 
 
-def branched(closure: EquationSystem, judge: Judge, seen: Real, starts: Real, c: Real) -> Real:
+def branched(closure: EquationSystem, judge: Judge, seen: Real, starts: Starts, c: Real) -> Real:
     """Positions (a, n) that close every block, the one nearest to the sketch among them; none where none is found.
 
     seen    what the sketch shows of the unknowns (n,), nan elsewhere
-    starts  (b, n), the first of them at the sketch
+    starts  gives (b, n), the first of them at the sketch; asked only where the sketch does not settle a block
     """
     blocks = blocks_of(closure)
     if not blocks:
@@ -63,14 +65,14 @@ def branched(closure: EquationSystem, judge: Judge, seen: Real, starts: Real, c:
     return np.vstack([found, more])
 
 
-@dataclass
+@filled
 class _Walk:
     """One search through the blocks; `limit`: branches farther from the sketch than this are left [size²]."""
 
     closure: EquationSystem
     judge: Judge
     seen: Real
-    starts: Real
+    starts: Starts
     c: Real
     width: int
     limit: float
@@ -104,7 +106,8 @@ class _Walk:
         if single.all():
             return self._with(block, q, y)
         self.sure = False
-        places = self.starts[:: max(1, len(self.starts) // max(1, _STARTS * len(free)))][:, free]
+        starts = self.starts()
+        places = starts[:: max(1, len(starts) // max(1, _STARTS * len(free)))][:, free]
         unsure = np.flatnonzero(~single)
         parent = np.repeat(unsure, len(places))
         more, met = self._tried(block, np.tile(places, (len(unsure), 1)), given[parent])

@@ -6,18 +6,17 @@ find (y) is as many scalars as the loops have to give.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from graphkin.analytic.vectors import Real
+from graphkin.value import frozen
 
 _ZERO = 1e-9
 """A row whose entries all fall below this is a repetition of others."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Elimination:
     """The general solution of W q = c, for k relations and n unknowns of which y are left.
 

@@ -6,8 +6,6 @@ at a dead point or a change point, so it is taken at several positions near the 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from graphkin.analytic.assembly import assemble, held, idle
@@ -17,13 +15,14 @@ from graphkin.analytic.rules import driven, placing
 from graphkin.analytic.vectors import Real
 from graphkin.mechanism import Mechanism
 from graphkin.tolerances import RANK
+from graphkin.value import frozen
 
 _NUDGES = 6
 _NUDGE = 0.05
 """How far the mechanism is moved to see its general rank [rad, size]."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Mobility:
     """What may move, and whether the drivers say how.
 
@@ -93,7 +92,7 @@ def null_space(matrix: Real) -> Real:
     return np.asarray(np.linalg.svd(matrix)[2][rank(matrix) :])
 
 
-@dataclass(frozen=True)
+@frozen
 class _Ranks:
     """Equations at the position q (n,) where they are most independent; driving: the drivers' rows (d, n)."""
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,9 +18,10 @@ from graphkin.analytic.vectors import Complex, Real, Vectors
 from graphkin.errors import NotJoined
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Rod
+from graphkin.value import frozen
 
 
-@dataclass(frozen=True)
+@frozen
 class Loops:
     """The unknowns and what ties them together, drivers apart.
 
@@ -135,7 +135,7 @@ def _vectors(links: tuple[str, ...], slides: dict[str, str]) -> Vectors:
     return Vectors(turning, stretching, base)
 
 
-@dataclass(frozen=True)
+@frozen
 class _Sums:
     """Sums of arrows, written as rows of coefficients in units of size."""
 

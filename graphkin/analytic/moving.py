@@ -8,7 +8,6 @@ closed by Newton, and taken back and halved where Newton has to go far.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +16,7 @@ from graphkin.analytic.newton import Closed, EquationSystem, close
 from graphkin.analytic.path import Path, RightSides, path_along
 from graphkin.analytic.rates import tangent
 from graphkin.analytic.vectors import Real
+from graphkin.value import frozen
 
 _SAME = 1e-12
 """Right sides that differ by less are the same [rad, m]."""
@@ -49,7 +49,7 @@ _CLEAR = 10
 """The outermost neighbour is not so near another change point, or the end, as this many times its distance."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Limit:
     """Positions beside a change point, as weighted sums of neighbours on both sides.
 

@@ -7,7 +7,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +15,7 @@ from graphkin.analytic.elimination import Elimination, eliminate
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.rules import Relation
 from graphkin.analytic.vectors import Real
+from graphkin.value import frozen
 
 _SETTLED = 1e-13
 """Newton steps below this are rounding."""
@@ -25,7 +25,7 @@ _SLOW = 1e-10
 """A search that closes less than this share of the gap in a step has come to its end."""
 
 
-@dataclass(frozen=True)
+@frozen
 class EquationSystem:
     """Loops and the relations that hold with them; `c` (..., k) are the relations' right sides."""
 
@@ -46,7 +46,7 @@ class EquationSystem:
         return q + y_step @ self.known.left.T
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Closed:
     """Where Newton ended: unknowns (p, n), loops still open by `gap` (p,), last step (p,)."""
 

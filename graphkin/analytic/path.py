@@ -10,7 +10,7 @@ point.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
 import numpy as np
@@ -20,6 +20,7 @@ from graphkin.analytic.newton import EquationSystem, close
 from graphkin.analytic.rates import tangent
 from graphkin.analytic.vectors import Real
 from graphkin.tolerances import TOUCH
+from graphkin.value import filled, frozen
 
 STRIDE = 0.12
 """Longest step of a driver [rad]: 4.7 deg."""
@@ -37,7 +38,7 @@ FLAT = 1e-4
 """Singular values below this part of the largest belong to a change point."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PathNode:
     """Unknowns (n,) and their slopes at a place on the line; the reciprocal condition, with the determinant's sign."""
 
@@ -47,7 +48,7 @@ class PathNode:
     measure: float
 
 
-@dataclass(frozen=True)
+@frozen
 class RightSides:
     """Right sides c + at * toward (k,) of the relations; `longest` is the longest step along it."""
 
@@ -85,7 +86,7 @@ class RightSides:
         return float(np.max(np.abs(change / scale)[self.heard], initial=0.0))
 
 
-@dataclass(frozen=True)
+@frozen
 class Path:
     """Nodes in the order of their places, and the places of change points."""
 
@@ -118,7 +119,7 @@ def path_along(line: RightSides, start: Real, low: float, high: float) -> Path:
     return Path(line, (*before, *forth.nodes), changes)
 
 
-@dataclass
+@filled
 class _Walk:
     """One direction of a path; `missed` is where two motions only came near each other."""
 

@@ -6,16 +6,15 @@ Source: Sun Huan, Theory of Machines, section 3-3, (3-21) to (3-29), written for
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from graphkin.analytic.loops import parts
 from graphkin.analytic.newton import EquationSystem, inverse
 from graphkin.analytic.vectors import Real
+from graphkin.value import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rates:
     """q', q'' (..., n), and the reciprocal condition number of A (...)."""
 

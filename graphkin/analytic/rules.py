@@ -11,12 +11,12 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
 from graphkin.tolerances import ROUNDED
+from graphkin.value import frozen
 
 
 class Unknown(NamedTuple):
@@ -30,7 +30,7 @@ def theta(link: str) -> Unknown:
     return Unknown("theta", link)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Joint:
     """`tail` and `head` meet: tail_arm (+ s direction, of the unknown `slide`) on tail = head_arm on head.
 
@@ -45,7 +45,7 @@ class Joint:
     direction: complex = 1
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Relation:
     """sum of weight x unknown + offset = value; value is 0 but for drivers and poses [rad or m].
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import cmath
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 
 import numpy as np
@@ -13,6 +13,7 @@ from graphkin.analytic.rules import Joint, Unknown, placing, theta
 from graphkin.analytic.vectors import Real
 from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
 from graphkin.pairs import Slide
+from graphkin.value import filled
 
 
 def guess(mechanism: Mechanism, loops: Loops) -> Real:
@@ -28,7 +29,7 @@ def guess(mechanism: Mechanism, loops: Loops) -> Real:
     return np.array([found.get(unknown, np.nan) for unknown in loops.unknowns]) / loops.unit
 
 
-@dataclass
+@filled
 class _Seen:
     """Located points [m] and angles of links [rad]; `look` adds what follows from them."""
 

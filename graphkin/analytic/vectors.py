@@ -10,16 +10,16 @@ Source: Sun Huan, Theory of Machines, section 3-3 (complex vectors).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
+
+from graphkin.value import frozen
 
 Real = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Vectors:
     """How arrows hang on the unknowns q: angle = turning q, length = base + stretching q.
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import combinations
 
 import numpy as np
@@ -30,6 +31,7 @@ from graphkin.drafting import (
     draw,
     ruled,
 )
+from graphkin.drafting.projective import product
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.readings import readings
@@ -112,7 +114,7 @@ class _Search:
     def mechanism(self) -> Mechanism:
         return self.method.mechanism
 
-    @property
+    @cached_property
     def names(self) -> list[str]:
         return sorted(self.mechanism.links, key=lambda link: _by_number(self.mechanism.called(link)))
 
@@ -171,14 +173,15 @@ class _Search:
         """The two lines that are farthest from being one; the first two, where several are clear."""
         lines = [(line, ruled(line, self.board)) for line in self._lines(pair)]
         lines = [(line, place) for line, place in lines if np.isfinite(place).all()]
-        best: tuple[float, LineStep, LineStep] | None = None
-        for (one, first), (other, second) in combinations(lines, 2):
-            apart = float(np.linalg.norm(np.cross(first, second)))
-            if apart > clear and (best is None or min(apart, 0.3) > best[0]):
-                best = min(apart, 0.3), one, other
-        if best is None:
+        if len(lines) < 2:
             return None
-        _, one, other = best
+        first, second = np.triu_indices(len(lines), 1)
+        places = np.array([place for _, place in lines]).T
+        apart = np.linalg.norm(product(places[:, first], places[:, second]), axis=0)
+        best = int(np.argmax(np.where(apart > clear, np.minimum(apart, 0.3), 0.0)))
+        if not apart[best] > clear:
+            return None
+        one, other = lines[first[best]][0], lines[second[best]][0]
         return Stage("two lines", (one, other, Meet(self.named(pair), one.name, other.name)))
 
     def _lines(self, pair: Pair) -> Iterator[LineStep]:

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 PRINTED, IN_ONE = 100_000, 1_000_000
 """Rows that are printed as a table, and written as one JSON object, at most."""
-WRITTEN = (".csv", ".json", ".parquet", ".svg", ".png", ".pdf")
+WRITTEN = (".csv", ".json", ".jsonl", ".parquet", ".svg", ".png", ".pdf")
 LONG = 200_000
 """Positions from which a sweep shows how far it is."""
 
@@ -42,7 +42,7 @@ LONG = 200_000
               help='Such as "theta 3, v E, a_k B3B2"; else what the file asks.')  # fmt: skip
 @by_option
 @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
-              help=".csv, .json, .parquet, or a diagram: .svg, .png, .pdf; - for CSV on stdout.")  # fmt: skip
+              help=".csv, .json, .jsonl, .parquet, or a diagram: .svg, .png, .pdf; - for CSV on stdout.")  # fmt: skip
 @click.option("--table", is_flag=True, help="Print as table 3-1 of the textbook: deg and m, five decimals.")
 @click.option("--limit", "limits", multiple=True, metavar="QUANTITY VALUE",
               help='Say where a size is passed, such as "a E 3 g".')  # fmt: skip

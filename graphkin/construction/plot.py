@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import assert_never
 
 import numpy as np
@@ -28,7 +28,7 @@ from graphkin.construction.terms import (
     Turning,
 )
 from graphkin.geometry import Value, unit
-from graphkin.value import frozen
+from graphkin.value import filled, frozen
 
 
 def slide_key(slide: str) -> str:
@@ -76,7 +76,7 @@ class Facts:
         return sum(sign * given[k] for k, sign in self.turns[link].drivers)
 
 
-@dataclass
+@filled
 class Plot:
     """Named points and quantities of the finished drawing; every value a scalar or an array over positions.
 

@@ -7,58 +7,46 @@ the data; only the edge (the command line, a notebook) asks for the words.
 about a link's measures, `pairs` about sliding pairs, gears, rolling and cams, `drivers` about drivers and poses, `motion`
 about assembly and movement, `singular` about the analysis, `marking`, `submissions` and `platforms` about homework, `asking` about what
 is asked for, `finding` about conditions. A new error is a class in one of them, and a name in its `__all__`: this module
-passes on all that those hold.
+passes on all that those hold, and loads each where something of it is first asked for.
 """
 
-from graphkin.errors import (
-    asking,
-    base,
-    centring,
-    design,
-    drivers,
-    files,
-    finding,
-    keys,
-    linkages,
-    marking,
-    motion,
-    pairs,
-    platforms,
-    shapes,
-    singular,
-    submissions,
-)
-from graphkin.errors.asking import *  # noqa: F403
-from graphkin.errors.base import *  # noqa: F403
-from graphkin.errors.centring import *  # noqa: F403
-from graphkin.errors.design import *  # noqa: F403
-from graphkin.errors.drivers import *  # noqa: F403
-from graphkin.errors.files import *  # noqa: F403
-from graphkin.errors.finding import *  # noqa: F403
-from graphkin.errors.keys import *  # noqa: F403
-from graphkin.errors.linkages import *  # noqa: F403
-from graphkin.errors.marking import *  # noqa: F403
-from graphkin.errors.motion import *  # noqa: F403
-from graphkin.errors.pairs import *  # noqa: F403
-from graphkin.errors.platforms import *  # noqa: F403
-from graphkin.errors.shapes import *  # noqa: F403
-from graphkin.errors.singular import *  # noqa: F403
-from graphkin.errors.submissions import *  # noqa: F403
+from __future__ import annotations
 
-__all__: list[str] = []
-__all__ += asking.__all__
-__all__ += base.__all__
-__all__ += centring.__all__
-__all__ += design.__all__
-__all__ += drivers.__all__
-__all__ += files.__all__
-__all__ += finding.__all__
-__all__ += keys.__all__
-__all__ += linkages.__all__
-__all__ += marking.__all__
-__all__ += motion.__all__
-__all__ += pairs.__all__
-__all__ += platforms.__all__
-__all__ += shapes.__all__
-__all__ += singular.__all__
-__all__ += submissions.__all__
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from graphkin.errors.asking import *  # noqa: F403
+    from graphkin.errors.base import *  # noqa: F403
+    from graphkin.errors.centring import *  # noqa: F403
+    from graphkin.errors.design import *  # noqa: F403
+    from graphkin.errors.drivers import *  # noqa: F403
+    from graphkin.errors.files import *  # noqa: F403
+    from graphkin.errors.finding import *  # noqa: F403
+    from graphkin.errors.keys import *  # noqa: F403
+    from graphkin.errors.linkages import *  # noqa: F403
+    from graphkin.errors.marking import *  # noqa: F403
+    from graphkin.errors.motion import *  # noqa: F403
+    from graphkin.errors.pairs import *  # noqa: F403
+    from graphkin.errors.platforms import *  # noqa: F403
+    from graphkin.errors.shapes import *  # noqa: F403
+    from graphkin.errors.singular import *  # noqa: F403
+    from graphkin.errors.submissions import *  # noqa: F403
+
+_FILES = (
+    "base", "files", "keys", "shapes", "drivers", "pairs", "motion", "singular", "asking",
+    "centring", "finding", "linkages", "design", "marking", "submissions", "platforms",
+)  # fmt: skip
+"""In the order in which a name is looked for: what every mechanism file may meet comes first."""
+
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> object:
+        files = (import_module(f"{__name__}.{file}") for file in _FILES)
+        if name == "__all__":
+            return [each for file in files for each in file.__all__]
+        found = None if name.startswith("__") else next((file for file in files if name in file.__all__), None)
+        if found is None:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        globals()[name] = getattr(found, name)
+        return globals()[name]

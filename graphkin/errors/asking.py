@@ -53,8 +53,8 @@ class TooManyRows(GraphkinError):
     most: int
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {rows} rows, and {most} at most are printed or written as JSON. Take a larger step, or write them "
-        "into a file with -o: .csv and .parquet take any number.",
-        "zh": "{where}：共 {rows} 行，显示或写成 JSON 最多 {most} 行。请加大步长，或用 -o 写入 .csv、.parquet 文件（行数不限）。",
+        "into a file with -o: .csv, .jsonl and .parquet take any number.",
+        "zh": "{where}：共 {rows} 行，显示或写成 JSON 最多 {most} 行。请加大步长，或用 -o 写入 .csv、.jsonl、.parquet 文件（行数不限）。",
     }
 
 

@@ -92,10 +92,10 @@ def _marker(drawing: Any, id: int, corner: complex) -> None:
 
 
 def _drawing(width: float, height: float) -> Any:
-    import svgwrite
+    from graphkin.outputs.svgwriting import svgwrite
 
     size = (f"{mm(width)}mm", f"{mm(height)}mm")
-    return svgwrite.Drawing(size=size, viewBox=f"0 0 {mm(width)} {mm(height)}", profile="full", debug=False)
+    return svgwrite().Drawing(size=size, viewBox=f"0 0 {mm(width)} {mm(height)}", profile="full", debug=False)
 
 
 def _line(drawing: Any, start: complex, end: complex, colour: str, width: float) -> None:

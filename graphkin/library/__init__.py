@@ -7,13 +7,16 @@ from __future__ import annotations
 
 import os
 import re
+import tomllib
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from graphkin.errors import Lang, UnknownMechanism, Where
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
+
+if TYPE_CHECKING:
+    from graphkin.mechanism import Mechanism
 
 __all__ = ["groups", "has", "load", "names", "text", "titles"]
 
@@ -45,12 +48,19 @@ def has(name: str) -> bool:
 
 def load(name: str) -> Mechanism:
     """The mechanism of this name."""
+    from graphkin.loading import loads
+
     return loads(text(name), name=name, file=name + _SUFFIX)
 
 
 def titles(lang: Lang) -> dict[str, str]:
-    """What each mechanism is called."""
-    return {name: load(name).headline(lang) for name in names()}
+    """What each mechanism is called. A title stands before the first table; no more of a file is read for it."""
+    return {name: _title(text(name).split("\n[", 1)[0])[lang] for name in names()}
+
+
+def _title(head: str) -> dict[Lang, str]:
+    title: Any = tomllib.loads(head)["title"]
+    return {"en": title, "zh": title} if isinstance(title, str) else title
 
 
 def _file(name: str) -> Path | None:

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import NoReturn
 
 from graphkin.errors import DuplicateName, GraphkinError, Several, UnknownLink, UnknownPoint, Where
 from graphkin.loading.names import tidy
 from graphkin.loading.positions import Path
 from graphkin.mechanism import FRAME, Link
+from graphkin.value import filled
 
 MOST_PROBLEMS = 100
 """Nobody reads more of them at a time."""
 
 
-@dataclass
+@filled
 class Draft:
     """What the readers of the single tables share.
 

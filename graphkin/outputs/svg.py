@@ -24,6 +24,7 @@ from graphkin.outputs import files
 from graphkin.outputs.files import beside
 from graphkin.outputs.paint import Colours, Ink
 from graphkin.outputs.spans import LATIN, mm, runs, short
+from graphkin.outputs.svgwriting import svgwrite
 from graphkin.seal import seal
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import Label
@@ -102,10 +103,8 @@ class _Pen:
     """One drawing in the making. Marks of one layer that follow one another in one paint share it in a group."""
 
     def __init__(self, sheet: Sheet, ink: Ink, metadata: bool) -> None:
-        import svgwrite
-
         wide, high = mm(sheet.paper.width), mm(sheet.paper.height)
-        self.drawing: Any = svgwrite.Drawing(
+        self.drawing: Any = svgwrite().Drawing(
             size=(f"{wide}mm", f"{high}mm"), viewBox=f"0 0 {wide} {high}", profile="full", debug=False
         )
         self.sheet, self.colours, self.metadata = sheet, Colours.of(sheet, ink), metadata

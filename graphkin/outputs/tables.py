@@ -1,13 +1,14 @@
-"""Sweeps as tables for other programs: CSV, JSON, Parquet. Written part by part, so that their length costs no memory.
+"""Sweeps as tables: CSV, JSON, JSON Lines, Parquet. Written part by part, so that their length costs no memory.
 
-CSV and Parquet have mm and deg and say so in their headers; JSON has SI units and radians, as `solve --json`.
+CSV and Parquet have mm and deg and say so in their headers; JSON has SI units and radians, as `solve --json`: one
+object of columns (`.json`), which has to be whole before it is written, or one object a position (`.jsonl`).
 """
 
 from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -15,11 +16,14 @@ import numpy as np
 
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs.files import beside
-from graphkin.quantities import EDGE
+from graphkin.quantities import EDGE, Unit
 from graphkin.sweeps import Course, Road, Series, Sweep, in_parts
 
-FORMATS = (".csv", ".json", ".parquet")
-MARKS = (b" [deg]", b" [mm]", b'"format": 1', b"graphkin")
+FORMATS = (".csv", ".json", ".jsonl", ".parquet")
+MARKS = (b" [deg]", b" [mm]", b' [rad]": ', b' [m]": ', b'"format": 1', b"graphkin")
+_SI = {name: Unit("" if name == "1" else name, name) for name in EDGE}
+_LINES = 4096
+"""So many lines are made at once."""
 Seen = Callable[[Sweep], None]
 """Is shown each part that is done."""
 
@@ -49,7 +53,7 @@ def write(
         if path.suffix == ".json":
             file.write(json_text(course, found) + "\n")
         else:
-            for lines in csv_lines(course, found):
+            for lines in (json_lines if path.suffix == ".jsonl" else csv_lines)(course, found):
                 file.write(lines)
 
 
@@ -63,18 +67,18 @@ def told(found: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
 # --- columns ----------------------------------------------------------------------------------
 
 
-def columns(part: Sweep) -> dict[str, np.ndarray]:
-    """By header, in mm and deg: the driver's value, and each quantity; of vectors the size, then x and y."""
+def columns(part: Sweep, units: Mapping[str, Unit] = EDGE) -> dict[str, np.ndarray]:
+    """By header, in mm and deg or so: the driver's value, and each quantity; of vectors the size, then x and y."""
     driver = part.course.driver.name
-    unit = EDGE[part.course.unit]
+    unit = units[part.course.unit]
     found = {f"{driver} [{unit.name}]": part.values * unit.factor}
     for entry in part.series:
-        found |= _columns(entry)
+        found |= _columns(entry, units[entry.unit])
     return found
 
 
-def _columns(entry: Series) -> Iterator[tuple[str, np.ndarray]]:
-    unit, factor = EDGE[entry.unit].name or "1", EDGE[entry.unit].factor
+def _columns(entry: Series, shown: Unit) -> Iterator[tuple[str, np.ndarray]]:
+    unit, factor = shown.name or "1", shown.factor
     if not entry.is_place:
         yield f"{entry.name} [{unit}]", entry.values * factor
     if entry.vectors is not None:
@@ -124,6 +128,20 @@ def json_text(course: Course, found: Iterator[Sweep]) -> str:
         },
     }
     return json.dumps(data, ensure_ascii=False, allow_nan=False)
+
+
+def json_lines(course: Course, found: Iterator[Sweep]) -> Iterator[str]:
+    """An object for each position, each by itself: columns as in CSV, in SI units and radians."""
+    for part in found:
+        table = columns(part, _SI)
+        rows = np.column_stack(list(table.values())) + 0.0
+        heads = (json.dumps(head, ensure_ascii=False).replace("%", "%%") for head in table)
+        line = "{" + ", ".join(f"{head}: %s" for head in heads) + "}\n"
+        for some in np.array_split(rows, 1 + len(rows) // _LINES):
+            numbers: list[Any] = some.ravel().tolist()
+            if not np.isfinite(some).all():
+                numbers = [number if math.isfinite(number) else "null" for number in numbers]
+            yield (line * len(some)) % tuple(numbers)
 
 
 def _event(course: Course, event: Any) -> dict[str, Any]:

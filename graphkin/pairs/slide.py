@@ -6,9 +6,9 @@ on the line and may turn. Displacement s is measured along the line from its ori
 
 from __future__ import annotations
 
-import cmath
 from typing import ClassVar
 
+from graphkin.geometry import phase
 from graphkin.pairs.line import Line
 from graphkin.pairs.pair import Pair, Slot
 from graphkin.value import frozen
@@ -76,4 +76,5 @@ class Slide(Pair):
     @property
     def turn(self) -> float:
         """Angle from the guide's axis to the block's axis, fixed while the block slides [rad]."""
-        return cmath.phase(self.line.direction) + self.tilt
+        angle: float = phase(self.line.direction) + self.tilt
+        return angle

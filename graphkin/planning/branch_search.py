@@ -22,6 +22,7 @@ from graphkin.mechanism import FRAME
 from graphkin.planning.branches import Branches
 from graphkin.planning.starts import Starts
 from graphkin.planning.structure import Structure
+from graphkin.value import frozen
 
 WIDTHS = (1, 8, 64)
 """Branches kept while a first assembly is looked for."""
@@ -39,7 +40,7 @@ class DeadEnd(Exception):
         self.plot = plot
 
 
-@dataclass(frozen=True)
+@frozen
 class Block:
     """A step that leaves several possibilities, None before the first of them, and all that follows from it."""
 
@@ -75,7 +76,7 @@ def branches(structure: Structure, construction: Construction, facts: Facts, kno
     return found
 
 
-@dataclass(frozen=True)
+@frozen
 class _Bound:
     """What a branch is measured by: an assembly's points as drawn, and what points not drawn yet may make good [m²]."""
 
@@ -83,7 +84,7 @@ class _Bound:
     rounding: float
 
 
-@dataclass
+@dataclass(eq=False)
 class _Search:
     structure: Structure
     construction: Construction

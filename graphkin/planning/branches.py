@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from graphkin.construction import Plot
 from graphkin.geometry import Value
+from graphkin.value import filled
 
 TABLES = ("near", "position", "theta", "s", "sines", "misses", "senses")
 
 
-@dataclass
+@filled
 class Branches:
     """Drawings side by side: values of the plot are scalar or (w,); sides (w, choices made)."""
 

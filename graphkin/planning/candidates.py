@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -35,7 +34,7 @@ class SetAside:
     body: str = ""
 
 
-@dataclass(frozen=True)
+@frozen
 class Candidates:
     """The pairs of a mechanism, in file and structure; `labels` are the equations there are."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from graphkin.planning.candidates import Candidates, SetAside, over
 from graphkin.planning.ranks import beside, drawn_place, open_by, rank
 from graphkin.planning.restraints import Array, Restraints, Rows
 from graphkin.tolerances import CLOSED, RANK
+from graphkin.value import frozen
 
 _MISSED = 1e-8
 """A gap of more than this contradicts [size, rad]."""
@@ -24,7 +24,7 @@ _RIGID = 0.2
 """The same where the pairs let nothing move: then it is no driver that is too much."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Contradictions:
     """What of some constraints does not agree with the others."""
 

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from graphkin.construction import Site
 from graphkin.mechanism import FRAME
 from graphkin.planning.hops import Slip, Twist, way_round
 from graphkin.planning.stages import Carry, Group, Loop, Stage
 from graphkin.planning.structure import Sliding, Structure
+from graphkin.value import filled
 
 
-@dataclass
+@filled
 class Labels:
     """How sites are written: `C`; `B3` where links slide past each other; `B@guide` where that would mislead."""
 

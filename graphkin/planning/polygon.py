@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import chain, count
 
 from graphkin.construction import (
@@ -36,6 +36,7 @@ from graphkin.planning.hops import Hop, Lever, Slip, Twist
 from graphkin.planning.known_first import known_first
 from graphkin.planning.labels import Labels
 from graphkin.planning.structure import Structure
+from graphkin.value import filled
 
 Piece = tuple[str, Size | None, Direction | None]
 """The part (`n`, `t`, `k`, `r`), size and direction of one arrow of a hop."""
@@ -45,7 +46,7 @@ TIPS = {"n": "nmuw", "t": "tyxw", "k": "kgjx"}
 """Letters for the tips of normal, tangential and Coriolis arrows; the first that no point of the mechanism has."""
 
 
-@dataclass
+@filled
 class Polygon:
     """The steps so far, and where the sites drawn by them are.
 

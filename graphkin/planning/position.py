@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import count
 
 from graphkin.construction import (
@@ -35,7 +35,7 @@ from graphkin.planning.closing import close
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
-from graphkin.value import frozen
+from graphkin.value import filled, frozen
 
 
 @frozen
@@ -48,7 +48,7 @@ class _Piece:
     base: str
 
 
-@dataclass
+@filled
 class _Drawing:
     structure: Structure
     parts: list[Step | Equation] = field(default_factory=list)

@@ -9,7 +9,7 @@ asked for while another will do. A link that hangs on hinges alone is left where
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from graphkin.planning.ranks import drawn_place, open_by, rank
 from graphkin.planning.restraints import Array, Restraints, Row, Rows, settled
 from graphkin.planning.structure import Aside, Structure
 from graphkin.tolerances import CLOSED
+from graphkin.value import frozen
 
 _NUDGE = 0.05
 """How far bodies are moved to see the general rank [size, rad]."""
@@ -67,7 +68,7 @@ def _given(mechanism: Mechanism) -> Iterator[Driver]:
         yield Driver(pose.kind, pose.link, pose.vector, pose.from_link, pose.from_vector, pose.value)
 
 
-@dataclass(frozen=True)
+@frozen
 class _Search:
     """The search for what repeats others in one mechanism; `drawn` is its position."""
 

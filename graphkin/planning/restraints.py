@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -38,7 +37,7 @@ class Row:
     body: str = ""
 
 
-@dataclass(frozen=True)
+@frozen
 class Rows:
     """Equations at a place: what is left open (k,), and its slopes (k, 3n); lengths in units of size."""
 
@@ -55,7 +54,7 @@ class Rows:
         return Rows(tuple(self.labels[k] for k in kept), self.open[kept], self.slopes[kept])
 
 
-@dataclass(frozen=True)
+@frozen
 class Restraints:
     """The equations of a structure; `given` are the drivers and poses that hold at the drawn position."""
 

@@ -13,14 +13,14 @@ Assur group of Class III or higher, or a gear train whose planets and arm hang o
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import combinations
 
 from graphkin.construction import slide_key
 from graphkin.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
-from graphkin.value import frozen
+from graphkin.value import filled, frozen
 
 MOST = 8
 """Unknown scalars of one loop of a group."""
@@ -80,7 +80,7 @@ class Group:
 Stage = Carry | Bridge | Mesh | Loop | Group
 
 
-@dataclass
+@filled
 class _Known:
     """What is known so far."""
 

@@ -46,13 +46,14 @@ def facts_of(structure: Structure, values: Sequence[Value] | None, drawn: Mappin
     """What is known before the pencil moves; drivers at the drawn position, or at other values [rad, m]."""
     mechanism = structure.mechanism
     drivers = mechanism.drivers
+    drawn_values = (0.0 if driver.value is None else driver.value for driver in drivers)
     return Facts(
         frame=FRAME,
         shapes=structure.shapes,
         lines={s.name: (s.guide, s.line.origin, s.line.direction) for s in mechanism.slides},
         turns=structure.turns,
         slides_driven=structure.slides_driven,
-        values=tuple(values) if values is not None else tuple(driver.value or 0.0 for driver in drivers),
+        values=tuple(drawn_values if values is None else values),
         rates=tuple(driver.rate for driver in drivers),
         accelerations=tuple(driver.acceleration for driver in drivers),
         drawn=drawn,

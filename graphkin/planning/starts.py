@@ -7,7 +7,6 @@ near, the assembly found from there is the one; else all that are found from man
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from graphkin.geometry import Value, dot
 from graphkin.mechanism import FRAME
 from graphkin.planning.branches import Branches
 from graphkin.planning.structure import Structure
+from graphkin.value import filled
 
 STARTS = 96
 """Places where fitting starts, for each branch."""
@@ -29,7 +29,7 @@ SAME = 1e-6
 """Assemblies of a group whose unknowns differ by less are one [rad, of its size]."""
 
 
-@dataclass
+@filled
 class Starts:
     """Fits the groups of a mechanism, whatever has been drawn of it."""
 

@@ -7,12 +7,12 @@ slides alone (the lower-pair form a textbook gives the half joint).
 
 from __future__ import annotations
 
-import cmath
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
 from graphkin.construction import TurnOf
+from graphkin.geometry import phase
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.pairs import Rod, Slide, pin_name
 from graphkin.planning.equivalent import Contact
@@ -212,7 +212,7 @@ class Structure:
     def _angle_ties(self, body: str) -> Iterator[tuple[str, TurnOf]]:
         """Bodies whose angle against this one is given, by a slide or by a driver."""
         for slide in self.joining:
-            turn = slide.turn if slide.block is not None else cmath.phase(slide.line.direction)
+            turn = slide.turn if slide.block is not None else phase(slide.line.direction)
             if body == slide.guide:
                 yield self.block(slide), TurnOf(body, turn)
             elif body == self.block(slide):
@@ -233,9 +233,9 @@ class Structure:
         links = self.mechanism.links
         if driver.vector is None:
             return 0.0
-        offset = -cmath.phase(links[driver.link].arm(*driver.vector))
+        offset: float = -phase(links[driver.link].arm(*driver.vector))
         if driver.from_vector is not None:
-            offset += cmath.phase(links[driver.from_link].arm(*driver.from_vector))
+            offset += phase(links[driver.from_link].arm(*driver.from_vector))
         return offset
 
     @property

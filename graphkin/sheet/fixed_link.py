@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Slide
@@ -15,6 +14,7 @@ from graphkin.sheet.marks import Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
+from graphkin.value import filled
 
 _REACH, _AWAY, _STUB = 13.0, 18.0, 6.5
 """How far a fixed guide is drawn to each side of its block; away from a bar over it, and under it [mm]."""
@@ -59,7 +59,7 @@ def ground_way(point: str, *skeletons: Skeleton) -> complex:
 # --- fixed guides -----------------------------------------------------------------------------
 
 
-@dataclass
+@filled
 class _Run:
     """A stretch of a fixed line, with what slides on it."""
 

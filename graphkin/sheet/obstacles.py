@@ -20,25 +20,34 @@ _TIP, _TIP_HALF = 2.8, 0.5
 
 
 class Tree:
-    """Obstacles by place."""
+    """Obstacles by place: line segments (n, 2, 2), and areas.
 
-    def __init__(self, shapes: Sequence[Any]) -> None:
+    shapely finds whose surroundings overlap. Whether a segment passes through an upright box is seen for all at once:
+    most of what is drawn are segments, and asked one by one they would take longer than all else of a crowded sheet.
+    """
+
+    def __init__(self, segments: NDArray[np.float64], areas: Sequence[Any]) -> None:
         import shapely
 
-        self._shapely = shapely
-        self._tree = shapely.STRtree(np.array(shapes, dtype=object))
+        self._shapely, self._segments = shapely, segments
+        self._lines = shapely.STRtree(shapely.linestrings(segments))
+        self._areas = shapely.STRtree(np.array(areas, dtype=object))
 
     def touched(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.intp]:
         """Rows of the boxes low..high that touch something, once for each thing touched."""
         boxes = self._shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1])
-        rows: NDArray[np.intp] = self._tree.query(boxes, predicate="intersects")[0]
-        return rows
+        rows, numbers = self._lines.query(boxes)
+        start, end = self._segments[numbers, 0], self._segments[numbers, 1]
+        middle, half = (low + high) / 2, (high - low) / 2
+        hit = _through(end - start, middle[rows] - start, half[rows])
+        areas: NDArray[np.intp] = self._areas.query(boxes, predicate="intersects")[0]
+        return np.concatenate([rows[hit], areas])
 
     def crossed(self, start: NDArray[np.float64], end: NDArray[np.float64]) -> NDArray[np.intp]:
         """Rows of the lines start..end that touch something, once for each thing touched."""
         lines = self._shapely.linestrings(np.stack([start, end], axis=1))
-        rows: NDArray[np.intp] = self._tree.query(lines, predicate="intersects")[0]
-        return rows
+        found = [tree.query(lines, predicate="intersects")[0] for tree in (self._lines, self._areas)]
+        return np.concatenate(found)
 
 
 def tree(drawn: Iterable[Mark]) -> Tree:
@@ -54,9 +63,18 @@ def tree(drawn: Iterable[Mark]) -> Tree:
             else:
                 lines += pairwise(places)
     segments = np.array([[(a.real, a.imag), (b.real, b.imag)] for a, b in lines]).reshape(-1, 2, 2)
-    shapes = [*shapely.linestrings(segments)]
-    shapes += [shapely.Polygon([(p.real, p.imag) for p in area]) for area in areas]
-    return Tree(shapes)
+    return Tree(segments, [shapely.Polygon([(p.real, p.imag) for p in area]) for area in areas])
+
+
+def _through(way: NDArray[np.float64], off: NDArray[np.float64], half: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Whether segments, whose surroundings overlap upright boxes, meet them; off: from a segment's start to a middle.
+
+    A level or upright segment is as large as its surroundings, and does.
+    """
+    (x, y), (across, down), (wide, high) = way.T, off.T, half.T
+    found: NDArray[np.bool_] = np.abs(x * down - y * across) <= np.abs(x) * high + np.abs(y) * wide
+    found |= (x == 0) | (y == 0)
+    return found
 
 
 def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:

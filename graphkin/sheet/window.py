@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from graphkin.construction import Construction, Plane
 from graphkin.planning import Method
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.wanted import Wanted
-from graphkin.value import frozen
+from graphkin.value import filled, frozen
 
 Entry = Mark | Wanted
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
@@ -31,7 +31,7 @@ class Window:
         return complex(direction).conjugate()
 
 
-@dataclass
+@filled
 class Figure:
     """What one plane puts on paper: marks in the order of painting, and labels that want a place."""
 

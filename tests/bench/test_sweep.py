@@ -284,7 +284,7 @@ else:
 
 @pytest.mark.bench
 @pytest.mark.skipif(sys.platform == "win32", reason="no resource module to ask for the peak of memory")
-@pytest.mark.parametrize("suffix", [".csv", ".parquet"])
+@pytest.mark.parametrize("suffix", [".csv", ".jsonl", ".parquet"])
 def test_memory_stays_flat(suffix: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A table of any length is written part by part: per position only the driver's own values are held.
 

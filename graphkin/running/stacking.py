@@ -1,0 +1,112 @@
+"""Many mechanisms of one topology as one, whose lengths, directions and drivers are arrays (n,) over mechanisms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from graphkin.construction import Facts
+from graphkin.geometry import Value
+from graphkin.mechanism import Driver, Link, Mechanism
+from graphkin.pairs import Slide
+
+
+def topology(mechanism: Mechanism) -> tuple[object, ...]:
+    """All of a mechanism but its numbers: what has the same is drawn by the same steps."""
+    return (
+        tuple((name, tuple(link.points)) for name, link in mechanism.links.items()),
+        tuple(_without_numbers(pair) for pair in mechanism.pairs),
+        tuple(replace(driver, value=None, rate=0.0, acceleration=0.0, also=()) for driver in mechanism.drivers),
+        tuple(replace(pose, value=0.0) for pose in mechanism.poses),
+        tuple(mechanism.sketch),
+    )
+
+
+def _without_numbers(pair: object) -> object:
+    if isinstance(pair, Slide):
+        return replace(pair, line=replace(pair.line, direction=0j), tilt=0.0)
+    return type(pair), getattr(pair, "joins", ())
+
+
+def stacked(mechanisms: Sequence[Mechanism]) -> Mechanism:
+    """One mechanism whose numbers are arrays (n,) over mechanisms of one topology, with hinges and slides alone."""
+    first = mechanisms[0]
+    links = {
+        name: Link(name, {point: _array(m.links[name].points[point] for m in mechanisms) for point in link.points})
+        for name, link in first.links.items()
+    }
+    sketch = {point: _array(m.sketch[point] for m in mechanisms) for point in first.sketch}
+    slides = tuple(_slides([m.slides[k] for m in mechanisms]) for k in range(len(first.slides)))
+    drivers = tuple(_drivers([m.drivers[k] for m in mechanisms]) for k in range(len(first.drivers)))
+    return replace(first, links=links, pairs=slides, drivers=drivers, sketch=sketch)
+
+
+def _slides(slides: Sequence[Slide]) -> Slide:
+    direction, tilt = _array(slide.line.direction for slide in slides), _array(slide.tilt for slide in slides)
+    return replace(slides[0], line=replace(slides[0].line, direction=direction), tilt=tilt)
+
+
+def _drivers(drivers: Sequence[Driver]) -> Driver:
+    value, rate = _array(driver.value or 0.0 for driver in drivers), _array(driver.rate for driver in drivers)
+    return replace(drivers[0], value=value, rate=rate, acceleration=_array(driver.acceleration for driver in drivers))
+
+
+def _array(numbers: Iterable[complex]) -> Value:
+    return np.array([*numbers])
+
+
+def cut(value: Value, part: slice | int, count: int = 0) -> Value:
+    """Of some mechanisms, or of one; what all of them share stays."""
+    shared = np.ndim(value) == 0 or (count > 1 and np.shape(value)[-1] == 1)
+    if not shared:
+        return value[..., part]
+    return value if np.ndim(value) == 0 or isinstance(part, slice) else value[..., 0]
+
+
+def facts_in(facts: Facts, part: slice) -> Facts:
+    return replace(
+        facts,
+        shapes={link: {point: cut(z, part) for point, z in shape.items()} for link, shape in facts.shapes.items()},
+        lines={slide: (guide, origin, cut(z, part)) for slide, (guide, origin, z) in facts.lines.items()},
+        turns={body: replace(turn, constant=cut(turn.constant, part)) for body, turn in facts.turns.items()},
+        values=tuple(cut(value, part) for value in facts.values),
+        rates=tuple(cut(value, part) for value in facts.rates),
+        accelerations=tuple(cut(value, part) for value in facts.accelerations),
+    )
+
+
+def count_of(mechanism: Mechanism) -> int:
+    """How many mechanisms lie side by side."""
+    return int(np.prod(np.broadcast_shapes(*map(np.shape, _numbers(mechanism)))))
+
+
+def _numbers(mechanism: Mechanism) -> list[Value]:
+    """All that may be arrays."""
+    found: list[Value] = [z for link in mechanism.links.values() for z in link.points.values()]
+    found += [number for slide in mechanism.slides for number in (slide.line.direction, slide.tilt)]
+    found += [number for d in mechanism.drivers for number in (d.value, d.rate, d.acceleration) if number is not None]
+    return [*found, *mechanism.sketch.values()]
+
+
+def single(mechanism: Mechanism, row: int) -> Mechanism:
+    """One of many mechanisms that lie side by side."""
+
+    def at(value: Value) -> Value:
+        return value[row].item() if np.ndim(value) else value
+
+    links = {
+        name: replace(link, points={point: at(z) for point, z in link.points.items()})
+        for name, link in mechanism.links.items()
+    }
+    slides = tuple(
+        replace(slide, line=replace(slide.line, direction=at(slide.line.direction)), tilt=at(slide.tilt))
+        for slide in mechanism.slides
+    )
+    drivers = tuple(
+        replace(driver, value=at(driver.value), rate=at(driver.rate), acceleration=at(driver.acceleration))
+        for driver in mechanism.drivers
+    )
+    sketch = {point: at(z) for point, z in mechanism.sketch.items()}
+    return replace(mechanism, links=links, pairs=slides, drivers=drivers, sketch=sketch)

@@ -1,0 +1,215 @@
+"""Many mechanisms of one topology, drawn at once by one method: their dimensions lie side by side in arrays.
+
+A mechanism whose lengths, directions and drivers are arrays (n,) is a mechanism all the same: its structure, and what
+the pencil does, are worked out of it as ever. Which assembly each of them is, its own sketch says: all are drawn, and
+the nearest is taken. Where that is not the whole question (no assembly, a sketch between two, a dead point, links
+that are fitted, contacts), a mechanism is planned by itself, and gives what it gives alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+
+from graphkin.construction import Facts, Meet, Plot, Swing, replay, slide_key
+from graphkin.errors import GraphkinError
+from graphkin.geometry import Value
+from graphkin.mechanism import FRAME, Mechanism
+from graphkin.pairs import Slide
+from graphkin.planning import plan
+from graphkin.planning.assembly import DEAD_SINE
+from graphkin.planning.branch_search import BETWEEN
+from graphkin.planning.method import Method
+from graphkin.planning.starting_facts import facts_of
+from graphkin.running.compiled import TABLES
+from graphkin.running.replaying import replay_all
+from graphkin.running.stacking import count_of, cut, facts_in, single, stacked, topology
+from graphkin.value import filled, frozen
+
+PART = 2048
+"""So many mechanisms at once; what they need stays in the cache."""
+CHOICES = 6
+"""Crossings of circles of which every combination is drawn."""
+
+
+@frozen
+class Drawn:
+    """Many mechanisms drawn: values (n,) or (positions, n).
+
+    refused   what is wrong with some of them, by their numbers; their values are NaN
+    """
+
+    plot: Plot
+    refused: Mapping[int, GraphkinError]
+
+
+def replay_many(
+    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None = None
+) -> Drawn:
+    """Every mechanism of a method's topology, each at its own drawn position or at driver values.
+
+    mechanisms  one after another; or one whose numbers are arrays (n,), those that all share scalars
+    values      one entry a driver, scalar, (positions, 1) or (positions, n) [rad, m]
+
+    Each is the assembly that its own sketch means. Raises ValueError for a mechanism of another topology.
+    """
+    _refuse_others(method, [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms)
+    method = _accelerated(method, [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms)
+    count = count_of(mechanisms) if isinstance(mechanisms, Mechanism) else len(mechanisms)
+    found = _Drawing(method, count, _shape(count, values), {table: {} for table in TABLES})
+    left = np.arange(count)
+    if count and is_simple(method):
+        left = found.together(mechanisms if isinstance(mechanisms, Mechanism) else stacked(mechanisms), values)
+    refused = dict[int, GraphkinError]()
+    for row in map(int, left):
+        own = single(mechanisms, row) if isinstance(mechanisms, Mechanism) else mechanisms[row]
+        if (error := found.alone(row, own, values)) is not None:
+            refused[row] = error
+    plot = Plot(method.facts(values))
+    for name, table in found.tables.items():
+        setattr(plot, name, table)
+    return Drawn(plot, refused)
+
+
+def is_simple(method: Method) -> bool:
+    """Whether crossings of lines and circles are all that a position asks for: then arrays do what numbers do."""
+    mechanism, steps = method.structure.mechanism, method.position.steps
+    plain = all(type(pair) is Slide for pair in method.mechanism.pairs) and not mechanism.poses
+    return plain and not (method.moves_on or method.doubtful) and len(_choices(method)) <= CHOICES and bool(steps)
+
+
+def _choices(method: Method) -> list[int]:
+    steps = method.position.steps
+    return [step.choice for step in steps if isinstance(step, Meet | Swing) and step.choice is not None]
+
+
+def _refuse_others(method: Method, mechanisms: Sequence[Mechanism]) -> None:
+    wanted = topology(method.mechanism)
+    for mechanism in mechanisms:
+        if topology(mechanism) != wanted:
+            raise ValueError(f"{mechanism.name} is of another topology than {method.mechanism.name}")
+
+
+def _accelerated(method: Method, mechanisms: Sequence[Mechanism]) -> Method:
+    """The method, with the terms that a uniform rotation has not, where some driver of a mechanism is not uniform."""
+    own = method.mechanism.drivers
+    wanted = [any(np.any(mechanism.drivers[k].acceleration) for mechanism in mechanisms) for k in range(len(own))]
+    if not any(want and not driver.acceleration for want, driver in zip(wanted, own)):
+        return method
+    drivers = tuple(replace(driver, acceleration=float(want)) for want, driver in zip(wanted, own))
+    structure = method.structure
+    return plan(replace(method.mechanism, drivers=drivers), structure.coincident, structure.centres)
+
+
+def _shape(count: int, values: Sequence[Value] | None) -> tuple[int, ...]:
+    return np.broadcast_shapes((count,), *(np.shape(value) for value in values or ()))
+
+
+@filled
+class _Drawing:
+    """Tables of arrays in the making, `count` mechanisms along the last axis."""
+
+    method: Method
+    count: int
+    shape: tuple[int, ...]
+    tables: dict[str, dict[object, Value]]
+
+    def together(self, mechanism: Mechanism, values: Sequence[Value] | None) -> np.ndarray:
+        """All mechanisms but those, returned by their numbers, that ask for a plan of their own."""
+        structure = replace(self.method.structure, mechanism=mechanism)
+        facts, left = facts_of(structure, None, {}), list[np.ndarray]()
+        for start in range(0, self.count, PART):
+            part = slice(start, min(start + PART, self.count))
+            here = facts_in(facts, part)
+            found = _assembled(self.method, here, {p: cut(z, part) for p, z in mechanism.sketch.items()})
+            if values is not None:
+                here = replace(here, values=tuple(cut(value, part, self.count) for value in values))
+            plot = Plot(here, found.near)
+            for construction in self.method.constructions:
+                replay(construction, plot, found.sides)
+            self._keep(plot, part)
+            left.append(start + np.flatnonzero(~found.sure))
+        return np.concatenate(left)
+
+    def alone(self, row: int, mechanism: Mechanism, values: Sequence[Value] | None) -> GraphkinError | None:
+        """One mechanism by a plan of its own; what is wrong with it, and NaN, where it has none."""
+        structure = self.method.structure
+        own = None if values is None else [cut(value, row, self.count) for value in values]
+        try:
+            plot = replay_all(plan(mechanism, structure.coincident, structure.centres), own)
+        except GraphkinError as error:
+            self._erase(row)
+            return error
+        self._keep(plot, row)
+        return None
+
+    def _keep(self, plot: Plot, where: slice | int) -> None:
+        """What some of them, or one, gave."""
+        for name in TABLES:
+            table = self.tables[name]
+            for key, value in getattr(plot, name).items():
+                if key not in table:
+                    table[key] = np.full(self.shape, np.nan, np.result_type(value, np.float64))
+                table[key][..., where] = value
+
+    def _erase(self, row: int) -> None:
+        for table in self.tables.values():
+            for value in table.values():
+                value[..., row] = np.nan
+
+
+# --- which assembly ---------------------------------------------------------------------------
+
+
+@frozen
+class _Assemblies:
+    """As `Assembly`, of many mechanisms: sides by choice, angles and displacements, (n,) each; which are sure."""
+
+    sides: Mapping[int, np.ndarray]
+    near: Mapping[str, Value]
+    sure: np.ndarray
+
+
+def _assembled(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> _Assemblies:
+    """Every combination of crossings drawn, and for each mechanism the nearest to its sketch taken.
+
+    Sure is what closes, lies well off its dead points, and has no other assembly that the sketch may mean.
+    """
+    choices = _choices(method)
+    ways = np.array([*product((1, -1), repeat=len(choices))], dtype=float).reshape(2 ** len(choices), len(choices))
+    plot = replay(method.position, Plot(facts), {choice: ways[:, [k]] for k, choice in enumerate(choices)})
+    count = np.broadcast_shapes(*map(np.shape, (*sketch.values(), *plot.position.values())))[-1:]
+    every = (len(ways), *count)
+    points = {point: np.broadcast_to(z, every) for point, z in plot.position.items()}
+    shown = [point for point in sketch if point in points]
+    far = sum((np.abs(points[point] - sketch[point]) ** 2 for point in shown), np.zeros(every))
+    far = np.where(_closed(method, plot, points), far, np.inf)
+    best, row = np.argmin(far, axis=0), np.arange(every[1])
+    sines = [np.broadcast_to(sine, every)[best, row] for (plane, _), sine in plot.sines.items() if plane == "position"]
+    nearest = far[best, row]
+    sure = np.isfinite(nearest) & (np.min([np.ones(every[1]), *np.nan_to_num(sines)], axis=0) >= DEAD_SINE)
+    slides = [np.broadcast_to(s, every) for s in plot.s.values()]
+    places = np.array([*points.values()])
+    size = np.abs(places - places[0])[:, best, row].max(axis=0)
+    for other in range(len(ways)):
+        with np.errstate(invalid="ignore"):
+            same = np.all([np.abs(z[other] - z[best, row]) <= 1e-9 * size for z in (*points.values(), *slides)], axis=0)
+            apart = sum((np.abs(points[p][other] - points[p][best, row]) ** 2 for p in shown), np.zeros(every[1]))
+            doubt = (apart <= (1e-9 * size) ** 2) | (far[other] - nearest < BETWEEN * apart)
+        sure &= same | ~np.isfinite(far[other]) | ~doubt
+    turned = [base for base in method.structure.bases if base in plot.theta]
+    near = {base: np.broadcast_to(plot.theta[base], every)[best, row] for base in turned}
+    near |= {slide_key(slide): np.broadcast_to(s, every)[best, row] for slide, s in plot.s.items()}
+    return _Assemblies({choice: ways[best, k] for k, choice in enumerate(choices)}, near, sure)
+
+
+def _closed(method: Method, plot: Plot, points: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Where every point has a place, and cylinders are drawn out, not turned round."""
+    closed = np.all([np.isfinite(places) for places in points.values()], axis=0)
+    for name, slide in method.structure.slides.items():
+        if slide.guide != FRAME and len(method.structure.bodies[slide.guide]) == 1:
+            closed = closed & (plot.s[name] > 0)
+    return np.asarray(closed)

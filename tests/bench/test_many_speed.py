@@ -1,0 +1,57 @@
+"""How many mechanisms of one topology are drawn a second, each at three positions, beside one after another."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import graphkin
+from graphkin import library
+from graphkin.mechanism import Link, Mechanism
+from graphkin.running.stacking import single
+from graphkin.running.variants import replay_many
+
+COUNT, ALONE = 100_000, 100
+LEAST = {"ex3-1": 300_000, "ex3-5": 300_000, "ex3-7": 200_000}
+ROUNDS = 3
+
+
+def variants(mechanism: Mechanism) -> Mechanism:
+    """Every length of it another one, up to two hundredths."""
+    rng = np.random.default_rng(1)
+
+    def changed(link: Link) -> Link:
+        start = next(iter(link.points))
+        return replace(link, points={p: z if p == start else z * rng.uniform(0.98, 1.02, COUNT) for p, z in link.points.items()})
+
+    return replace(mechanism, links={name: changed(link) for name, link in mechanism.links.items()})
+
+
+@pytest.mark.bench
+@pytest.mark.parametrize("name", LEAST)
+def test_mechanisms_a_second(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Three planes of every point, all omega and alpha, read as arrays; one core."""
+    mechanism = library.load(name)
+    method, many = graphkin.plan(mechanism), variants(mechanism)
+    values = [mechanism.drivers[0].value + np.array([[-0.05], [0.0], [0.05]])]
+    together = alone = float("inf")
+    for _ in range(ROUNDS):
+        start = time.thread_time()
+        found = replay_many(method, many, values)
+        total = sum(np.sum(v) for t in (found.plot.acceleration, found.plot.alpha, found.plot.omega) for v in t.values())
+        together = min(together, (time.thread_time() - start) / COUNT)
+        start = time.thread_time()
+        for row in range(ALONE):
+            own = graphkin.plan(single(many, row))
+            plot = graphkin.replay(own, [values[0][:, 0]])
+        alone = min(alone, (time.thread_time() - start) / ALONE)
+    assert np.isfinite(total)
+    assert not found.refused
+    for point, places in plot.acceleration.items():
+        assert found.plot.acceleration[point][:, ALONE - 1] == pytest.approx(places, rel=1e-9, abs=1e-9)
+    with capsys.disabled():
+        print(f"\n{name}: {1 / together:,.0f} mechanisms a second at 3 positions each, {alone / together:.0f} times one by one")
+    assert 1 / together > LEAST[name]
