@@ -42,8 +42,8 @@ Piece = tuple[str, Size | None, Direction | None]
 """The part (`n`, `t`, `k`, `r`), size and direction of one arrow of a hop."""
 
 
-TIPS = {"n": "nmuw", "t": "tyxw", "k": "kgjx"}
-"""Letters for the tips of normal, tangential and Coriolis arrows; the first that no point of the mechanism has."""
+TIPS = {"n": "nmuw", "t": "tyxw", "k": "kgjx", "r": "rqsz"}
+"""Letters for the tips of normal, tangential, Coriolis and relative arrows; the first that no point of the mechanism has."""
 
 
 @filled
