@@ -189,3 +189,17 @@ def test_no_boxes_where_no_chinese_font_is(monkeypatch: pytest.MonkeyPatch, tmp_
     assert not list(tmp_path.iterdir())
     done = CliRunner().invoke(main, ["handout", "ex3-1", "--font", str(tmp_path), "-o", str(tmp_path / "a.pdf")])
     assert done.exit_code in (2, 3)
+
+
+@pytest.mark.parametrize("kind", [".html", ".tex", ".md"])
+def test_a_solution_is_written_by_the_ending(kind: str, tmp_path: Path):
+    path = tmp_path / f"a{kind}"
+    for _ in range(2):
+        done = CliRunner().invoke(main, ["explain", "ex3-1", "--lang", "en", "-o", str(path)])
+        assert done.exit_code == 0, done.output
+    text = path.read_text(encoding="utf-8")
+    assert "3.919" in text
+    assert "62.22" in text
+    path.write_text("mine")
+    assert CliRunner().invoke(main, ["explain", "ex3-1", "-o", str(path)]).exit_code == 3
+    assert path.read_text() == "mine"

@@ -29,6 +29,7 @@ from graphkin.cli.shared import (
 from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
+    from graphkin.api import Drawing
     from graphkin.construction import Plane
     from graphkin.outputs.paint import Ink
     from graphkin.sheet import Style
@@ -103,12 +104,15 @@ def draw(
     "--only", type=click.Choice(["position", "velocity", "acceleration"]), default="acceleration", show_default=True,
     help="How far to go: the mechanism alone, or with velocities, or with both.",
 )  # fmt: skip
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
+              help=".html, .tex or .md; else printed.")  # fmt: skip
+@force_option
 @click.option("--as-drawn", is_flag=True, help="Read lengths to 0.5 mm, as a hand does, and go on from that.")
 @lang_option
 @speaking
 def explain(
     mechanism: str, coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...],
-    everything: bool, only: Plane, as_drawn: bool, lang: Lang,
+    everything: bool, only: Plane, output: Path | None, force: bool, as_drawn: bool, lang: Lang,
 ) -> None:  # fmt: skip
     """Write out the solution: what is given, the vector equations, what is laid off and measured, the answers.
 
@@ -120,9 +124,27 @@ def explain(
       graphkin explain p3-22 --only velocity
     """
 
+    if output is not None and output.suffix.lower() not in (".html", ".tex", ".md"):
+        raise click.UsageError(f"{output}: the file to write must end in .html, .tex or .md")
+    if output is not None and as_drawn:
+        raise click.UsageError("--as-drawn is printed: leave out -o")
     machine = read(mechanism)
     drawing = drawn(machine, coincident, method, angles, displacements)
+    if output is not None:
+        _write_solution(output, drawing, everything, only, force, lang)
+        return
     click.echo("\n".join(drawing.explain(lang, everything=everything, only=only, as_drawn=as_drawn)))
+
+
+def _write_solution(output: Path, drawing: Drawing, everything: bool, only: Plane, force: bool, lang: Lang) -> None:
+    from graphkin.handouts import written
+    from graphkin.outputs.files import beside
+
+    found = written.solution(drawing, lang, everything=everything, only=only)
+    text = written.WRITERS[output.suffix.lower()](found)
+    with beside(output, force, (written.MARK.encode(), b"graphkin handout")) as draft:
+        draft.write_text(text, encoding="utf-8", newline="\n")
+    click.echo(str(output))
 
 
 @click.command()

@@ -151,7 +151,7 @@ def _solution(problem: Told) -> Iterator[Block]:
 
 def _answers(problem: Told) -> Iterator[Block]:
     yield Heading(plain(problem.title))
-    yield from _entries(problem.answers.entries, problem.lang)
+    yield from blocks_of(problem.answers.entries, problem.lang)
 
 
 # --- what the solution says, as blocks ----------------------------------------------------------
@@ -159,10 +159,11 @@ def _answers(problem: Told) -> Iterator[Block]:
 
 def _section(section: Section, lang: Lang) -> Iterator[Block]:
     yield Heading(plain(section.heading))
-    yield from _entries(section.entries, lang)
+    yield from blocks_of(section.entries, lang)
 
 
-def _entries(entries: Sequence[entry.Entry], lang: Lang) -> Iterator[Block]:
+def blocks_of(entries: Sequence[entry.Entry], lang: Lang) -> Iterator[Block]:
+    """Each entry of a solution as a block."""
     for each in entries:
         match each:
             case entry.Heading(text):

@@ -10,8 +10,8 @@ from itertools import groupby
 from typing import assert_never
 
 from graphkin.outputs.paint import Colours, Ink
+from graphkin.outputs.tex_words import tex_words
 from graphkin.sheet import Sheet
-from graphkin.sheet.lettering import Label
 from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
 
@@ -21,12 +21,6 @@ _POINT = 72.27 / 25.4
 _FILLS: dict[Fill, str] = {
     "none": "", "paper": "fill=white", "ink": "fill=.", "grey": "fill=black!13", "tint": "fill=., fill opacity=0.1",
 }  # fmt: skip
-_SIGNS = {
-    "μ": r"$\mu$", "ω": r"$\omega$", "α": r"$\alpha$", "θ": r"$\theta$", "φ": r"$\varphi$", "ψ": r"$\psi$",
-    "γ": r"$\gamma$", "°": r"$^\circ$", "·": r"$\cdot$", "→": r"$\to$", "×": r"$\times$", "²": r"$^2$", "³": r"$^3$",
-    "′": r"$'$", "−": r"$-$", "⊥": r"$\perp$", "∥": r"$\parallel$", "∠": r"$\angle$", "√": r"$\surd$",
-    "\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
-} | {sign: f"\\{sign}" for sign in "#$%&_{}"}  # fmt: skip
 _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 
 
@@ -82,7 +76,7 @@ def _mark(mark: Mark) -> Iterator[str]:
         case Text():
             size = f"{mark.size * _POINT:.2f}"
             font = rf"\fontsize{{{size}}}{{{size}}}\selectfont"
-            yield rf"\node[letters, font={font}] at {_place(mark.at)} {{{_tex(mark.label)}}};"
+            yield rf"\node[letters, font={font}] at {_place(mark.at)} {{{tex_words(mark.label)}}};"
         case _:
             assert_never(mark)
 
@@ -92,27 +86,6 @@ def _pen(pen: PenName, fill: Fill = "none") -> str:
     dashes = " ".join(f"{'on' if k % 2 == 0 else 'off'} {_mm(dash)}mm" for k, dash in enumerate(kind.dashes))
     look = [f"line width={_mm(kind.width)}mm", f"dash pattern={dashes}" if dashes else "", _FILLS[fill]]
     return ", ".join(filter(None, look))
-
-
-def _tex(label: Label) -> str:
-    """Runs in text style; a part stands above the subscript it goes with."""
-    text, low = "", ""
-    for run in label:
-        letters = "".join(_SIGNS.get(letter, letter) for letter in run.text)
-        letters = rf"\textit{{{letters}}}" if run.italic else letters
-        if run.place == "sub":
-            low += letters
-        elif run.place == "sup":
-            text, low = text + _scripts(letters, low), ""
-        else:
-            text, low = text + _scripts("", low) + letters, ""
-    return text + _scripts("", low)
-
-
-def _scripts(high: str, low: str) -> str:
-    if not high and not low:
-        return ""
-    return "$" + (rf"^{{\text{{{high}}}}}" if high else "") + (rf"_{{\text{{{low}}}}}" if low else "") + "$"
 
 
 def _place(place: Place) -> str:

@@ -43,7 +43,7 @@ Piece = tuple[str, Size | None, Direction | None]
 
 
 TIPS = {"n": "nmuw", "t": "tyxw", "k": "kgjx", "r": "rqsz"}
-"""Letters for the tips of normal, tangential, Coriolis and relative arrows; the first that no point of the mechanism has."""
+"""Letters for the tips of normal, tangential, Coriolis and relative arrows; the first that no point has."""
 
 
 @filled
