@@ -9,7 +9,7 @@ import numpy as np
 from graphkin.construction import Normal, Plane, Site, Term
 from graphkin.geometry import Value, dot
 from graphkin.marking.redrawing import Redrawing
-from graphkin.mechanism import FRAME
+from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import Seen
 from graphkin.planning import Method
 from graphkin.quantities import Answer, Component, Moving, Quantity, Quotient, on_axis
@@ -71,18 +71,27 @@ def arrows_of(method: Method) -> Arrows:
     known = Arrows(nodes, poles, parts)
     for construction in (method.velocity, method.acceleration):
         for term in construction.vectors().values():
-            _put(known, parts, term, construction.plane)
+            _put(known, parts, term, construction.plane, method.mechanism)
     return known
 
 
-def _put(known: Arrows, parts: dict[tuple[Plane, str, str, str], Ends], term: Term, plane: Plane) -> None:
+def _put(
+    known: Arrows, parts: dict[tuple[Plane, str, str, str], Ends], term: Term, plane: Plane, mechanism: Mechanism
+) -> None:
     """Under its part, where it is an arrow between two sites; a lone normal arrow of a crank too."""
     if len(term.sites) != 2:
         return
-    head, tail = (known.node(site, plane) for site in term.sites)
+    head, tail = (_node_of(known, site, plane, mechanism) for site in term.sites)
     part = term.part or ("n" if isinstance(term.size, Normal) else "")
     if part and head is not None and tail is not None:
         parts.setdefault((plane, part, head, tail), (plane, term.tail, term.head))
+
+
+def _node_of(known: Arrows, site: Site, plane: Plane, mechanism: Mechanism) -> str | None:
+    """A pin in a slot is a block of its own in a construction: its point is that of the links which bear the pin."""
+    links = (site.link,) if site.link in mechanism.links else mechanism.owners.get(site.point, ())
+    found = (known.node(Site(site.point, link), plane) for link in links)
+    return next((node for node in found if node is not None), None)
 
 
 def asked(method: Method, plot: Redrawing, quantity: Quantity, arrows: Arrows, before: bool = False) -> Answer:
