@@ -19,6 +19,7 @@ from graphkin.quantities import read as quantity
 from graphkin.readings import readings
 from graphkin.submissions import Asked, Limits, Submission, read_one
 from graphkin.submissions.class_names import owner
+from graphkin.submissions.dxf import read_dxf
 from graphkin.submissions.handed import Handed
 from graphkin.submissions.letters import find_letters
 from graphkin.submissions.polygons import polygons
@@ -266,6 +267,17 @@ def test_blocks_and_rotated_text(unit: int):
     misses = off(found)
     assert set(misses) >= EVERY - {"v B2"}, (found.reason, found.notes)
     assert max(misses.values()) < 0.01
+
+
+def test_raised_and_lowered_pieces_of_a_text():
+    """As `graphkin draw` and CAD programs set them: a scale and a letter with its number."""
+    ezdxf = pytest.importorskip("ezdxf", reason="ezdxf reads DXF; it is an extra")
+    document, stream = ezdxf.new(), io.StringIO()
+    for text in ("μ{\\H0.7x;\\S^ v;} = 0.01", "a{\\H0.7x;\\Sn^ CD;}", "2 rad/s^ 2"):
+        document.modelspace().add_mtext(text, {"char_height": 3})
+    document.write(stream)
+    found = read_dxf(stream.getvalue().encode(), Where("a.dxf"), Limits())
+    assert [text.text for text in found.texts] == ["μ_v = 0.01", "a^n_CD", "2 rad/s^2"]
 
 
 def test_dxf_without_its_reader(monkeypatch: pytest.MonkeyPatch):

@@ -21,8 +21,8 @@ _SAME = 1e-9
 
 def same_answers(method: Method, plot: Plot, quantity: Quantity) -> tuple[str, ...]:
     """Other names under which the answer is this one: B2B3 for B3B2, another coincident point of a block and its guide,
-    a link that turns with this one. An order or a point that gives another size (a pin's Coriolis acceleration) is none.
-    """
+    a link that turns with this one. An order or a point that gives another size, as for a pin's Coriolis acceleration,
+    is none."""
     if isinstance(quantity, Rotation):
         return tuple(_turning_alike(method, plot, quantity))
     if not isinstance(quantity, Moving) or quantity.seen_from is None:
@@ -30,7 +30,8 @@ def same_answers(method: Method, plot: Plot, quantity: Quantity) -> tuple[str, .
     right = np.abs(quantity.answer(readings(method, plot)).value)
     ways = [*_ways(method, plot, quantity)]
     ways += [other for way in ways if way.kind == "coincident" for other in _ways(method, plot, way.quantity)]
-    return tuple(way.quantity.text for way in ways if np.allclose(np.abs(way.answer.value), right, _SAME, _SAME * right))
+    same = (way for way in ways if np.allclose(np.abs(way.answer.value), right, _SAME, _SAME * right))
+    return tuple(way.quantity.text for way in same)
 
 
 def called_as_asked(work: Work, asked: Sequence[Entry], same: Mapping[str, Sequence[str]]) -> Work:
