@@ -8,6 +8,7 @@ import math
 import random
 import re
 import sys
+import zipfile
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -74,6 +75,21 @@ def test_saved_by_geogebra():
     assert set(misses) >= EVERY - {"v B2"}
     assert max(misses.values()) < 0.01
     assert set(found.drawn.calibrated) == {"velocity", "acceleration"}
+
+
+def test_geogebra_s_own_order_of_primes_and_numbers():
+    """`b'_{3}`, with points alone."""
+    marks = []
+    for plane, at, mu in (("velocity", 0j, 0.01), ("acceleration", 100 + 0j, 0.1)):
+        for letter, place in places(plane, at, mu).items():
+            name = re.sub(r"^([a-z])([0-9])('?)$", r"\1\3_{\2}", letter)
+            marks.append(f'<element type="point" label="{name}"><coords x="{place.real}" y="{place.imag}" z="1"/></element>')
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
+        archive.writestr("geogebra.xml", f"<geogebra><construction>{''.join(marks)}</construction></geogebra>")
+    misses = off(handed("a.ggb", stream.getvalue()))
+    assert set(misses) >= EVERY - {"v B2"}
+    assert max(misses.values()) < 0.01
 
 
 @pytest.mark.parametrize("name", library.names())

@@ -140,7 +140,7 @@ class _Reader:
     def _mtext(self, entity: Any) -> Iterator[Text]:
         from ezdxf.tools.text import fast_plain_mtext
 
-        letters = " ".join(fast_plain_mtext(_STACK.sub(_one_line, entity.text)).split())
+        letters = " ".join(str(fast_plain_mtext(_STACK.sub(_one_line, entity.text))).split())
         tall = float(entity.dxf.char_height) * self.mm
         width = _WIDE * tall * len(re.sub("[_^]", "", letters))
         direction = entity.dxf.text_direction if entity.dxf.hasattr("text_direction") else None
