@@ -302,6 +302,6 @@ def test_nothing_else_is_needed_to_read_a_row():
 def test_lines_as_they_come_from_a_phone_or_a_word_processor():
     """Wide equals signs, curly quotes; in the encoding of a Chinese system."""
     text = "学号：s1\r\nω3＝3.92 顺时针\r\n“alpha 3” = “62 ccw”\r\nakB3B2≈2.5\r\n"
-    found = read_lines(decoded(text.encode("gb18030"), Where("a.txt")), Where("a.txt"), Limits())
+    found = read_lines(decoded(text.encode("gb18030"), NOWHERE), NOWHERE, Limits())
     assert found.student == "s1"
     assert [entry[:2] for entry in found.entries] == [("ω3", "3.92 顺时针"), ("alpha 3", "62 ccw"), ("akB3B2", "2.5")]

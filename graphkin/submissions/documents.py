@@ -17,7 +17,7 @@ from graphkin.value import frozen
 
 _DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
 _KEY = re.compile(r"""\s*(?:["“”„]([^"“”„]*)["“”„]|'([^']*)'|([^=＝≈:：\s"'“”„][^=＝≈:：]*?))\s*[=＝≈:：]""")
-"""The quotes are those that word processors make of plain ones, too; an equals sign may be as wide as a Chinese letter."""
+"""Quotes are those that word processors make of plain ones, too; an equals sign may be as wide as a Chinese letter."""
 _HEADER = re.compile(r"\s*\[\s*([^\[\]]+?)\s*\]\s*")
 _TABLES = ("answers", "answer", "values", "results", "答案")
 _SCALES = ("scales", "scale", "比例尺")
