@@ -293,3 +293,10 @@ def test_a_folder_with_nothing_in_it_says_so():
     Path("nobody").mkdir()
     result = run("ex3-1", "nobody", "--json")
     assert json.loads(result.output)["reason"].startswith("nobody: no answer is found here")
+
+
+def test_a_row_without_an_id_is_nobody_s():
+    Path("class.csv").write_text("student,omega 3\ns1,-3.92\n,-3.92\ns2,-3.92\n", encoding="utf-8")
+    lines = [json.loads(line) for line in run("ex3-1", "class.csv", "--json").output.splitlines()]
+    assert [line["status"] for line in lines] == ["marked", "not marked", "marked"]
+    assert lines[1]["reason"] == "class.csv:3: this row names no student. Write the id in its column."

@@ -12,6 +12,7 @@ __all__ = [
     "BrokenSubmission",
     "HandedTwice",
     "LetterTwice",
+    "NamesNobody",
     "NoAnswers",
     "NoLetters",
     "NoPaperScale",
@@ -182,6 +183,16 @@ class SeveralStudents(GraphkinError):
         "en": "{where}: this table has rows of {first!r} and of {second!r}, and stands among files of one student each. "
         "Give it to graphkin grade by itself.",
         "zh": "{where}：此表含学生 {first!r} 与 {second!r} 各自的行，却放在每人一份的文件之中。请将此表单独交给 graphkin grade 评阅。",
+    }
+
+
+class NamesNobody(GraphkinError):
+    """A row of a class table without an id, below rows with one."""
+
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this row names no student. Write the id in its column.",
+        "zh": "{where}：此行没有学号。请在学号一列填写。",
     }
 
 

@@ -9,11 +9,12 @@ import hashlib
 import io
 import os
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 import numpy as np
 
-from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, NoFile, TooMuch, Unreadable, Where
+from graphkin.errors import BrokenSubmission, GraphkinError, NamesNobody, NoAnswers, NoFile, TooMuch, Unreadable, Where
 from graphkin.submissions import archives
 from graphkin.submissions.class_names import Owner, owner, tidy_id
 from graphkin.submissions.deadline import limited
@@ -108,11 +109,13 @@ def _of_file(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
 
 def _of_table(rows: Iterator[Row], by_file: Owner, where: Where, limits: Limits) -> Iterator[Handed]:
     """What breaks off in the middle keeps the rows before it."""
-    file, line = str(where.file), 0
+    file, line, named = str(where.file), 0, False
     try:
         for row in _timed(rows, where, limits):
-            line = row.line
-            yield _of_row(row, by_file, file)
+            line, nobody = row.line, named and not row.student.strip()
+            named = named or bool(row.student.strip())
+            found = _of_row(row, by_file, file)
+            yield replace(found, row=None, reason=NamesNobody(Where(file, line))) if nobody else found
     except GraphkinError as reason:
         yield Handed(by_file, file, place=str(line + 1) if line else "", reason=reason.at(where))
 
