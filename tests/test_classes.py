@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 import warnings
+import zipfile
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from itertools import islice
 from pathlib import Path
@@ -263,3 +264,39 @@ def test_who_left_the_first_is_marked_by_the_second(marked: list[str]):
     run("ex3-1", "a.toml", "b.toml", "-o", "r.json")
     run("ex3-1", "b.toml", "-o", "r.json")
     assert [one["status"] for one in marks()] == ["marked"]
+
+
+# --- tables that are handed in with others ----------------------------------------------------
+
+
+def test_a_class_table_alone_in_a_folder_or_an_archive_is_the_class():
+    Path("class").mkdir()
+    table(3, "class/all.csv")
+    with zipfile.ZipFile("class.zip", "w") as archive:
+        archive.write("class/all.csv", "homework 3/all.csv")
+    for given, file in (("class", "class/all.csv"), ("class.zip", "class.zip!homework 3/all.csv")):
+        lines = [json.loads(line) for line in run("ex3-1", given, "--json").output.splitlines()]
+        assert [(line["student"], line["file"]) for line in lines] == [(f"s{k}", file) for k in range(3)]
+
+
+def test_a_class_table_among_others_is_not_taken_for_one_student_s():
+    """Nor are its rows anybody's: the table may be one student's, with the ids of others."""
+    Path("class").mkdir()
+    table(3, "class/s7.csv")
+    table(1, "class/s8.csv")
+    lines = [json.loads(line) for line in run("ex3-1", "class", "--json").output.splitlines()]
+    assert [(line["student"], line["status"]) for line in lines] == [("s7", "not marked"), ("s0", "marked")]
+    assert "rows of 's0' and of 's1'" in lines[0]["reason"]
+
+
+def test_a_folder_with_nothing_in_it_says_so():
+    Path("nobody").mkdir()
+    result = run("ex3-1", "nobody", "--json")
+    assert json.loads(result.output)["reason"].startswith("nobody: no answer is found here")
+
+
+def test_a_row_without_an_id_is_nobody_s():
+    Path("class.csv").write_text("student,omega 3\ns1,-3.92\n,-3.92\ns2,-3.92\n", encoding="utf-8")
+    lines = [json.loads(line) for line in run("ex3-1", "class.csv", "--json").output.splitlines()]
+    assert [line["status"] for line in lines] == ["marked", "not marked", "marked"]
+    assert lines[1]["reason"] == "class.csv:3: this row names no student. Write the id in its column."

@@ -225,3 +225,11 @@ def test_hostile_numbers():
     found = lines("ex3-1", *(f"h{k}.json" for k in range(60)))
     assert len(found) == 60
     assert {line["status"] for line in found} <= {"marked", "not marked"}
+
+
+def test_a_wrong_unit_alone_is_no_riddle():
+    """It is told by itself; that no mistake explains it says nothing."""
+    Path("s1.toml").write_text('student = "s1"\n[answers]\n"omega 3" = "-3.92 m/s"\n"alpha 3" = 62\n', encoding="utf-8")
+    told = CliRunner().invoke(main, ["grade", "ex3-1", "s1.toml", "--lang", "en"]).output
+    assert "wrong unit" in told
+    assert "no known mistake" not in told

@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from graphkin import library
+from graphkin import library, loading
 from graphkin.geometry import Value
 from graphkin.marking import (
     MISTAKES,
@@ -362,3 +362,23 @@ def test_names_tell_rewrites_apart():
     found: tuple[Rewrite, ...] = rewrites(method, replay_all(method), quantities)
     assert len({rewrite.name for rewrite in found}) == len(found)
     assert all(isinstance(quantity, Moving) or quantity.unit.startswith("rad") for quantity in quantities)
+
+
+PIN_IN_A_SLOT = """
+ask = ["alpha 3", "a_k B1B3"]
+frame = { name = "4", A = [0, 0], D = [0, -90] }
+links = { 1 = { AB = 35 }, 3 = { DC = 160 } }
+slide = [{ pin = "B", guide = "3", through = "D", toward = "C" }]
+driver = [{ vector = "AB", angle = 30, omega = -6 }]
+sketch = { C = [40, 60] }
+"""
+
+
+def test_the_coriolis_acceleration_of_a_pin_in_a_slot_is_handed_in_as_it_was_laid_off():
+    method = plan(loading.loads(PIN_IN_A_SLOT, name="lever"))
+    quantities = [read(method.mechanism, text) for text in ("a_k B1B3", "a_r B1B3")]
+    found = consequences(method, replay_all(method), quantities)
+    right, values = found.right[0].value, {one.id: row[0] for (one,), row in zip(found.columns, found.values, strict=True)}
+    assert values["coriolis-half"] == pytest.approx(right / 2)
+    assert values["coriolis-omitted"] == pytest.approx(0.0, abs=1e-12)
+    assert values["coriolis-reversed"] == pytest.approx(right)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import random_mechanisms
 
-from graphkin import library
+from graphkin import library, loading
 from graphkin.analytic import motion
 from graphkin.geometry import cross
 from graphkin.marking import Consequences, consequences
@@ -166,6 +166,23 @@ def test_an_arm_that_is_ignored_among_equations_solved_together(seed: int):
     assert abs(sum(1j * omega[link] * arms[link] for link in "1234")) < 1e-9 * abs(omega["4"])
     parts = [(1j * alpha[link] - omega[link] ** 2) * arms[link] for link in "1234"]
     assert abs(sum(parts)) < 1e-9 * sum(map(abs, parts))
+
+
+PLANETARY_TRAIN = """
+ask = ["omega 2", "omega H"]
+frame = { name = "3", O = [0, 0] }
+links = { 1 = { points = ["O"] }, 2 = { points = ["P"] }, H = { OP = 36 } }
+gear = [{ links = ["1", "2"], centres = ["O", "P"], radii = [20, 16] },
+        { links = ["2", "frame"], centres = ["P", "O"], radii = [16, 52], internal = true }]
+driver = [{ link = "1", omega = -15 }]
+pose = [{ vector = "OP", angle = 40 }]
+"""
+
+
+def test_an_arm_that_is_ignored_where_the_points_of_contact_give_the_velocities():
+    """The planet of a fixed ring as of a fixed arm: omega 2 = 15 * 20 / 16."""
+    found = led_to(loading.loads(PLANETARY_TRAIN, name="train"), "omega 2", "omega H")
+    assert values(found, "arm-ignored", "", "omega 2") == pytest.approx([18.75, -15 * 20 / (2 * 36)])
 
 
 def _joining(mechanism: Mechanism, first: str, second: str) -> str:

@@ -8,6 +8,7 @@ import math
 import random
 import re
 import sys
+import zipfile
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -20,6 +21,7 @@ from graphkin.quantities import read as quantity
 from graphkin.readings import readings
 from graphkin.submissions import Asked, Limits, Submission, read_one
 from graphkin.submissions.class_names import owner
+from graphkin.submissions.dxf import read_dxf
 from graphkin.submissions.handed import Handed
 from graphkin.submissions.letters import find_letters
 from graphkin.submissions.polygons import polygons
@@ -74,6 +76,21 @@ def test_saved_by_geogebra():
     assert set(misses) >= EVERY - {"v B2"}
     assert max(misses.values()) < 0.01
     assert set(found.drawn.calibrated) == {"velocity", "acceleration"}
+
+
+def test_geogebra_s_own_order_of_primes_and_numbers():
+    """`b'_{3}`, with points alone."""
+    marks = []
+    for plane, at, mu in (("velocity", 0j, 0.01), ("acceleration", 100 + 0j, 0.1)):
+        for letter, place in places(plane, at, mu).items():
+            name = re.sub(r"^([a-z])([0-9])('?)$", r"\1\3_{\2}", letter)
+            marks.append(f'<element type="point" label="{name}"><coords x="{place.real}" y="{place.imag}" z="1"/></element>')
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
+        archive.writestr("geogebra.xml", f"<geogebra><construction>{''.join(marks)}</construction></geogebra>")
+    misses = off(handed("a.ggb", stream.getvalue()))
+    assert set(misses) >= EVERY - {"v B2"}
+    assert max(misses.values()) < 0.01
 
 
 @pytest.mark.parametrize("name", library.names())
@@ -267,6 +284,17 @@ def test_blocks_and_rotated_text(unit: int):
     misses = off(found)
     assert set(misses) >= EVERY - {"v B2"}, (found.reason, found.notes)
     assert max(misses.values()) < 0.01
+
+
+def test_raised_and_lowered_pieces_of_a_text():
+    """As `graphkin draw` and CAD programs set them: a scale and a letter with its number."""
+    ezdxf = pytest.importorskip("ezdxf", reason="ezdxf reads DXF; it is an extra")
+    document, stream = ezdxf.new(), io.StringIO()
+    for text in ("μ{\\H0.7x;\\S^ v;} = 0.01", "a{\\H0.7x;\\Sn^ CD;}", "2 rad/s^ 2"):
+        document.modelspace().add_mtext(text, {"char_height": 3})
+    document.write(stream)
+    found = read_dxf(stream.getvalue().encode(), Where("a.dxf"), Limits())
+    assert [text.text for text in found.texts] == ["μ_v = 0.01", "a^n_CD", "2 rad/s^2"]
 
 
 def test_dxf_without_its_reader(monkeypatch: pytest.MonkeyPatch):

@@ -29,9 +29,11 @@ from graphkin.errors import (
 from graphkin.submissions import Asked, Limits, guarded, handed_in, read, read_one, safe_name
 from graphkin.submissions.answers import answers
 from graphkin.submissions.class_names import owner
+from graphkin.submissions.documents import read_lines
 from graphkin.submissions.numbers import given
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.scales import scale
+from graphkin.submissions.texts import decoded
 
 MECHANISM = api.load("ex3-1")
 ASKED = Asked(MECHANISM, (*MECHANISM.ask, "v B", "v B3B2"))
@@ -295,3 +297,11 @@ def test_nothing_else_is_needed_to_read_a_row():
     found = [read_one(each, ASKED) for each in handed]
     assert time.process_time() - start < 1.0
     assert all(len(s.values) == 3 for s in found)
+
+
+def test_lines_as_they_come_from_a_phone_or_a_word_processor():
+    """Wide equals signs, curly quotes; in the encoding of a Chinese system."""
+    text = "学号：s1\r\nω3＝3.92 顺时针\r\n“alpha 3” = “62 ccw”\r\nakB3B2≈2.5\r\n"
+    found = read_lines(decoded(text.encode("gb18030"), NOWHERE), NOWHERE, Limits())
+    assert found.student == "s1"
+    assert [entry[:2] for entry in found.entries] == [("ω3", "3.92 顺时针"), ("alpha 3", "62 ccw"), ("akB3B2", "2.5")]

@@ -12,6 +12,7 @@ __all__ = [
     "BrokenSubmission",
     "HandedTwice",
     "LetterTwice",
+    "NamesNobody",
     "NoAnswers",
     "NoLetters",
     "NoPaperScale",
@@ -25,6 +26,7 @@ __all__ = [
     "NotMarkable",
     "OwnFault",
     "SenseDisputed",
+    "SeveralStudents",
     "StudentTwice",
     "TooMuch",
     "TookTooLong",
@@ -169,6 +171,29 @@ class NoAnswers(GraphkinError):
         "en": "{where}: no answer is found here. Write each as question = value, for example \"omega 3\" = 3.92.",
         "zh": "{where}：未找到任何答案。请写成 问题 = 数值 的形式，例如 \"omega 3\" = 3.92。",
     }  # fmt: skip
+
+
+class SeveralStudents(GraphkinError):
+    """A class table among files of single students, of which anybody's may be."""
+
+    where: Where
+    first: str
+    second: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this table has rows of {first!r} and of {second!r}, and stands among files of one student each. "
+        "Give it to graphkin grade by itself.",
+        "zh": "{where}：此表含学生 {first!r} 与 {second!r} 各自的行，却放在每人一份的文件之中。请将此表单独交给 graphkin grade 评阅。",
+    }
+
+
+class NamesNobody(GraphkinError):
+    """A row of a class table without an id, below rows with one."""
+
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this row names no student. Write the id in its column.",
+        "zh": "{where}：此行没有学号。请在学号一列填写。",
+    }
 
 
 class NotAQuestion(Choice):

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 import numpy as np
 
 from graphkin.construction import Normal, Plane, Site, Term
 from graphkin.geometry import Value, dot
 from graphkin.marking.redrawing import Redrawing
-from graphkin.mechanism import FRAME
+from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import Seen
 from graphkin.planning import Method
 from graphkin.quantities import Answer, Component, Moving, Quantity, Quotient, on_axis
@@ -29,11 +29,13 @@ class Arrows:
 
     nodes   by link and point, its name in each plane
     parts   ends of the arrows seen from another point, by plane, part and both points of the plane
+    pins    those of a pin against its slot, which turn otherwise: the other way round they are others
     """
 
     nodes: Mapping[tuple[str, str, Plane], str]
     poles: Mapping[Plane, str]
     parts: Mapping[tuple[Plane, str, str, str], Ends]
+    pins: Collection[tuple[Plane, str, str, str]] = ()
 
     def node(self, site: Seen | Site, plane: Plane) -> str | None:
         return self.poles[plane] if site.link == FRAME else self.nodes.get((site.link, site.point, plane))
@@ -50,8 +52,8 @@ class Arrows:
         part = quantity.part
         if (plane, part, head, tail) in self.parts:
             return self.parts[plane, part, head, tail], 1
-        turned = self.parts.get((plane, part, tail, head))
-        return None if turned is None else (turned, -1)
+        turned = (plane, part, tail, head)
+        return (self.parts[turned], -1) if turned in self.parts and turned not in self.pins else None
 
 
 def arrows_of(method: Method) -> Arrows:
@@ -68,21 +70,40 @@ def arrows_of(method: Method) -> Arrows:
                 own = owners.get(node.site.point, ())
                 for link in own if node.site.link in own else (node.site.link,):
                     nodes.setdefault((link, node.site.point, plane), node.name)
-    known = Arrows(nodes, poles, parts)
+    pins: set[tuple[Plane, str, str, str]] = set()
+    known = Arrows(nodes, poles, parts, pins)
     for construction in (method.velocity, method.acceleration):
         for term in construction.vectors().values():
-            _put(known, parts, term, construction.plane)
+            key = _put(known, parts, term, construction.plane, method.mechanism)
+            if key is not None and _of_pin(term, method.mechanism):
+                pins.add(key)
     return known
 
 
-def _put(known: Arrows, parts: dict[tuple[Plane, str, str, str], Ends], term: Term, plane: Plane) -> None:
+def _put(
+    known: Arrows, parts: dict[tuple[Plane, str, str, str], Ends], term: Term, plane: Plane, mechanism: Mechanism
+) -> tuple[Plane, str, str, str] | None:
     """Under its part, where it is an arrow between two sites; a lone normal arrow of a crank too."""
     if len(term.sites) != 2:
-        return
-    head, tail = (known.node(site, plane) for site in term.sites)
+        return None
+    head, tail = (_node_of(known, site, plane, mechanism) for site in term.sites)
     part = term.part or ("n" if isinstance(term.size, Normal) else "")
     if part and head is not None and tail is not None:
         parts.setdefault((plane, part, head, tail), (plane, term.tail, term.head))
+        return plane, part, head, tail
+    return None
+
+
+def _of_pin(term: Term, mechanism: Mechanism) -> bool:
+    """Whether a term is of a pin in a slot: a block of its own in a construction."""
+    return any(site.link not in mechanism.links for site in term.sites)
+
+
+def _node_of(known: Arrows, site: Site, plane: Plane, mechanism: Mechanism) -> str | None:
+    """The point of a pin's own block is that of the links which bear the pin."""
+    links = (site.link,) if site.link in mechanism.links else mechanism.owners.get(site.point, ())
+    found = (known.node(Site(site.point, link), plane) for link in links)
+    return next((node for node in found if node is not None), None)
 
 
 def asked(method: Method, plot: Redrawing, quantity: Quantity, arrows: Arrows, before: bool = False) -> Answer:

@@ -18,6 +18,7 @@ from graphkin.marking.key import Entry, Hypotheses, Key
 from graphkin.marking.making import make_key
 from graphkin.marking.marked import Judged, Marked, Verdict, Work
 from graphkin.marking.pairing import pairs_of
+from graphkin.marking.standing_in import called_as_asked, same_answers
 from graphkin.marking.verdicts import agrees, columns, sense_only
 from graphkin.planning import Method
 from graphkin.quantities import Quantity
@@ -64,6 +65,7 @@ class Marker:
 
     def mark(self, works: Sequence[Work]) -> list[Marked]:
         """The marks of some students, in their order; they hang on nobody else's work."""
+        works = [self._as_asked(work) for work in works]
         asked = {entry.text for entry in self.key.entries}
         further = list(dict.fromkeys(text for work in works for text in work.numbers if text not in asked))
         if len(further) > _FURTHER and len(works) > 1:
@@ -72,6 +74,23 @@ class Marker:
         with self._lock:  # threads that mark at once
             marker = self._widened(further[:_FURTHER])
         return marker._mark(works)
+
+    @cached_property
+    def _asked(self) -> tuple[Entry, ...]:
+        return tuple(entry for entry in self.key.entries if entry.points)
+
+    @cached_property
+    def _same(self) -> dict[str, tuple[str, ...]]:
+        """Other names of what is asked."""
+        found = ((entry.text, readable(self.method.mechanism, entry.text)) for entry in self._asked)
+        return {text: same_answers(self.method, self.plot, q) if q is not None else () for text, q in found}
+
+    def _as_asked(self, work: Work) -> Work:
+        """With the key's name for what was handed in under another."""
+        asked = sum(entry.text in work.numbers for entry in self._asked)
+        if asked == len(self._asked) or asked == len(work.numbers):
+            return work
+        return called_as_asked(work, self._asked, self._same)
 
     def _widened(self, texts: Sequence[str]) -> Marker:
         """A marker whose key has these quantities, too, as far as they are any, and others that it was asked before."""

@@ -105,7 +105,7 @@ class _Count:
             best = result.suspicions[0]
             kept, count = self.mistakes.get(best.ids, (best, 0))
             self.mistakes[best.ids] = kept, count + 1
-        elif any(line.verdict == "wrong" for line in result.lines):
+        elif any(line.verdict == "wrong" and line.unit_right for line in result.lines):
             self.status["unexplained"] += 1
 
     def report(self) -> ClassReport:

@@ -85,7 +85,8 @@ def _arithmetic(marked: Marked, lang: Lang) -> Iterator[str]:
 
 
 def _mistakes(marked: Marked, lang: Lang) -> Iterator[str]:
-    if not any(one.verdict in ("wrong", "carried") for one in marked.judged):
+    """Of numbers; a unit that alone is wrong has been told."""
+    if not any(one.verdict in ("wrong", "carried") and one.unit_right for one in marked.judged):
         return
     if not marked.diagnosis.explanations:
         yield say("marks.none fits", lang)

@@ -16,7 +16,8 @@ from graphkin.submissions.tables import student_of
 from graphkin.value import frozen
 
 _DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
-_KEY = re.compile(r"""\s*(?:"([^"]*)"|'([^']*)'|([^=:：\s"'][^=:：]*?))\s*[=:：]""")
+_KEY = re.compile(r"""\s*(?:["“”„]([^"“”„]*)["“”„]|'([^']*)'|([^=＝≈:：\s"'“”„][^=＝≈:：]*?))\s*[=＝≈:：]""")
+"""Quotes are those that word processors make of plain ones, too; an equals sign may be as wide as a Chinese letter."""
 _HEADER = re.compile(r"\s*\[\s*([^\[\]]+?)\s*\]\s*")
 _TABLES = ("answers", "answer", "values", "results", "答案")
 _SCALES = ("scales", "scale", "比例尺")
@@ -82,7 +83,7 @@ def read_lines(text: str, where: Where, limits: Limits) -> Document:
         key = _KEY.match(line[:400])
         if key is None:
             continue
-        name, value = next(part for part in key.groups() if part is not None), line[key.end() :].strip(" \t\"'")
+        name, value = next(part for part in key.groups() if part is not None), line[key.end() :].strip(" \t\"'“”„")
         if student_of(name):
             student = value[:200]
         else:

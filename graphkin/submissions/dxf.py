@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import io
 import math
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -39,6 +40,16 @@ def read_dxf(content: bytes, where: Where, limits: Limits) -> Picture:
     return Picture(
         lines, tuple(m for m in found if isinstance(m, Dot)), tuple(m for m in found if isinstance(m, Text))
     )  # fmt: skip
+
+
+_STACK = re.compile(r"\\S([^;^#/\\]*)\^ ?([^;\\]*);")
+"""A raised and a lowered piece of a text, one of which may be empty."""
+
+
+def _one_line(stack: re.Match[str]) -> str:
+    """`v^n_CD`, as people write it; MTEXT has a caret and a blank for a caret."""
+    raised, lowered = (piece.strip() for piece in stack.groups())
+    return (f"^ {raised}" if raised else "") + (f"_{lowered}" if lowered else "")
 
 
 _Mark = tuple[complex, complex] | Dot | Text
@@ -127,9 +138,11 @@ class _Reader:
         return one / (abs(one) or 1.0), other / (abs(other) or 1.0)
 
     def _mtext(self, entity: Any) -> Iterator[Text]:
-        letters = " ".join(entity.plain_text().split())
+        from ezdxf.tools.text import fast_plain_mtext
+
+        letters = " ".join(str(fast_plain_mtext(_STACK.sub(_one_line, entity.text))).split())
         tall = float(entity.dxf.char_height) * self.mm
-        width = _WIDE * tall * len(letters)
+        width = _WIDE * tall * len(re.sub("[_^]", "", letters))
         direction = entity.dxf.text_direction if entity.dxf.hasattr("text_direction") else None
         degrees = entity.get_rotation() if direction is None else math.degrees(math.atan2(direction.y, direction.x))
         right = cmath.rect(1, math.radians(degrees))

@@ -6,13 +6,15 @@ Nothing of a student's is parsed here but the cells of a class table; that is `r
 from __future__ import annotations
 
 import hashlib
+import io
 import os
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 import numpy as np
 
-from graphkin.errors import BrokenSubmission, GraphkinError, NoFile, TooMuch, Unreadable, Where
+from graphkin.errors import BrokenSubmission, GraphkinError, NamesNobody, NoAnswers, NoFile, TooMuch, Unreadable, Where
 from graphkin.submissions import archives
 from graphkin.submissions.class_names import Owner, owner, tidy_id
 from graphkin.submissions.deadline import limited
@@ -21,6 +23,8 @@ from graphkin.submissions.submission import Limits
 from graphkin.submissions.tables import Row, csv_cells, rows_of, xlsx_cells
 from graphkin.submissions.texts import decoded
 from graphkin.value import frozen
+
+_TABLES, _SHEETS = (".csv", ".tsv"), (".xlsx", ".xlsm")
 
 
 @frozen
@@ -73,12 +77,12 @@ def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
         raise Unreadable(where, "not a file")
     elif path.suffix.lower() == ".zip":
         yield from _of_archive(path, where, limits)
-    elif path.suffix.lower() in (".csv", ".tsv"):
+    elif path.suffix.lower() in _TABLES:
         with path.open("rb") as stream:
-            yield from _of_table(rows_of(csv_cells(stream, where), where, limits), path, where, limits)
-    elif path.suffix.lower() in (".xlsx", ".xlsm"):
+            yield from _of_table(rows_of(csv_cells(stream, where), where, limits), owner(path.name), where, limits)
+    elif path.suffix.lower() in _SHEETS:
         cells = xlsx_cells(_content(path, where, limits), where, limits)
-        yield from _of_table(rows_of(cells, where, limits), path, where, limits)
+        yield from _of_table(rows_of(cells, where, limits), owner(path.name), where, limits)
     else:
         yield from _of_file(path, where, limits)
 
@@ -103,15 +107,17 @@ def _of_file(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
     yield Handed(owner(path.name), str(path), files=((path.name, content),))
 
 
-def _of_table(rows: Iterator[Row], path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
+def _of_table(rows: Iterator[Row], by_file: Owner, where: Where, limits: Limits) -> Iterator[Handed]:
     """What breaks off in the middle keeps the rows before it."""
-    by_file, line = owner(path.name), 0
+    file, line, named = str(where.file), 0, False
     try:
         for row in _timed(rows, where, limits):
-            line = row.line
-            yield _of_row(row, by_file, str(path))
+            line, nobody = row.line, named and not row.student.strip()
+            named = named or bool(row.student.strip())
+            found = _of_row(row, by_file, file)
+            yield replace(found, row=None, reason=NamesNobody(Where(file, line))) if nobody else found
     except GraphkinError as reason:
-        yield Handed(by_file, str(path), place=str(line + 1) if line else "", reason=reason.at(where))
+        yield Handed(by_file, file, place=str(line + 1) if line else "", reason=reason.at(where))
 
 
 def _timed(rows: Iterator[Row], where: Where, limits: Limits) -> Iterator[Row]:
@@ -132,6 +138,11 @@ def _of_row(row: Row, by_file: Owner, file: str) -> Handed:
 def _of_folder(path: Path, limits: Limits) -> Iterator[Handed]:
     """A folder as an archive that was unpacked; links out of it are not followed."""
     names = sorted(_walked(path))
+    if not names:
+        raise NoAnswers(Where(str(path)))
+    if _class_table(names):
+        yield from _of_path(path / names[0], Where(f"{path}/{names[0]}"), limits)
+        return
     if len(names) > limits.members:
         raise TooMuch(Where(str(path)), "members", limits.members)
     for who, numbers in _grouped(names):
@@ -164,6 +175,11 @@ def _of_archive(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
         names = [archives.member_name(info) for info in infos]
         if not infos:
             raise BrokenSubmission(where, "ZIP")
+        if _class_table(names):
+            member = Where(f"{path}!{names[0]}")
+            rows = _rows(names[0], archives.read_member(archive, infos[0], member, limits), member, limits)
+            yield from _of_table(rows, owner(names[0], _root(names)), member, limits)
+            return
         for who, numbers in _grouped(names):
             files, reason = [], None
             for k in numbers:
@@ -174,6 +190,21 @@ def _of_archive(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
                     reason = problem
             first = names[numbers[0]]
             yield Handed(who, f"{path}!{first}", first, tuple(files), reason=None if files else reason)
+
+
+def _rows(name: str, content: bytes, where: Where, limits: Limits) -> Iterator[Row]:
+    sheet = PurePosixPath(name).suffix.lower() in _SHEETS
+    cells = xlsx_cells(content, where, limits) if sheet else csv_cells(io.BytesIO(content), where)
+    return rows_of(cells, where, limits)
+
+
+def _class_table(names: list[str]) -> bool:
+    """Whether all there is is a table, which bears no student's name as platforms give them: nobody else's work stands
+    beside it. Among others it is one student's."""
+    name = PurePosixPath(names[0])
+    return len(names) == 1 and name.suffix.lower() in (*_TABLES, *_SHEETS) and (
+        owner(names[0], _root(names)).student == tidy_id(name.stem)
+    )
 
 
 def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:

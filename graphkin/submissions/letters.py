@@ -139,7 +139,8 @@ def _pieces(text: str) -> list[str]:
 
 
 def _key(piece: str, spelled: Mapping[str, tuple[Plane, str]]) -> tuple[Plane, str] | None:
-    return spelled.get(piece.replace('"', "''"))
+    """With the primes last, which GeoGebra has before a number: `b'_{3}`."""
+    return spelled.get(re.sub(r"^([A-Za-z]+)('+)([0-9]+)$", r"\1\3\2", piece.replace('"', "''")))
 
 
 def _by_name(

@@ -12,6 +12,7 @@ from graphkin.errors import (
     NoAnswers,
     NotMarkable,
     OwnFault,
+    SeveralStudents,
     TooMuch,
     UnknownStudent,
     Where,
@@ -152,6 +153,9 @@ def _table(rows: Iterator[Row], where: Where) -> Document:
     row = next(rows, None)
     if row is None:
         raise NoAnswers(where)
+    other = next((other.student for other in rows if other.student not in ("", row.student)), None)
+    if other is not None:
+        raise SeveralStudents(where, tidy_id(row.student), tidy_id(other))
     return _of_row(row, where)
 
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import chain
+from itertools import chain, product
 
+from graphkin.construction import Simultaneous
 from graphkin.geometry import Value
 from graphkin.marking.redrawing import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, times
 from graphkin.marking.scene import Scene, mistake
+from graphkin.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import in_step
 from graphkin.planning.stages import Group, Mesh
@@ -37,15 +39,28 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
 
 
 def _found_together(scene: Scene) -> Iterator[tuple[str, tuple[Edit, ...]]]:
-    """Contacts on an arm in groups whose rotations several equations give, by the wheels that these give."""
-    for stage in scene.method.stages:
-        for contact in stage.contacts if isinstance(stage, Group) else ():
-            wheels = [wheel for wheel in contact.wheels if not scene.driven(wheel)]
-            borne = contact.arm and not any(scene.turns_with(wheel, contact.arm) for wheel in wheels)
-            if wheels and borne and _matters(scene, contact):
-                spots = (("rolling", plane, in_step(contact), contact.arm) for plane in ("velocity", "acceleration"))
-                name = ", ".join(scene.rotation_name("omega", wheel) for wheel in wheels)
-                yield name, tuple(Edit(spot, times(0.0)) for spot in spots)
+    """Contacts on an arm in groups whose rotations several equations give, by the wheels that these give; those with a
+    driven wheel last, which alone give the other one."""
+    contacts = [c for stage in scene.method.stages if isinstance(stage, Group) for c in stage.contacts]
+    for contact in sorted(contacts, key=lambda contact: _driven_wheel(scene, contact) is not None):
+        wheels = [wheel for wheel in contact.wheels if not scene.driven(wheel)]
+        borne = contact.arm and not any(scene.turns_with(wheel, contact.arm) for wheel in wheels)
+        if wheels and borne and _matters(scene, contact):
+            spots = (("rolling", plane, in_step(contact), contact.arm) for plane in ("velocity", "acceleration"))
+            name = ", ".join(scene.rotation_name("omega", wheel) for wheel in wheels)
+            yield name, (*(Edit(spot, times(0.0)) for spot in spots), *_at_once(scene, contact, wheels))
+
+
+def _at_once(scene: Scene, contact: Contact, wheels: list[str]) -> Iterator[Edit]:
+    """The ratio to a driven wheel, where velocities are drawn by the points of contact, which know no arm."""
+    solved = (step for _, step in scene.steps("velocity") if isinstance(step, Simultaneous))
+    if _driven_wheel(scene, contact) is not None and all(in_step(contact) not in step.contacts for step in solved):
+        for wheel, quantity in product(wheels, ("omega", "alpha")):
+            yield Edit(("settled", quantity, wheel), _turned(contact, wheel, quantity, contact.arm))
+
+
+def _driven_wheel(scene: Scene, contact: Contact) -> str | None:
+    return next((wheel for wheel in contact.wheels if wheel != FRAME and scene.driven(wheel)), None)
 
 
 def _contacts(scene: Scene) -> Iterator[tuple[str, Contact]]:
