@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
-__all__ = ["BadPair", "BadRange", "GivenTwice", "NeedsTwo", "NoPosition", "NoSuchDriver", "OnlyShown", "TooManyRows", "UnknownQuantity"]
+__all__ = ["BadPair", "BadRange", "GivenTwice", "NeedsTwo", "NoPosition", "NoSuchDriver", "NoSuchValue", "NotSwept", "OnlyShown", "TooManyRows", "UnknownQuantity"]
 
 
 class BadRange(GraphkinError):
@@ -64,6 +64,26 @@ class NoSuchDriver(Choice):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: there is no driver {given} to move. {hint}",
         "zh": "{where}：没有可以运动的原动件 {given}。{hint}",
+    }
+
+
+class NoSuchValue(Choice):
+    """A name that is to have another value, and means no number of the mechanism's file, or more than one."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given!r} is not one value of this file. A length is named AB, an angle BDE, a fixed or sketched "
+        "point A, a driver's value 'angle AB' or 'omega AB', any other by its place: links.2.AB, slide.0.angle. {hint}",
+        "zh": "{where}：{given!r} 不是该文件中唯一的一个值。长度写 AB，角度写 BDE，固定点或草图点写 A，原动件的值写 'angle AB'、"
+        "'omega AB'，其他按位置写：links.2.AB、slide.0.angle。{hint}",
+    }
+
+
+class NotSwept(Choice, KeyError):
+    """A quantity that a sweep does not hold."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given!r} is not in this sweep. Name it in `of` to have it. {hint}",
+        "zh": "{where}：这次扫描中没有 {given!r}，需要时请写入 `of`。{hint}",
     }
 
 

@@ -3,11 +3,11 @@
 from graphkin.quantities import split
 from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.proof import prove
-from graphkin.sweeps.quantities import Series, asked
+from graphkin.sweeps.quantities import Series, asked, drawable
 from graphkin.sweeps.roads import Road
 from graphkin.sweeps.sweep import Sweep, in_parts, quantities_at, sweep, sweep_over
 
 __all__ = [
-    "Course", "Road", "Series", "Sweep", "asked", "course", "in_parts", "prove", "quantities_at", "split", "sweep",
+    "Course", "Road", "Series", "Sweep", "asked", "course", "drawable", "in_parts", "prove", "quantities_at", "split", "sweep",
     "sweep_over",
 ]  # fmt: skip

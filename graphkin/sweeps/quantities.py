@@ -10,7 +10,7 @@ from graphkin.errors import Where
 from graphkin.geometry import Value, dot
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
-from graphkin.quantities import Centre, Quantity, named, read
+from graphkin.quantities import Quantity, Track, named, read
 from graphkin.value import frozen
 
 
@@ -20,7 +20,7 @@ class Series:
 
     name    as it was asked for
     values  sizes or signed scalars (n,), in SI
-    vectors for velocities and accelerations, and the place of an instant centre: (n,) complex, else None
+    vectors for velocities and accelerations, and the place of a point or an instant centre: (n,) complex, else None
     """
 
     name: str
@@ -40,8 +40,8 @@ class Series:
 
     @property
     def is_place(self) -> bool:
-        """Whether this is where an instant centre lies; at infinity that is infinite."""
-        return isinstance(self.quantity, Centre)
+        """Whether this is where a point or an instant centre lies; that one at infinity is infinite."""
+        return self.quantity.is_place
 
     @property
     def signed(self) -> np.ndarray:
@@ -72,6 +72,15 @@ def asked(mechanism: Mechanism, names: Sequence[str] = ()) -> tuple[str, ...]:
         named(mechanism, name, Where("--of"))
     usual = names or [name for name in mechanism.ask if read(mechanism, name) is not None]
     return tuple(dict.fromkeys(usual or _everything(mechanism)))
+
+
+def drawable(mechanism: Mechanism, names: Sequence[str]) -> tuple[str, ...]:
+    """The same over the driver's value, a curve each: of a point's place its x and its y."""
+    found: list[str] = []
+    for name in names:
+        quantity = named(mechanism, name, Where("--of"))
+        found += [f"x {quantity.of}", f"y {quantity.of}"] if isinstance(quantity, Track) else [name]
+    return tuple(dict.fromkeys(found))
 
 
 def _everything(mechanism: Mechanism) -> Iterable[str]:
