@@ -1,23 +1,23 @@
 """Many mechanisms, on any executor of `concurrent.futures`: threads, processes, or a cluster's.
 
->>> [len(result.values) for result in sweep_many(["ex3-1", "ex3-5"], ["0:90:30"])]
+>>> [len(result.driven) for result in sweep_many(["ex3-1", "ex3-5"], ["0:90:30"])]
 [4, 4]
 """
 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, Future
 from itertools import islice
 from pathlib import Path
 
 import numpy as np
 
-from graphkin import api, sweeps
-from graphkin.errors import GraphkinError
+from graphkin import api
+from graphkin.errors import GraphkinError, NotSwept, Where
 from graphkin.mechanism import Mechanism
-from graphkin.sweeps import Road, Series
+from graphkin.sweeps import Ranges, Road, Series
 from graphkin.value import frozen
 
 __all__ = ["Swept", "sweep_many"]
@@ -26,27 +26,44 @@ Source = Mechanism | str | Path
 
 
 @frozen
-class Swept:
+class Swept(Mapping[str, Series]):
     """The sweep of one of many mechanisms, as data that goes between processes; or the error that it met.
 
-    values  of the driver that names the positions (n,) [rad, m]; empty where there was an error
+    A mapping from quantities to their series, as `Sweep` is.
+
+    driven  values of the driver that names the positions (n,) [rad, m]; empty where there was an error
     reach   the least and the greatest value of that driver that is reached [rad, m]
     """
 
     name: str
     driver: str
-    values: np.ndarray
+    driven: np.ndarray
     series: tuple[Series, ...]
     reach: tuple[float, float]
     error: GraphkinError | None = None
 
     def __getitem__(self, name: str) -> Series:
-        return next(entry for entry in self.series if entry.name == name)
+        if self.error is not None:
+            raise self.error
+        found = next((entry for entry in self.series if entry.name == name), None)
+        if found is None:
+            raise NotSwept(Where("sweep_many"), str(name), tuple(self))
+        return found
+
+    def __iter__(self) -> Iterator[str]:
+        return (entry.name for entry in self.series)
+
+    def __len__(self) -> int:
+        return len(self.series)
+
+    def __repr__(self) -> str:
+        what = type(self.error).__name__ if self.error else f"{self.driven.size} positions: {', '.join(self)}"
+        return f"<Swept {self.name}: {what}>"
 
 
 def sweep_many(
     mechanisms: Iterable[Source],
-    ranges: Sequence[str] = (),
+    ranges: Ranges = (),
     of: Sequence[str] = (),
     by: Road = "construction",
     *,
@@ -81,15 +98,15 @@ def sweep_many(
             future.cancel()
 
 
-def _batch(sources: list[Source], ranges: Sequence[str], of: Sequence[str], by: Road) -> list[Swept]:
+def _batch(sources: list[Source], ranges: Ranges, of: Sequence[str], by: Road) -> list[Swept]:
     return [_swept(source, ranges, of, by) for source in sources]
 
 
-def _swept(source: Source, ranges: Sequence[str], of: Sequence[str], by: Road) -> Swept:
+def _swept(source: Source, ranges: Ranges, of: Sequence[str], by: Road) -> Swept:
     try:
         mechanism = source if isinstance(source, Mechanism) else api.load(source)
-        found = sweeps.sweep(api.plan(mechanism), ranges, of, by)
+        found = api.sweep(mechanism, ranges, of, by)
     except GraphkinError as error:
         name = source.name if isinstance(source, Mechanism) else Path(source).stem
         return Swept(name, "", np.empty(0), (), (np.nan, np.nan), error)
-    return Swept(mechanism.name, found.course.driver.name, found.values, found.series, found.course.reach)
+    return Swept(mechanism.name, found.course.driver.name, found.driven, found.series, found.course.reach)

@@ -8,7 +8,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from graphkin import library, loading, motion
+from graphkin import library, loading
+from graphkin.analytic import motion
 from graphkin.analytic import Motion
 from graphkin.centres import Centres, centres
 from graphkin.errors import NOWHERE

@@ -34,7 +34,7 @@ def checked(mechanism: Mechanism, names: Sequence[str], where: Where = WHERE) ->
 
 
 def looked_for(mechanism: Mechanism, name: str, where: Where = WHERE) -> Quantity:
-    """A quantity that can be looked for: places can't, their `x E` and `y E` can. Raises what `quantities.named` raises."""
+    """A quantity that can be looked for: places can't, `x E` and `y E` can. Raises what `quantities.named` raises."""
     found = named(mechanism, name, where)
     if found.is_place:
         raise UnknownQuantity(where, name, tuple(f"{axis} {found.of}" for axis in ("x", "y") if found.sites))

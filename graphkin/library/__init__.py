@@ -12,8 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from graphkin.errors import Lang, UnknownMechanism, Where
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
+from graphkin.loading import Mechanism, loads
 
 __all__ = ["groups", "has", "load", "names", "text", "titles"]
 

@@ -23,6 +23,6 @@ from graphkin.quantities.units import EDGE, GRAVITY, IN_GRAVITY, Unit, driven
 
 __all__ = [
     "EDGE", "GRAVITY", "IN_GRAVITY", "SHAPE", "WORDS", "Answer", "Centre", "Component", "Displacement", "Moving",
-    "Place", "Quantity", "Quotient", "Rotation", "Track", "Unit", "centre_of", "driven", "meant", "named", "on_axis", "parts",
-    "read", "relative", "split",
+    "Place", "Quantity", "Quotient", "Rotation", "Track", "Unit", "centre_of", "driven", "meant", "named", "on_axis",
+    "parts", "read", "relative", "split",
 ]  # fmt: skip

@@ -1,4 +1,4 @@
-"""A quantity read from text: `theta 3`, `s ram`, `x E`, `path E`, `v E`, `v_x E`, `a_k B3B2`, `P13`, `omega 3 / omega 1`.
+"""A quantity read from text: `theta 3`, `s ram`, `x E`, `path E`, `v E`, `a_x E`, `a_k B3B2`, `P13`, `omega 3/omega 1`.
 
 The one reader of what `ask`, `sweep --of`, `find` and `--limit` name.
 """
