@@ -53,7 +53,7 @@ _WHERE = {
     "from_dict": "loading",
     "Drawing": "api",
     "State": "measured",
-    "Sweep": "sweeps",
+    "Sweep": "outputs.frames",
     "plan": "api",
     "replay": "api",
     "motion": "api",
@@ -76,8 +76,8 @@ if TYPE_CHECKING:
     from graphkin.errors import GraphkinError
     from graphkin.loading import Mechanism, from_dict, loads
     from graphkin.measured import State
+    from graphkin.outputs.frames import Sweep
     from graphkin.say import explain
-    from graphkin.sweeps import Sweep
 
 
 def __getattr__(name: str) -> Any:

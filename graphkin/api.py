@@ -32,9 +32,10 @@ from graphkin.planning import Method
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
+    from graphkin.outputs.frames import Sweep
     from graphkin.outputs.notebook import Shown
     from graphkin.quantities import Answer
-    from graphkin.sweeps import Ranges, Road, Sweep
+    from graphkin.sweeps import Ranges, Road
 
 __all__ = ["Drawing", "load", "motion", "plan", "replay", "sweep"]
 
@@ -133,10 +134,11 @@ def sweep(
     (array([-0.10184, -0.12272, -0.13833]), array([180., 180., 180.]))
     """
     from graphkin import sweeps
+    from graphkin.outputs.frames import framed
 
     method = mechanism if isinstance(mechanism, Method) else plan(mechanism)
     with in_python():
-        return sweeps.sweep(method, ranges, sweeps.split(of) if isinstance(of, str) else of, by)
+        return framed(sweeps.sweep(method, ranges, sweeps.split(of) if isinstance(of, str) else of, by))
 
 
 _ARGUMENTS = {"--driver": "ranges", "--of": "of"}
