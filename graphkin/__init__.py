@@ -59,6 +59,7 @@ _WHERE = {
     "motion": "api",
     "sweep": "api",
     "sweep_many": "batches",
+    "solve_many": "batches",
     "explain": "say",
     "measure": "check",
     "GraphkinError": "errors",
@@ -66,12 +67,12 @@ _WHERE = {
 
 __all__ = [
     "Drawing", "GraphkinError", "Mechanism", "State", "Sweep", "explain", "from_dict", "load", "loads", "measure",
-    "motion", "plan", "replay", "sweep", "sweep_many",
+    "motion", "plan", "replay", "solve_many", "sweep", "sweep_many",
 ]  # fmt: skip
 
 if TYPE_CHECKING:
     from graphkin.api import Drawing, load, motion, plan, replay, sweep
-    from graphkin.batches import sweep_many
+    from graphkin.batches import solve_many, sweep_many
     from graphkin.check import measure
     from graphkin.errors import GraphkinError
     from graphkin.loading import Mechanism, from_dict, loads
