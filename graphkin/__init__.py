@@ -43,7 +43,8 @@ ORDER = (
     "value", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "measured", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur",
     "readings", "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "submissions", "marking",
-    "results", "say", "sheet", "outputs", "equations", "api", "batches", "problems", "grading", "platforms", "cli",
+    "results", "say", "sheet", "outputs", "equations", "api", "batches", "problems", "grading", "platforms",
+    "reference", "cli",
 )  # fmt: skip
 
 _WHERE = {

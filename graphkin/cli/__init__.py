@@ -24,6 +24,7 @@ COMMANDS = {
     "centres": "centres", "linkage": "linkages", "design": "design",
     "problems": "problems", "grade": "marking", "tolerance": "marking",
     "structure": "library", "list": "library", "show": "library", "schema": "library",
+    "help": "help",
 }  # fmt: skip
 """The module of each command."""
 
