@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from graphkin import library, loading
-from graphkin.analytic import motion
-from graphkin.analytic import Motion
+from graphkin.analytic import Motion, motion
 from graphkin.centres import Centres, centres
 from graphkin.errors import NOWHERE
 from graphkin.mechanism import Mechanism
