@@ -338,15 +338,15 @@ def test_drivers_together_and_held():
 
 @pytest.mark.parametrize("values", [[[1, 2], [3, 4]], [0, np.nan], None, [], ["a", 1], 1e9, [1e9, 2e9]])
 def test_values_that_are_none(values: object):
-    with pytest.raises(BadValues, match="^ranges: "):
+    with pytest.raises(BadValues, match=r"^ranges: "):
         graphkin.sweep(graphkin.load("ex3-1"), {"AB": values}, "omega 3")
 
 
 def test_errors_name_arguments():
     mechanism = graphkin.load("ex3-1")
-    with pytest.raises(NoSuchDriver, match="^ranges: "):
+    with pytest.raises(NoSuchDriver, match=r"^ranges: "):
         graphkin.sweep(mechanism, {"XY": [1, 2]})
-    with pytest.raises(UnknownQuantity, match="^of: "):
+    with pytest.raises(UnknownQuantity, match=r"^of: "):
         graphkin.sweep(mechanism, (), "speed 3")
 
 
