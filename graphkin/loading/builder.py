@@ -57,7 +57,7 @@ class Builder:
         ccw: Sequence[Any] | str | None = None, **measures: Number,
     ) -> Builder:  # fmt: skip
         """A link by lengths and angles (`AB=24`, `BDE=90`, `ccw="BDE"`), by coordinates, or by its points alone."""
-        table = {"points": _names(points), "shape": shape, "ccw": _names(ccw), **measures}
+        table = {"points": _names(points), "shape": shape, **measures, "ccw": _names(ccw)}
         return self._with({"links": {**self.document.get("links", {}), str(name): _there(table)}})
 
     def slide(self, **keys: Any) -> Builder:
