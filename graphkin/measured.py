@@ -8,8 +8,8 @@ vectors apart. What is calculated from them is a plain number again.
 >>> drawing = graphkin.Drawing.of(graphkin.load("ex3-1"))
 >>> drawing.omega["3"], round(drawing.omega["3"].rpm, 2)
 (-3.91933 rad/s, -37.43)
->>> drawing.theta["3"].degrees, drawing.v["C"].magnitude, drawing.v["C"].direction
-(105.60988105535502, 0.188128 m/s, 15.609881055355018)
+>>> round(drawing.theta["3"].degrees, 3), drawing.v["C"].magnitude, round(drawing.v["C"].direction, 3)
+(105.61, 0.188128 m/s, 15.61)
 """
 
 from __future__ import annotations
@@ -290,10 +290,10 @@ class State(Readable):
         return self.quantity(text)
 
     def __getattr__(self, name: str) -> Any:
-        """Whatever else the motions have: `velocity_at`, and of the analysis `condition`."""
+        """Whatever else there is: `velocity_at`, of the analysis `condition`, of a drawing its polygons' `velocity`."""
         if name.startswith("_"):
             raise AttributeError(name)
-        return getattr(self.motions, name)
+        return getattr(self.motions if hasattr(self.motions, name) else self.plot, name)
 
     @cached_property
     def _size(self) -> int:

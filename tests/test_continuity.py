@@ -150,6 +150,6 @@ def test_positions_without_a_motion_are_left_out(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(module, "series", failing)
     moved = course(plan(folding("rhombus", "none", 0)), ["0:360:30"])
     (found,) = in_parts(moved, ["omega 3", "v B"])
-    assert found.values.size == found["v B"].values.size == 12
+    assert found.driven.size == found["v B"].values.size == 12
     assert math.degrees(found.undefined[0]) == pytest.approx(60)
     assert "60°" in next(left_out(moved, found.undefined, "en"))

@@ -195,7 +195,7 @@ def test_positions_whole_turns_away_are_the_same():
     first = sweep(plan(library.load("fig3-10")), ["-40:200:20"], ["v O'"])
     later = sweep(plan(library.load("fig3-10")), ["320:560:20"], ["v O'"])
     assert np.allclose(first["v O'"].values, later["v O'"].values, rtol=1e-9)
-    assert np.allclose(later.values, np.radians(np.arange(320, 561, 20)))
+    assert np.allclose(later.driven, np.radians(np.arange(320, 561, 20)))
 
 
 # --- several drivers ----------------------------------------------------------------------------

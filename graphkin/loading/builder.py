@@ -35,7 +35,7 @@ class Builder:
     ...     .done()
     ... )
     >>> graphkin.Drawing.of(four_bar).omega["3"]
-    2.6297 rad/s
+    2.91596 rad/s
     """
 
     name: str

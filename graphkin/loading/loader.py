@@ -49,8 +49,8 @@ class Mechanism(mechanism.Mechanism):
         >>> longer = graphkin.load("ex3-1").with_(AB=30, omega=20)
         >>> abs(longer.links["1"].arm("A", "B")), longer.drivers[0].rate
         (0.03, 20.0)
-        >>> graphkin.load("ex3-1").with_({"omega AB": "95 rpm", "slide.0.angle": 95, "D": (80, 0)}).drivers[0].rate
-        9.948376736367678
+        >>> graphkin.load("ex3-1").with_({"omega AB": "95 rpm", "slide.0.angle": 95}, D=(80, 0)).links["frame"].points
+        {'A': 0j, 'D': (0.08+0j)}
         """
         from graphkin.loading.changing import changed_text
 

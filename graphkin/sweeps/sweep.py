@@ -41,7 +41,7 @@ class Sweep(Readable, Mapping[str, Series]):
     >>> import graphkin
     >>> sweep = graphkin.sweep(graphkin.load("ex3-7"), {"AB": [0, 10, 20]}, ["omega 4", "v E"])
     >>> list(sweep), len(sweep.driven), sweep["omega 4"].rpm.round(3)
-    (['omega 4', 'v E'], 3, array([2.888, 3.   , 3.09 ]))
+    (['omega 4', 'v E'], 3, array([2.758, 3.093, 3.171]))
     >>> sweep.theta["4"].degrees.round(3)
     array([168.938, 172.027, 175.327])
     """
