@@ -42,35 +42,45 @@ __version__ = "0.1.0"
 
 ORDER = (
     "value", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming",
-    "motions", "quantities", "loading", "library", "planning", "running", "seal", "analytic", "freedoms", "assur",
-    "readings", "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "submissions", "marking",
-    "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading", "problems", "platforms",
-    "handouts", "cli",
+    "motions", "quantities", "measured", "loading", "library", "planning", "running", "seal", "analytic", "freedoms",
+    "assur", "readings", "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "submissions",
+    "marking", "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading", "problems", "platforms",
+    "handouts", "reference", "cli",
 )  # fmt: skip
 
 _WHERE = {
+    "Mechanism": "loading",
     "load": "api",
+    "loads": "loading",
+    "from_dict": "loading",
+    "Drawing": "api",
+    "State": "measured",
+    "Sweep": "outputs.frames",
     "plan": "api",
     "replay": "api",
     "replay_many": "running.variants",
-    "motion": "analytic",
-    "Drawing": "api",
-    "explain": "say",
-    "measure": "check",
+    "motion": "api",
     "sweep": "api",
     "sweep_many": "batches",
+    "solve_many": "batches",
+    "explain": "say",
+    "measure": "check",
     "GraphkinError": "errors",
 }
 
-__all__ = ["Drawing", "GraphkinError", "explain", "load", "measure", "motion", "plan", "replay", "replay_many", "sweep",
-           "sweep_many"]
+__all__ = [
+    "Drawing", "GraphkinError", "Mechanism", "State", "Sweep", "explain", "from_dict", "load", "loads", "measure",
+    "motion", "plan", "replay", "replay_many", "solve_many", "sweep", "sweep_many",
+]  # fmt: skip
 
 if TYPE_CHECKING:
-    from graphkin.analytic import motion
-    from graphkin.api import Drawing, load, plan, replay, sweep
-    from graphkin.batches import sweep_many
+    from graphkin.api import Drawing, load, motion, plan, replay, sweep
+    from graphkin.batches import solve_many, sweep_many
     from graphkin.check import measure
     from graphkin.errors import GraphkinError
+    from graphkin.loading import Mechanism, from_dict, loads
+    from graphkin.measured import State
+    from graphkin.outputs.frames import Sweep
     from graphkin.running.variants import replay_many
     from graphkin.say import explain
 
@@ -80,3 +90,7 @@ def __getattr__(name: str) -> Any:
     if name not in _WHERE:
         raise AttributeError(f"module 'graphkin' has no attribute {name!r}")
     return getattr(import_module(f"graphkin.{_WHERE[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

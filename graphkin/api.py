@@ -14,27 +14,34 @@ True
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import ArrayLike
 
 from graphkin import library, loading, planning, running
 from graphkin.construction import Plane, Plot
-from graphkin.errors import CannotAssemble, HigherClass, Lang
+from graphkin.errors import CannotAssemble, GraphkinError, HigherClass, Lang, Where
 from graphkin.geometry import Value
+from graphkin.measured import Readable, State, read_off
 from graphkin.mechanism import Mechanism
+from graphkin.motions import Motions
 from graphkin.planning import Method
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
+    from graphkin.outputs.frames import Sweep
     from graphkin.outputs.notebook import Shown
     from graphkin.quantities import Answer
     from graphkin.sheet import Style
-    from graphkin.sweeps import Road, Sweep
+    from graphkin.sweeps import Ranges, Road
 
-__all__ = ["Drawing", "load", "plan", "replay", "sweep"]
+__all__ = ["Drawing", "load", "motion", "plan", "replay", "sweep"]
 
 
-def load(source: str | Path) -> Mechanism:
+def load(source: str | Path) -> loading.Mechanism:
     """A mechanism from a file, or from the library by its name (`ex3-1`).
 
     Raises a `GraphkinError` that names file, line and key of what is wrong.
@@ -76,35 +83,86 @@ def _refuse_wrong_drivers(mechanism: Mechanism) -> None:
         raise error
 
 
-def replay(method: Method, values: Sequence[Value] | None = None) -> Plot:
+def replay(method: Method, values: Sequence[Value] | None = None) -> State:
     """Carry the constructions out at the drawn position, or at driver `values` [rad, m]: scalars or arrays (n,).
 
     >>> import numpy as np
-    >>> plot = replay(plan(load("ex3-1")), [np.radians([60, 90, 120])])
-    >>> np.round(plot.omega["3"], 3)
+    >>> drawn = replay(plan(load("ex3-1")), [np.radians([60, 90, 120])])
+    >>> np.round(drawn.omega["3"], 3)
     array([-3.919, -1.132,  0.64 ])
     """
-    return running.replay_all(method, values)
+    from graphkin.readings import readings
+
+    plot = running.replay_all(method, values)
+    return State(readings(method, plot), plot.facts.values, plot)
 
 
-def sweep(mechanism: Mechanism, ranges: Sequence[str] = (), of: Sequence[str] = (), by: Road = "construction") -> Sweep:
-    """Quantities over a turn, or as far as the mechanism gets; `ranges` and `of` as on the command line.
+def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> State:
+    """The same by the analysis: closed vector loops and the matrix method; nothing is drawn or planned.
+
+    Raises NoAssembly for the drawn position, SingularPosition where that, or a single position asked for, is a dead
+    point; in arrays, positions that are not reached are nan.
+
+    >>> exact = motion(load("ex3-1"))
+    >>> exact.omega["3"], exact.a["C"], exact["a_k B3B2"].magnitude
+    (-3.91933 rad/s, 3.07641 m/s^2 at 209.4773°, 2.51485 m/s^2)
+    """
+    from graphkin import analytic
+
+    found = analytic.motion(mechanism, values)
+    return State(found, found.values)
+
+
+def sweep(
+    mechanism: Mechanism | Method, ranges: Ranges = (), of: str | Sequence[str] = (), by: Road = "construction"
+) -> Sweep:
+    """Quantities over a turn, or as far as the mechanism gets; angles go on beyond a full turn.
+
+    ranges  by driver, in deg and mm: an array, a text `"0:360:10"`, or a number that holds it still; nothing: the first
+            driver through a turn. Drivers that move together do so in proportion
+    of      `["theta 4", "v E"]`, or one text with commas; nothing: what the file asks
+    by      "construction", or "analysis"
+
+    Raises BadRange, NoSuchDriver, UnknownQuantity and their like, and RoadsDiffer where the two roads do not agree.
 
     >>> import numpy as np
-    >>> found = sweep(load("ex3-7"), ["0:20:10"], ["theta 4", "v E"])
-    >>> np.round(np.degrees(found["theta 4"].values), 5)
+    >>> found = sweep(load("ex3-7"), {"AB": np.linspace(0, 20, 3)}, "theta 4, v E")
+    >>> found
+    <Sweep of ex3-7: AB = 0 to 20 deg, 3 positions: theta 4, v E>
+    >>> found["theta 4"].degrees.round(5)
     array([168.93822, 172.02725, 175.32662])
-    >>> np.round(found["v E"].signed, 5)
-    array([-0.10184, -0.12272, -0.13833])
+    >>> found["v E"].signed.round(5), found["v E"].direction.round(3)
+    (array([-0.10184, -0.12272, -0.13833]), array([180., 180., 180.]))
     """
     from graphkin import sweeps
+    from graphkin.outputs.frames import framed
 
-    return sweeps.sweep(plan(mechanism), ranges, of, by)
+    method = mechanism if isinstance(mechanism, Method) else plan(mechanism)
+    with in_python():
+        return framed(sweeps.sweep(method, ranges, sweeps.split(of) if isinstance(of, str) else of, by))
+
+
+_ARGUMENTS = {"--driver": "ranges", "--of": "of"}
+"""What a function calls what is an option of a command."""
+
+
+@contextmanager
+def in_python() -> Iterator[None]:
+    """Errors name arguments, not the options of a command."""
+    try:
+        yield
+    except GraphkinError as error:
+        where = getattr(error, "where", None)
+        if isinstance(where, Where) and where.file in _ARGUMENTS:
+            raise error.at(Where(_ARGUMENTS[where.file])) from None
+        raise
 
 
 @frozen
-class Drawing:
+class Drawing(Readable):
     """A mechanism, planned and drawn at one position, and held against the analysis; a notebook shows its sheet.
+
+    What is read off by name (`drawing.omega["3"]`, `drawing["a_k B3B2"]`) is said in `Readable`.
 
     >>> drawing = Drawing.of(load("ex3-1"))
     >>> drawing.answers()["omega 3"].unit
@@ -126,6 +184,19 @@ class Drawing:
         from graphkin.agreement import proved
 
         return cls(method.mechanism, method, proved(method, values).plot)
+
+    @cached_property
+    def _motions(self) -> Motions:
+        from graphkin.readings import readings
+
+        return readings(self.method, self.plot)
+
+    def quantity(self, text: str) -> Any:
+        """Whatever `ask` can name, as a number with its unit."""
+        return read_off(self._motions, text)
+
+    def __getitem__(self, text: str) -> Any:
+        return self.quantity(text)
 
     def sheet(
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, style: Style = "construction",

@@ -115,6 +115,8 @@ def _answer(method: Method, plot: Plot, motions: Motions, question: str) -> Mapp
     if isinstance(quantity, Centre):
         return {"value": None, "unit": "m", **place(centres(method, plot), *quantity.links)}
     found = None if quantity is None else quantity.answer(motions)
+    if quantity is not None and quantity.is_place and found is not None and found.vector is not None:
+        return {"value": None, "unit": "m", "at": _vector(found.vector)}
     if found is None or not math.isfinite(_number(found.value)):
         return {"value": None, "unit": None if found is None else found.unit}
     vector = {} if found.vector is None else {"vector": _vector(found.vector)}

@@ -30,10 +30,12 @@ _PLAIN = getattr(fields(_Sample)[0], "_field_type")  # noqa: B009
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def frozen(cls: type[_T]) -> type[_T]:
-    """Like `dataclass(frozen=True)`."""
+    """Like `dataclass(frozen=True)`; a class may write itself in a way of its own."""
     names = _names(filled(cls))
     data = attrgetter(*names) if names else lambda value: ()
     methods = {"__eq__": _equal(data), "__hash__": _hashed(data), "__repr__": _written}
+    if "__repr__" in vars(cls):
+        del methods["__repr__"]
     for name, method in (methods | {"__setattr__": _refused, "__delattr__": _refused}).items():
         setattr(cls, name, method)
     return cls

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from calculator import hold
 
-from graphkin import library, loading, motion
-from graphkin.analytic import Motion
+from graphkin import library, loading
+from graphkin.analytic import Motion, motion
 from graphkin.centres import Centres, centres
 from graphkin.errors import NOWHERE
 from graphkin.mechanism import Mechanism

@@ -63,7 +63,7 @@ def test_there_and_back_is_the_same(by: str):
     method = plan(folding("parallelogram", "bar on a planet", 3))
     names = ["omega 2", "omega 3", "omega 9", "alpha 9", "v N", "a N"]
     up, down = (sweep(method, [span], names, by) for span in ("-720:720:8", "720:-720:-8"))
-    assert np.allclose(down.values[::-1], up.values, rtol=0, atol=1e-12)
+    assert np.allclose(down.driven[::-1], up.driven, rtol=0, atol=1e-12)
     for name in names:
         assert np.allclose(down[name].values[::-1], up[name].values, rtol=1e-9, atol=1e-9), name
     later = sweep(method, ["696:720:8"], names, by)
@@ -150,6 +150,6 @@ def test_positions_without_a_motion_are_left_out(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(module, "series", failing)
     moved = course(plan(folding("rhombus", "none", 0)), ["0:360:30"])
     (found,) = in_parts(moved, ["omega 3", "v B"])
-    assert found.values.size == found["v B"].values.size == 12
+    assert found.driven.size == found["v B"].values.size == 12
     assert math.degrees(found.undefined[0]) == pytest.approx(60)
     assert "60°" in next(left_out(moved, found.undefined, "en"))

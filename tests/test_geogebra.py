@@ -19,6 +19,7 @@ from graphkin import library
 from graphkin.errors import GraphkinError
 from graphkin.outputs.geogebra import TriedOut, ggb
 from graphkin.outputs.geogebra.file import written
+from graphkin.running import replay_all
 from graphkin.sheet import scales_of
 from graphkin.sheet.lettering import point_label
 from tests.geogebra import Reckoned
@@ -48,7 +49,7 @@ def test_every_point_moves_with_the_slider(name: str):
         values = _values(drawn, kinds, k)
         shown = [v * 1000 if kind == "slide" else math.degrees(v) for v, kind in zip(values, kinds, strict=True)]
         try:
-            plot = graphkin.replay(method, values)
+            plot = replay_all(method, values)
         except GraphkinError:  # past a dead point
             continue
         if not np.isfinite([plot.acceleration[name] for name in plot.acceleration]).all():
@@ -82,7 +83,7 @@ def test_the_real_program_turns_the_crank(tmp_path: Path):
         places = [drawn + k * math.tau / PLACES for k in range(PLACES)]
         told = list(both.map(lambda k: _told(content, math.degrees(places[k]), tmp_path / str(k)), range(PLACES)))
     for place, said in zip(places, told, strict=True):
-        plot = graphkin.replay(method, [place])
+        plot = replay_all(method, [place])
         for plane, label, pole in (("velocity", "c", "p"), ("acceleration", "c'", "p'")):
             there = (_said(said, label) - _said(said, pole)) * scales[plane]
             assert abs(there - plot.points(plane)[label]) < 0.01 * scales[plane]

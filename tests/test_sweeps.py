@@ -195,7 +195,7 @@ def test_positions_whole_turns_away_are_the_same():
     first = sweep(plan(library.load("fig3-10")), ["-40:200:20"], ["v O'"])
     later = sweep(plan(library.load("fig3-10")), ["320:560:20"], ["v O'"])
     assert np.allclose(first["v O'"].values, later["v O'"].values, rtol=1e-9)
-    assert np.allclose(later.values, np.radians(np.arange(320, 561, 20)))
+    assert np.allclose(later.driven, np.radians(np.arange(320, 561, 20)))
 
 
 # --- several drivers ----------------------------------------------------------------------------
@@ -206,7 +206,7 @@ def test_drivers_keep_pace():
     found = sweep(plan(library.load("p3-14")), of=["v F", "v A", "v B"])
     assert np.allclose(found["v A"].values, 0.002)
     assert np.allclose(found["v B"].values, 0.002)
-    assert len(found.values) > 10
+    assert len(found.driven) > 10
 
 
 def test_a_driver_can_be_held_elsewhere():
@@ -278,7 +278,7 @@ def test_tables_hold_the_same(tmp_path: Path):
     assert data["range"]["full_turn"]
     assert data["quantities"]["omega 3"]["unit"] == "rad/s"
     assert np.allclose(data["quantities"]["omega 3"]["values"], found["omega 3"].values)
-    assert np.allclose(data["driver"]["values"], found.values)
+    assert np.allclose(data["driver"]["values"], found.driven)
     lines = [json.loads(line) for line in (tmp_path / "t.jsonl").read_text("utf-8").splitlines()]
     assert [name.split(" [")[0] for name in lines[0]] == [name.split(" [")[0] for name in head]
     assert [line["theta 3 [rad]"] for line in lines] == list(found["theta 3"].values)

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
-__all__ = ["BadPair", "BadRange", "GivenTwice", "NeedsTwo", "NoPosition", "NoSuchDriver", "OnlyShown", "TooManyRows", "UnknownQuantity"]
+__all__ = ["BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NoPosition", "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotSwept", "OnlyShown", "TooManyRows", "UnknownQuantity"]
 
 
 class BadRange(GraphkinError):
@@ -19,6 +19,20 @@ class BadRange(GraphkinError):
         "different, STEP above 0, at most 1000 turns and 10 million steps; drivers that move together take equally many.",
         "zh": "{where}：{given!r} 不是有效的范围。请写成 起:止:步长（如 0:360:10 或 50 mm:90 mm:5 mm），起止不得相同，步长大于 0，"
         "最多 1000 转、一千万步；同时运动的各原动件步数必须相同。",
+    }
+
+
+class BadValues(GraphkinError):
+    """Numbers that are no values of a driver, or of drivers together."""
+
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given!r} are no values to move through. Give finite numbers in deg or mm, a list or an array (n,) "
+        "of at most ten million and 1000 turns, or a text FROM:TO:STEP; drivers that move together take equally many, which "
+        "rise and fall in proportion.",
+        "zh": "{where}：{given!r} 不能作为运动的取值。请给出以 deg 或 mm 为单位的有限数（列表或一维数组，最多一千万个、1000 转），"
+        "或写成 起:止:步长；同时运动的各原动件取值个数相同，并按比例变化。",
     }
 
 
@@ -64,6 +78,35 @@ class NoSuchDriver(Choice):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: there is no driver {given} to move. {hint}",
         "zh": "{where}：没有可以运动的原动件 {given}。{hint}",
+    }
+
+
+class NoSuchValue(Choice):
+    """A name that is to have another value, and means no number of the mechanism's file, or more than one."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given!r} is not one value of this file. A length is named AB, an angle BDE, a fixed or sketched "
+        "point A, a driver's value 'angle AB' or 'omega AB', any other by its place: links.2.AB, slide.0.angle. {hint}",
+        "zh": "{where}：{given!r} 不是该文件中唯一的一个值。长度写 AB，角度写 BDE，固定点或草图点写 A，原动件的值写 'angle AB'、"
+        "'omega AB'，其他按位置写：links.2.AB、slide.0.angle。{hint}",
+    }
+
+
+class NoSuchName(Choice, KeyError):
+    """A name that a table of results does not have."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: there is no {given!r}. {hint}",
+        "zh": "{where}：没有 {given!r}。{hint}",
+    }
+
+
+class NotSwept(Choice, KeyError):
+    """A quantity that a sweep does not hold."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given!r} is not in this sweep. Name it in `of` to have it. {hint}",
+        "zh": "{where}：这次扫描中没有 {given!r}，需要时请写入 `of`。{hint}",
     }
 
 

@@ -16,7 +16,7 @@ from graphkin.errors import UnknownQuantity, Where
 from graphkin.finding.conditions import WHERE
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
-from graphkin.quantities import Centre, Quantity, named
+from graphkin.quantities import Quantity, named
 from graphkin.sweeps import Course, Road, Series
 from graphkin.sweeps.quantities import series
 from graphkin.sweeps.roads import moving
@@ -34,10 +34,10 @@ def checked(mechanism: Mechanism, names: Sequence[str], where: Where = WHERE) ->
 
 
 def looked_for(mechanism: Mechanism, name: str, where: Where = WHERE) -> Quantity:
-    """A quantity that can be looked for: instant centres can't. Raises what `quantities.named` raises."""
+    """A quantity that can be looked for: places can't, `x E` and `y E` can. Raises what `quantities.named` raises."""
     found = named(mechanism, name, where)
-    if isinstance(found, Centre):
-        raise UnknownQuantity(where, name, ())
+    if found.is_place:
+        raise UnknownQuantity(where, name, tuple(f"{axis} {found.of}" for axis in ("x", "y") if found.sites))
     return found
 
 

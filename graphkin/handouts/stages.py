@@ -8,13 +8,14 @@ from dataclasses import replace
 from typing import assert_never
 
 import graphkin
-from graphkin.api import Drawing, plan, replay
+from graphkin.api import Drawing, plan
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.handouts import blank, proofs
 from graphkin.handouts.document import Block, Foot, Formula, Handout, Heading, NewPage, Picture, Rows, Stage, Text
 from graphkin.handouts.told import PLANES, Section, Told
 from graphkin.mechanism import Mechanism
+from graphkin.running import replay_all
 from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.sheet.formula import formula
@@ -56,7 +57,7 @@ def told(mechanism: Mechanism, lang: Lang) -> Told:
     scales = dict(_scales(drawing))
     scaled = replace(mechanism, scales={KEYS[plane]: scale for plane, scale in scales.items()})
     method = plan(scaled)
-    return Told(Drawing(scaled, method, replay(method)), scales, lang)
+    return Told(Drawing(scaled, method, replay_all(method)), scales, lang)
 
 
 def _scales(drawing: Drawing) -> Iterator[tuple[Plane, float]]:

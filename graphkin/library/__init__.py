@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from graphkin.errors import Lang, UnknownMechanism, Where
 
 if TYPE_CHECKING:
-    from graphkin.mechanism import Mechanism
+    from graphkin.loading import Mechanism
 
 __all__ = ["groups", "has", "load", "names", "text", "titles"]
 

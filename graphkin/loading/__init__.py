@@ -8,7 +8,7 @@ name in `DEFINED` there and in `complaints.TABLES`) and a reader beside `slides`
 """
 
 from graphkin.loading.export import json_schema, json_schema_text
-from graphkin.loading.loader import load, load_stream, loads
+from graphkin.loading.loader import Mechanism, from_dict, load, load_stream, loads
 from graphkin.loading.questions import remarks
 
-__all__ = ["json_schema", "json_schema_text", "load", "load_stream", "loads", "remarks"]
+__all__ = ["Mechanism", "from_dict", "json_schema", "json_schema_text", "load", "load_stream", "loads", "remarks"]

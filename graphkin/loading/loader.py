@@ -1,21 +1,84 @@
-"""From a mechanism file to a `Mechanism`: read, check the tables, draw up the links, then the pairs between them."""
+"""From a mechanism file to a `Mechanism`: read, check the tables, draw up the links, then the pairs between them.
+
+And back: a `Mechanism` that is read has its file, which can be given other values, or written out.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path as FilePath
 from typing import IO, TYPE_CHECKING, Any
 
+from graphkin import mechanism
 from graphkin.errors import Lang
 from graphkin.loading.curves import Measure
 from graphkin.loading.draft import Draft
 from graphkin.loading.measures import frame_problems, read_measures
 from graphkin.loading.source import decoded, named, read_bytes, read_text, read_toml
-from graphkin.mechanism import Mechanism
 from graphkin.pairs import Pair
 
 if TYPE_CHECKING:
+    from graphkin.loading.builder import Builder
     from graphkin.loading.schema import File, Titles
+
+
+class Mechanism(mechanism.Mechanism):
+    """A planar mechanism as its file describes it: links, pairs, drivers, in SI units and without a position.
+
+    `graphkin.load`, `loads` and `from_dict` give one, and `Mechanism.new()` builds one. It never changes: `with_` gives
+    another. `links`, `pairs`, `drivers`, `points`, `ask`, `title` tell what it is, `text` is its file.
+
+    >>> import graphkin
+    >>> graphkin.load("ex3-1")
+    <Mechanism ex3-1: links 4 1 2 3, points A D B C, driver AB>
+    """
+
+    def with_(self, values: Mapping[str, object] | None = None, /, **more: object) -> Mechanism:
+        """The mechanism with other numbers in its file, in mm, deg, rad/s as there, or texts with a unit.
+
+        AB            length AB of the link that has it; `BDE` an angle of a link
+        A, C          coordinates (x, y): of a point of the frame or of a `shape`, else where it is sketched
+        "omega AB"    a driver's `angle`, `omega`, `alpha`, `at`, `velocity`, `acceleration`; of the only one `omega`
+        "angle ram"   of a slide that has a name; `tilt`, `radius` likewise
+        links.2.AB, slide.0.angle, gear.1.radii, frame.A, sketch.C, scales.length     any value, by its place
+
+        The text stays in step, with comments and layout, so that a sheet drawn of it passes `check`. The sketch still
+        picks the assembly: after a large change give the sketched points new places. Raises NoSuchValue for a name that
+        means nothing or two things, and what reading a file raises for values that do not fit.
+
+        >>> import graphkin
+        >>> longer = graphkin.load("ex3-1").with_(AB=30, omega=20)
+        >>> abs(longer.links["1"].arm("A", "B")), longer.drivers[0].rate
+        (0.03, 20.0)
+        >>> graphkin.load("ex3-1").with_({"omega AB": "95 rpm", "slide.0.angle": 95}, D=(80, 0)).links["frame"].points
+        {'A': 0j, 'D': (0.08+0j)}
+        """
+        from graphkin.loading.changing import changed_text
+
+        return loads(changed_text(self, {**(values or {}), **more}), name=self.name, file=self.file)
+
+    def to_toml(self) -> str:
+        """The mechanism's file: what `graphkin.loads` reads, and `graphkin draw` draws.
+
+        >>> import graphkin
+        >>> mechanism = graphkin.load("ex3-1")
+        >>> graphkin.loads(mechanism.to_toml(), name="ex3-1").links == mechanism.links
+        True
+        """
+        return self.text
+
+    @staticmethod
+    def new(name: str = "mechanism", **title: str) -> Builder:
+        """A mechanism to be built step by step; `en="..", zh=".."` are its titles. See `Builder`."""
+        from graphkin.loading.builder import Builder
+
+        return Builder(name, {"title": title} if title else {}, from_dict)
+
+    def __repr__(self) -> str:
+        links = " ".join(map(self.called, self.links))
+        drivers = ", ".join(driver.name for driver in self.drivers) or "none"
+        return f"<Mechanism {self.name}: links {links}, points {' '.join(self.points)}, driver {drivers}>"
+
 
 
 def load(source: str | FilePath) -> Mechanism:
@@ -33,6 +96,20 @@ def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> Mechan
     draft = Draft(file, lines)
     tables, measures = _checked(draft, document)
     return _drawn_up(draft, tables, document, measures, name, text)
+
+
+def from_dict(document: Mapping[str, Any], *, name: str = "mechanism") -> Mechanism:
+    """The mechanism that data describe: tables and keys as in the file, numbers in its units.
+
+    Numpy's numbers and arrays do, too. Messages give lines of the text that `to_toml` then gives.
+
+    >>> crank = {"frame": {"A": [0, 0]}, "links": {"1": {"AB": 24}}}
+    >>> from_dict(crank | {"driver": [{"vector": "AB", "angle": 60, "omega": 10}]}).points
+    ('A', 'B')
+    """
+    from graphkin.loading.toml import toml
+
+    return loads(toml(document), name=name, file=f"<{name}>")
 
 
 def load_stream(stream: IO[bytes], *, name: str, file: str) -> Mechanism:
@@ -79,14 +156,14 @@ def _drawn_up(
     draft.stop_if_wrong()
     scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}
     sketch = {point: complex(*place) for point, place in file.sketch.items()}
-    mechanism = Mechanism(
+    machine = Mechanism(
         name, draft.frame, draft.links, pairs, drivers, poses, sketch, scales,
         _titles(file.title), _titles(file.source), tuple(file.ask), text, draft.file, draft.lines,
         slide_titles=_slide_titles(file, pairs),
     )  # fmt: skip
-    check_questions(draft, mechanism)
+    check_questions(draft, machine)
     draft.stop_if_wrong()
-    return mechanism
+    return machine
 
 
 def _slide_titles(file: File, pairs: Sequence[Pair]) -> dict[str, dict[Lang, str]]:

@@ -30,6 +30,13 @@ def positions(text: str) -> dict[Path, int]:
     return {path: bisect_right(starts, offset) for path, offset in _Walk(text).offsets().items()}
 
 
+def values(text: str) -> tuple[dict[Path, tuple[int, int]], dict[Path, int]]:
+    """Where each value begins and ends, and where the last thing ends that each table with a header has."""
+    walk = _Walk(text)
+    walk.offsets()
+    return walk.values, walk.ends
+
+
 class _Walk:
     """One walk over a text; `found` maps each key to the offset where it first stands."""
 
@@ -38,6 +45,8 @@ class _Walk:
         self.found: dict[Path, int] = {}
         self.counts: dict[Path, int] = {}
         """How many times each [[table]] has stood so far, less one."""
+        self.values: dict[Path, tuple[int, int]] = {}
+        self.ends: dict[Path, int] = {}
 
     def offsets(self) -> dict[Path, int]:
         base: Path = ()
@@ -47,6 +56,7 @@ class _Walk:
                 base, at = self._header(at)
             else:
                 at = self._pair(at, base)
+            self.ends[base] = at
             at = self._after(_BLANK, at)
         return self.found
 
@@ -97,6 +107,11 @@ class _Walk:
 
     def _value(self, at: int, path: Path) -> int:
         at = self._after(_SPACE, at)
+        end = self._end_of(at, path)
+        self.values[path] = at, at + len(self.text[at:end].rstrip())
+        return end
+
+    def _end_of(self, at: int, path: Path) -> int:
         match self.text[at]:
             case '"' | "'":
                 return self._after(_STRING, at)

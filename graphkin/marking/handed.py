@@ -7,7 +7,7 @@ from graphkin.errors import GraphkinError
 from graphkin.marking.key import Sort
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
-from graphkin.quantities import Centre, Moving, Quantity, Rotation, read
+from graphkin.quantities import Moving, Quantity, Rotation, read
 
 
 def asked_of(mechanism: Mechanism) -> dict[str, Quantity]:
@@ -39,7 +39,7 @@ def readable(mechanism: Mechanism, text: str) -> Quantity | None:
         quantity = read(mechanism, text)
     except GraphkinError:
         return None
-    return None if isinstance(quantity, Centre) else quantity
+    return None if quantity is not None and quantity.is_place else quantity
 
 
 def sort_of(quantity: Quantity) -> Sort:

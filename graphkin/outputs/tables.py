@@ -71,7 +71,7 @@ def columns(part: Sweep, units: Mapping[str, Unit] = EDGE) -> dict[str, np.ndarr
     """By header, in mm and deg or so: the driver's value, and each quantity; of vectors the size, then x and y."""
     driver = part.course.driver.name
     unit = units[part.course.unit]
-    found = {f"{driver} [{unit.name}]": part.values * unit.factor}
+    found = {f"{driver} [{unit.name}]": part.driven * unit.factor}
     for entry in part.series:
         found |= _columns(entry, units[entry.unit])
     return found
@@ -108,7 +108,7 @@ def json_text(course: Course, found: Iterator[Sweep]) -> str:
     """One object: the driver's values, the range that is reached, and each quantity with its unit."""
     collected = list(found)
     low, high = course.reach
-    values = _all([part.values for part in collected])
+    values = _all([part.driven for part in collected])
     data: dict[str, Any] = {
         "format": 1,
         "name": course.method.mechanism.name,

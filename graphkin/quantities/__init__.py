@@ -14,6 +14,7 @@ from graphkin.quantities.kinds import (
     Quantity,
     Quotient,
     Rotation,
+    Track,
     on_axis,
 )
 from graphkin.quantities.reading import SHAPE, WORDS, centre_of, meant, named, parts, read, split
@@ -22,6 +23,6 @@ from graphkin.quantities.units import EDGE, GRAVITY, IN_GRAVITY, Unit, driven
 
 __all__ = [
     "EDGE", "GRAVITY", "IN_GRAVITY", "SHAPE", "WORDS", "Answer", "Centre", "Component", "Displacement", "Moving",
-    "Place", "Quantity", "Quotient", "Rotation", "Unit", "centre_of", "driven", "meant", "named", "on_axis", "parts",
-    "read", "relative", "split",
+    "Place", "Quantity", "Quotient", "Rotation", "Track", "Unit", "centre_of", "driven", "meant", "named", "on_axis",
+    "parts", "read", "relative", "split",
 ]  # fmt: skip

@@ -59,6 +59,11 @@ class Quantity:
         return ""
 
     @property
+    def is_place(self) -> bool:
+        """Whether it is where something lies, by two numbers and none."""
+        return False
+
+    @property
     def halves(self) -> tuple[Quantity, ...]:
         """The two of a quotient, else itself."""
         return (self,)
@@ -127,6 +132,33 @@ class Place(Quantity):
 
     def answer(self, motions: Motions) -> Answer:
         return Answer(on_axis(motions.position[self.site.point], self.axis), "m")
+
+
+@frozen
+class Track(Quantity):
+    """`path E`: where a point is, in the frame's axes; over a motion, its path."""
+
+    site: Seen
+
+    @property
+    def unit(self) -> str:
+        return "m"
+
+    @property
+    def letter(self) -> str:
+        return "r"
+
+    @property
+    def is_place(self) -> bool:
+        return True
+
+    @property
+    def sites(self) -> tuple[Seen, ...]:
+        return (self.site,)
+
+    def answer(self, motions: Motions) -> Answer:
+        place = motions.position[self.site.point]
+        return Answer(np.abs(place), "m", place)
 
 
 @frozen
@@ -214,6 +246,10 @@ class Centre(Quantity):
     @property
     def unit(self) -> str:
         return "m"
+
+    @property
+    def is_place(self) -> bool:
+        return True
 
     def answer(self, motions: Motions) -> Answer:
         place = self.place(motions)

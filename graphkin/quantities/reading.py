@@ -1,4 +1,4 @@
-"""A quantity read from text: `theta 3`, `s ram`, `x E`, `v E`, `v_x E`, `a_k B3B2`, `P13`, `omega 3 / omega 1`.
+"""A quantity read from text: `theta 3`, `s ram`, `x E`, `path E`, `v E`, `a_x E`, `a_k B3B2`, `P13`, `omega 3/omega 1`.
 
 The one reader of what `ask`, `sweep --of`, `find` and `--limit` name.
 """
@@ -21,11 +21,21 @@ from graphkin.errors import (
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import Seen, pair, seen
 from graphkin.pairs import Roll, Slide
-from graphkin.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation
+from graphkin.quantities.kinds import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
 from graphkin.quantities.relative import has_part
 
 WORDS = (
-    "theta", "omega", "alpha", "s", "v", "a", "a_n", "a_t", "a_k", "a_r", "x", "y", "v_x", "v_y", "a_x", "a_y"
+    "theta", "omega", "alpha", "s", "v", "a", "a_n", "a_t", "a_k", "a_r", "x", "y", "path", "v_x", "v_y", "a_x", "a_y"
 )  # fmt: skip
 SHAPE = r"\S+ \S+(?: ?/ ?\S+ \S+)?"
 """What a quantity or a quotient looks like, as a regular expression."""
@@ -56,7 +66,7 @@ def read(mechanism: Mechanism, text: str, where: Where = NOWHERE) -> Quantity | 
     if len(halves) != 2 or halves[0] is None or halves[1] is None:
         return None
     top, bottom = halves[0], halves[1]
-    quotable = top.unit == bottom.unit and not isinstance(top, Centre) and not isinstance(bottom, Centre)
+    quotable = top.unit == bottom.unit and not top.is_place and not bottom.is_place
     return Quotient(top.text, bottom.text, top, bottom) if quotable else None
 
 
@@ -119,6 +129,8 @@ def _one(mechanism: Mechanism, text: str, where: Where) -> Quantity | None:
         return _rotation(mechanism, where, word, of)
     if word == "s":
         return _displacement(mechanism, where, of)
+    if word == "path":
+        return Track(word, of, _site(mechanism, where, of))
     head, _, axis = word.rpartition("_")
     if axis not in ("x", "y"):
         return _moving(mechanism, where, word, of)

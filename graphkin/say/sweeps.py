@@ -73,7 +73,7 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
         if entry.is_place or not np.isfinite(values).any():
             continue
         for key, k in (("greatest", int(np.nanargmax(values))), ("least", int(np.nanargmin(values)))):
-            place = named(sweep.course, float(sweep.values[k]))
+            place = named(sweep.course, float(sweep.driven[k]))
             name, value = in_signs(entry.name, lang), in_signs(_valued(entry, float(values[k])), lang)
             yield say(f"sweeps.extreme {key}", lang, name=name, value=value, at=place)
 
@@ -89,7 +89,7 @@ def _valued(entry: Series, value: float) -> str:
 def sweep_lines(sweep: Sweep, lang: Lang) -> Iterator[str]:
     """A row for each position, in mm and deg; of an instant centre x and y."""
     first = EDGE[sweep.course.unit]
-    heads, values = [[sweep.course.driver.name, first.name]], [sweep.values * first.factor]
+    heads, values = [[sweep.course.driver.name, first.name]], [sweep.driven * first.factor]
     for entry in sweep.series:
         unit = EDGE[entry.unit]
         heads += [[f"{entry.name}{part}", unit.name or "1"] for part in ((" x", " y") if entry.is_place else ("",))]
@@ -110,7 +110,7 @@ def book_lines(sweep: Sweep) -> Iterator[str]:
     heads = [_driver_symbol(sweep), *(_symbol(entry) for entry in entries)]
     units = [_book_unit(unit) for unit in (sweep.course.unit, *(entry.unit for entry in entries))]
     values = [_book(entry.signed, entry.unit) for entry in entries]
-    first = _book(sweep.values, sweep.course.unit)
+    first = _book(sweep.driven, sweep.course.unit)
     for entry in sweep.series:
         if not entry.is_place or entry.vectors is None:
             continue

@@ -1,13 +1,13 @@
 """A mechanism moved along: which positions are reached, and quantities over all of them, by either road."""
 
 from graphkin.quantities import split
-from graphkin.sweeps.course import Course, course
+from graphkin.sweeps.course import Course, Ranges, course
 from graphkin.sweeps.proof import prove
-from graphkin.sweeps.quantities import Series, asked
+from graphkin.sweeps.quantities import Series, asked, drawable
 from graphkin.sweeps.roads import Road
 from graphkin.sweeps.sweep import Sweep, in_parts, quantities_at, sweep, sweep_over
 
 __all__ = [
-    "Course", "Road", "Series", "Sweep", "asked", "course", "in_parts", "prove", "quantities_at", "split", "sweep",
-    "sweep_over",
+    "Course", "Ranges", "Road", "Series", "Sweep", "asked", "course", "drawable", "in_parts", "prove", "quantities_at",
+    "split", "sweep", "sweep_over",
 ]  # fmt: skip

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from graphkin.errors import BadRange, GivenTwice, GraphkinError, NoPosition, NoSuchDriver, Where
+from graphkin.errors import BadRange, BadValues, GivenTwice, GraphkinError, NoPosition, NoSuchDriver, Where
 from graphkin.geometry import Value
-from graphkin.loading.units import read_quantity
+from graphkin.loading.units import LARGEST, UNITS, Dimension, read_quantity
 from graphkin.mechanism import Driver
 from graphkin.naming import driver_number
 from graphkin.planning import Method
@@ -20,6 +21,8 @@ from graphkin.running.reaching import reached
 from graphkin.running.tracing import trace
 from graphkin.value import frozen
 
+Ranges = Sequence[str] | Mapping[str, Any] | np.ndarray | Sequence[float]
+"""Texts as on the command line; or by driver a text, a number, numbers [deg, mm]; or numbers for the first driver."""
 TURN = 2 * math.pi
 WHERE = Where("--driver")
 MOST_TURNS, MOST_STEPS = 1000, 1e7
@@ -95,16 +98,18 @@ class Course:
         return np.linspace(low, high, count)
 
 
-def course(method: Method, ranges: Sequence[str] = ()) -> Course:
+def course(method: Method, ranges: Ranges = ()) -> Course:
     """The path that a sweep takes.
 
     ranges   `0:360:10`, `AB=0:360:10`, `ram=50 mm:90 mm:5 mm`, or `DH=90`: for each driver named, or in their order.
              None: the first driver that moves, a full turn or as far as it gets; the others keep pace with it.
+             From a program also by name, `{"AB": np.linspace(0, 360, 361), "ram": 80}`, or an array for the first
+             driver: deg and mm as in the file, in any order; what is one number holds its driver still.
 
     Raises BadRange, NoSuchDriver, NotReached; NoPosition where none of the positions is reached.
     """
     given = _given(method, ranges)
-    moving = [k for k, spec in given.items() if len(spec) > 1]
+    moving = [k for k, wanted in given.items() if wanted.moves]
     if not method.drivers:
         raise NoSuchDriver(method.mechanism.where("driver"), "", ())
     if moving and len(given) > 1:
@@ -112,13 +117,13 @@ def course(method: Method, ranges: Sequence[str] = ()) -> Course:
     before = _moved(method, given)
     swept = moving[0] if moving else _first_moving(method, given, ranges)
     pace = _pace(method, swept, tuple(given) if before is not None else ())
-    return _over(method, swept, pace, given[swept] if moving else (), before)
+    return _over(method, swept, pace, given[swept] if moving else None, before)
 
 
-def _first_moving(method: Method, given: dict[int, tuple[float, ...]], ranges: Sequence[str]) -> int:
+def _first_moving(method: Method, given: dict[int, Wanted], ranges: Ranges) -> int:
     free = [k for k in range(len(method.drivers)) if k not in given]
     if not free:
-        raise BadRange(WHERE, ", ".join(ranges))
+        raise BadRange(WHERE, ", ".join(map(str, ranges)))
     return next((k for k in free if method.drivers[k].rate), free[0])
 
 
@@ -134,13 +139,13 @@ def _pace(method: Method, swept: int, still: tuple[int, ...]) -> tuple[float, ..
 
 
 def _over(
-    method: Method, swept: int, pace: tuple[float, ...], wanted: tuple[float, ...], before: tuple[Path, float] | None
+    method: Method, swept: int, pace: tuple[float, ...], wanted: Wanted | None, before: tuple[Path, float] | None
 ) -> Course:
     start = float(before[0].values(before[1])[swept]) if before else float(method.facts(None).values[swept])
     driver = method.drivers[swept]
     low, high = _ends(method, driver, start, wanted)
     path = trace(method, pace, low - start, high - start, before)
-    values = _steps(wanted) if wanted else _usual(method, driver, path, swept)
+    values = wanted.values if wanted else _usual(method, driver, path, swept)
     t, there = _turned_back(method, path, driver, values - start)
     found = Course(method, path, swept, t[there], values[there], values[~there])
     if not there.any():
@@ -148,13 +153,14 @@ def _over(
     return found
 
 
-def _ends(method: Method, driver: Driver, start: float, wanted: tuple[float, ...]) -> tuple[float, float]:
+def _ends(method: Method, driver: Driver, start: float, wanted: Wanted | None) -> tuple[float, float]:
     """How far to look: a turn to either side, or as far as a slide of the mechanism's size may go; farther if asked."""
     if driver.kind == "slide":
         usual = start - 2 * method.size, start + 2 * method.size
     else:
         usual = min(start - TURN, 0.0), max(start + TURN, TURN)
-    return min((usual[0], *wanted[:2])), max((usual[1], *wanted[:2]))
+    asked = (wanted.begin, wanted.end) if wanted else ()
+    return min((usual[0], *asked)), max((usual[1], *asked))
 
 
 def _turned_back(method: Method, path: Path, driver: Driver, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -206,26 +212,27 @@ def _none(found: Course) -> NoPosition:
 # --- several drivers told apart ---------------------------------------------------------------
 
 
-def _moved(method: Method, given: dict[int, tuple[float, ...]]) -> tuple[Path, float] | None:
+def _moved(method: Method, given: dict[int, Wanted]) -> tuple[Path, float] | None:
     """The path to where drivers that are given one value stand."""
-    held = {k: spec[0] for k, spec in given.items() if len(spec) == 1}
+    held = {k: wanted.begin for k, wanted in given.items() if not wanted.moves}
     if not held:
         return None
     values = list(method.facts(None).values)
     return reached(method, [held.get(k, value) for k, value in enumerate(values)])
 
 
-def _together(method: Method, given: dict[int, tuple[float, ...]], moving: list[int]) -> Course:
+def _together(method: Method, given: dict[int, Wanted], moving: list[int]) -> Course:
     """Drivers that go from one value to another at once, from where they begin; others stand."""
     swept = moving[0]
-    counts = {_steps(given[k]).size for k in moving}
+    counts = {given[k].values.size for k in moving}
     if len(counts) > 1:
         raise BadRange(WHERE, ", ".join(str(count) for count in sorted(counts)))
-    begin = [given[k][0] if k in given else value for k, value in enumerate(method.facts(None).values)]
+    given = _in_proportion(method, given, moving)
+    begin = [given[k].begin if k in given else value for k, value in enumerate(method.facts(None).values)]
     before = reached(method, begin)
-    wanted = _steps(given[swept]) - begin[swept]
-    length = given[swept][1] - given[swept][0]
-    paces = [(given[k][1] - given[k][0]) / length if k in moving else 0.0 for k in range(len(begin))]
+    wanted = given[swept].values - begin[swept]
+    length = given[swept].end - given[swept].begin
+    paces = [(given[k].end - given[k].begin) / length if k in moving else 0.0 for k in range(len(begin))]
     ends = min(0.0, float(wanted.min())), max(0.0, float(wanted.max()))
     path = trace(method, paces, *ends, before)
     there = np.broadcast_to(path.leads_to(wanted), wanted.shape)
@@ -239,26 +246,71 @@ def _together(method: Method, given: dict[int, tuple[float, ...]], moving: list[
 # --- reading ----------------------------------------------------------------------------------
 
 
-def _given(method: Method, ranges: Sequence[str]) -> dict[int, tuple[float, ...]]:
-    """By driver: (from, to, step), or the one value it is held at [rad, m]."""
-    found: dict[int, tuple[float, ...]] = {}
-    for text in ranges:
-        name, equals, span = text.rpartition("=")
-        number = _number(method, name.strip(), text) if equals else _unnamed(method, found, text)
-        if number in found:
-            raise GivenTwice(WHERE, method.drivers[number].name)
-        found[number] = _read(method, number, span, text)
+@frozen
+class Wanted:
+    """What is asked of a driver [rad, m]: its values, from the first to the last; one that is held has one value."""
+
+    values: np.ndarray
+    begin: float
+    end: float
+    moves: bool
+    listed: bool = False
+
+    @classmethod
+    def held(cls, value: float) -> Wanted:
+        return cls(np.array([value]), value, value, False)
+
+
+def _in_proportion(method: Method, given: dict[int, Wanted], moving: list[int]) -> dict[int, Wanted]:
+    """Several drivers go on one straight way: where values are listed, from the least of the first driver's on."""
+    if not any(given[k].listed for k in moving):
+        return given
+    first = given[moving[0]].values
+    low, high = int(np.argmin(first)), int(np.argmax(first))
+    if first[high] == first[low]:
+        raise BadValues(WHERE, method.drivers[moving[0]].name)
+    part = (first - first[low]) / (first[high] - first[low])
+    found = dict(given)
+    for k in moving:
+        values = given[k].values
+        begin, end = float(values[low]), float(values[high])
+        if not np.allclose(values, begin + (end - begin) * part, rtol=0, atol=1e-9 * max(abs(begin), abs(end))):
+            raise BadValues(WHERE, method.drivers[k].name)
+        found[k] = Wanted(values, begin, end, True, True)
     return found
 
 
-def _number(method: Method, name: str, text: str) -> int:
+def _given(method: Method, ranges: Ranges) -> dict[int, Wanted]:
+    """By driver, what is asked of it."""
+    found: dict[int, Wanted] = {}
+    for name, span, text in _named(ranges):
+        number = _number(method, name) if name else _unnamed(method, found, text)
+        if number in found:
+            raise GivenTwice(WHERE, method.drivers[number].name)
+        found[number] = _wanted(method, number, span, text)
+    return found
+
+
+def _named(ranges: Ranges) -> Iterator[tuple[str, object, str]]:
+    """Each range with its driver's name, "" where none is given, and as it was written."""
+    if isinstance(ranges, Mapping):
+        yield from ((name, span, f"{name}={span}"[:60]) for name, span in ranges.items())
+    elif not isinstance(ranges, str) and any(not isinstance(each, str) for each in ranges):
+        yield "", ranges, str(ranges)[:60]
+    else:
+        for text in [ranges] if isinstance(ranges, str) else ranges:
+            name, _, span = str(text).rpartition("=")
+            yield name.strip(), span, str(text)
+
+
+def _number(method: Method, name: str) -> int:
     number = driver_number(method.mechanism, name)
     if number is None:
         raise NoSuchDriver(WHERE, name, tuple(driver.name for driver in method.drivers))
     return number
 
 
-def _unnamed(method: Method, found: dict[int, tuple[float, ...]], text: str) -> int:
+def _unnamed(method: Method, found: dict[int, Wanted], text: str) -> int:
     """The first driver that moves and has no range yet."""
     free = [k for k in range(len(method.drivers)) if k not in found]
     if not free:
@@ -266,15 +318,34 @@ def _unnamed(method: Method, found: dict[int, tuple[float, ...]], text: str) -> 
     return next((k for k in free if method.drivers[k].rate), free[0])
 
 
-def _read(method: Method, number: int, span: str, text: str) -> tuple[float, ...]:
-    dimension = "length" if method.drivers[number].kind == "slide" else "angle"
-    parts = span.split(":")
+def _wanted(method: Method, number: int, span: object, text: str) -> Wanted:
+    dimension: Dimension = "length" if method.drivers[number].kind == "slide" else "angle"
+    return _read(dimension, span, text) if isinstance(span, str) else _listed(dimension, span, text)
+
+
+def _listed(dimension: Dimension, span: object, text: str) -> Wanted:
+    """Of a number, or of numbers, in the units of plain numbers."""
     try:
-        numbers = [read_quantity(_plain(part), dimension) for part in parts]  # type: ignore[arg-type]
+        numbers = np.asarray(span, dtype=float)
+    except (TypeError, ValueError):
+        raise BadValues(WHERE, text) from None
+    times, divided = next(iter(UNITS[dimension].values()))
+    values = numbers * times / divided
+    far = MOST_TURNS * TURN if dimension == "angle" else LARGEST
+    if values.ndim > 1 or not values.size or values.size > MOST_STEPS or not np.all(np.abs(values) <= far):
+        raise BadValues(WHERE, text)
+    if not values.ndim:
+        return Wanted.held(float(values.flat[0]))
+    return Wanted(values, float(values.min()), float(values.max()), True, True)
+
+
+def _read(dimension: Dimension, span: str, text: str) -> Wanted:
+    try:
+        numbers = [read_quantity(_plain(part), dimension) for part in span.split(":")]
     except GraphkinError as error:
         raise error.at(WHERE) from None
     if len(numbers) == 1:
-        return tuple(numbers)
+        return Wanted.held(numbers[0])
     if len(numbers) == 2:
         numbers.append(abs(numbers[1] - numbers[0]) / ROWS)
     if len(numbers) == 3 and numbers[1] < numbers[0]:
@@ -284,7 +355,7 @@ def _read(method: Method, number: int, span: str, text: str) -> tuple[float, ...
     far = MOST_TURNS * TURN if dimension == "angle" else math.inf
     if abs(numbers[1] - numbers[0]) > min(far, MOST_STEPS * numbers[2]) or max(map(abs, numbers)) > far:
         raise BadRange(WHERE, text)
-    return tuple(numbers)
+    return Wanted(_steps(*numbers), numbers[0], numbers[1], True)
 
 
 def _plain(text: str) -> float | str:
@@ -294,8 +365,7 @@ def _plain(text: str) -> float | str:
         return text
 
 
-def _steps(wanted: tuple[float, ...]) -> np.ndarray:
+def _steps(begin: float, end: float, step: float) -> np.ndarray:
     """From, and on by steps, to and with the end where a step comes to it."""
-    begin, end, step = wanted
     count = math.floor(abs(end - begin) / step + 1e-9)
     return begin + math.copysign(step, end - begin) * np.arange(count + 1)

@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from graphkin.errors import Where
 from graphkin.geometry import Value, dot
+from graphkin.measured import Measured, Numbers, measured
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
-from graphkin.quantities import Centre, Quantity, named, read
+from graphkin.quantities import Quantity, Track, named, read
 from graphkin.value import frozen
 
 
 @frozen
-class Series:
-    """One quantity over positions.
+class Series(Measured):
+    """One quantity over positions. As an array it is `signed`; `degrees`, `mm`, `rpm`, `direction`, `x`, `y` as of any
+    `graphkin.measured.Measured`.
 
     name    as it was asked for
     values  sizes or signed scalars (n,), in SI
-    vectors for velocities and accelerations, and the place of an instant centre: (n,) complex, else None
+    vectors for velocities and accelerations, and the place of a point or an instant centre: (n,) complex, else None
     """
 
     name: str
@@ -28,10 +31,37 @@ class Series:
     values: np.ndarray
     vectors: np.ndarray | None = None
 
+    if not TYPE_CHECKING:
+
+        @property
+        def unit(self) -> str:
+            """SI."""
+            return self.quantity.unit
+
     @property
-    def unit(self) -> str:
-        """SI."""
-        return self.quantity.unit
+    def measured(self) -> Numbers:
+        """With its unit: the vectors, else the values (n,)."""
+        made: Numbers = measured(self.values if self.vectors is None else self.vectors, self.unit)
+        return made
+
+    @property
+    def si(self) -> np.ndarray:
+        return self.values if self.vectors is None else self.vectors
+
+    def _times(self, factor: float, units: tuple[str, ...], name: str) -> np.ndarray:
+        """In another unit what the array is in SI: the signed values, of a place the place."""
+        shown = measured(self.si if self.is_place else self.signed, self.unit)
+        found: np.ndarray = shown._times(factor, units, name)
+        return found
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
+        return np.array(self.si if self.is_place else self.signed, dtype=dtype, copy=copy)
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __repr__(self) -> str:
+        return f"<Series {self.name} [{self.unit}]: {len(self)} values>"
 
     @property
     def along(self) -> complex | None:
@@ -40,8 +70,8 @@ class Series:
 
     @property
     def is_place(self) -> bool:
-        """Whether this is where an instant centre lies; at infinity that is infinite."""
-        return isinstance(self.quantity, Centre)
+        """Whether this is where a point or an instant centre lies; that one at infinity is infinite."""
+        return self.quantity.is_place
 
     @property
     def signed(self) -> np.ndarray:
@@ -72,6 +102,15 @@ def asked(mechanism: Mechanism, names: Sequence[str] = ()) -> tuple[str, ...]:
         named(mechanism, name, Where("--of"))
     usual = names or [name for name in mechanism.ask if read(mechanism, name) is not None]
     return tuple(dict.fromkeys(usual or _everything(mechanism)))
+
+
+def drawable(mechanism: Mechanism, names: Sequence[str]) -> tuple[str, ...]:
+    """The same over the driver's value, a curve each: of a point's place its x and its y."""
+    found: list[str] = []
+    for name in names:
+        quantity = named(mechanism, name, Where("--of"))
+        found += [f"x {quantity.of}", f"y {quantity.of}"] if isinstance(quantity, Track) else [name]
+    return tuple(dict.fromkeys(found))
 
 
 def _everything(mechanism: Mechanism) -> Iterable[str]:

@@ -7,12 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphkin.errors import NOWHERE
+from graphkin.errors import NOWHERE, NotSwept, Where
+from graphkin.measured import Numbers, Readable
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
-from graphkin.quantities import Centre, Quantity, Quotient, named
+from graphkin.quantities import EDGE, Centre, Quantity, Quotient, named
 from graphkin.running.path import stride
-from graphkin.sweeps.course import Course, course
+from graphkin.sweeps.course import Course, Ranges, course
 from graphkin.sweeps.proof import prove
 from graphkin.sweeps.quantities import Series, asked, series
 from graphkin.sweeps.roads import Road, centre_path, moving
@@ -28,29 +29,62 @@ FINE_DEG, FINE_PART = 0.5, 0.002
 
 
 @frozen
-class Sweep:
-    """Quantities over positions.
+class Sweep(Readable, Mapping[str, Series]):
+    """Quantities over positions: a mapping from what was asked for, as it was written, to its `Series`.
+
+    By name it has any other, too, as `Readable` says: `sweep.omega["3"]`, `sweep.v["C"]`, arrays (n,) with their unit.
 
     t       where on the path (n,)
-    values  of the driver that names the positions (n,) [rad, m]
+    driven  values of the driver that names the positions (n,) [rad, m]; `driver` is its name
     undefined   its values at positions that are reached but have no definite motion, and are left out
+
+    >>> import graphkin
+    >>> sweep = graphkin.sweep(graphkin.load("ex3-7"), {"AB": [0, 10, 20]}, ["omega 4", "v E"])
+    >>> list(sweep), len(sweep.driven), sweep["omega 4"].rpm.round(3)
+    (['omega 4', 'v E'], 3, array([2.758, 3.093, 3.171]))
+    >>> sweep.theta["4"].degrees.round(3)
+    array([168.938, 172.027, 175.327])
     """
 
     course: Course
     t: np.ndarray
-    values: np.ndarray
+    driven: np.ndarray
     series: tuple[Series, ...]
     undefined: np.ndarray
+    by: Road = "construction"
 
     @property
     def mechanism(self) -> Mechanism:
         return self.course.method.mechanism
 
+    @property
+    def driver(self) -> str:
+        return self.course.driver.name
+
     def __getitem__(self, name: str) -> Series:
-        return next(entry for entry in self.series if entry.name == name)
+        found = next((entry for entry in self.series if entry.name == name), None)
+        if found is None:
+            raise NotSwept(Where("sweep"), str(name), tuple(self))
+        return found
+
+    def __iter__(self) -> Iterator[str]:
+        return (entry.name for entry in self.series)
+
+    def __len__(self) -> int:
+        return len(self.series)
+
+    def quantity(self, text: str) -> Numbers:
+        """Whatever `ask` can name, over the positions (n,): of a vector the vectors."""
+        found = next((entry for entry in self.series if entry.name == text), None)
+        return (found or quantities_at(self.course, [text], self.t, self.by).series[0]).measured
+
+    def __repr__(self) -> str:
+        low, high = (f"{end * EDGE[self.course.unit].factor:.6g}" for end in (self.driven.min(), self.driven.max()))
+        about = f"{self.mechanism.name}: {self.driver} = {low} to {high} {EDGE[self.course.unit].name}"
+        return f"<Sweep of {about}, {self.t.size} positions: {', '.join(self)}>"
 
 
-def sweep(method: Method, ranges: Sequence[str] = (), of: Sequence[str] = (), by: Road = "construction") -> Sweep:
+def sweep(method: Method, ranges: Ranges = (), of: Sequence[str] = (), by: Road = "construction") -> Sweep:
     """Quantities `of` a mechanism over the driver values of `ranges`; see `course` and `asked` for what is usual.
 
     Angles are continuous along the sweep, from between 0 and a full turn at its first position. Raises RoadsDiffer
@@ -72,7 +106,7 @@ def in_parts(course: Course, names: Sequence[str], by: Road = "construction", si
     turned = _Turned(course, wanted, by)
     for begin in range(0, course.t.size, size):
         here = slice(begin, begin + size)
-        yield _defined(replace(_at(course, wanted, course.t[here], by, turned), values=course.values[here]))
+        yield _defined(replace(_at(course, wanted, course.t[here], by, turned), driven=course.values[here]))
 
 
 def _defined(found: Sweep) -> Sweep:
@@ -85,7 +119,7 @@ def _defined(found: Sweep) -> Sweep:
         replace(entry, values=entry.values[good], vectors=None if entry.vectors is None else entry.vectors[good])
         for entry in found.series
     )
-    return replace(found, t=found.t[good], values=found.values[good], series=series, undefined=found.values[~good])
+    return replace(found, t=found.t[good], driven=found.driven[good], series=series, undefined=found.driven[~good])
 
 
 def quantities_at(course: Course, names: Sequence[str], t: np.ndarray, by: Road = "construction") -> Sweep:
@@ -107,7 +141,7 @@ def _at(course: Course, wanted: Wanted, t: np.ndarray, by: Road, turned: _Turned
             found.append(Series(name, quantity, np.abs(places), places))
         else:
             found.append(turned.on(series(name, quantity, motions, t.size), t))
-    return Sweep(course, t, np.asarray(course.value(t)), tuple(found), np.empty(0))
+    return Sweep(course, t, np.asarray(course.value(t)), tuple(found), np.empty(0), by)
 
 
 class _Turned:
@@ -155,6 +189,6 @@ def _joined(found: Sequence[Sweep]) -> Sweep:
         )
         for k, first in enumerate(found[0].series)
     )  # fmt: skip
-    rows = ("t", "values", "undefined")
-    t, values, undefined = (np.concatenate([getattr(part, name) for part in found]) for name in rows)
-    return Sweep(found[0].course, t, values, entries, undefined)
+    rows = ("t", "driven", "undefined")
+    t, driven, undefined = (np.concatenate([getattr(part, name) for part in found]) for name in rows)
+    return Sweep(found[0].course, t, driven, entries, undefined, found[0].by)

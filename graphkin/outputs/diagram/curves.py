@@ -191,6 +191,7 @@ class Curves:
 def curves(course: Course, names: Sequence[str], by: Road = "construction") -> Curves:
     """Quantities over the shown part of a course, finely sampled whatever the steps of its table are."""
     low, high = span(course)
+    names = sweeps.drawable(course.method.mechanism, names)
     t = _first_positions(course, low, high)
     for _ in range(4):
         series = sweeps.quantities_at(course, names, t, by).series
