@@ -82,13 +82,15 @@ def structure(mechanism: str, lang: Lang) -> None:
 
 
 @click.command()
-def schema() -> None:
+@lang_option
+@speaking
+def schema(lang: Lang) -> None:
     """Print the JSON Schema of the mechanism file, for editors.
 
     \b
     Example:
       graphkin schema > graphkin.schema.json
     """
-    from graphkin import loading
+    from graphkin.outputs.json_schema import json_schema_text
 
-    click.echo(loading.json_schema_text(), nl=False)
+    click.echo(json_schema_text(lang), nl=False)

@@ -20,6 +20,7 @@ __all__ = [
     "OtherDimension",
     "OutOfRange",
     "TooSmall",
+    "UnitAsKey",
     "UnknownKey",
     "UnknownLink",
     "UnknownPoint",
@@ -73,6 +74,19 @@ class UnknownKey(Choice):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the key {given} means nothing here. {hint}",
         "zh": "{where}：此处没有 {given} 这个键。{hint}",
+    }
+
+
+class UnitAsKey(GraphkinError):
+    """A unit that stands where the key of its quantity does."""
+
+    where: Where
+    given: str
+    key: str
+    value: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} is a unit, not a key. Write {key} = \"{value}\".",
+        "zh": "{where}：{given} 是单位，不是键。请写成 {key} = \"{value}\"。",
     }
 
 
