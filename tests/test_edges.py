@@ -285,7 +285,6 @@ def test_a_line_meant_to_lie_across_its_links_way(pair: str) -> None:
     with pytest.raises(AlongOwnAxis) as refused:
         Drawing.of(loads(ACROSS.format(pair=pair)))
     assert refused.value.link == "2"
-    line = '{ through = "C", toward = "Q" }' if "cam" in pair else pair + '\nthrough = "C"\ntoward = "Q"'
-    right = line if "cam" not in pair else pair.replace('{ through = "C" }', line)
-    mended = ACROSS.format(pair=right).replace('points = ["C"]', "CQ = 30").replace("angle = 90", "angle = 90\ntilt = 90")
+    right = pair.replace('{ through = "C" }', '{ through = "C", angle = 0 }') if "cam" in pair else pair + "\nangle = 0"
+    mended = ACROSS.format(pair=right)
     assert Drawing.of(loads(mended)).plot.omega["2"] == pytest.approx(0)

@@ -70,7 +70,8 @@ _LINED = ("roll", "profile")
 
 _SIGNS = {
     "file": "TOML", "title": "title", "frame": "[frame]", "link": "[links.NAME]", "slide": "[[slide]]",
-    "gear": "[[gear]]", "roll": "[[roll]]", "cam": "[[cam]]", "profile": "profiles", "driver": "[[driver]]", "pose": "[[pose]]",
+    "gear": "[[gear]]", "roll": "[[roll]]", "cam": "[[cam]]",
+    "profile": "profiles", "driver": "[[driver]]", "pose": "[[pose]]",
     "sketch": "[sketch]", "scales": "[scales]",
 }  # fmt: skip
 """How a table is headed in the file."""
