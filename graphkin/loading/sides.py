@@ -62,8 +62,9 @@ class _Roughly:
     """Roughly where points are and how links are turned at the drawn position, as far as it can be told at once."""
 
     def __init__(
-        self, links: Mapping[str, Link], slides: Sequence[Slide], given: Sequence[Driver | Pose], sketch: Mapping[str, complex]
-    ) -> None:
+        self, links: Mapping[str, Link], slides: Sequence[Slide], given: Sequence[Driver | Pose],
+        sketch: Mapping[str, complex],
+    ) -> None:  # fmt: skip
         self.links, self.slides, self.given, self.sketch = links, slides, given, sketch
         self.turns: dict[str, complex] = {FRAME: 1 + 0j}
         self.places: dict[str, complex] = dict(links[FRAME].points)

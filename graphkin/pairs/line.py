@@ -22,5 +22,5 @@ class Line:
 
     @property
     def on_axis(self) -> bool:
-        """Whether it runs along its link's own axis, as the line of a link of one point does where nothing else is said."""
+        """Whether it is its link's own axis, as the line of a link of one point where nothing else is said."""
         return self.direction == 1
