@@ -23,7 +23,8 @@ COMMANDS = {
     "sweep": "moving", "find": "moving", "equations": "writing",
     "centres": "centres", "linkage": "linkages", "design": "design",
     "problems": "problems", "grade": "marking", "tolerance": "marking",
-    "structure": "library", "list": "library", "show": "library", "schema": "library", "help": "help", "new": "starting",
+    "structure": "library", "list": "library", "show": "library", "schema": "library",
+    "help": "help", "new": "starting",
 }  # fmt: skip
 """The module of each command."""
 

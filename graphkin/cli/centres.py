@@ -16,6 +16,7 @@ from graphkin.cli.shared import (
     force_option,
     json_line,
     lang_option,
+    library_names,
     ranges_option,
     read,
     said,
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1)
+@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1, shell_complete=library_names)
 @svg_option("SVG to write; - for stdout.", to_stdout=True)
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
 @click.option("--about", "link", default="", metavar="LINK",

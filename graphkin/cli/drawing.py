@@ -10,17 +10,19 @@ from typing import TYPE_CHECKING
 
 import click
 
+from graphkin.cli.each import each_mechanism
 from graphkin.cli.shared import (
     PAPERS,
     angle_option,
     at_option,
+    at_values,
     coincident_option,
     drawing_option,
     drawn,
     force_option,
     json_line,
     lang_option,
-    mechanism_argument,
+    mechanisms_argument,
     method_option,
     read,
     speaking,
@@ -33,7 +35,7 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@mechanism_argument
+@each_mechanism
 @drawing_option
 @click.option("--dpi", type=click.FloatRange(20, 2400), default=200.0, show_default=True, help="Dots per inch of .png.")
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
@@ -57,6 +59,7 @@ def draw(
       graphkin draw ex3-1 -o sheet.svg --lang zh
       graphkin draw ex3-1 -o sheet.pdf
       graphkin draw ex3-7 --angle 120 --steps steps
+      graphkin draw mine.toml --watch
     """
     from graphkin.outputs import drawings, svg
 
@@ -83,7 +86,7 @@ def draw(
 
 
 @click.command()
-@mechanism_argument
+@each_mechanism
 @coincident_option
 @method_option
 @angle_option
@@ -99,6 +102,7 @@ def explain(
     \b
     Example:
       graphkin explain ex3-1 --lang zh
+      graphkin explain mine.toml --watch
     """
 
     machine = read(mechanism)
@@ -107,27 +111,35 @@ def explain(
 
 
 @click.command()
-@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1, required=True)
+@mechanisms_argument
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line, SI units and radians.")
+@angle_option
+@at_option
 @lang_option
 @speaking
-def solve(mechanisms: tuple[str, ...], as_json: bool, lang: Lang) -> None:
+def solve(
+    mechanisms: tuple[str, ...], as_json: bool, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang
+) -> None:
     """Print all results, graphical beside analytic, and the answers to `ask`.
 
     \b
     Example:
       graphkin solve ex3-1
+      graphkin solve ex3-7 --angle 120
       graphkin solve --json *.toml > results.jsonl
     """
-    told_each(mechanisms, lambda source: _solved(source, as_json, lang), as_json, lang)
+    told_each(mechanisms, lambda source: _solved(source, as_json, angles, displacements, lang), as_json, lang)
 
 
-def _solved(source: str, as_json: bool, lang: Lang) -> Iterator[str]:
+def _solved(
+    source: str, as_json: bool, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang
+) -> Iterator[str]:
     from graphkin import api, results
     from graphkin.say.results import solve_lines
 
     machine = read(source)
-    found = results.results(machine, api.plan(machine), lang)
+    method = api.plan(machine)
+    found = results.results(machine, method, lang, at_values(method, angles, displacements))
     if as_json:
         yield json_line(found)
     else:

@@ -15,7 +15,10 @@ from graphkin.errors import Lang, UnknownMechanism, Where
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 
-__all__ = ["groups", "has", "load", "names", "text", "titles"]
+__all__ = ["KINDS", "chosen", "groups", "has", "load", "names", "text", "titles"]
+
+KINDS = ("hinge", "slide", "gear", "roll", "cam")
+"""What `chosen` tells apart."""
 
 _SUFFIX = ".toml"
 
@@ -51,6 +54,19 @@ def load(name: str) -> Mechanism:
 def titles(lang: Lang) -> dict[str, str]:
     """What each mechanism is called."""
     return {name: load(name).headline(lang) for name in names()}
+
+
+def chosen(kind: str = "", group: str = "", source: str = "") -> tuple[Mechanism, ...]:
+    """Those that have a pair of this kind (`hinge`: no other pair), in this folder, with this text in their source."""
+    folders = groups()
+    names_of = folders.get(group, ()) if group else names()
+    found = (load(name) for name in names() if name in names_of)
+    return tuple(each for each in found if source.casefold() in each.source.casefold() and _has(each, kind))
+
+
+def _has(mechanism: Mechanism, kind: str) -> bool:
+    tables = {pair.table for pair in mechanism.pairs}
+    return not tables if kind == "hinge" else not kind or kind in tables
 
 
 def _file(name: str) -> Path | None:
