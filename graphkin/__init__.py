@@ -42,7 +42,8 @@ __version__ = "0.1.0"
 ORDER = (
     "value", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming", "motions",
     "quantities", "loading", "library", "starters", "planning", "running", "seal", "analytic", "freedoms", "assur",
-    "readings", "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "submissions", "marking", "results",
+    "readings", "agreement", "centres", "linkages", "design", "sweeps", "finding", "check", "submissions", "marking",
+    "results",
     "say", "sheet", "outputs", "equations", "api", "batches", "problems", "grading", "platforms", "cli",
 )  # fmt: skip
 

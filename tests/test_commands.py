@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -129,7 +130,64 @@ def test_list_some() -> None:
     assert set(gears) < set(everything)
     assert {line.split()[0] for line in gears} == {n for n in library.names() if "[[gear]]" in library.text(n)}
     groups = [run("list", "--group", group).stdout.splitlines() for group in library.groups()]
-    assert sorted(sum(groups, [])) == sorted(everything)
+    assert sorted(line for lines in groups for line in lines) == sorted(everything)
     assert run("list", "--source", "no such book").stdout == ""
     hinges = run("list", "--kind", "hinge", "--source", "3-").stdout.split()
     assert all(not library.load(line).pairs for line in hinges if library.has(line))
+
+
+# --- one value under one heading -----------------------------------------------------------------
+
+
+def swept(*words: str) -> tuple[list[str], list[list[float]]]:
+    head, *rows = run("sweep", *words, "-o", "-").stdout.splitlines()
+    return head.split(","), [[float(cell) for cell in row.split(",")] for row in rows]
+
+
+def test_one_heading_has_one_value_in_every_format() -> None:
+    """A point led by the frame's guide goes forth and back: signed in the terminal, in CSV and in JSON."""
+    words = ("fig3-1", "--driver", "0:360:30", "--of", "v C, v B")
+    head, rows = swept(*words)
+    assert head[1:6] == ["v C [m/s]", "v C size [m/s]", "v C x [m/s]", "v C y [m/s]", "v B [m/s]"]
+    assert min(row[1] for row in rows) < 0 < max(row[1] for row in rows)
+    assert all(abs(row[1]) == pytest.approx(row[2], abs=1e-12) for row in rows)
+    printed = [line.split() for line in run("sweep", *words).stdout.splitlines()[2 : 2 + len(rows)]]
+    assert all(float(line[1]) == pytest.approx(row[1], rel=1e-5, abs=1e-12) for line, row in zip(printed, rows))
+    run("sweep", *words, "-o", "table.json")
+    found = json.loads(Path("table.json").read_text("utf-8"))["quantities"]
+    assert found["v C"]["values"] == pytest.approx([row[1] for row in rows], abs=1e-11)
+    assert found["v C"]["sizes"] == pytest.approx([row[2] for row in rows], abs=1e-11)
+    assert "sizes" not in found["v B"]
+
+
+def test_a_second_driver_has_a_column() -> None:
+    head, rows = swept("p3-22", "--of", "theta 5")
+    drivers = library.load("p3-22").drivers
+    assert [name.split(" ")[0] for name in head[:2]] == [driver.name for driver in drivers]
+    assert len({round(row[1] - row[0] * (rows[1][1] - rows[0][1]) / (rows[1][0] - rows[0][0]), 6) for row in rows}) == 1
+
+
+def test_check_through_a_pipe() -> None:
+    drawing = run("draw", "ex3-1", "-o", "-").stdout
+    good = run("check", "-", text=drawing)
+    assert (good.exit_code, "good" in good.stdout) == (0, True)
+    bad = run("check", "-", text="no drawing")
+    assert bad.exit_code == 3
+    assert "<stdin>" in bad.stderr
+
+
+def test_a_constant_has_no_greatest_value() -> None:
+    said = run("sweep", "s4-ex4", "--driver", "0:80:20", "--of", "omega 2").stdout
+    assert "omega 2 = " in said
+    assert "throughout" in said
+    assert "greatest" not in said
+
+
+def test_a_mechanism_without_a_title_is_named_once() -> None:
+    Path("e.toml").write_text(re.sub("(?m)^title.*\n", "", FILE), encoding="utf-8")
+    assert run("solve", "e.toml").stdout.splitlines()[0] == "e"
+
+
+def test_curves_are_drawn_or_data() -> None:
+    assert run("centres", "fig3-4", "--path", "P13").exit_code == 2
+    assert json.loads(run("centres", "fig3-4", "--path", "P13", "--json").stdout)

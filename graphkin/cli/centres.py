@@ -147,7 +147,10 @@ def _told(asked: _Asked, source: str) -> Iterator[str]:
     elif asked.pair or asked.centre:
         from graphkin.centres.about_data import centrodes_json
 
-        yield json_line(centrodes_json(asked.curves(found)))
+        curves = asked.curves(found)
+        if not asked.as_json:
+            raise click.UsageError("curves are drawn: add -o OUT.svg; or --json for all their points")
+        yield json_line(centrodes_json(curves))
     elif asked.as_json:
         yield json_line(finding.as_json(found))
     else:
@@ -159,7 +162,7 @@ def _listed(asked: _Asked, found: Centres) -> Iterator[str]:
     from graphkin.say.text_table import table
 
     mechanism = found.method.mechanism
-    yield f"{mechanism.name}  {mechanism.headline(asked.lang)}"
+    yield "  ".join(dict.fromkeys((mechanism.name, mechanism.headline(asked.lang))))
     yield from table(list(rows(found, asked.lang)))
     yield ""
     yield from explain_centres(found, asked.lang)

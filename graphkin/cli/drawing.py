@@ -158,6 +158,7 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
     \b
     Example:
       graphkin check ex3-1.svg
+      graphkin draw ex3-1 -o - | graphkin check -
     """
     from graphkin.check import measure
     from graphkin.say.checks import check_lines

@@ -15,7 +15,7 @@ import numpy as np
 
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs.files import beside
-from graphkin.quantities import EDGE
+from graphkin.quantities import EDGE, driven
 from graphkin.sweeps import Course, Road, Series, Sweep, in_parts
 
 FORMATS = (".csv", ".json", ".parquet")
@@ -64,10 +64,15 @@ def told(found: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
 
 
 def columns(part: Sweep) -> dict[str, np.ndarray]:
-    """By header, in mm and deg: the driver's value, and each quantity; of vectors the size, then x and y."""
+    """By header, in mm and deg: the drivers' values, and each quantity as the terminal has it.
+
+    Of vectors then x and y; where a guide of the frame gives a sign, the size, too.
+    """
     driver = part.course.driver.name
     unit = EDGE[part.course.unit]
     found = {f"{driver} [{unit.name}]": part.values * unit.factor}
+    for name, other, values in _others(part):
+        found[f"{name} [{EDGE[other].name}]"] = values * EDGE[other].factor
     for entry in part.series:
         found |= _columns(entry)
     return found
@@ -76,10 +81,26 @@ def columns(part: Sweep) -> dict[str, np.ndarray]:
 def _columns(entry: Series) -> Iterator[tuple[str, np.ndarray]]:
     unit, factor = EDGE[entry.unit].name or "1", EDGE[entry.unit].factor
     if not entry.is_place:
-        yield f"{entry.name} [{unit}]", entry.values * factor
+        yield f"{entry.name} [{unit}]", entry.signed * factor
+    if _has_size(entry):
+        yield f"{entry.name} size [{unit}]", entry.values * factor
     if entry.vectors is not None:
         yield f"{entry.name} x [{unit}]", entry.vectors.real * factor
         yield f"{entry.name} y [{unit}]", entry.vectors.imag * factor
+
+
+def _has_size(entry: Series) -> bool:
+    """Whether its value has a sign that its size has not."""
+    return entry.along is not None and entry.vectors is not None
+
+
+def _others(part: Sweep) -> Iterator[tuple[str, str, np.ndarray]]:
+    """The other drivers that move on the path: name, SI unit, values."""
+    course = part.course
+    for k, driver in enumerate(course.method.drivers):
+        if k != course.swept and course.path.pace[k]:
+            unit = driven(driver.kind == "slide")
+            yield driver.name, unit, course.path.start[k] + course.path.pace[k] * part.t
 
 
 def csv_lines(course: Course, found: Iterator[Sweep]) -> Iterator[str]:
@@ -109,6 +130,7 @@ def json_text(course: Course, found: Iterator[Sweep]) -> str:
         "format": 1,
         "name": course.method.mechanism.name,
         "driver": {"name": course.driver.name, "unit": course.unit, "values": values},
+        **({"together": others} if (others := _together(collected)) else {}),
         "range": {
             "full_turn": course.full_turn,
             "low": None if course.full_turn else low,
@@ -126,12 +148,22 @@ def json_text(course: Course, found: Iterator[Sweep]) -> str:
     return json.dumps(data, ensure_ascii=False, allow_nan=False)
 
 
+def _together(found: list[Sweep]) -> dict[str, Any]:
+    """The other drivers that move, by name."""
+    rows = [list(_others(part)) for part in found]
+    return {
+        name: {"unit": unit, "values": _all([part[k][2] for part in rows])} for k, (name, unit, _) in enumerate(rows[0])
+    }
+
+
 def _event(course: Course, event: Any) -> dict[str, Any]:
     return {"at": float(course.value(event.at)), "kind": event.kind, "links": list(event.links)}
 
 
 def _quantity(found: list[Series]) -> dict[str, Any]:
-    data: dict[str, Any] = {"unit": found[0].unit, "values": _all([entry.values for entry in found])}
+    data: dict[str, Any] = {"unit": found[0].unit, "values": _all([entry.signed for entry in found])}
+    if _has_size(found[0]):
+        data["sizes"] = _all([entry.values for entry in found])
     if found[0].vectors is not None:
         vectors = np.concatenate([np.asarray(entry.vectors) for entry in found])
         data["vectors"] = [[_number(v.real), _number(v.imag)] for v in vectors]

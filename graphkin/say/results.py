@@ -28,7 +28,7 @@ def given_values(mechanism: Mechanism, values: Sequence[float]) -> str:
 
 def solve_lines(mechanism: Mechanism, found: Json, lang: Lang) -> Iterator[str]:
     """Everything `results` found, for people."""
-    yield f"{found['name']}  {found['title']}"
+    yield "  ".join(dict.fromkeys((found["name"], found["title"])))
     for position in found["positions"]:
         yield ""
         yield f"{say('results.position', lang)}: {given_values(mechanism, position['drivers'])}"
