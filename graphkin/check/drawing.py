@@ -87,7 +87,7 @@ class _Builder(TreeBuilder):
 
 
 def read(path: Path) -> DrawingFile:
-    """The drawing in a file, or through a pipe (`-`). `BadDrawing` where it is none of graphkin's or not to be followed."""
+    """The drawing in a file, or through a pipe (`-`). `BadDrawing` where it is none, or cannot be followed."""
     file = "<stdin>" if str(path) == "-" else str(path)
     root = _root(path, file)
     if not root.tag.endswith("}svg"):

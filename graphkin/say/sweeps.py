@@ -15,7 +15,6 @@ from graphkin.say.numbers import at_edge, exact
 from graphkin.say.text_table import table
 from graphkin.sweeps import Course, Series, Sweep
 
-
 CONSTANT = 1e-9
 """Beside the value itself, less than this is no change."""
 
