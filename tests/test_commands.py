@@ -188,6 +188,14 @@ def test_a_mechanism_without_a_title_is_named_once() -> None:
     assert run("solve", "e.toml").stdout.splitlines()[0] == "e"
 
 
-def test_curves_are_drawn_or_data() -> None:
-    assert run("centres", "fig3-4", "--path", "P13").exit_code == 2
+def test_curves_are_told_in_short() -> None:
+    assert len(run("centres", "fig3-4", "--path", "P13").stdout) < 2000
     assert json.loads(run("centres", "fig3-4", "--path", "P13", "--json").stdout)
+
+
+def test_structure_as_data() -> None:
+    lines = run("structure", "--json", "ex3-1", "no-such", "ex3-2").stdout.splitlines()
+    first, wrong, second = map(json.loads, lines)
+    assert (first["freedoms"], first["formula"], first["class"], second["class"]) == (1, 1, 2, 3)
+    assert [link for group in second["groups"] for link in group["links"]]
+    assert "error" in wrong

@@ -146,11 +146,10 @@ def _told(asked: _Asked, source: str) -> Iterator[str]:
         yield from _about(asked, found)
     elif asked.pair or asked.centre:
         from graphkin.centres.about_data import centrodes_json
+        from graphkin.say.centre_curves import curve_lines
 
         curves = asked.curves(found)
-        if not asked.as_json:
-            raise click.UsageError("curves are drawn: add -o OUT.svg; or --json for all their points")
-        yield json_line(centrodes_json(curves))
+        yield from [json_line(centrodes_json(curves))] if asked.as_json else curve_lines(curves, asked.lang)
     elif asked.as_json:
         yield json_line(finding.as_json(found))
     else:

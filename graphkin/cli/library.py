@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import click
@@ -9,6 +10,7 @@ import click
 from graphkin import library
 from graphkin.cli.shared import (
     force_option,
+    json_line,
     lang_option,
     library_names,
     mechanisms_argument,
@@ -81,19 +83,28 @@ def show(name: str, lang: Lang) -> None:
 
 @click.command()
 @mechanisms_argument
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
 @lang_option
 @speaking
-def structure(mechanisms: tuple[str, ...], lang: Lang) -> None:
+def structure(mechanisms: tuple[str, ...], as_json: bool, lang: Lang) -> None:
     """List links, pairs, degrees of freedom and the Assur groups in the order they are solved.
 
     \b
     Example:
       graphkin structure p3-15
     """
-    from graphkin import api
+    told_each(mechanisms, lambda source: _structure(source, as_json, lang), as_json, lang)
+
+
+def _structure(source: str, as_json: bool, lang: Lang) -> Iterator[str]:
+    from graphkin import api, assur
     from graphkin.say.structure import structure_lines
 
-    told_each(mechanisms, lambda source: structure_lines(api.plan(read(source)), lang), False, lang)
+    method = api.plan(read(source))
+    if as_json:
+        yield json_line(assur.as_json(method))
+    else:
+        yield from structure_lines(method, lang)
 
 
 @click.command()
