@@ -73,6 +73,7 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
         return method
     except (HigherClass, CannotAssemble):
         _refuse_wrong_drivers(mechanism)
+        _refuse_wrong_side(mechanism)
         raise
 
 
@@ -80,6 +81,13 @@ def _refuse_wrong_drivers(mechanism: Mechanism) -> None:
     from graphkin.freedoms import wrong_drivers
 
     if (error := wrong_drivers(mechanism)) is not None:
+        raise error
+
+
+def _refuse_wrong_side(mechanism: Mechanism) -> None:
+    from graphkin.planning.other_side import other_side
+
+    if (error := other_side(mechanism)) is not None:
         raise error
 
 

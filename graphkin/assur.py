@@ -7,6 +7,7 @@ two links more that close a four-sided figure. The class of the mechanism is the
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from graphkin.analytic import Mobility, mobility
 from graphkin.mechanism import FRAME, Mechanism
@@ -17,7 +18,7 @@ from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh
 from graphkin.planning.structure import Hinge, Joint
 from graphkin.value import frozen
 
-__all__ = ["Structure", "Together", "structure"]
+__all__ = ["Structure", "Together", "as_json", "structure"]
 
 
 @frozen
@@ -212,3 +213,21 @@ def _methods(method: Method) -> Iterator[str]:
         yield "rolling"
     if any(pair.equivalent is not None and pair.rolling is None for pair in method.mechanism.pairs):
         yield "lower"
+
+
+def as_json(method: Method) -> dict[str, Any]:
+    """What `structure --json` prints."""
+    mechanism, found = method.mechanism, structure(method)
+    groups = [
+        {"kind": group.kind, "class": group.cls, "links": list(group.links)}
+        | ({"letters": group.letters} if group.letters else {})
+        | ({"point": group.point, "ternary": group.ternary} if group.point else {})
+        for group in found.groups
+    ]
+    return {
+        "format": 1, "name": mechanism.name, "links": list(mechanism.moving), "frame": mechanism.frame,
+        "lower_pairs": found.low, "higher_pairs": found.high, "formula": found.formula,
+        "freedoms": found.mobility.freedoms,
+        "drivers": [driver.name for driver in mechanism.drivers], "class": found.cls, "groups": groups,
+        "methods": list(found.methods),
+    }  # fmt: skip

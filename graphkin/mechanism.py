@@ -2,8 +2,8 @@
 
 A link's axes have their origin in its first point and their x axis towards its second (as the file
 writes them), so the angle of a link, `theta`, is the direction of its first two points. A block of one
-point takes its axis from its guide's line, a guide of one point is its own line. The frame's axes are
-the world's.
+point takes its axis from its guide's line, a guide of one point is its own line where no angle is said.
+The frame's axes are the world's.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from graphkin.agreement import proved
@@ -30,13 +30,17 @@ def driver_values(method: Method) -> Iterator[tuple[float, ...]]:
         yield tuple(d.also[k] if 0 <= k < len(d.also) else (d.value or 0.0) for d in drivers)
 
 
-def results(mechanism: Mechanism, method: Method, lang: Lang = "en") -> Json:
-    """One object for one mechanism, an entry in `positions` for the drawn one and for each of `also`."""
+def results(
+    mechanism: Mechanism, method: Method, lang: Lang = "en", values: Sequence[float] | None = None
+) -> Json:
+    """One object for one mechanism, an entry in `positions` for the drawn one and for each of `also`, or one alone for
+    other driver values [rad, m]."""
+    wanted = driver_values(method) if values is None else [tuple(values)]
     return {
         "format": 1,
         "name": mechanism.name,
         "title": mechanism.headline(lang),
-        "positions": [_position(mechanism, method, values) for values in driver_values(method)],
+        "positions": [_position(mechanism, method, values) for values in wanted],
     }
 
 

@@ -193,8 +193,8 @@ OPTIONS: dict[str, dict[str, tuple[str, ...]]] = {
         "--lang": ("zh", "en"), "--angle": ("30", "200", *WORDS), "--at": ("10", *WORDS), "--method": ("centre", "special"),
         "--coincident": ("B", "C", *WORDS),
     },
-    "solve": {"--json": (), "--lang": ("zh", "en")},
-    "structure": {"--lang": ("zh", "en")},
+    "solve": {"--json": (), "--angle": ("30", *WORDS), "--at": ("10", *WORDS), "--lang": ("zh", "en")},
+    "structure": {"--json": (), "--lang": ("zh", "en")},
     "equations": {"--method": ("complex", "matrix"), "-o": ("o.tex", "o.html", "o.txt", "o.pdf"), "--lang": ("zh", "en")},
     "sweep": {
         "--driver": ("0:360:30", "0:90:10", "350:-10:20", *WORDS), "--table": (), "--by": ("analysis", "construction"),
@@ -219,6 +219,7 @@ CONDITIONS = (
 ALONE = (
     ("linkage", "--fourbar", 4), ("linkage", "--slider", 3), ("linkage", "--guide", 3), ("show", "", 1), ("check", "", 1),
     ("centres", "--velocities", 1), ("list", "--kinds", 0), ("schema", "", 0), ("solve", "", 2),
+    ("help", "", 1), ("new", "", 1), ("list", "--source", 1),
 )  # fmt: skip
 DESIGNS = {
     "rocker": ("--length", "--swing", "--K", "--frame", "--crank", "--coupler", "--gamma-min", "--AC1"),

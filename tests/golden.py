@@ -97,6 +97,8 @@ def commands() -> Iterator[str]:
     yield "sweep ex3-7 --driver 0:360:15 -o @.csv"
     yield "sweep ex3-7 --driver 0:360:15 -o @.json"
     yield "schema"
+    yield "help file"
+    yield "help file --lang zh"
     yield "list"
     yield "list --kinds"
 

@@ -182,8 +182,8 @@ def test_only_the_catalogue_reads_phrases():
 
 SPOKEN = {"errors", "say", "sheet", "outputs", "platforms", "handouts", "page", "cli"}
 """What speaks: errors bring their words, the others are media; `platforms` are formats of files."""
-TITLED = {"mechanism", "loading", "library"}
-"""A mechanism bears its title in each language."""
+TITLED = {"mechanism", "loading", "library", "starters"}
+"""A mechanism bears its title in each language; files to start from have comments in one of them."""
 EDGE = {"results", "equations", "api"}
 """`equations` is data but for its pages; `results` gives the title in the language asked for, as `api` hands it on."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -218,11 +219,36 @@ def test_one_set_of_quantities() -> None:
     assert run("draw", "mine.toml").exit_code == 0
 
 
-def test_what_nearly_is_a_question_is_remarked_on() -> None:
-    Path("mine.toml").write_text('ask = ["omega2", "how fast?", "v_A"]\n' + COLLAR, encoding="utf-8")
+@pytest.mark.parametrize(
+    ("text", "meant"), [("omega2", "`omega 2`"), ("v_A", "`v A`"), ("how fast", "`omega 3`"), ("max v A", "`v C`")]
+)
+def test_what_asks_nothing_is_refused(text: str, meant: str) -> None:
+    Path("mine.toml").write_text(f'ask = ["v A", "{text}"]\n' + COLLAR, encoding="utf-8")
+    result = run("solve", "mine.toml")
+    assert (result.exit_code, result.stdout) == (3, "")
+    assert result.stderr.startswith("mine.toml:1, ask.1: ")
+    assert meant in result.stderr
+
+
+def test_a_question_in_words_is_shown() -> None:
+    Path("mine.toml").write_text('ask = ["v A / omega 2", "how fast?", "多快？"]\n' + COLLAR, encoding="utf-8")
+    result = run("solve", "mine.toml")
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert result.stdout.count("not answered") == 3
+
+
+def test_a_driver_without_a_rate_is_remarked_on() -> None:
+    Path("mine.toml").write_text(re.sub("(?m)^omega.*\n", "", COLLAR), encoding="utf-8")
     result = run("solve", "mine.toml")
     assert result.exit_code == 0
-    assert [line.split("write ")[1] for line in result.stderr.splitlines()] == ["`omega 2`.", "`v A`."]
+    assert "note: driver O1A has no omega" in result.stderr
+
+
+def test_a_unit_in_place_of_its_key() -> None:
+    Path("mine.toml").write_text(re.sub("(?m)^omega.*", "rpm = 95", COLLAR), encoding="utf-8")
+    result = run("solve", "mine.toml")
+    assert result.exit_code == 3
+    assert 'rpm is a unit, not a key. Write omega = "95 rpm".' in result.stderr
 
 
 ACROSS = """
@@ -259,7 +285,6 @@ def test_a_line_meant_to_lie_across_its_links_way(pair: str) -> None:
     with pytest.raises(AlongOwnAxis) as refused:
         Drawing.of(loads(ACROSS.format(pair=pair)))
     assert refused.value.link == "2"
-    line = '{ through = "C", toward = "Q" }' if "cam" in pair else pair + '\nthrough = "C"\ntoward = "Q"'
-    right = line if "cam" not in pair else pair.replace('{ through = "C" }', line)
-    mended = ACROSS.format(pair=right).replace('points = ["C"]', "CQ = 30").replace("angle = 90", "angle = 90\ntilt = 90")
+    right = pair.replace('{ through = "C" }', '{ through = "C", angle = 0 }') if "cam" in pair else pair + "\nangle = 0"
+    mended = ACROSS.format(pair=right)
     assert Drawing.of(loads(mended)).plot.omega["2"] == pytest.approx(0)

@@ -15,10 +15,11 @@ from hypothesis import strategies as st
 
 import graphkin.errors as errors
 from graphkin.errors import GraphkinError, Several, Where
-from graphkin.loading import json_schema_text, load, loads
+from graphkin.loading import load, loads
 from graphkin.loading.positions import positions
 from graphkin.loading.source import LARGEST_FILE
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.outputs.json_schema import json_schema_text
 from graphkin.pairs import Cam, CircularSlot
 
 FOURBAR = """\
@@ -425,6 +426,7 @@ KEYS = [
     bad("WrongType", edit(FOURBAR, "[[driver]]", "[driver]"), "[driver]", "driver", "[[slide]]", "双括号"),
     bad("WrongType", edit(FOURBAR, "[links.1]\nAB = 30", "[links]\n1 = 30"), "1 = 30", "links.1", "a table", "应为表"),
     bad("WrongType", "links = 3\n[frame]\nA = [0, 0]\n", "links", "links", "a table", "应为表"),
+    bad("UnitAsKey", edit(FOURBAR, "omega = 10", "rpm = 95"), "rpm", "driver.0.rpm", 'omega = "95 rpm"', 'omega = "95 rpm"'),
     bad("WrongType", "ask = [3]\n" + FOURBAR, "ask", "ask.0", "a text in quotes", "带引号的文字"),
     bad("WrongType", 'ask = "v C"\n' + FOURBAR, "ask", "ask", "a list", "列表"),
     bad("WrongType", "title = 3\n" + FOURBAR, "title", "title", "a text in quotes, or", "带引号的文字或"),

@@ -22,6 +22,9 @@ GOOD: list[tuple[float | str, Dimension, float]] = [
     (180, "angle", math.pi),
     ("1.2 rad", "angle", 1.2),
     ("1 rev", "angle", 2 * math.pi),
+    ("45°", "angle", math.pi / 4),
+    ("180 °/s", "angular velocity", math.pi),
+    ("180 °/s^2", "angular acceleration", math.pi),
     (10, "angular velocity", 10.0),
     ("60 rpm", "angular velocity", 2 * math.pi),
     ("60 r/min", "angular velocity", 2 * math.pi),
@@ -49,7 +52,7 @@ def test_quantity_in_si(given: float | str, dimension: Dimension, expected: floa
 BAD: list[tuple[float | str, Dimension, type[GraphkinError], str, str]] = [
     ("24 yd", "length", UnknownUnit, "mm, cm, m, in, ft", "不认识单位 yd"),
     ("24 m/s", "length", OtherDimension, "unit of a velocity, but a length", "速度的单位，此处应为长度"),
-    ("10 rad", "angular velocity", OtherDimension, "rad/s, deg/s, rev/s, rpm, r/min", "角度的单位"),
+    ("10 rad", "angular velocity", OtherDimension, "rad/s, deg/s, °/s, rev/s, rpm, r/min", "角度的单位"),
     ("10 mm/s²", "velocity", OtherDimension, "unit of an acceleration", "加速度的单位"),
     ("24", "length", NoUnit, '"24" has no unit', "没有单位"),
     ("mm", "length", NotANumber, '"mm" does not read as a number', "不能读作"),

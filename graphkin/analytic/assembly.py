@@ -200,10 +200,11 @@ def _lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
     """Displacements that are positive as drawn: along a moving link of one point, which is its own line
     (a cylinder), and along a line of centres. A rack that cannot turn may be passed either way.
     """
-    links, slides = mechanism.links, {pair.name for pair in mechanism.slides}
+    links, slides = mechanism.links, {pair.name for pair in mechanism.slides if pair.line.on_axis}
+    across = {pair.name for pair in mechanism.slides} - slides
     blocks = {pair.block for pair in mechanism.slides}
     own = (joint for joint in loops.joints if joint.tail not in links or len(links[joint.tail].points) == 1)
-    kept = (joint for joint in own if joint.slide in slides or joint.tail not in blocks)
+    kept = (joint for joint in own if joint.slide in slides or (joint.tail not in blocks and joint.slide not in across))
     return {joint.slide for joint in kept if joint.slide is not None and joint.tail != FRAME}
 
 

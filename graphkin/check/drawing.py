@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import sys
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
@@ -86,8 +87,8 @@ class _Builder(TreeBuilder):
 
 
 def read(path: Path) -> DrawingFile:
-    """The drawing in a file; `BadDrawing` where it is none of graphkin's, or cannot be followed."""
-    file = str(path)
+    """The drawing in a file, or through a pipe (`-`). `BadDrawing` where it is none, or cannot be followed."""
+    file = "<stdin>" if str(path) == "-" else str(path)
     root = _root(path, file)
     if not root.tag.endswith("}svg"):
         raise BadDrawing(Where(file), "svg")
@@ -103,15 +104,24 @@ def read(path: Path) -> DrawingFile:
     return drawing
 
 
+def _content(path: Path, file: str) -> bytes:
+    """What is in the file, or comes through the pipe, as far as it may be long."""
+    if str(path) == "-":
+        content = sys.stdin.buffer.read(LIMIT + 1)
+    else:
+        content = path.read_bytes() if path.stat().st_size <= LIMIT else b" " * (LIMIT + 1)
+    if len(content) > LIMIT:
+        raise BadDrawing(Where(file), "large")
+    return content
+
+
 def _root(path: Path, file: str) -> Element:
     from defusedxml.common import DefusedXmlException
     from defusedxml.ElementTree import DefusedXMLParser
 
     parser = DefusedXMLParser(target=_Builder())
     try:
-        if path.stat().st_size > LIMIT:
-            raise BadDrawing(Where(file), "large")
-        parser.feed(path.read_bytes())
+        parser.feed(_content(path, file))
         root: Element = parser.close()
     except FileNotFoundError:
         raise NoDrawing(Where(file)) from None

@@ -25,7 +25,7 @@ COMMANDS = {
     "problems": "problems", "grade": "marking", "tolerance": "marking",
     "handout": "handouts",
     "structure": "library", "list": "library", "show": "library", "schema": "library",
-    "help": "help",
+    "help": "help", "new": "starting",
 }  # fmt: skip
 """The module of each command."""
 

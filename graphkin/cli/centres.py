@@ -16,6 +16,7 @@ from graphkin.cli.shared import (
     force_option,
     json_line,
     lang_option,
+    library_names,
     ranges_option,
     read,
     said,
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1)
+@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1, shell_complete=library_names)
 @svg_option("SVG to write; - for stdout.", to_stdout=True)
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
 @click.option("--about", "link", default="", metavar="LINK",
@@ -147,8 +148,10 @@ def _told(asked: _Asked, source: str) -> Iterator[str]:
         yield from _about(asked, found)
     elif asked.pair or asked.centre:
         from graphkin.centres.about_data import centrodes_json
+        from graphkin.say.centre_curves import curve_lines
 
-        yield json_line(centrodes_json(asked.curves(found)))
+        curves = asked.curves(found)
+        yield from [json_line(centrodes_json(curves))] if asked.as_json else curve_lines(curves, asked.lang)
     elif asked.as_json:
         yield json_line(finding.as_json(found))
     else:
@@ -160,7 +163,7 @@ def _listed(asked: _Asked, found: Centres) -> Iterator[str]:
     from graphkin.say.text_table import table
 
     mechanism = found.method.mechanism
-    yield f"{mechanism.name}  {mechanism.headline(asked.lang)}"
+    yield "  ".join(dict.fromkeys((mechanism.name, mechanism.headline(asked.lang))))
     yield from table(list(rows(found, asked.lang)))
     yield ""
     yield from explain_centres(found, asked.lang)

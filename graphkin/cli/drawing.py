@@ -10,17 +10,19 @@ from typing import TYPE_CHECKING
 
 import click
 
+from graphkin.cli.each import each_mechanism
 from graphkin.cli.shared import (
     PAPERS,
     angle_option,
     at_option,
+    at_values,
     coincident_option,
     drawing_option,
     drawn,
     force_option,
     json_line,
     lang_option,
-    mechanism_argument,
+    mechanisms_argument,
     method_option,
     read,
     speaking,
@@ -36,7 +38,7 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@mechanism_argument
+@each_mechanism
 @drawing_option
 @click.option("--dpi", type=click.FloatRange(20, 2400), default=200.0, show_default=True, help="Dots per inch of .png.")
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
@@ -66,6 +68,7 @@ def draw(
       graphkin draw ex3-1 -o sheet.svg --lang zh
       graphkin draw ex3-1 -o sheet.pdf
       graphkin draw ex3-7 --angle 120 --steps steps
+      graphkin draw mine.toml --watch
     """
     from graphkin.outputs import drawings, svg
 
@@ -94,7 +97,7 @@ def draw(
 
 
 @click.command()
-@mechanism_argument
+@each_mechanism
 @coincident_option
 @method_option
 @angle_option
@@ -122,6 +125,7 @@ def explain(
     Example:
       graphkin explain ex3-1 --lang zh
       graphkin explain p3-22 --only velocity
+      graphkin explain mine.toml --watch
     """
 
     if output is not None and output.suffix.lower() not in (".html", ".tex", ".md"):
@@ -148,27 +152,35 @@ def _write_solution(output: Path, drawing: Drawing, everything: bool, only: Plan
 
 
 @click.command()
-@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1, required=True)
+@mechanisms_argument
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line, SI units and radians.")
+@angle_option
+@at_option
 @lang_option
 @speaking
-def solve(mechanisms: tuple[str, ...], as_json: bool, lang: Lang) -> None:
+def solve(
+    mechanisms: tuple[str, ...], as_json: bool, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang
+) -> None:
     """Print all results, graphical beside analytic, and the answers to `ask`.
 
     \b
     Example:
       graphkin solve ex3-1
+      graphkin solve ex3-7 --angle 120
       graphkin solve --json *.toml > results.jsonl
     """
-    told_each(mechanisms, lambda source: _solved(source, as_json, lang), as_json, lang)
+    told_each(mechanisms, lambda source: _solved(source, as_json, angles, displacements, lang), as_json, lang)
 
 
-def _solved(source: str, as_json: bool, lang: Lang) -> Iterator[str]:
+def _solved(
+    source: str, as_json: bool, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang
+) -> Iterator[str]:
     from graphkin import api, results
     from graphkin.say.results import solve_lines
 
     machine = read(source)
-    found = results.results(machine, api.plan(machine), lang)
+    method = api.plan(machine)
+    found = results.results(machine, method, lang, at_values(method, angles, displacements))
     if as_json:
         yield json_line(found)
     else:
@@ -187,6 +199,7 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
     \b
     Example:
       graphkin check ex3-1.svg
+      graphkin draw ex3-1 -o - | graphkin check -
     """
     from graphkin.check import measure
     from graphkin.say.checks import check_lines

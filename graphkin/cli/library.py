@@ -2,26 +2,45 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import click
 
-from graphkin.cli.shared import force_option, lang_option, mechanism_argument, read, speaking, svg_option
+from graphkin import library
+from graphkin.cli.shared import (
+    force_option,
+    json_line,
+    lang_option,
+    library_names,
+    mechanisms_argument,
+    read,
+    speaking,
+    svg_option,
+    told_each,
+)
 from graphkin.errors import Lang
+from graphkin.say.catalogue import say
 
 
 @click.command("list")
 @click.option("--kinds", is_flag=True, help="The kinds of four-bar, slider-crank and guide-bar linkages.")
+@click.option("--kind", type=click.Choice(library.KINDS), help="With a pair of this kind; hinge: with hinges alone.")
+@click.option("--group", type=click.Choice(library.groups()), help="Of this part of the library.")
+@click.option("--source", default="", metavar="TEXT", help='Whose source has this text, such as "3-1".')
 @svg_option("With --kinds: sketches, as SVG.")
 @force_option
 @lang_option
 @speaking
-def list_(kinds: bool, output: Path | None, force: bool, lang: Lang) -> None:
-    """List the mechanisms of the library, or the kinds of linkages.
+def list_(
+    kinds: bool, kind: str | None, group: str | None, source: str, output: Path | None, force: bool, lang: Lang
+) -> None:
+    """List the mechanisms of the library with their titles, all or some, or the kinds of linkages.
 
     \b
     Example:
       graphkin list --lang zh
+      graphkin list --kind gear --group classics
       graphkin list --kinds -o kinds.svg
     """
     if kinds:
@@ -29,10 +48,11 @@ def list_(kinds: bool, output: Path | None, force: bool, lang: Lang) -> None:
         return
     if output is not None:
         raise click.UsageError("-o draws the kinds of linkages: --kinds")
-    from graphkin import library
-
-    for name, title in library.titles(lang).items():
-        click.echo(f"{name:<12}{title}")
+    found = library.chosen(kind or "", group or "", source)
+    if not found:
+        click.echo(say("structure.none listed", lang), err=True)
+    for machine in found:
+        click.echo(f"{machine.name:<12}{machine.headline(lang)}")
 
 
 def _kinds(output: Path | None, force: bool, lang: Lang) -> None:
@@ -48,7 +68,7 @@ def _kinds(output: Path | None, force: bool, lang: Lang) -> None:
 
 
 @click.command()
-@click.argument("name")
+@click.argument("name", shell_complete=library_names)
 @lang_option
 @speaking
 def show(name: str, lang: Lang) -> None:
@@ -58,37 +78,45 @@ def show(name: str, lang: Lang) -> None:
     Example:
       graphkin show ex3-1 > mine.toml
     """
-    from graphkin import library
-
     click.echo(library.text(name), nl=False)
 
 
 @click.command()
-@mechanism_argument
+@mechanisms_argument
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
 @lang_option
 @speaking
-def structure(mechanism: str, lang: Lang) -> None:
+def structure(mechanisms: tuple[str, ...], as_json: bool, lang: Lang) -> None:
     """List links, pairs, degrees of freedom and the Assur groups in the order they are solved.
 
     \b
     Example:
       graphkin structure p3-15
     """
-    from graphkin import api
+    told_each(mechanisms, lambda source: _structure(source, as_json, lang), as_json, lang)
+
+
+def _structure(source: str, as_json: bool, lang: Lang) -> Iterator[str]:
+    from graphkin import api, assur
     from graphkin.say.structure import structure_lines
 
-    for line in structure_lines(api.plan(read(mechanism)), lang):
-        click.echo(line)
+    method = api.plan(read(source))
+    if as_json:
+        yield json_line(assur.as_json(method))
+    else:
+        yield from structure_lines(method, lang)
 
 
 @click.command()
-def schema() -> None:
+@lang_option
+@speaking
+def schema(lang: Lang) -> None:
     """Print the JSON Schema of the mechanism file, for editors.
 
     \b
     Example:
       graphkin schema > graphkin.schema.json
     """
-    from graphkin import loading
+    from graphkin.outputs.json_schema import json_schema_text
 
-    click.echo(loading.json_schema_text(), nl=False)
+    click.echo(json_schema_text(lang), nl=False)

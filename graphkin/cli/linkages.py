@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphkin.cli.shared import PAPERS, force_option, json_line, lang_option, read, speaking, svg_option
+from graphkin.cli.shared import PAPERS, force_option, json_line, lang_option, library_names, read, speaking, svg_option
 from graphkin.errors import GraphkinError, Lang, OutOfRange, Where
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ LEAST_PART = 1e-9
 
 
 @click.command()
-@click.argument("mechanism", metavar="[MECHANISM]", required=False)
+@click.argument("mechanism", metavar="[MECHANISM]", required=False, shell_complete=library_names)
 @click.option("--fourbar", nargs=4, metavar="CRANK COUPLER ROCKER FRAME", help="A four-bar by its lengths, mm.")
 @click.option("--slider", nargs=3, metavar="CRANK ROD OFFSET", help="A slider-crank by its lengths, mm.")
 @click.option("--guide", nargs=3, metavar="CRANK FRAME OFFSET", help="A guide bar by its lengths, mm.")

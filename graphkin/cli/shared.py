@@ -19,6 +19,8 @@ from graphkin.cli import streams
 from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
     from graphkin.api import Drawing
     from graphkin.mechanism import Mechanism
     from graphkin.planning import Method
@@ -84,7 +86,22 @@ def svg_option(
 
 drawing_option = svg_option(f"{', '.join(DRAWN_AS)} to write; - for SVG on stdout.", to_stdout=True, kinds=DRAWN_AS)
 force_option = click.option("--force", is_flag=True, help="Replace a file that graphkin did not write.")
-mechanism_argument = click.argument("mechanism", metavar="MECHANISM")
+
+
+def library_names(ctx: click.Context, option: click.Parameter, begun: str) -> list[CompletionItem]:
+    """What a shell offers for a MECHANISM: names of the library, and files where none begins so."""
+    from click.shell_completion import CompletionItem
+
+    from graphkin import library
+
+    found = [CompletionItem(name) for name in library.names() if name.startswith(begun)]
+    return found if found and "/" not in begun else [CompletionItem(begun, type="file")]
+
+
+mechanism_argument = click.argument("mechanism", metavar="MECHANISM", shell_complete=library_names)
+mechanisms_argument = click.argument(
+    "mechanisms", metavar="MECHANISM...", nargs=-1, required=True, shell_complete=library_names
+)
 
 
 @contextmanager

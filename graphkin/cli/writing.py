@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import click
 
-from graphkin.cli.shared import force_option, lang_option, mechanism_argument, read, speaking
+from graphkin.cli.shared import force_option, lang_option, mechanisms_argument, read, speaking, told_each
 from graphkin.errors import Lang
+
+if TYPE_CHECKING:
+    from graphkin.equations import Document
 
 
 @click.command()
-@mechanism_argument
+@mechanisms_argument
 @click.option("--method", type=click.Choice(["complex", "matrix"]), default="complex", show_default=True,
               help="Complex vectors, with closed forms; or one system of matrices.")  # fmt: skip
 @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
@@ -21,7 +24,7 @@ from graphkin.errors import Lang
 @lang_option
 @speaking
 def equations(
-    mechanism: str, method: Literal["complex", "matrix"], output: Path | None, force: bool, lang: Lang
+    mechanisms: tuple[str, ...], method: Literal["complex", "matrix"], output: Path | None, force: bool, lang: Lang
 ) -> None:
     """Write out the analytic solution: loops of link vectors, their equations derived twice, closed forms or matrices.
 
@@ -33,11 +36,15 @@ def equations(
     from graphkin import api
     from graphkin import equations as writing
 
+    def written(source: str) -> Document:
+        return writing.document(api.plan(read(source)), method, lang)
+
     if output is not None and output.suffix.lower() not in writing.WRITERS:
         raise click.UsageError(f"{output}: the file to write must end in .txt, .html or .tex")
-    document = writing.document(api.plan(read(mechanism)), method, lang)
     if output is None:
-        click.echo(writing.write_text(document), nl=False)
+        told_each(mechanisms, lambda source: iter(writing.write_text(written(source)).splitlines()), False, lang)
         return
-    writing.write(output, document, force)
+    if len(mechanisms) > 1:
+        raise click.UsageError("-o writes one file; name one MECHANISM, or leave -o out")
+    writing.write(output, written(mechanisms[0]), force)
     click.echo(str(output))

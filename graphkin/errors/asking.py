@@ -6,7 +6,10 @@ from typing import ClassVar
 
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
-__all__ = ["BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NoPosition", "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotSwept", "OnlyShown", "TooManyRows", "UnknownQuantity"]
+__all__ = [
+    "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NoPosition", "NoQuestion", "NoRate", "NoSuchDriver",
+    "NoSuchName", "NoSuchValue", "NotSwept", "TooManyRows", "UnknownQuantity",
+]  # fmt: skip
 
 
 class BadRange(GraphkinError):
@@ -153,13 +156,32 @@ class NeedsTwo(GraphkinError):
         return {**super()._words(lang), "hint": hint}
 
 
-class OnlyShown(GraphkinError):
-    """A question that is not answered, and what it was probably to ask; said as a note, no command stops for it."""
+class NoQuestion(GraphkinError):
+    """A text of `ask` that names nothing, and is no question in words either; `meant` is the nearest that does."""
 
     where: Where
     given: str
     meant: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: note: `{given}` is shown and not answered. To have it answered, write `{meant}`.",
-        "zh": "{where}：提示：`{given}` 只显示、不求解。要求解请写成 `{meant}`。",
+        "en": "{where}: `{given}` names nothing that can be answered. {advice}A question in words ends with `?`; it is shown only.",
+        "zh": "{where}：`{given}` 不是可以求解的量。{advice}文字问题请以“？”结尾，只显示、不求解。",
     }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        sample = self.meant or "omega 3`, `v C`, `a_k B3B2"
+        english = f"Did you mean `{sample}`? " if self.meant else f"Write for example `{sample}`. "
+        chinese = f"是否为 `{sample}`？" if self.meant else f"请写成如 `{sample}`。"
+        return {**super()._words(lang), "advice": chinese if lang == "zh" else english}
+
+
+class NoRate(GraphkinError):
+    """A driver that says nothing of how fast it moves; said as a note, no command stops for it."""
+
+    where: Where
+    driver: str
+    keys: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: note: driver {driver} has no {keys}, so it stands still and all velocities that follow from it are 0.",
+        "zh": "{where}：提示：原动件 {driver} 未给出 {keys}，按静止处理，由它引起的速度均为 0。",
+    }
+

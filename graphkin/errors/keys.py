@@ -20,6 +20,7 @@ __all__ = [
     "OtherDimension",
     "OutOfRange",
     "TooSmall",
+    "UnitAsKey",
     "UnknownKey",
     "UnknownLink",
     "UnknownPoint",
@@ -73,6 +74,19 @@ class UnknownKey(Choice):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the key {given} means nothing here. {hint}",
         "zh": "{where}：此处没有 {given} 这个键。{hint}",
+    }
+
+
+class UnitAsKey(GraphkinError):
+    """A unit that stands where the key of its quantity does."""
+
+    where: Where
+    given: str
+    key: str
+    value: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given} is a unit, not a key. Write {key} = \"{value}\".",
+        "zh": "{where}：{given} 是单位，不是键。请写成 {key} = \"{value}\"。",
     }
 
 
@@ -233,9 +247,9 @@ class NoMeaning(GraphkinError):
         "tilt": ("a block of one point takes its direction from the line (one that has a second point, such as BQ = 30, "
                  "has its own)", "单点滑块的方向就是导路方向（若有自身方向，请给它第二个点，例如 BQ = 30）"),
         "pin": ("a pin in a slot may turn", "销在槽中可以转动"),
-        "own line": ("a guide of one point is its own line (for a line at an angle give the link a second point, such as "
-                     "CQ = 30, and measure from = \"CQ\")",
-                     "只有一个点的导路以自身轴线为导路（若导路与轴线成角度，请给该构件第二个点，例如 CQ = 30，并用 from = \"CQ\"）"),
+        "own line": ("a guide of one point that slides on nothing is its own line (for a line at an angle give the link a "
+                     "second point, such as CQ = 30, and measure from = \"CQ\")",
+                     "只有一个点、不在其他构件上滑动的导路以自身轴线为导路（若导路与轴线成角度，请给该构件第二个点，例如 CQ = 30，并用 from = \"CQ\"）"),
         "circle": ("it belongs to a line, and this is a circle", "它只用于直线，而此处是圆"),
         "line": ("it belongs to a circle, and this is a line", "它只用于圆，而此处是直线"),
         "slide": ("it belongs to a turning driver, and a slide is driven by at, velocity, acceleration",

@@ -23,6 +23,7 @@ __all__ = [
     "NotRepeated",
     "NothingToMeasure",
     "OffTrack",
+    "OtherSide",
     "PosesDiffer",
     "RepeatedDriver",
     "RoadsDiffer",
@@ -87,21 +88,19 @@ class DeadPoint(_AboutLinks):
 class AlongOwnAxis(DeadPoint):
     """A dead point in every position: a line of a link of one point runs the way the link itself slides.
 
-    point, end  the link's point, and one that it might have
-    guided      the key of the link's own slide
+    point   the link's point
+    guided  the key of the link's own slide
     """
 
     link: str
     point: str
-    end: str
     guided: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: link {link} has one point, so the line on it is its own axis, and that runs the way it slides "
-        "({guided}): nothing on that line can move it. Give it a second point here, such as {point}{end} = 30; write "
-        'through = "{point}" and toward = "{end}" for the line, and tilt = 90 in {guided} (the angle from its guide to {point}{end}).',
-        "zh": "{where}：构件 {link} 只有一个点，其上的直线就是自身轴线，与它自己的移动方向（{guided}）平行，沿此直线无法推动它。"
-        '请在此给它第二个点，例如 {point}{end} = 30；该直线写 through = "{point}"、toward = "{end}"，'
-        "并在 {guided} 中写 tilt = 90（由其导路量到 {point}{end} 的角）。",
+        "en": "{where}: link {link} has one point, so a line on it that is not said is its own axis, and that runs the way it slides "
+        "({guided}): nothing on that line can move it. Say in the table of that line how it lies, such as through = \"{point}\" and "
+        "angle = 90, measured from +x (on a moving guide from = two points of that guide).",
+        "zh": "{where}：构件 {link} 只有一个点，未说明的直线就是其自身轴线，与它自己的移动方向（{guided}）平行，沿此直线无法推动它。"
+        "请在该直线的表中说明其方向，例如 through = \"{point}\"、angle = 90（由 +x 量起；导路活动时写 from = 导路上的两点）。",
     }
 
 
@@ -185,6 +184,18 @@ class OffTrack(GraphkinError):
             for name, value in (("distance", self.distance_mm), ("wanted", self.wanted_mm))
         }
         return super()._words(lang) | told | {"gap_mm": abs(self.distance_mm - self.wanted_mm)}
+
+
+class OtherSide(GraphkinError):
+    """A mechanism that closes with a wheel or a profile on the other side of its line only."""
+
+    where: Where
+    side: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the links do not close as the file has it, and they do on the other side of this line. "
+        'Write side = "{side}".',
+        "zh": "{where}：按文件所给，机构无法装配；在此直线的另一侧则可以。请写 side = \"{side}\"。",
+    }
 
 
 class NotPlaced(_AboutLinks):

@@ -18,7 +18,10 @@ from graphkin.errors import Lang, UnknownMechanism, Where
 if TYPE_CHECKING:
     from graphkin.loading import Mechanism
 
-__all__ = ["groups", "has", "load", "names", "text", "titles"]
+__all__ = ["KINDS", "chosen", "groups", "has", "load", "names", "text", "titles"]
+
+KINDS = ("hinge", "slide", "gear", "roll", "cam")
+"""What `chosen` tells apart."""
 
 _SUFFIX = ".toml"
 
@@ -61,6 +64,19 @@ def titles(lang: Lang) -> dict[str, str]:
 def _title(head: str) -> dict[Lang, str]:
     title: Any = tomllib.loads(head)["title"]
     return {"en": title, "zh": title} if isinstance(title, str) else title
+
+
+def chosen(kind: str = "", group: str = "", source: str = "") -> tuple[Mechanism, ...]:
+    """Those that have a pair of this kind (`hinge`: no other pair), in this folder, with this text in their source."""
+    folders = groups()
+    names_of = folders.get(group, ()) if group else names()
+    found = (load(name) for name in names() if name in names_of)
+    return tuple(each for each in found if source.casefold() in " ".join(each.source.values()).casefold() and _has(each, kind))
+
+
+def _has(mechanism: Mechanism, kind: str) -> bool:
+    tables = {pair.table for pair in mechanism.pairs}
+    return not tables if kind == "hinge" else not kind or kind in tables
 
 
 def _file(name: str) -> Path | None:

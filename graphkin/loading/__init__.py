@@ -4,11 +4,10 @@
          --links (shapes), slides, contacts, drivers, joints--> Mechanism
 
 `units` is the closed table of units, `fields` the kinds of value. A new pair kind needs a table in `schema` (and its
-name in `DEFINED` there and in `complaints.TABLES`) and a reader beside `slides` and `contacts`, called in `loader`.
+name in `TABLES` there and in `complaints.TABLES`) and a reader beside `slides` and `contacts`, called in `loader`.
 """
 
-from graphkin.loading.export import json_schema, json_schema_text
 from graphkin.loading.loader import Mechanism, from_dict, load, load_stream, loads
 from graphkin.loading.questions import remarks
 
-__all__ = ["Mechanism", "from_dict", "json_schema", "json_schema_text", "load", "load_stream", "loads", "remarks"]
+__all__ = ["Mechanism", "from_dict", "load", "load_stream", "loads", "remarks"]

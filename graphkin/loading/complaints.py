@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 
 from pydantic_core import ErrorDetails, ValidationError
 
-from graphkin.errors import GraphkinError, MissingKey, UnknownKey, Where, WrongCount, WrongType
+from graphkin.errors import GraphkinError, MissingKey, UnitAsKey, UnknownKey, Where, WrongCount, WrongType
 from graphkin.loading.fields import keys
 from graphkin.loading.positions import Path
 from graphkin.loading.schema import (
@@ -21,7 +21,14 @@ from graphkin.loading.schema import (
     SlideTable,
     Titles,
 )
+from graphkin.loading.units import UNITS, Dimension, short_number
 from graphkin.loading.values import shown
+
+KEYS: Mapping[Dimension, str] = {
+    "length": "at", "angle": "angle", "angular velocity": "omega", "angular acceleration": "alpha",
+    "velocity": "velocity", "acceleration": "acceleration",
+}  # fmt: skip
+"""The key of a driver that takes a quantity."""
 
 TABLES: Mapping[tuple[str, ...], type] = {
     (): File,
@@ -61,12 +68,20 @@ def _complaint(detail: ErrorDetails, where: Where) -> GraphkinError:
         case "missing":
             return MissingKey(where, key)
         case "extra_forbidden":
-            return UnknownKey(where, key[:40], _possible(detail["loc"][:-1]))
+            return _unknown(where, key, detail["input"], _possible(detail["loc"][:-1]))
         case "too_short" | "too_long":
             expected = context.get("min_length", context.get("max_length"))
             return WrongCount(where, int(expected or 0), len(detail["input"]))
         case kind:
             return WrongType(where, "list" if kind == "list_type" else "table", shown(detail["input"]))
+
+
+def _unknown(where: Where, key: str, value: object, possible: tuple[str, ...]) -> GraphkinError:
+    """A unit that stands where the key does (`rpm = 95`) is said by the key that takes it."""
+    meant = next((KEYS[quantity] for quantity, units in UNITS.items() if key in units), None)
+    if meant in possible and isinstance(value, int | float) and not isinstance(value, bool):
+        return UnitAsKey(where, key, meant, f"{short_number(value)} {key}")
+    return UnknownKey(where, key[:40], possible)
 
 
 def _possible(path: tuple[int | str, ...]) -> tuple[str, ...]:

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import field
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 from graphkin.errors import DuplicateName, GraphkinError, Several, UnknownLink, UnknownPoint, Where
 from graphkin.loading.names import tidy
 from graphkin.loading.positions import Path
 from graphkin.mechanism import FRAME, Link
 from graphkin.value import filled
+
+if TYPE_CHECKING:
+    from graphkin.loading.schema import SlideTable
 
 MOST_PROBLEMS = 100
 """Nobody reads more of them at a time."""
@@ -25,6 +28,7 @@ class Draft:
               tables can still be checked
     starts    points that nobody named, where lines begin that are given by coordinates, and where those stand
     problems  what was found wrong; `stop_if_wrong` raises it
+    slides    the tables of slides, which say how a link of one point is turned; `tracing`: the links that are asked
     """
 
     file: str
@@ -36,6 +40,8 @@ class Draft:
     problems: list[GraphkinError] = field(default_factory=list)
     _taken: set[str] = field(default_factory=set)
     given: set[str] = field(default_factory=set)
+    slides: Sequence[SlideTable] = ()
+    tracing: list[str] = field(default_factory=list)
     _numbers: dict[str, int] = field(default_factory=dict)
 
     def where(self, *path: str | int) -> Where:

@@ -15,7 +15,7 @@ from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from graphkin.errors import NOWHERE, GraphkinError, NotOneOf, WrongType
 from graphkin.loading.names import LINK, POINT, SLIDE, tidy
-from graphkin.loading.units import UNITS, Dimension
+from graphkin.loading.units import Dimension
 from graphkin.loading.values import above_zero, formed, quantity, scale, shown, titles, triples, vector, zero_or_more
 from graphkin.value import frozen
 
@@ -29,10 +29,11 @@ _T = TypeVar("_T")
 
 @frozen
 class Kind:
-    """What a value must be: for pydantic's core, and for JSON Schema."""
+    """What a value must be: for pydantic's core, and for JSON Schema; of what dimension, where it is a quantity."""
 
     core: CoreSchema
     json: dict[str, Any]
+    dimension: Dimension | None = None
 
 
 # --- checking ---------------------------------------------------------------------------------
@@ -75,8 +76,8 @@ def anything(json: dict[str, Any]) -> Kind:
 
 def quantity_of(dimension: Dimension, check: Callable[[float], float] = float) -> Kind:
     """A number or a text with a unit."""
-    json = NUMBER | {"description": f"{dimension}; units: {', '.join(UNITS[dimension])}"}
-    return _read(lambda value: check(quantity(value, dimension)), json)
+    read = _read(lambda value: check(quantity(value, dimension)), NUMBER)
+    return Kind(read.core, read.json, dimension)
 
 
 def _text(kind: str, read: Callable[[str], str] = tidy, **json: str) -> Kind:
@@ -127,7 +128,7 @@ SIDE.json["enum"] = ["left", "right"]
 def list_of(item: Kind, kind: str = "list", count: int | None = None) -> Kind:
     """A list of values, of any or of one certain length."""
     core = _of_type(kind, list, core_schema.list_schema(item.core, min_length=count, max_length=count))
-    return Kind(core, {"type": "array", "items": item.json, **_counted(count)})
+    return Kind(core, {"type": "array", "items": item.json, **_counted(count)}, item.dimension)
 
 
 def _counted(count: int | None) -> dict[str, Any]:
@@ -142,7 +143,7 @@ def two(item: Kind) -> Kind:
 def mapping(names: Kind, values: Kind) -> Kind:
     """A table whose keys are names themselves."""
     core = _of_type("table", dict, core_schema.dict_schema(names.core, values.core))
-    return Kind(core, {"type": "object", "patternProperties": {names.json["pattern"]: values.json}})
+    return Kind(core, {"type": "object", "patternProperties": {names.json["pattern"]: values.json}}, values.dimension)
 
 
 def _either(names: Kind, places: Kind) -> Kind:
@@ -174,11 +175,6 @@ def key(kind: Kind, *, default: Any = MISSING, default_factory: Any = MISSING) -
     return field(default=default, default_factory=default_factory, metadata={"kind": kind})
 
 
-def described(kind: Kind, text: str) -> Kind:
-    """The same kind of value, with what an editor says of this key."""
-    return Kind(kind.core, kind.json | {"description": text})
-
-
 def further(pattern: str, kind: Kind) -> Any:
     """All keys of a table that are not named, by a dictionary; an editor expects this pattern of them."""
     return field(default_factory=dict, metadata={"further": kind, "pattern": pattern})
@@ -187,11 +183,10 @@ def further(pattern: str, kind: Kind) -> Any:
 @dataclass_transform(kw_only_default=True, frozen_default=True, field_specifiers=(key, further))
 def table(cls: type[_T]) -> type[_T]:
     """A table made of `key`s; others are refused where there is no `further`. `from_` is the key `from`."""
-    described = {"description": cls.__doc__} if cls.__doc__ else {}
     cls.__doc__ = cls.__doc__ or f"`{cls.__name__}`"
     made: Any = frozen(cls)
     rest = next((field for field in fields(made) if "further" in field.metadata), None)
-    made.kind = Kind(_checking(made, rest), _object(made, rest) | described)
+    made.kind = Kind(_checking(made, rest), _object(made, rest))
     return cls
 
 

@@ -27,14 +27,48 @@ def read_line(draft: Draft, table: LineTable, link: str, own_point: str, path: P
 
 
 def _own_line(draft: Draft, table: LineTable, link: str, path: Path) -> Line:
-    """A link of one point is its own line."""
+    """A link of one point is its own line; one that slides, and so cannot turn against its guide, may have another."""
     (point,) = draft.links[link].points
-    for key, value in (("toward", table.toward), ("from", table.from_), ("angle", table.angle)):
-        if value:
-            raise NoMeaning(draft.where(*path, key), key, "own line")
+    if table.toward is not None:
+        raise NoMeaning(draft.where(*path, "toward"), "toward", "own line")
     if table.through is not None:
         _point_of(draft, link, table.through, path)
-    return Line(link, point, 1 + 0j)
+    if table.from_ is None and table.angle is None:
+        return Line(link, point, 1 + 0j)
+    guide, way = _slid_along(draft, link)
+    if guide is None:
+        for key, value in (("from", table.from_), ("angle", table.angle)):
+            if value:
+                raise NoMeaning(draft.where(*path, key), key, "own line")
+        return Line(link, point, 1 + 0j)
+    return Line(link, point, _unit(table.angle or 0.0) * _base(draft, table, guide, path) / way)
+
+
+def _slid_along(draft: Draft, link: str) -> tuple[str | None, complex]:
+    """The guide of a link of one point, and the way it slides in the guide's axes: that is the link's own axis."""
+    found = next(((k, slide) for k, slide in enumerate(draft.slides) if slide.block == link), None)
+    if found is None or found[1].guide in (link, *draft.tracing):
+        return None, 1 + 0j
+    number, slide = found
+    draft.tracing.append(link)
+    try:
+        guide = draft.link(slide.guide, "slide", number, "guide")
+        return guide, read_line(draft, slide, guide, f"s{number}", ("slide", number)).direction
+    finally:
+        draft.tracing.pop()
+
+
+def _base(draft: Draft, table: LineTable, guide: str, path: Path) -> complex:
+    """The direction from which the angle of such a line is measured, in the guide's axes: `from`, else +x."""
+    if table.from_ is not None:
+        tail, head = (draft.point(guide, point, *path, "from") for point in table.from_)
+        return _arm(draft, guide, tail, head, (*path, "from"))
+    if guide == FRAME:
+        return 1 + 0j
+    beyond, way = _slid_along(draft, guide) if len(draft.links[guide].points) == 1 else (None, 1 + 0j)
+    if beyond is None:
+        raise NeedsDirection(draft.where(*path), guide)
+    return _base(draft, table, beyond, path) / way
 
 
 def _origin(draft: Draft, table: LineTable, link: str, own_point: str, path: Path) -> str:

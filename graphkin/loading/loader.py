@@ -145,6 +145,7 @@ def _drawn_up(
     from graphkin.loading.links import read_links
     from graphkin.loading.pairs import read_pairs
     from graphkin.loading.questions import check_questions
+    from graphkin.loading.sides import as_sketched
 
     read_links(draft, file, raw, measures)
     pairs = read_pairs(draft, file)
@@ -156,6 +157,7 @@ def _drawn_up(
     draft.stop_if_wrong()
     scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}
     sketch = {point: complex(*place) for point, place in file.sketch.items()}
+    pairs = as_sketched(file, draft.links, pairs, (*drivers, *poses), sketch)
     machine = Mechanism(
         name, draft.frame, draft.links, pairs, drivers, poses, sketch, scales,
         _titles(file.title), _titles(file.source), tuple(file.ask), text, draft.file, draft.lines,

@@ -24,6 +24,7 @@ def read_pairs(draft: Draft, file: File) -> tuple[Pair, ...]:
     """The pairs of a file, kind by kind; each reader is told its place in the file and the pairs before."""
     tables = {name: getattr(file, name) for name in READERS}
     draft.given = {name for given in tables.values() for each in given if (name := getattr(each, "name", None))}
+    draft.slides = file.slide
     pairs: list[Pair] = []
     for name, read in READERS.items():
         for number, table in enumerate(tables[name]):

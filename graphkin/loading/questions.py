@@ -1,24 +1,31 @@
-"""`ask`: a question that names a link, a point or a slide must name one that is there. Other texts are free."""
+"""`ask`: a text must name what is there, or be a question in words, which ends with a question mark."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphkin.errors import OnlyShown
+from graphkin.errors import NoQuestion, NoRate
 from graphkin.loading.draft import Draft
-from graphkin.mechanism import Mechanism
-from graphkin.quantities import meant, read
+from graphkin.mechanism import Driver, Mechanism
+from graphkin.quantities import formed, meant, read
 
 
 def check_questions(draft: Draft, mechanism: Mechanism) -> None:
-    """Note every question about something that is not there."""
+    """Note every question about something that is not there, and every text that asks nothing."""
     for number, question in enumerate(mechanism.ask):
+        where = draft.where("ask", number)
         with draft.noting():
-            read(mechanism, question, draft.where("ask", number))
+            if read(mechanism, question, where) is None and not formed(question) and question[-1:] not in ("?", "？"):
+                raise NoQuestion(where, question, meant(mechanism, question) or "")
 
 
-def remarks(mechanism: Mechanism) -> Iterator[OnlyShown]:
-    """Notes on questions that nearly are some."""
-    for number, question in enumerate(mechanism.ask):
-        if (better := meant(mechanism, question)) is not None:
-            yield OnlyShown(mechanism.where("ask", number), question, better)
+def remarks(mechanism: Mechanism) -> Iterator[NoRate]:
+    """Notes on drivers that stand still because nothing is said of how fast they move."""
+    for number, driver in enumerate(mechanism.drivers):
+        said = any(("driver", number, key) in mechanism.lines for key in ("omega", "alpha", "velocity", "acceleration"))
+        if not said and mechanism.lines:
+            yield NoRate(mechanism.where("driver", number), driver.name, _rates(driver))
+
+
+def _rates(driver: Driver) -> str:
+    return {"slide": "velocity", "spin": "omega"}.get(driver.kind, "omega (velocity)")

@@ -31,9 +31,7 @@ from graphkin.loading.fields import (
     TEXT,
     TRIPLES,
     VECTOR,
-    Kind,
     anything,
-    described,
     entry,
     further,
     key,
@@ -48,12 +46,12 @@ from graphkin.loading.fields import (
     two,
 )
 
+FURTHER = "*"
+"""Stands for the keys of a table that are not named one by one: points, lengths and angles."""
+
 Place = Sequence[float]
 Vector = tuple[str, str]
 Side = Literal["left", "right"]
-
-_CENTRE = "centre of a circular slot in place of a line: a point of the guide; for the frame also [x, y]"
-_RADIUS = "radius of a circular slot's centre line: length; units: mm, cm, m, in, ft"
 
 
 @table
@@ -69,7 +67,7 @@ class FrameTable:
     """`[frame]`: its own name, and the fixed points by theirs."""
 
     name: str = key(LINK_KEY, default="0")
-    points: Mapping[str, Place] = further(POINT_PATTERN, Kind(PLACE.core, PLACE.json | {"items": NUMBER}))
+    points: Mapping[str, Place] = further(POINT_PATTERN, PLACE)
 
 
 @table
@@ -103,8 +101,8 @@ class SlideTable(LineTable):
     pin: str | None = key(POINT_NAME, default=None)
     guide: str = key(NAME)
     tilt: float | None = key(ANGLE, default=None)
-    centre: str | Place | None = key(described(ANCHOR, _CENTRE), default=None)
-    radius: float | None = key(described(RADIUS, _RADIUS), default=None)
+    centre: str | Place | None = key(ANCHOR, default=None)
+    radius: float | None = key(RADIUS, default=None)
 
 
 @table
@@ -171,6 +169,13 @@ class ScalesTable:
 
 
 @table
+class SketchTable:
+    """`[sketch]`: points by their names."""
+
+    points: Mapping[str, Place] = further(POINT_PATTERN, PLACE)
+
+
+@table
 class File:
     """The whole mechanism file."""
 
@@ -189,11 +194,12 @@ class File:
     scales: ScalesTable = key(one_table(ScalesTable), default=ScalesTable())
 
 
-DEFINED = (
-    CamTable, DriverTable, FrameTable, GearTable, LinkTable, PoseTable, ProfileTable, RollTable, ScalesTable,
-    SlideTable,
-)  # fmt: skip
-"""The tables that JSON Schema refers to by name."""
+TABLES: Mapping[str, type] = {
+    "file": File, "title": Titles, "frame": FrameTable, "link": LinkTable, "slide": SlideTable, "gear": GearTable,
+    "roll": RollTable, "cam": CamTable, "profile": ProfileTable, "driver": DriverTable, "pose": PoseTable,
+    "sketch": SketchTable, "scales": ScalesTable,
+}  # fmt: skip
+"""The tables as they are called in the file, in the order in which one writes them."""
 
 _VALIDATOR = SchemaValidator(kind_of(File).core)
 

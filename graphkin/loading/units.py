@@ -15,14 +15,14 @@ from graphkin.errors import NOWHERE, NotANumber, NoUnit, OtherDimension, OutOfRa
 Dimension = Literal["length", "angle", "angular velocity", "angular acceleration", "velocity", "acceleration"]
 
 _LENGTH = {"mm": (1, 1000), "cm": (1, 100), "m": (1, 1), "in": (254, 10000), "ft": (3048, 10000)}
-_TURN = {"rad/s": (1, 1), "deg/s": (math.pi, 180), "rev/s": (2 * math.pi, 1)}
+_TURN = {"rad/s": (1, 1), "deg/s": (math.pi, 180), "°/s": (math.pi, 180), "rev/s": (2 * math.pi, 1)}
 _PER_MINUTE = (2 * math.pi, 60)
 _SPEED = {f"{unit}/s": size for unit, size in _LENGTH.items()}
 _RATE = {f"{unit}/s²": size for unit, size in _LENGTH.items()}
 
 UNITS: Mapping[Dimension, Mapping[str, tuple[float, float]]] = {
     "length": _LENGTH,
-    "angle": {"deg": (math.pi, 180), "rad": (1, 1), "rev": (2 * math.pi, 1)},
+    "angle": {"deg": (math.pi, 180), "°": (math.pi, 180), "rad": (1, 1), "rev": (2 * math.pi, 1)},
     "angular velocity": {**_TURN, "rpm": _PER_MINUTE, "r/min": _PER_MINUTE},
     "angular acceleration": {
         **{f"{unit}²": size for unit, size in _TURN.items()},

@@ -67,7 +67,8 @@ class Sweep(sweeps.Sweep):
         except diagram.NothingToDraw:
             return None
         with diagram.settings():
-            page.savefig(text, format="svg", metadata=diagram.metadata(".svg", self.course.method.mechanism.headline("en")))
+            title = self.course.method.mechanism.headline("en")
+            page.savefig(text, format="svg", metadata=diagram.metadata(".svg", title))
         return text.getvalue()
 
     def _repr_html_(self) -> str:

@@ -16,7 +16,7 @@ import numpy as np
 
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs.files import beside
-from graphkin.quantities import EDGE, Unit
+from graphkin.quantities import EDGE, Unit, driven
 from graphkin.sweeps import Course, Road, Series, Sweep, in_parts
 
 FORMATS = (".csv", ".json", ".jsonl", ".parquet")
@@ -68,10 +68,15 @@ def told(found: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
 
 
 def columns(part: Sweep, units: Mapping[str, Unit] = EDGE) -> dict[str, np.ndarray]:
-    """By header, in mm and deg or so: the driver's value, and each quantity; of vectors the size, then x and y."""
+    """By header, in mm and deg or so: the drivers' values, and each quantity as the terminal has it.
+
+    Of vectors then x and y; where a guide of the frame gives a sign, the size, too.
+    """
     driver = part.course.driver.name
     unit = units[part.course.unit]
     found = {f"{driver} [{unit.name}]": part.driven * unit.factor}
+    for name, other, values in _others(part):
+        found[f"{name} [{units[other].name}]"] = values * units[other].factor
     for entry in part.series:
         found |= _columns(entry, units[entry.unit])
     return found
@@ -80,10 +85,26 @@ def columns(part: Sweep, units: Mapping[str, Unit] = EDGE) -> dict[str, np.ndarr
 def _columns(entry: Series, shown: Unit) -> Iterator[tuple[str, np.ndarray]]:
     unit, factor = shown.name or "1", shown.factor
     if not entry.is_place:
-        yield f"{entry.name} [{unit}]", entry.values * factor
+        yield f"{entry.name} [{unit}]", entry.signed * factor
+    if _has_size(entry):
+        yield f"{entry.name} size [{unit}]", entry.values * factor
     if entry.vectors is not None:
         yield f"{entry.name} x [{unit}]", entry.vectors.real * factor
         yield f"{entry.name} y [{unit}]", entry.vectors.imag * factor
+
+
+def _has_size(entry: Series) -> bool:
+    """Whether its value has a sign that its size has not."""
+    return entry.along is not None and entry.vectors is not None
+
+
+def _others(part: Sweep) -> Iterator[tuple[str, str, np.ndarray]]:
+    """The other drivers that move on the path: name, SI unit, values."""
+    course = part.course
+    for k, driver in enumerate(course.method.drivers):
+        if k != course.swept and course.path.pace[k]:
+            unit = driven(driver.kind == "slide")
+            yield driver.name, unit, course.path.start[k] + course.path.pace[k] * part.t
 
 
 def csv_lines(course: Course, found: Iterator[Sweep]) -> Iterator[str]:
@@ -113,6 +134,7 @@ def json_text(course: Course, found: Iterator[Sweep]) -> str:
         "format": 1,
         "name": course.method.mechanism.name,
         "driver": {"name": course.driver.name, "unit": course.unit, "values": values},
+        **({"together": others} if (others := _together(collected)) else {}),
         "range": {
             "full_turn": course.full_turn,
             "low": None if course.full_turn else low,
@@ -142,6 +164,12 @@ def json_lines(course: Course, found: Iterator[Sweep]) -> Iterator[str]:
             if not np.isfinite(some).all():
                 numbers = [number if math.isfinite(number) else "null" for number in numbers]
             yield (line * len(some)) % tuple(numbers)
+def _together(found: list[Sweep]) -> dict[str, Any]:
+    """The other drivers that move, by name."""
+    rows = [list(_others(part)) for part in found]
+    return {
+        name: {"unit": unit, "values": _all([part[k][2] for part in rows])} for k, (name, unit, _) in enumerate(rows[0])
+    }
 
 
 def _event(course: Course, event: Any) -> dict[str, Any]:
@@ -149,7 +177,9 @@ def _event(course: Course, event: Any) -> dict[str, Any]:
 
 
 def _quantity(found: list[Series]) -> dict[str, Any]:
-    data: dict[str, Any] = {"unit": found[0].unit, "values": _all([entry.values for entry in found])}
+    data: dict[str, Any] = {"unit": found[0].unit, "values": _all([entry.signed for entry in found])}
+    if _has_size(found[0]):
+        data["sizes"] = _all([entry.values for entry in found])
     if found[0].vectors is not None:
         vectors = np.concatenate([np.asarray(entry.vectors) for entry in found])
         data["vectors"] = [[_number(v.real), _number(v.imag)] for v in vectors]

@@ -19,3 +19,8 @@ class Line:
     origin: str
     direction: complex
     named: bool = True
+
+    @property
+    def on_axis(self) -> bool:
+        """Whether it is its link's own axis, as the line of a link of one point where nothing else is said."""
+        return self.direction == 1

@@ -174,7 +174,8 @@ class _Search:
         for point in points:
             closed &= np.isfinite(here.plot.position[point])
         for name, slide in self.structure.slides.items():
-            if name in here.plot.s and slide.guide != FRAME and len(self.structure.bodies[slide.guide]) == 1:
+            alone = slide.guide != FRAME and len(self.structure.bodies[slide.guide]) == 1
+            if name in here.plot.s and alone and slide.line.on_axis:
                 closed &= here.plot.s[name] > 0
         return closed
 

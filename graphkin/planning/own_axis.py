@@ -18,13 +18,9 @@ def along_own_axis(mechanism: Mechanism, links: Sequence[str], angle_deg: float)
     for link in links:
         points = [point for point in mechanism.links[link].points if point in mechanism.points]
         own = next((k for k, slide in enumerate(mechanism.slides) if slide.block == link), None)
-        if len(points) == 1 and own is not None and any(slide.guide == link for slide in mechanism.slides):
+        along = any(slide.guide == link and slide.line.on_axis for slide in mechanism.slides)
+        if len(points) == 1 and own is not None and along:
             where = mechanism.where("links", link)
-            return AlongOwnAxis(where, called, angle_deg, link, points[0], _unused(mechanism), f"slide.{own}")
+            return AlongOwnAxis(where, called, angle_deg, link, points[0], f"slide.{own}")
     return None
 
-
-def _unused(mechanism: Mechanism) -> str:
-    """A letter for one more point."""
-    letters = [letter for letter in "QHTUVWXYZEFG" if letter not in mechanism.points]
-    return letters[0] if letters else "Q'"

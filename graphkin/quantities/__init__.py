@@ -17,12 +17,13 @@ from graphkin.quantities.kinds import (
     Track,
     on_axis,
 )
-from graphkin.quantities.reading import SHAPE, WORDS, centre_of, meant, named, parts, read, split
+from graphkin.quantities.reading import SHAPE, WORDS, centre_of, formed, meant, named, parts, read, split
 from graphkin.quantities.relative import relative
 from graphkin.quantities.units import EDGE, GRAVITY, IN_GRAVITY, Unit, driven
 
 __all__ = [
     "EDGE", "GRAVITY", "IN_GRAVITY", "SHAPE", "WORDS", "Answer", "Centre", "Component", "Displacement", "Moving",
-    "Place", "Quantity", "Quotient", "Rotation", "Track", "Unit", "centre_of", "driven", "meant", "named", "on_axis",
+    "Place", "Quantity", "Quotient", "Rotation", "Track", "Unit", "centre_of", "driven", "formed", "meant", "named",
+    "on_axis",
     "parts", "read", "relative", "split",
 ]  # fmt: skip

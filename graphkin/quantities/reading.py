@@ -70,6 +70,12 @@ def read(mechanism: Mechanism, text: str, where: Where = NOWHERE) -> Quantity | 
     return Quotient(top.text, bottom.text, top, bottom) if quotable else None
 
 
+def formed(text: str) -> bool:
+    """Whether a text is written as a quantity or a quotient is, though this mechanism may have none of it."""
+    words = [_ONE.fullmatch(half.strip()) for half in text.split("/")]
+    return len(words) <= 2 and all(found is not None and found[1] in WORDS for found in words)
+
+
 def parts(mechanism: Mechanism, text: str) -> tuple[Quantity, ...]:
     """Every quantity that a text speaks of, though the whole may be none: both of `v C / omega 3`."""
     return tuple(found for part in text.split("/") if (found := _quietly(mechanism, part)) is not None)

@@ -29,7 +29,7 @@ def given_values(mechanism: Mechanism, values: Sequence[float], lang: Lang) -> s
 
 def solve_lines(mechanism: Mechanism, found: Json, lang: Lang) -> Iterator[str]:
     """Everything `results` found, for people."""
-    yield f"{found['name']}  {found['title']}"
+    yield "  ".join(dict.fromkeys((found["name"], found["title"])))
     for position in found["positions"]:
         yield ""
         colon = say("common.colon", lang)

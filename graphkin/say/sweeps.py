@@ -16,6 +16,9 @@ from graphkin.say.numbers import at_edge, exact, number
 from graphkin.say.text_table import table
 from graphkin.sweeps import Course, Series, Sweep
 
+CONSTANT = 1e-9
+"""Beside the value itself, less than this is no change."""
+
 
 def at(course: Course, t: float) -> str:
     """`AB = 41.2°`, by where on the path."""
@@ -71,6 +74,10 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
     for entry in sweep.series:
         values = entry.signed
         if entry.is_place or not np.isfinite(values).any():
+            continue
+        if np.nanmax(values) - np.nanmin(values) <= CONSTANT * np.nanmax(np.abs(values)):
+            value = _valued(entry, float(values[np.flatnonzero(np.isfinite(values))[0]]))
+            yield say("sweeps.constant", lang, name=entry.name, value=value)
             continue
         for key, k in (("greatest", int(np.nanargmax(values))), ("least", int(np.nanargmin(values)))):
             place = named(sweep.course, float(sweep.driven[k]))

@@ -79,8 +79,9 @@ class Skeleton:
         return self.window.turned(line.direction * cmath.rect(1, float(self.plot.theta.get(line.link, 0.0))))
 
     def is_cylinder(self, slide: Slide) -> bool:
-        """A moving guide of one point, which the line passes."""
-        return slide.guide != FRAME and len(self.mechanism.links[slide.guide].points) == 1
+        """A moving guide of one point that is its own line."""
+        alone = slide.guide != FRAME and len(self.mechanism.links[slide.guide].points) == 1
+        return alone and slide.line.on_axis
 
     def is_welded(self, slide: Slide) -> bool:
         """Whether a guide's line is a bar of its own, joined to the rest of the link at its origin."""

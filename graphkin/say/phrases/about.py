@@ -4,6 +4,11 @@ from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
     "pole title": ("Pole of a body from two velocities", "由两点速度求瞬心"),
+    "curves": ("Curves of {centre}, in pieces: {count}", "{centre} 的曲线，共 {count} 段"),
+    "piece closed": ("closed, {places} places", "闭合，{places} 个位置"),
+    "piece open": ("open, {places} places", "不闭合，{places} 个位置"),
+    "reach": ("in the axes of link {link}: x {x}, y {y}", "在构件 {link} 的坐标系中：x {x}，y {y}"),
+    "where curves": ("Drawn with -o OUT.svg; all places with --json.", "用 -o OUT.svg 画出；用 --json 给出全部位置。"),
     "assumed": (
         "No driver moves: each is taken to move at 1 rad/s (1 m/s).",
         "原动件均未给定速度：各按 1 rad/s（1 m/s）计算。",

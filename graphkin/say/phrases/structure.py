@@ -3,6 +3,7 @@
 from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
+    "none listed": ("The library has no such mechanism.", "机构库中没有这样的机构。"),
     "links": ("Links", "构件"),
     "frame": ("{name} (frame)", "{name}（机架）"),
     "pairs": ("Pairs", "运动副"),

@@ -35,6 +35,7 @@ PHRASES: Phrases = {
         "the group of links {links} could move in two ways from there",
         "构件 {links} 所成的杆组由此可有两种运动",
     ),
+    "constant": ("{name} = {value} throughout", "{name} = {value}（处处相同）"),
     "extreme greatest": ("greatest of the rows: {name} = {value} at {at}", "表中最大值：{name} = {value}，在 {at} 处"),
     "extreme least": ("least of the rows: {name} = {value} at {at}", "表中最小值：{name} = {value}，在 {at} 处"),
 }

@@ -1,0 +1,50 @@
+"""The mechanism file's JSON Schema, for editors: they complete keys, say what each means and mark mistakes.
+
+`loading/graphkin.schema.json` is the same, written out. An editor finds it by a first line such as
+`#:schema ./graphkin.schema.json` in the mechanism file.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from graphkin.errors import Lang
+
+__all__ = ["json_schema", "json_schema_text"]
+
+Json = dict[str, Any]
+
+
+def json_schema(lang: Lang = "en") -> Json:
+    """The schema, as plain as possible: defaults are not an editor's business."""
+    from graphkin.loading import schema
+
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "graphkin mechanism",
+        **_table("file", schema.File, lang),
+        "$defs": {kind.__name__: _table(table, kind, lang) for table, kind in schema.TABLES.items() if table != "file"},
+    }
+
+
+def json_schema_text(lang: Lang = "en") -> str:
+    """What `graphkin.schema.json` holds."""
+    return json.dumps(json_schema(lang), indent=1, ensure_ascii=False, sort_keys=True) + "\n"
+
+
+def _table(table: str, kind: Any, lang: Lang) -> Json:
+    """A table's keys with what they say."""
+    from graphkin.loading.fields import keys, kind_of
+    from graphkin.loading.schema import FURTHER
+    from graphkin.say.file_help import described, head
+
+    found = dict(kind_of(kind).json)
+    found["description"] = head(table, lang)
+    found["properties"] = {
+        key: found["properties"][key] | {"description": described(table, key, lang)} for key in keys(kind)
+    }
+    if "patternProperties" in found:
+        told = {"description": described(table, FURTHER, lang)}
+        found["patternProperties"] = {pattern: rest | told for pattern, rest in found["patternProperties"].items()}
+    return found

@@ -1,0 +1,117 @@
+"""The page of the mechanism file: every key, what it says, its unit, an example. `graphkin help file`.
+
+The same sentences are the descriptions of the JSON Schema. They stand in the catalogue: `file_keys` by table and key,
+`file_page` for what is said of a table and of the whole.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from graphkin.errors import Lang
+from graphkin.loading.examples import EXAMPLES, LINE
+from graphkin.loading.fields import keys
+from graphkin.loading.schema import FURTHER, TABLES
+from graphkin.loading.units import UNITS, Dimension
+from graphkin.say.catalogue import phrase, say
+from graphkin.say.text_table import width
+
+_WIDE, _INDENT = 110, 4
+
+
+def head(table: str, lang: Lang) -> str:
+    """What a table is."""
+    return phrase(f"file_page.table {table}", lang)
+
+
+def described(table: str, key: str, lang: Lang) -> str:
+    """What a key says, and the units it takes."""
+    return " ".join([_told(table, key, lang), *(_units(each, lang) for each in _dimensions(table, key))])
+
+
+def file_lines(lang: Lang) -> Iterator[str]:
+    """The page."""
+    for part in ("what", "names", "angles", "numbers"):
+        yield from _wrapped(phrase(f"file_page.intro {part}", lang), "")
+        yield ""
+    for dimension, units in UNITS.items():
+        yield f"    {phrase(f'file_page.of {dimension}', lang)}: {', '.join(units)}"
+    for table in TABLES:
+        yield from ("", *_table_lines(table, lang))
+    yield from ("", phrase("file_page.asked", lang))
+    for word in ("rotation", "motion", "relative", "coincident", "place", "displacement", "centre", "quotient"):
+        yield from _wrapped(phrase(f"file_page.ask {word}", lang), " " * _INDENT)
+    yield ""
+    yield from _wrapped(phrase("file_page.whole", lang), "")
+
+
+def _table_lines(table: str, lang: Lang) -> Iterator[str]:
+    """What it is, then its keys; those of a line, which three tables share, once."""
+    yield from _wrapped(f"{_SIGNS[table]}  {head(table, lang)}", "")
+    if table in _LINED:
+        yield "  " + say("file_page.as in slide", lang, keys=", ".join(LINE))
+    for key, example in EXAMPLES[table].items():
+        if table not in _LINED or key not in LINE:
+            yield f"  {example}"
+            units = ", ".join(next(iter(UNITS[each])) for each in _dimensions(table, key))
+            yield from _wrapped(_told(table, key, lang) + (f" [{units}]" if units else ""), " " * (_INDENT + 2))
+
+
+def _told(table: str, key: str, lang: Lang) -> str:
+    """What a key says; a line is one in every table."""
+    shared = key in LINE and table in ("slide", *_LINED)
+    return phrase(f"file_keys.line {key}" if shared else f"file_keys.{table} {key}", lang)
+
+
+_LINED = ("roll", "profile")
+"""The tables that have the keys of a line from `slide`."""
+
+
+_SIGNS = {
+    "file": "TOML", "title": "title", "frame": "[frame]", "link": "[links.NAME]", "slide": "[[slide]]",
+    "gear": "[[gear]]", "roll": "[[roll]]", "cam": "[[cam]]",
+    "profile": "profiles", "driver": "[[driver]]", "pose": "[[pose]]",
+    "sketch": "[sketch]", "scales": "[scales]",
+}  # fmt: skip
+"""How a table is headed in the file."""
+
+
+def _dimensions(table: str, key: str) -> tuple[Dimension, ...]:
+    """Of what a key takes as a number."""
+    if key == FURTHER:
+        return ("length", "angle") if table == "link" else ("length",)
+    found: Any = keys(TABLES[table])[key].metadata["kind"]
+    return () if found.dimension is None else (found.dimension,)
+
+
+def _units(dimension: Dimension, lang: Lang) -> str:
+    """`[mm; or a text in cm, m, in, ft]`."""
+    first, *others = UNITS[dimension]
+    return say("file_page.unit", lang, first=first, others=", ".join(others))
+
+
+def _wrapped(text: str, indent: str) -> Iterator[str]:
+    """Lines that fit a terminal; Chinese may be broken anywhere."""
+    line = indent
+    for word in _words(text):
+        if width(line + word.rstrip()) > _WIDE and line.strip():
+            yield line.rstrip()
+            line = indent
+        line += word
+    yield line.rstrip()
+
+
+def _words(text: str) -> Iterator[str]:
+    """Words with the blank behind them; each Chinese character is one, together with a sign that follows it."""
+    word = ""
+    for letter in text:
+        if word and (word[-1] == " " or (2 in (width(word[-1]), width(letter)) and letter not in _FOLLOWING)):
+            yield word
+            word = ""
+        word += letter
+    yield word
+
+
+_FOLLOWING = " ，。；：、）”"
+"""What begins no line."""

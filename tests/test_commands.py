@@ -1,0 +1,201 @@
+"""What the commands share: several mechanisms, `--watch`, names that a shell completes, lists of some mechanisms."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from click.shell_completion import ShellComplete
+from click.testing import CliRunner, Result
+
+from graphkin import library
+from graphkin.cli import main, watching
+
+FILE = library.text("ex3-5")
+
+
+@pytest.fixture(autouse=True)
+def in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("GRAPHKIN_LANG", "en")
+
+
+def run(*words: str, text: str | bytes | None = None) -> Result:
+    return CliRunner().invoke(main, list(words), input=text)
+
+
+# --- several mechanisms, other positions -------------------------------------------------------
+
+
+@pytest.mark.parametrize("command", ["explain", "solve", "structure", "equations"])
+def test_several_mechanisms(command: str) -> None:
+    """As one after the other; one that is refused stops none."""
+    alone = [run(command, name).stdout for name in ("ex3-1", "fig3-1")]
+    result = run(command, "ex3-1", "no-such", "fig3-1")
+    assert result.exit_code == 3
+    assert "no-such" in result.stderr
+    assert all(text.strip() in result.stdout for text in alone)
+
+
+def test_several_drawings() -> None:
+    assert run("draw", "ex3-1", "fig3-1").exit_code == 0
+    assert Path("ex3-1.svg").exists()
+    assert Path("fig3-1.svg").exists()
+    assert run("draw", "ex3-1", "fig3-1", "-o", "one.svg").exit_code == 2
+    assert run("equations", "ex3-1", "fig3-1", "-o", "one.txt").exit_code == 2
+
+
+def test_solve_at_another_angle() -> None:
+    (position,) = json.loads(run("solve", "ex3-5", "--angle", "100", "--json").stdout)["positions"]
+    Path("mine.toml").write_text(FILE, encoding="utf-8")
+    rows = run("sweep", "ex3-5", "--driver", "100:110:10", "--of", "omega 3", "-o", "-").stdout.splitlines()
+    assert position["links"]["3"]["omega"] == pytest.approx(float(rows[1].split(",")[1]), rel=1e-9)
+    assert run("solve", "ex3-5", "--angle", "100", "--angle", "20").exit_code == 2
+
+
+# --- watch -------------------------------------------------------------------------------------
+
+
+def saving(monkeypatch: pytest.MonkeyPatch, texts: list[str]) -> None:
+    """The file is saved with one text after the other, then Ctrl-C is pressed."""
+    left: Iterator[str] = iter(texts)
+
+    def saved() -> None:
+        text = next(left, None)
+        if text is None:
+            raise KeyboardInterrupt
+        Path("new").write_text(text, encoding="utf-8")
+        Path("new").replace("mine.toml")
+
+    monkeypatch.setattr(watching, "wait", saved)
+
+
+def test_watch_goes_on_through_errors(monkeypatch: pytest.MonkeyPatch) -> None:
+    Path("mine.toml").write_text(FILE, encoding="utf-8")
+    saving(monkeypatch, [FILE.replace("[links.1]", "[links.1"), FILE + "\n# the same\n"])
+    result = run("draw", "mine.toml", "--watch")
+    assert result.exit_code == 0
+    assert result.stdout.splitlines() == ["mine.svg", "mine.svg"]
+    assert "mine.toml:" in result.stderr
+
+
+def test_watch_explains_what_is_new(monkeypatch: pytest.MonkeyPatch) -> None:
+    Path("mine.toml").write_text(FILE, encoding="utf-8")
+    other = library.text("ex3-1")
+    saving(monkeypatch, [other])
+    result = run("explain", "mine.toml", "--watch")
+    assert run("explain", "ex3-5").stdout in result.stdout
+    assert result.stdout.endswith(run("explain", "ex3-1").stdout)
+
+
+def test_watch_looks_at_files() -> None:
+    assert run("draw", "ex3-1", "--watch").exit_code == 2
+    assert run("explain", "-", "--watch", text=FILE).exit_code == 2
+
+
+def test_a_file_that_is_away_for_a_moment(monkeypatch: pytest.MonkeyPatch) -> None:
+    file, acted = Path("mine.toml"), []
+    file.write_text("1")
+    steps = iter([file.unlink, lambda: file.write_text("22"), lambda: None])
+
+    def wait() -> None:
+        step = next(steps, None)
+        if step is None:
+            raise KeyboardInterrupt
+        step()
+
+    monkeypatch.setattr(watching, "wait", wait)
+    watching.watch(["mine.toml"], lambda name: acted.append(file.read_text()))
+    assert acted == ["1", "22"]
+
+
+# --- names ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("command", ["draw", "explain", "solve", "sweep", "find", "centres", "linkage", "structure",
+                                     "equations", "tolerance", "show"])  # fmt: skip
+def test_a_shell_completes_names(command: str) -> None:
+    offered = ShellComplete(main, {}, "graphkin", "_GRAPHKIN_COMPLETE").get_completions([command], "ex3-")
+    assert [item.value for item in offered] == [name for name in library.names() if name.startswith("ex3-")]
+    files = ShellComplete(main, {}, "graphkin", "_GRAPHKIN_COMPLETE").get_completions([command], "mine")
+    assert command == "show" or [item.type for item in files] == ["file"]
+
+
+def test_list_some() -> None:
+    everything = run("list").stdout.splitlines()
+    gears = run("list", "--kind", "gear").stdout.splitlines()
+    assert set(gears) < set(everything)
+    assert {line.split()[0] for line in gears} == {n for n in library.names() if "[[gear]]" in library.text(n)}
+    groups = [run("list", "--group", group).stdout.splitlines() for group in library.groups()]
+    assert sorted(line for lines in groups for line in lines) == sorted(everything)
+    assert run("list", "--source", "no such book").stdout == ""
+    hinges = run("list", "--kind", "hinge", "--source", "3-").stdout.split()
+    assert all(not library.load(line).pairs for line in hinges if library.has(line))
+
+
+# --- one value under one heading -----------------------------------------------------------------
+
+
+def swept(*words: str) -> tuple[list[str], list[list[float]]]:
+    head, *rows = run("sweep", *words, "-o", "-").stdout.splitlines()
+    return head.split(","), [[float(cell) for cell in row.split(",")] for row in rows]
+
+
+def test_one_heading_has_one_value_in_every_format() -> None:
+    """A point led by the frame's guide goes forth and back: signed in the terminal, in CSV and in JSON."""
+    words = ("fig3-1", "--driver", "0:360:30", "--of", "v C, v B")
+    head, rows = swept(*words)
+    assert head[1:6] == ["v C [m/s]", "v C size [m/s]", "v C x [m/s]", "v C y [m/s]", "v B [m/s]"]
+    assert min(row[1] for row in rows) < 0 < max(row[1] for row in rows)
+    assert all(abs(row[1]) == pytest.approx(row[2], abs=1e-12) for row in rows)
+    printed = [line.split() for line in run("sweep", *words).stdout.splitlines()[2 : 2 + len(rows)]]
+    assert all(float(line[1]) == pytest.approx(row[1], rel=1e-5, abs=1e-12) for line, row in zip(printed, rows))
+    run("sweep", *words, "-o", "table.json")
+    found = json.loads(Path("table.json").read_text("utf-8"))["quantities"]
+    assert found["v C"]["values"] == pytest.approx([row[1] for row in rows], abs=1e-11)
+    assert found["v C"]["sizes"] == pytest.approx([row[2] for row in rows], abs=1e-11)
+    assert "sizes" not in found["v B"]
+
+
+def test_a_second_driver_has_a_column() -> None:
+    head, rows = swept("p3-22", "--of", "theta 5")
+    drivers = library.load("p3-22").drivers
+    assert [name.split(" ")[0] for name in head[:2]] == [driver.name for driver in drivers]
+    assert len({round(row[1] - row[0] * (rows[1][1] - rows[0][1]) / (rows[1][0] - rows[0][0]), 6) for row in rows}) == 1
+
+
+def test_check_through_a_pipe() -> None:
+    drawing = run("draw", "ex3-1", "-o", "-").stdout
+    good = run("check", "-", text=drawing)
+    assert (good.exit_code, "good" in good.stdout) == (0, True)
+    bad = run("check", "-", text="no drawing")
+    assert bad.exit_code == 3
+    assert "<stdin>" in bad.stderr
+
+
+def test_a_constant_has_no_greatest_value() -> None:
+    said = run("sweep", "s4-ex4", "--driver", "0:80:20", "--of", "omega 2").stdout
+    assert "omega 2 = " in said
+    assert "throughout" in said
+    assert "greatest" not in said
+
+
+def test_a_mechanism_without_a_title_is_named_once() -> None:
+    Path("e.toml").write_text(re.sub("(?m)^title.*\n", "", FILE), encoding="utf-8")
+    assert run("solve", "e.toml").stdout.splitlines()[0] == "e"
+
+
+def test_curves_are_told_in_short() -> None:
+    assert len(run("centres", "fig3-4", "--path", "P13").stdout) < 2000
+    assert json.loads(run("centres", "fig3-4", "--path", "P13", "--json").stdout)
+
+
+def test_structure_as_data() -> None:
+    lines = run("structure", "--json", "ex3-1", "no-such", "ex3-2").stdout.splitlines()
+    first, wrong, second = map(json.loads, lines)
+    assert (first["freedoms"], first["formula"], first["class"], second["class"]) == (1, 1, 2, 3)
+    assert [link for group in second["groups"] for link in group["links"]]
+    assert "error" in wrong
