@@ -71,7 +71,11 @@ def chosen(kind: str = "", group: str = "", source: str = "") -> tuple[Mechanism
     folders = groups()
     names_of = folders.get(group, ()) if group else names()
     found = (load(name) for name in names() if name in names_of)
-    return tuple(each for each in found if source.casefold() in " ".join(each.source.values()).casefold() and _has(each, kind))
+    return tuple(each for each in found if _has(each, kind) and _from(each, source))
+
+
+def _from(mechanism: Mechanism, source: str) -> bool:
+    return source.casefold() in " ".join(mechanism.source.values()).casefold()
 
 
 def _has(mechanism: Mechanism, kind: str) -> bool:
