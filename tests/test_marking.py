@@ -95,7 +95,7 @@ def test_scatter_grows_with_the_pencil():
         spread(drawings_of(method, marking_of(method, Pencils(k, k)), 500).values(marker().quantities)[0], right, sorts)
         for k in (0.02, 0.04)
     )
-    assert marking.lengths["velocity"] == pytest.approx(0.25 * 0.01)
+    assert marking.lengths["velocity"] == pytest.approx(0.25 * 0.006)
     assert large / small == pytest.approx(np.full(len(entries), 2.0), rel=0.05)
 
 
