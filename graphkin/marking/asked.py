@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -29,13 +29,11 @@ class Arrows:
 
     nodes   by link and point, its name in each plane
     parts   ends of the arrows seen from another point, by plane, part and both points of the plane
-    pins    those of a pin against its slot, which turn otherwise: the other way round they are others
     """
 
     nodes: Mapping[tuple[str, str, Plane], str]
     poles: Mapping[Plane, str]
     parts: Mapping[tuple[Plane, str, str, str], Ends]
-    pins: Collection[tuple[Plane, str, str, str]] = ()
 
     def node(self, site: Seen | Site, plane: Plane) -> str | None:
         return self.poles[plane] if site.link == FRAME else self.nodes.get((site.link, site.point, plane))
@@ -52,8 +50,8 @@ class Arrows:
         part = quantity.part
         if (plane, part, head, tail) in self.parts:
             return self.parts[plane, part, head, tail], 1
-        turned = (plane, part, tail, head)
-        return (self.parts[turned], -1) if turned in self.parts and turned not in self.pins else None
+        turned = self.parts.get((plane, part, tail, head))
+        return None if turned is None else (turned, -1)
 
 
 def arrows_of(method: Method) -> Arrows:
@@ -70,33 +68,23 @@ def arrows_of(method: Method) -> Arrows:
                 own = owners.get(node.site.point, ())
                 for link in own if node.site.link in own else (node.site.link,):
                     nodes.setdefault((link, node.site.point, plane), node.name)
-    pins: set[tuple[Plane, str, str, str]] = set()
-    known = Arrows(nodes, poles, parts, pins)
+    known = Arrows(nodes, poles, parts)
     for construction in (method.velocity, method.acceleration):
         for term in construction.vectors().values():
-            key = _put(known, parts, term, construction.plane, method.mechanism)
-            if key is not None and _of_pin(term, method.mechanism):
-                pins.add(key)
+            _put(known, parts, term, construction.plane, method.mechanism)
     return known
 
 
 def _put(
     known: Arrows, parts: dict[tuple[Plane, str, str, str], Ends], term: Term, plane: Plane, mechanism: Mechanism
-) -> tuple[Plane, str, str, str] | None:
+) -> None:
     """Under its part, where it is an arrow between two sites; a lone normal arrow of a crank too."""
     if len(term.sites) != 2:
-        return None
+        return
     head, tail = (_node_of(known, site, plane, mechanism) for site in term.sites)
     part = term.part or ("n" if isinstance(term.size, Normal) else "")
     if part and head is not None and tail is not None:
         parts.setdefault((plane, part, head, tail), (plane, term.tail, term.head))
-        return plane, part, head, tail
-    return None
-
-
-def _of_pin(term: Term, mechanism: Mechanism) -> bool:
-    """Whether a term is of a pin in a slot: a block of its own in a construction."""
-    return any(site.link not in mechanism.links for site in term.sites)
 
 
 def _node_of(known: Arrows, site: Site, plane: Plane, mechanism: Mechanism) -> str | None:

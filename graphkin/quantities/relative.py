@@ -34,7 +34,8 @@ def has_part(mechanism: Mechanism, part: str, of: Seen, seen_from: Seen) -> bool
 def relative(motions: Motions, plane: Plane, part: str, of: Seen, seen_from: Seen) -> Value:
     """The motion of one site seen from another, or a part of it that there is: n, t, k or r.
 
-    The Coriolis part takes the rotation of the link of `seen_from`.
+    The Coriolis part takes the rotation of the link of `seen_from`; of a pin in a slot the slot's, either way round,
+    as the pin's path is straight there and nowhere else.
     """
     whole = absolute(motions, plane, of) - absolute(motions, plane, seen_from)
     if part == "":
@@ -56,5 +57,12 @@ def _between_centres(part: str, arm: Value, whole: Value) -> Value:
 
 def _coincident(motions: Motions, part: str, of: Seen, seen_from: Seen, whole: Value) -> Value:
     slip = absolute(motions, "velocity", of) - absolute(motions, "velocity", seen_from)
-    coriolis = 2j * motions.turning(seen_from.link) * slip
+    link = of.link if _slot_of_pin(motions.mechanism, of) else seen_from.link
+    coriolis = 2j * motions.turning(link) * slip
     return coriolis if part == "k" else whole - coriolis
+
+
+def _slot_of_pin(mechanism: Mechanism, site: Seen) -> bool:
+    """Whether a site is of the link in whose slot its point is the pin."""
+    pins = (slide for slide in mechanism.slides if slide.block is None)
+    return any((slide.guide, slide.point) == (site.link, site.point) for slide in pins)
