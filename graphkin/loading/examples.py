@@ -48,7 +48,7 @@ EXAMPLES: Mapping[str, Mapping[str, str]] = {
     },
     "slide": {
         "name": 'name = "ram"',
-        "title": 'title = { en = "ram", zh = "滑枕" }',
+        "title": 'title = { en = "ram" }',
         "block": 'block = "2"',
         "point": 'point = "B"',
         "pin": 'pin = "P"',
