@@ -12,10 +12,11 @@ from click.testing import CliRunner
 from graphkin import Drawing, library
 from graphkin.check import measure
 from graphkin.cli import main
-from graphkin.construction import Image, LayOff, Meet
+from graphkin.construction import Fit, Image, LayOff, Meet, Plot
 from graphkin.errors import Lang, NothingToMeasure
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
+from graphkin.planning.acts import Act, made
 from graphkin.running import replay_all
 from graphkin.say import derivation, vector_equations
 from graphkin.say.entry import Sentence
@@ -53,16 +54,24 @@ def texts(page: Sheet) -> list[str]:
 @pytest.mark.parametrize("name", library.names())
 def test_every_act_is_told_once_in_its_order(name: str) -> None:
     method = plan(library.load(name))
-    entries = derivation(method, replay_all(method), SCALES, "en")
+    plot = replay_all(method)
+    entries = derivation(method, plot, SCALES, "en", as_planned=True)
     told = [entry.act for entry in entries if isinstance(entry, Sentence) and entry.act is not None]
-    assert told == list(method.acts)
+    assert told == [act for act in method.acts if act in told or not nothing_to_draw(act, plot)]
     numbered = [act for act in method.acts if act.numbered]
     assert [act.number for act in numbered] == list(range(1, len(numbered) + 1))
     assert all(isinstance(act.done, LayOff | Meet | Image) for act in numbered)
 
 
+def nothing_to_draw(act: Act, plot: Plot) -> bool:
+    """A train in its drawn position, which is given; points of polygons that drivers at rest hold on the pole."""
+    if isinstance(act.done, Fit):
+        return not act.done.closures
+    return act.plane != "position" and all(abs(plot.points(act.plane)[point]) < 1e-12 for point in made(act.done))
+
+
 def test_the_words_and_the_sheet_bear_the_same_numbers() -> None:
-    lines = drawing("ex3-1").explain("zh")
+    lines = drawing("ex3-1").explain("zh", everything=True)
     told = [line for line in lines if re.match(r"\s*[\u2460-\u2473]", line)]
     assert len(told) == sum(act.numbered for act in drawing("ex3-1").method.acts) == 8
     rings = [mark for mark in sheet("ex3-1").marks if isinstance(mark, Disc) and mark.pen == "construction"]

@@ -6,6 +6,7 @@ import re
 from functools import cache
 from pathlib import Path
 
+import book
 import pytest
 from calculator import NUMBER, calculated, hold
 from golden import GOLDEN, LANGUAGES
@@ -13,6 +14,7 @@ from golden import GOLDEN, LANGUAGES
 from graphkin import library
 from graphkin.centres import centres
 from graphkin.marking import ruler
+from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say import explain
@@ -65,11 +67,11 @@ def test_something_is_said_by_both() -> None:
 # --- read as a hand reads it --------------------------------------------------------------------
 
 
-@cache
-def by_hand(name: str) -> list[str]:
-    method = plan(library.load(name))
-    found, read_by = ruler.as_drawn(method, replay_all(method), scales(name))
-    return explain(method, found, scales(name) | {"length": scales(name)["position"]}, "en", read_by)
+def by_hand(mechanism: Mechanism, scales: dict[str, float]) -> list[str]:
+    method = plan(mechanism)
+    found, read_by = ruler.as_drawn(method, replay_all(method), scales)
+    lengths = scales | {"length": scales["position"]}
+    return explain(method, found, lengths, "en", everything=True, ruler=read_by)
 
 
 def scales(name: str) -> dict[str, float]:
@@ -80,7 +82,7 @@ def scales(name: str) -> dict[str, float]:
 
 @pytest.mark.parametrize("name", library.names())
 def test_what_is_read_by_hand_is_worth_what_it_prints(name: str) -> None:
-    lines = by_hand(name)
+    lines = by_hand(library.load(name), scales(name))
     assert hold(lines) > 5
     readings = [line for line in lines if line.endswith("; hence")]
     assert readings
@@ -90,7 +92,8 @@ def test_what_is_read_by_hand_is_worth_what_it_prints(name: str) -> None:
 
 def test_example_3_1_as_the_book_reads_it() -> None:
     """27, 32 and 43 mm."""
-    text = "\n".join(by_hand("ex3-1"))
+    scales = {"position": 0.001, "velocity": 0.01, "acceleration": 0.1}
+    text = "\n".join(by_hand(book.example(), scales))
     assert "Measured: pb3 = 27 mm, b2b3 = 32 mm" in text
     assert "0.01 × 27/(0.001 × 69) = 3.913 rad/s" in text
     assert "Measured: n3′b3′ = 43 mm, k′b3′ = 2 mm" in text

@@ -5,7 +5,7 @@ the data; only the edge (the command line, a notebook) asks for the words.
 
 `base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys and values, `shapes`
 about a link's measures, `pairs` about sliding pairs, gears, rolling and cams, `drivers` about drivers and poses, `motion`
-about assembly and movement, `singular` about the analysis, `marking`, `submissions` and `platforms` about homework, `asking` about what
+about assembly and movement, `singular` about the analysis, `marking`, `submissions` and `platforms` about homework, `handouts` about their fonts, `asking` about what
 is asked for, `finding` about conditions. A new error is a class in one of them, and a name in its `__all__`: this module
 passes on all that those hold, and loads each where something of it is first asked for.
 """
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from graphkin.errors.drivers import *  # noqa: F403
     from graphkin.errors.files import *  # noqa: F403
     from graphkin.errors.finding import *  # noqa: F403
+    from graphkin.errors.handouts import *  # noqa: F403
     from graphkin.errors.keys import *  # noqa: F403
     from graphkin.errors.linkages import *  # noqa: F403
     from graphkin.errors.marking import *  # noqa: F403
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 
 _FILES = (
     "base", "files", "keys", "shapes", "drivers", "pairs", "motion", "singular", "asking",
-    "centring", "finding", "linkages", "design", "marking", "submissions", "platforms",
+    "centring", "finding", "linkages", "design", "marking", "submissions", "platforms", "handouts",
 )  # fmt: skip
 """In the order in which a name is looked for: what every mechanism file may meet comes first."""
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import assert_never
 
+from graphkin.errors import NoLetter
 from graphkin.handouts.document import (
     Block,
     Formula,
@@ -19,7 +20,7 @@ from graphkin.handouts.document import (
     Table,
     Text,
 )
-from graphkin.handouts.fonts import Fonts, NoLetter, fonts
+from graphkin.handouts.fonts import Fonts, fonts
 from graphkin.handouts.grid import markers_svg, room_svg
 from graphkin.handouts.scripted import Sign, signs
 from graphkin.outputs.extras import needed

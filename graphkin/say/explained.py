@@ -50,14 +50,18 @@ def derivation(
     everything: bool = True,
     only: Plane = "acceleration",
     ruler: Ruler | None = None,
+    as_planned: bool = False,
 ) -> Iterator[Entry]:
-    """The solution as data: what is given and asked, the planes in the order of their constructions, the answers."""
+    """The solution as data: what is given and asked, the planes in the order of their constructions, the answers.
+
+    as_planned  the position as the method draws it, though a pose may make it easier
+    """
     reading = Reading(method, plot, scales, lang, ruler)
     goal = asked(reading, everything, only)
     yield from given(reading)
     yield from goal.question()
     yield from solving(reading)
-    posed = by_pose(method, plot)
+    posed = None if as_planned else by_pose(method, plot)
     drawn = reading if posed is None else Reading(*posed, scales, lang, ruler)
     yield from PositionReader(drawn, goal.levers, reading, angles=goal.angles).entries()
     for number, (plane, parts) in enumerate(goal.parts.items(), start=2):

@@ -12,7 +12,7 @@ from graphkin.errors import Lang, listed
 from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning import Method
-from graphkin.planning.acts import Act
+from graphkin.planning.acts import Act, made
 from graphkin.planning.labels import Labels
 from graphkin.planning.needed import Fact, at_rest, turning
 from graphkin.say import names
@@ -59,12 +59,12 @@ class Reading:
         return self.method.mechanism
 
     @cached_property
-    def _acts(self) -> Mapping[tuple[Plane, Step], Act]:
-        return {(act.plane, act.done): act for act in self.method.acts}
+    def _acts(self) -> Mapping[tuple[Plane, tuple[str, ...] | Step], Act]:
+        return {(act.plane, made(act.done) or act.done): act for act in self.method.acts}
 
     def act(self, plane: Plane, step: Step) -> Act | None:
-        """The act of the pencil that a step finishes."""
-        return self._acts.get((plane, step))
+        """The act of the pencil that a step finishes: by the point it finds, wherever it is told to start from."""
+        return self._acts.get((plane, made(step) or step))
 
     @cached_property
     def rested(self) -> frozenset[Fact]:

@@ -115,8 +115,8 @@ def ties(polygon: Polygon) -> Iterator[Entry]:
         links = reading.listed([reading.link(link) for link in still])
         key = "derivation.never turn" if len(still) == 1 else "derivation.never turn, several"
         yield Sentence(reading.say(key, links=links, rates=reading.say("common.and").join(zero)))
-    driven = dict.fromkeys(driver.link for driver in reading.mechanism.drivers if driver.from_link == FRAME)
-    turns = reading.plot.facts.turns
+    drivers, turns = reading.mechanism.drivers, reading.plot.facts.turns
+    driven = dict.fromkeys(d.link for d in drivers if d.kind != "slide" and d.from_link == FRAME)
     for link in reading.mechanism.moving:
         if turns[link].base == FRAME and turns[link].drivers and link not in driven:
             like = [other for other in driven if turns[other].drivers == turns[link].drivers]

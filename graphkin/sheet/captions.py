@@ -38,7 +38,7 @@ class Captions:
 
     @classmethod
     def of(cls, reading: Reading, planes: Sequence[Plane]) -> Captions:
-        entries = derivation(reading.method, reading.plot, reading.scales, reading.lang)
+        entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
         texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
         return cls([act for act in reading.method.acts if act.plane in planes], texts, reading.lang)
 

@@ -24,7 +24,6 @@ PHRASES: Phrases = {
     "value": ("value", "数值"),
     "draw here": ("Draw the polygon from the pole, at {scale}.", "从极点起作图，比例尺 {scale}。"),
     "go on": ("Go on with the next equation:", "续作下一矢量方程："),
-    "name": ("Name", "姓名"),
     "beside": ("The drawing beside the analysis", "图解与解析结果对照"),
     "drawn": ("drawn", "图解"),
     "analysed": ("analysis", "解析"),
@@ -33,5 +32,4 @@ PHRASES: Phrases = {
     "gives": ("{mistake}: {values}", "{mistake}：{values}"),
     "bar": ("100 mm when printed to scale", "按实际尺寸打印时为 100 mm"),
     "seed": ("seed {seed}", "种子 {seed}"),
-    "sheet": ("sheet {number}", "编号 {number}"),
 }
