@@ -245,7 +245,7 @@ def test_find_draws_what_it_finds():
     assert done.exit_code == 0
     assert [line.split()[2] for line in done.stdout.splitlines()[1:]] == ["90", "202.024", "270", "337.976"]
     written = re.sub("<[^>]*>", "", Path("zeros.svg").read_text("utf-8"))
-    assert all(f"({letter}) AB = " in written for letter in "abcd")
+    assert all(f"({letter}) φAB = " in written for letter in "abcd")
 
 
 @pytest.mark.parametrize("condition", ["nonsense", "v Q = 0", "max", "v C = 3 kg", "omega 3 = ", "slowest 9", ""])
