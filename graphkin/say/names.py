@@ -7,6 +7,7 @@ import re
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.naming import spelled
+from graphkin.quantities.typed import rewritten
 
 LETTER: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
 SCALE: dict[Plane, str] = {"position": "μ_l", "velocity": "μ_v", "acceleration": "μ_a"}
@@ -111,22 +112,11 @@ def of_slide(symbol: str, slide: str) -> str:
     return f"{symbol}_{slide}"
 
 
-_LETTERS = {"omega": "ω", "alpha": "α", "theta": "θ"}
 _DEGREES = re.compile(r" ?\bdeg\b")
-_TYPED = re.compile(r"\b(omega|alpha|theta) ([\w'′]+)|\b([sva])(?:_([nktrxy]))? ([\w'′@,]*\w[\w'′@]*)")
 
 
 def in_signs(text: str, lang: Lang) -> str:
     """Quantities and units as they are typed, in Chinese as they are written: `omega 3` as ω3, `rad/s^2` as rad/s²."""
     if lang != "zh":
         return text
-    return _DEGREES.sub("°", _TYPED.sub(_sign, text)).replace("/s^2", "/s²")
-
-
-def _sign(found: re.Match[str]) -> str:
-    turning, link, letter, part, of = found.groups()
-    if turning:
-        return of_link(_LETTERS[turning], link)
-    if part in ("x", "y"):
-        return f"{letter}_{point(of)},{part}"
-    return letter + (_RAISED[part] if part else "") + "_" + point(of)
+    return _DEGREES.sub("°", rewritten(text, asked)).replace("/s^2", "/s²")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import chain
 
 from graphkin.say.entry import Entry, Sentence, VectorEquation
 from graphkin.sheet.formula import formula
@@ -93,9 +94,12 @@ def laid_out(blocks: Sequence[EquationBlock], corner: Place, room: float) -> lis
 
 
 def flowed(blocks: Sequence[EquationBlock], room: float) -> list[list[EquationBlock]]:
-    """Line by line as many as a width holds [mm]; one that is wider than that is left out."""
+    """Line by line as many as a width holds [mm]; one that is wider is broken before its last equals sign.
+
+    What is still wider than that is left out.
+    """
     lines: list[list[EquationBlock]] = []
-    for block in blocks:
+    for block in chain.from_iterable(_broken(whole, room) for whole in blocks):
         if block.size.real > room:
             continue
         if lines and head_of([*lines[-1], block])[0].real <= room:
@@ -103,3 +107,11 @@ def flowed(blocks: Sequence[EquationBlock], room: float) -> list[list[EquationBl
         else:
             lines.append([block])
     return lines
+
+
+def _broken(block: EquationBlock, room: float) -> tuple[EquationBlock, ...]:
+    head, *columns = block.columns
+    cut = max(k for k, (label, _, _) in enumerate(columns) if label == plain("="))
+    if block.size.real <= room or not cut:
+        return (block,)
+    return replace(block, columns=(head, *columns[:cut])), replace(block, columns=(head, *columns[cut:]))
