@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import field
+from dataclasses import field, replace
 from functools import cached_property
 
-from graphkin.construction import LETTER, Construction, Given, Plot, Site, Term
+from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site, Term
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.sheet import gear_images
 from graphkin.sheet.gear_images import GearImage
@@ -69,8 +69,10 @@ class Polygon:
         for name, term in self.construction.vectors().items():
             drawn.add((term.tail, term.head))
             if term.tail in self.points and term.head in self.points:
+                vector = self._vector(name, term.tail, term.head, self._sites(term), term.part)
+                laid = self.solving and term.size is not None and not isinstance(term.size, Drawn)
                 solved = self.solving and term.size is None
-                yield self._vector(name, term.tail, term.head, self._sites(term), term.part, solved)
+                yield replace(vector, solved=solved, pen="laid" if laid else "vector")
         pole = self.construction.pole
         for name in self.points if pole in self.points else ():
             node = self.construction.nodes.get(name)
@@ -80,11 +82,11 @@ class Polygon:
                 yield self._vector(f"{LETTER[self.construction.plane]}_{node.of}", pole, name, (node.site,))
 
     def _vector(
-        self, name: str, tail: str, head: str, sites: tuple[Site, ...], part: str = "", solved: bool = False
+        self, name: str, tail: str, head: str, sites: tuple[Site, ...], part: str = ""
     ) -> VectorMark:
         start, end, step = self.points[tail], self.points[head], self.step(tail, head)
         plane, named = self.construction.plane, tuple(map(named_site, sites))
-        return VectorMark(plane, name, tail, head, start, end, step, sites=named, part=part, solved=solved)
+        return VectorMark(plane, name, tail, head, start, end, step, sites=named, part=part)
 
     def _sites(self, term: Term) -> tuple[Site, ...]:
         """What an arrow is the motion of, and what it is seen from."""
