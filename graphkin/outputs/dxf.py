@@ -100,7 +100,7 @@ class _Page:
 
     def _arrow(self, mark: VectorMark) -> None:
         """The line as long as the vector is; the head lies on it."""
-        look = self._look("vector", mark.plane)
+        look = self._look(mark.pen, mark.plane)
         start, end = complex(*self._xy(mark.start)), complex(*self._xy(mark.end))
         self.space.add_line((start.real, start.imag), (end.real, end.imag), dxfattribs=look)
         if mark.length > 0.05:

@@ -55,6 +55,4 @@ class Colours:
 def _pen_of(mark: Stroke | Disc | Arc | VectorMark | PointMark) -> PenName:
     if isinstance(mark, PointMark):
         return "outline" if mark.fill == "paper" else "construction"
-    if isinstance(mark, VectorMark):
-        return "solved" if mark.solved else mark.pen
     return mark.pen

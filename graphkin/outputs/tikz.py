@@ -69,7 +69,7 @@ def _mark(mark: Mark) -> Iterator[str]:
             turn = f"start angle={_mm(math.degrees(mark.start))}, delta angle={_mm(math.degrees(mark.sweep))}"
             yield rf"\draw[{_pen(mark.pen)}] {_place(start)} arc[{turn}, radius={_mm(mark.radius)}];"
         case VectorMark():
-            look = _pen("solved" if mark.solved else mark.pen) + (", arrow" if mark.length > 0.05 else "")
+            look = _pen(mark.pen) + (", arrow" if mark.length > 0.05 else "")
             yield rf"\draw[{look}] {_place(mark.start)} -- {_place(mark.end)};"
         case PointMark():
             yield rf"\draw[{_pen('outline', mark.fill)}] {_place(mark.at)} circle[radius={_mm(mark.radius)}];"

@@ -107,7 +107,7 @@ class VectorMark:
     part   which part of the motion, as in `Term`
     solved the construction found its length
     half   on which side of the line alone its head opens, seen along it; back: how far its tip stands off the end [mm]
-    pen    a lighter one for an arrow that is only compared with
+    pen    a lighter one for an arrow that is laid off, or only compared with
     """
 
     plane: Layer

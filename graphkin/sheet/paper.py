@@ -81,7 +81,7 @@ LARGE = (PAPERS["A3-landscape"], PAPERS["A3"])
 """Tried, too, where a smaller one holds all but leaves it little room."""
 
 PenName = Literal[
-    "visible", "outline", "vector", "solved", "thin", "hatch", "dashed", "centre", "construction", "measured",
+    "visible", "outline", "vector", "laid", "thin", "hatch", "dashed", "centre", "construction", "measured",
     "leader",
 ]  # fmt: skip
 
@@ -98,7 +98,7 @@ PENS: Mapping[PenName, Pen] = {
     "visible": Pen(0.7),  # links, the drawing frame
     "outline": Pen(0.35),  # blocks, hinges, pivots
     "vector": Pen(0.35),
-    "solved": Pen(0.5),  # arrows that the construction found
+    "laid": Pen(0.18),  # arrows that are laid off, where those that the construction finds stand out
     "thin": Pen(0.18),  # images, tables
     "hatch": Pen(0.18),
     "dashed": Pen(0.18, (2.0, 1.0)),

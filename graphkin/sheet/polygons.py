@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import field
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import field, replace
 from functools import cached_property
+from typing import Any
 
-from graphkin.construction import LETTER, Construction, Given, Plot, Site, Term
+from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site, Size
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.sheet import gear_images
 from graphkin.sheet.gear_images import GearImage
@@ -19,6 +20,44 @@ from graphkin.value import frozen
 
 _SAME = 0.15
 """Closer than this two points are one on paper [mm]."""
+
+
+@frozen
+class Arrow:
+    """An arrow between two points of a polygon, wherever these lie.
+
+    sites  what it is the motion of, and what it is seen from; part, size: as in `Term`
+    of_equation  whether it is a term of the construction's; else an absolute motion that none of them is
+    """
+
+    name: str
+    tail: str
+    head: str
+    sites: tuple[Site, ...]
+    part: str = ""
+    size: Size | None = None
+    of_equation: bool = True
+
+
+def arrows(mechanism: Mechanism, construction: Construction, there: Collection[str]) -> Iterator[Arrow]:
+    """The arrows of the equations, then the absolute motions that are not among them; between points that are there."""
+    terms, pole = construction.vectors(), construction.pole
+    sites = {node.of: node.site for node in construction.nodes.values() if node.site is not None}
+    for name, term in terms.items():
+        if term.tail in there and term.head in there:
+            of = term.sites or tuple(sites[text] for text in (term.of, term.seen_from) if text in sites)
+            yield Arrow(name, term.tail, term.head, of, term.part, term.size)
+    besides = fixed(construction) | {term.head for term in terms.values() if term.tail == pole}
+    for name, node in construction.nodes.items() if pole in there else ():
+        site = node.site if name in there and name not in besides else None
+        if site is not None and site.point not in mechanism.unnamed:
+            yield Arrow(f"{LETTER[construction.plane]}_{node.of}", pole, name, (site,), of_equation=False)
+
+
+def fixed(construction: Construction) -> set[str]:
+    """The pole, and the points that sit on it because they never move."""
+    given = [step for step in construction.steps if isinstance(step, Given)]
+    return {name for step in given for name in (step.point, *step.also)}
 
 
 @frozen
@@ -49,12 +88,6 @@ class Polygon:
         """The points that bear a letter."""
         return {name: at for name, at in self.points.items() if self.of(name)}
 
-    @cached_property
-    def fixed(self) -> set[str]:
-        """The pole, and the points that sit on it because they never move."""
-        given = [step for step in self.construction.steps if isinstance(step, Given)]
-        return {name for step in given for name in (step.point, *step.also)}
-
     def of(self, name: str) -> str:
         if name == self.construction.pole:
             return "pole"
@@ -64,32 +97,18 @@ class Polygon:
         return max((self.born[name] for name in names if name in self.born), default=None)
 
     def vectors(self) -> Iterator[VectorMark]:
-        """The arrows of the equations, then the absolute motions that are not among them."""
-        drawn: set[tuple[str, str]] = set()
-        for name, term in self.construction.vectors().items():
-            drawn.add((term.tail, term.head))
-            if term.tail in self.points and term.head in self.points:
-                solved = self.solving and term.size is None
-                yield self._vector(name, term.tail, term.head, self._sites(term), term.part, solved)
-        pole = self.construction.pole
-        for name in self.points if pole in self.points else ():
-            node = self.construction.nodes.get(name)
-            if node is None or node.site is None or name in self.fixed or (pole, name) in drawn:
-                continue
-            if node.site.point not in self.mechanism.unnamed:
-                yield self._vector(f"{LETTER[self.construction.plane]}_{node.of}", pole, name, (node.site,))
+        """Its arrows on paper."""
+        for arrow in arrows(self.mechanism, self.construction, self.points):
+            start, end, step = self.points[arrow.tail], self.points[arrow.head], self.step(arrow.tail, arrow.head)
+            vector = VectorMark(self.construction.plane, arrow.name, arrow.tail, arrow.head, start, end, step)
+            named = tuple(map(named_site, arrow.sites))
+            yield replace(vector, sites=named, part=arrow.part, **self._look(arrow))
 
-    def _vector(
-        self, name: str, tail: str, head: str, sites: tuple[Site, ...], part: str = "", solved: bool = False
-    ) -> VectorMark:
-        start, end, step = self.points[tail], self.points[head], self.step(tail, head)
-        plane, named = self.construction.plane, tuple(map(named_site, sites))
-        return VectorMark(plane, name, tail, head, start, end, step, sites=named, part=part, solved=solved)
-
-    def _sites(self, term: Term) -> tuple[Site, ...]:
-        """What an arrow is the motion of, and what it is seen from."""
-        sites = {node.of: node.site for node in self.construction.nodes.values() if node.site is not None}
-        return term.sites or tuple(sites[text] for text in (term.of, term.seen_from) if text in sites)
+    def _look(self, arrow: Arrow) -> dict[str, Any]:
+        """Where that is told: what the construction finds is as thick as arrows are, what is laid off is thin."""
+        if not self.solving or not arrow.of_equation or isinstance(arrow.size, Drawn):
+            return {}
+        return {"solved": True} if arrow.size is None else {"pen": "laid"}
 
     def site(self, name: str) -> str:
         """A point of the polygon as the point of a link; nothing for the pole and for corners between arrows."""

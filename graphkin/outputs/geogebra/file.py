@@ -17,10 +17,10 @@ from graphkin.outputs.geogebra.state import Drives, State
 from graphkin.outputs.geogebra.steps import Draughtsman
 from graphkin.planning import Method
 from graphkin.sheet.lettering import Label, point_label, vector_label
-from graphkin.sheet.polygons import Polygon
+from graphkin.sheet.polygons import arrows
 from graphkin.sheet.scales import LETTERS, UNITS
 from graphkin.sheet.skeleton import hull, in_line
-from graphkin.sheet.window import PLANES, Window
+from graphkin.sheet.window import PLANES
 
 _COLOURS: Mapping[Plane, Colour] = {"position": BLACK, "velocity": (11, 79, 156), "acceleration": (163, 32, 13)}
 _GAP = 30.0
@@ -161,11 +161,10 @@ def _sides(places: list[complex]) -> list[tuple[int, int]]:
 def _vectors(method: Method, construction: Construction, plot: Plot, state: State) -> None:
     """The arrows of the sheet's polygon."""
     points, plane = state.points[construction.plane], construction.plane
-    polygon = Polygon(method.mechanism, construction, plot, Window(0j, state.scales[plane]), {})
-    for vector in polygon.vectors():
-        if points[vector.tail] != points[vector.head]:
-            caption = written(vector_label(vector.name))
-            state.protocol.vector(caption, points[vector.tail], points[vector.head], _COLOURS[plane])
+    for arrow in arrows(method.mechanism, construction, plot.points(plane)):
+        if points[arrow.tail] != points[arrow.head]:
+            caption = written(vector_label(arrow.name))
+            state.protocol.vector(caption, points[arrow.tail], points[arrow.head], _COLOURS[plane])
 
 
 def _notes(method: Method, plot: Plot, state: State, origins: Mapping[Plane, complex]) -> None:
