@@ -17,9 +17,8 @@ import pytest
 
 from graphkin import api, library
 from graphkin.errors import LetterTwice, NoLetters, NoScaleDrawn, Where
-from graphkin.marking.asked import arrows_of, asked
-from graphkin.marking.redrawing import redraw
 from graphkin.quantities import read as quantity
+from graphkin.readings import readings
 from graphkin.submissions import Asked, Limits, Submission, read_one
 from graphkin.submissions.class_names import owner
 from graphkin.submissions.dxf import read_dxf
@@ -47,14 +46,13 @@ def handed(name: str, content: bytes, limits: Limits = USUAL, drawing: api.Drawi
 
 
 def off(found: Submission, drawing: api.Drawing = DRAWING, scales: Mapping[str, float] = SCALES) -> dict[str, float]:
-    """By how much each vector is off what marking takes for right [mm]: a pin's Coriolis acceleration as laid off."""
-    right, arrows = redraw(drawing.method, drawing.plot), arrows_of(drawing.method)
+    """By how much each vector is off [mm]."""
+    motions = readings(drawing.method, drawing.plot)
     misses = {}
     for question, value in found.values.items():
         if value.vector is not None:
             known = quantity(drawing.mechanism, question)
-            answer = asked(drawing.method, right, known, arrows)
-            misses[question] = abs(value.vector - complex(answer.vector)) / scales[known.unit]
+            misses[question] = abs(value.vector - complex(known.answer(motions).vector)) / scales[known.unit]
     return misses
 
 
