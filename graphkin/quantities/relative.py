@@ -10,7 +10,7 @@ from graphkin.geometry import Value, dot
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
 from graphkin.naming import Seen, common_link
-from graphkin.pairs import Rod
+from graphkin.pairs import Rod, Slot
 
 Plane = Literal["velocity", "acceleration"]
 
@@ -63,6 +63,7 @@ def _coincident(motions: Motions, part: str, of: Seen, seen_from: Seen, whole: V
 
 
 def _slot_of_pin(mechanism: Mechanism, site: Seen) -> bool:
-    """Whether a site is of the link in whose slot its point is the pin."""
-    pins = (slide for slide in mechanism.slides if slide.block is None)
-    return any((slide.guide, slide.point) == (site.link, site.point) for slide in pins)
+    """Whether a site is of the link in whose slot its point is the pin; a wheel or a cam may stand for one."""
+    slides = ((slide.line.link, slide.point) for slide in mechanism.slides if slide.block is None)
+    slots = ((same.line.link, same.point) for pair in mechanism.pairs if isinstance(same := pair.equivalent, Slot))
+    return (site.link, site.point) in {*slides, *slots}
