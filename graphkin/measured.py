@@ -23,7 +23,7 @@ import numpy as np
 
 from graphkin.errors import GraphkinError, NoSuchName, UnknownQuantity, Where
 from graphkin.geometry import Value
-from graphkin.mechanism import Mechanism
+from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
 from graphkin.quantities import EDGE, named
 from graphkin.value import frozen
@@ -180,6 +180,10 @@ def _plain(value: Any) -> Any:
 # --- by name ----------------------------------------------------------------------------------
 
 
+_TURNS = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s^2"}
+"""Tables of links: the frame, by the name that it always has, stands still."""
+
+
 class Table(Mapping[str, Any]):
     """Values by the name of a link, a point or a slide; a name that is not there raises KeyError and says which are."""
 
@@ -187,6 +191,8 @@ class Table(Mapping[str, Any]):
         self._names, self._read, self._where = tuple(names), read, where
 
     def __getitem__(self, name: str) -> Any:
+        if name == FRAME and self._where in _TURNS:
+            return measured(0.0, _TURNS[self._where])
         try:
             return self._read(str(name))
         except UnknownQuantity:

@@ -28,10 +28,10 @@ NUMBER = re.compile(r"[-+]?\d*\.?\d+(?:e[-+]?\d+)?")
 CLOSE_MM = 0.02
 
 
-def drawings(name: str) -> Iterator[tuple[Path, str]]:
+def drawings(name: str, chinese: bool = True) -> Iterator[tuple[Path, str]]:
     """The files of one mechanism, relative to the gallery, and what should be in them."""
     drawing = Drawing.of(library.load(name))
-    for lang, end in (("en", ""), ("zh", "-zh")):
+    for lang, end in (("en", ""), ("zh", "-zh"))[: 1 + chinese]:
         yield Path(name) / f"{name}{end}.svg", svg(drawing.sheet(lang=lang))
 
 
@@ -75,7 +75,8 @@ def same(old: str, new: str) -> bool:
 def main(names: list[str]) -> None:
     """Rebuild all, or some, of the gallery."""
     if not names:
-        shutil.rmtree(FIGURES, ignore_errors=True)
+        for folder in (path for path in FIGURES.iterdir() if path.is_dir()):
+            shutil.rmtree(folder)
     for name in names or (*library.names(), FEEDBACK):
         for path, text in feedback() if name == FEEDBACK else drawings(name):
             (FIGURES / path).parent.mkdir(parents=True, exist_ok=True)

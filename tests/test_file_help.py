@@ -76,4 +76,4 @@ def test_help(words: str, said: str) -> None:
 def test_no_such_page() -> None:
     result = CliRunner().invoke(main, ["help", "fiel"])
     assert result.exit_code == 2
-    assert "file, or a command" in result.output
+    assert "file, api, or a command" in result.output

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from geogebra import Reckoned
 
 import graphkin
 from graphkin import library
@@ -22,7 +23,6 @@ from graphkin.outputs.geogebra.file import written
 from graphkin.running import replay_all
 from graphkin.sheet import scales_of
 from graphkin.sheet.lettering import point_label
-from tests.geogebra import Reckoned
 
 PLACES = 12
 

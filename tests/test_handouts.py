@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from pdf_lines import lines
 
 import graphkin
 from graphkin import library
@@ -20,7 +21,6 @@ from graphkin.handouts.page import html
 from graphkin.handouts.typst import pdf
 from graphkin.outputs.diagram.fonts import chinese_font
 from graphkin.sheet.marks import VectorMark
-from tests.pdf_lines import lines
 
 STAGES = ("problem", "blank", "half", "solution")
 pypdf = pytest.importorskip("pypdf")

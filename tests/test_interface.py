@@ -10,6 +10,7 @@ import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
+import book
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -171,8 +172,8 @@ NAMES = {
 def test_what_a_name_means(name: str):
     *way, key = NAMES[name]
     given = [61.5, 40.25] if key in ("A", "C") else 13.25
-    document = tomllib.loads(graphkin.load("ex3-1").with_({name: given}).text)
-    expected = tomllib.loads(graphkin.load("ex3-1").text)
+    document = tomllib.loads(book.example().with_({name: given}).text)
+    expected = tomllib.loads(book.example().text)
     table = expected
     for part in way:
         table = table[part]

@@ -20,7 +20,7 @@ from graphkin.planning import plan
 from graphkin.running import replay_all
 
 KINDS = (*DYADS, "cylinder", "relative", "coupler", "chain")
-COUNT, BATCH = int(os.environ.get("GRAPHKIN_RANDOM", "800")), 200
+COUNT, BATCH = int(os.environ.get("GRAPHKIN_RANDOM", "400")), 200
 """Random mechanisms of each kind; more of them with GRAPHKIN_RANDOM=2000 in the environment."""
 OTHERS = {"cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain}
 

@@ -22,6 +22,7 @@ from graphkin.marking.told import Always, set_told
 from graphkin.problems import draws, read_template, roster, variants, well_posed
 from graphkin.problems.paper import Paper
 from graphkin.problems.shown import shown_at
+from graphkin.running import replay_all
 from graphkin.say.told import told_lines
 
 SENSE, SIZE = (Entry(text, "rad/s", sort, 10.0, 0.1, 0.3) for text, sort in (("omega 3", "sense"), ("v C", "size")))
@@ -79,7 +80,7 @@ def test_what_is_always_the_same_counts_for_nothing():
 @pytest.mark.parametrize("name", ["ex3-1", "ex3-5"])
 def test_answers_alone_are_those_of_the_key(name: str):
     method = api.plan(api.load(name))
-    key, found = key_for(method.mechanism), telling(method, api.replay(method), marking_of(method))
+    key, found = key_for(method.mechanism), telling(method, replay_all(method), marking_of(method))
     asked = [entry for entry in key.entries if entry.points]
     assert found.right.tolist() == pytest.approx([entry.right for entry in asked])
     assert found.tolerance.tolist() == pytest.approx([entry.tolerance for entry in asked], rel=0.15)
@@ -92,7 +93,7 @@ def test_what_is_known_to_be_the_same_of_example_3_1():
     turn and a Coriolis term left out in nothing."""
     text = re.sub("(?m)^ask .*", 'ask = ["alpha 3", "a_k B3B2"]', library.load("ex3-1").text)
     method = api.plan(loading.loads(text))
-    found = telling(method, api.replay(method), marking_of(method))
+    found = telling(method, replay_all(method), marking_of(method))
     sets = Always([found]).told(found).sets
     assert ("coriolis-reversed", "omega-sense") in sets
     assert ("block-omega", "coriolis-omitted") in sets
@@ -103,7 +104,7 @@ def test_drawings_that_do_not_close_are_counted():
     """The ram of exercise 3-15 stands 2 degrees from where its links do not reach; four-bars far from it all close."""
     for name, part in (("p3-15", 0.4), ("ex3-5", 0.0)):
         method = api.plan(library.load(name))
-        assert telling(method, api.replay(method), marking_of(method)).failed == pytest.approx(part, abs=0.08)
+        assert telling(method, replay_all(method), marking_of(method)).failed == pytest.approx(part, abs=0.08)
 
 
 # --- sets -------------------------------------------------------------------------------------
