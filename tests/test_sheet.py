@@ -47,7 +47,7 @@ def drawn(name: str) -> Sheet:
     return sheet(*solved(name))
 
 
-SOLVED = list(library.names())
+SOLVED = list(library.names())[::3]
 
 
 def vector(page: Sheet, name: str) -> VectorMark:

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 VALUES = ("-3.92,62,2.5", "-5.65,68.7,3.62", "-3.7,,2.6", "-3.75,60,", "3.92,12.5,0")
-SHORT, LONG = 500, 6_000
+SHORT, LONG = 500, 2_000
 OWN_BYTES = {"csv": 1_000, "zip": 2_000}
 """Of a student; a zip's own list of its members takes the most of it."""
 PROGRAM = """
