@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from graphkin.construction import Plot
@@ -63,10 +63,25 @@ def _ggb(picture: Picture) -> bytes:
     return ggb(picture.method, picture.plot, picture.sheet.scales, picture.lang)
 
 
+def _moving_svg(sheets: Sequence[Sheet], dpi: float, ink: Ink) -> bytes:
+    from graphkin.outputs.animation import animation
+
+    return animation(sheets, ink=ink).encode()
+
+
+def _moving_png(sheets: Sequence[Sheet], dpi: float, ink: Ink) -> bytes:
+    from graphkin.outputs.animation import SECONDS
+    from graphkin.outputs.paged import moving_png
+
+    return moving_png(sheets, dpi, SECONDS, ink)
+
+
 WRITERS: Mapping[str, Callable[[Picture], bytes]] = {
     ".svg": _svg, ".pdf": _pdf, ".png": _png, ".dxf": _dxf, ".ggb": _ggb, ".tex": _tikz,
 }  # fmt: skip
 """By the file's ending."""
+MOVING: Mapping[str, Callable[[Sequence[Sheet], float, Ink], bytes]] = {".svg": _moving_svg, ".png": _moving_png}
+"""Sheets of several positions as one file, by its ending."""
 _MARKS = (b"https://graphkin.invalid/sheet/1", b"graphkin sheet")
 
 

@@ -66,7 +66,7 @@ def inline(sheet: Sheet) -> str:
 
 def _drawn(sheet: Sheet, ink: Ink, metadata: bool) -> str:
     _refuse_control(sheet.title, sheet.mechanism.file)
-    pen = _Pen(sheet, ink, metadata)
+    pen = Pen(sheet, ink, metadata)
     for layer in sheet.layers:
         pen.layer(layer)
     return str(pen.drawing.tostring())
@@ -99,7 +99,7 @@ def _xy(place: Place) -> tuple[str, str]:
 # --- elements ---------------------------------------------------------------------------------
 
 
-class _Pen:
+class Pen:
     """One drawing in the making. Marks of one layer that follow one another in one paint share it in a group."""
 
     def __init__(self, sheet: Sheet, ink: Ink, metadata: bool) -> None:
