@@ -7,16 +7,18 @@ import re
 from html.parser import HTMLParser
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 from pdf_lines import lines
+from printed_markers import markers
 
 import graphkin
 from graphkin import library
 from graphkin.cli import main
 from graphkin.handouts import fonts, handout
 from graphkin.handouts.document import Picture, Room, Rows, Text
-from graphkin.handouts.grid import MARKERS, markers_svg
+from graphkin.handouts.markers import MARKERS, MOST, digits
 from graphkin.handouts.page import html
 from graphkin.handouts.typst import pdf
 from graphkin.outputs.diagram.fonts import chinese_font
@@ -155,19 +157,54 @@ def test_pages_of_a_browser_need_nothing_else(name):
     assert any(isinstance(block, Text) and block.act for block in made.blocks)
 
 
-def test_markers_are_squares_of_their_own_with_white_around():
-    assert len(set(MARKERS)) == 8
-    drawing = markers_svg(210, 297, 13)
-    assert drawing.count('height="12"') == 6
-    with_other_number = markers_svg(210, 297, 2)
-    assert drawing != with_other_number
+KNOWN = (0xB532, 0x0F9A, 0x332D, 0x9946, 0x549E, 0x79CD, 0x9E2E, 0xC4F2)
+"""The first markers of the dictionary as it is published."""
 
 
-def test_a_scan_page_is_written(tmp_path: Path):
-    path = tmp_path / "a.pdf"
-    done = CliRunner().invoke(main, ["handout", "ex3-1", "--stage", "blank", "--scan", "7", "-o", str(path)])
+def test_markers_are_told_apart_however_they_lie():
+    """Each differs in three squares or more from every other one, turned as it may be, and from itself turned."""
+    assert MARKERS[:8] == KNOWN
+    assert len(MARKERS) == 250
+    bits = np.array([[word >> (15 - k) & 1 for k in range(16)] for word in MARKERS]).reshape(-1, 4, 4)
+    for turn in range(4):
+        differ = (bits[:, None] != np.rot90(bits, turn, axes=(1, 2))[None]).sum(axis=(2, 3))
+        assert differ[~np.eye(250, dtype=bool)].min() >= 3
+        assert turn == 0 or differ.diagonal().min() >= 3
+
+
+def test_sheets_of_a_class_are_told_apart_on_paper(tmp_path: Path):
+    """What is painted on each page is read: its corners, and a number that goes on from page to page and file to file."""
+    command = ["handout", "ex3-1", "ex3-5", "--stage", "blank", "--scan", "244", "-o", str(tmp_path)]
+    done = CliRunner().invoke(main, command)
     assert done.exit_code == 0, done.output
-    assert len(_reader(path.read_bytes()).pages) >= 3
+    readers = [pypdf.PdfReader(tmp_path / f"{name}.pdf") for name in ("ex3-1", "ex3-5")]
+    told = []
+    for page in [page for reader in readers for page in reader.pages]:
+        found = markers(page.pdf, page)
+        corners = [min(found, key=lambda at, c=c: abs(at - c)) for c in (14 + 14j, 196 + 14j, 196 + 283j, 14 + 283j)]
+        assert max(abs(at - c) for at, c in zip(corners, (14 + 14j, 196 + 14j, 196 + 283j, 14 + 283j))) < 0.01
+        assert [MARKERS.index(found[at]) for at in corners] == [0, 1, 2, 3]
+        left, right = (MARKERS.index(found[at]) for at in sorted({*found} - {*corners}, key=lambda at: at.real))
+        told.append((left - 4) * 246 + right - 4)
+        assert f"#{told[-1]}" in page.extract_text()
+    assert told == list(range(244, 244 + len(told)))
+    assert len(told) > 4
+
+
+def test_a_class_has_numbers_enough():
+    numbers = {digits(number) for number in range(MOST + 1)}
+    assert len(numbers) == MOST + 1 > 60_000
+    assert {max(pair) for pair in numbers} <= set(range(4, 250))
+
+
+def test_a_camera_reads_them(tmp_path: Path):
+    """By the library that photographs are read with, where it is there."""
+    cv2, pdfium = pytest.importorskip("cv2"), pytest.importorskip("pypdfium2")
+    path = tmp_path / "a.pdf"
+    path.write_bytes(pdf(handout([graphkin.load("ex3-1")], "blank", "en"), scan=31415))
+    picture = np.array(pdfium.PdfDocument(path)[1].render(scale=200 / 72).to_pil().convert("L"))
+    reader = cv2.aruco.ArucoDetector(cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_250))
+    assert {0, 1, 2, 3, *digits(31416)} == set(reader.detectMarkers(picture)[1].ravel().tolist())
 
 
 def test_a_folder_gets_a_file_for_each(tmp_path: Path):

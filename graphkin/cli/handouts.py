@@ -30,8 +30,8 @@ _KINDS = (".pdf", ".html")
 @click.option("--both", is_flag=True, help="In both languages, one after the other.")
 @click.option("--paper", type=click.Choice(PAPERS), default="A4", show_default=True, help="Paper.")
 @click.option("--font", type=click.Path(path_type=Path, dir_okay=False), help="A font file with the letters wanted.")
-@click.option("--scan", type=click.IntRange(0, 15), metavar="NUMBER",
-              help="Print markers and dots by which a photograph is set straight, and this sheet number.")  # fmt: skip
+@click.option("--scan", type=click.IntRange(0, 60_000), metavar="NUMBER",
+              help="Print what sets a photograph straight, and sheet numbers from this one on.")  # fmt: skip
 @click.option("--seed", default="", help="The set it belongs to, as every page says it.")
 @force_option
 @lang_option
@@ -48,6 +48,7 @@ def handout(
       graphkin handout ex3-1 ex3-5 p3-6a --answers -o book.pdf --lang zh
       graphkin handout homework/*.toml --stage blank -o sheets/
     """
+    from graphkin.handouts.typst import pages
     from graphkin.outputs import files
 
     machines = [read(source) for source in mechanisms]
@@ -60,11 +61,14 @@ def handout(
     langs: tuple[Lang, ...] = ("zh", "en") if both else (lang,)
     if folder:
         output.mkdir(parents=True, exist_ok=True)
-    for path, several in _files(output, machines, folder):
+    for path, several in _files(output, machines, folder):  # sheet numbers go on from file to file
         files.refuse(path, force, _MARKS)
         content = _written(path.suffix.lower(), several, stage, langs, upto, answers, seed, paper, font, scan)
         with files.beside(path, force, _MARKS) as draft:
             draft.write_bytes(content)
+        if scan is not None:
+            click.echo(f"#{scan}-{scan + pages(content) - 1}", err=True)
+            scan += pages(content)
         click.echo(str(path))
 
 

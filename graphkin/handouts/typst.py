@@ -21,14 +21,15 @@ from graphkin.handouts.document import (
     Text,
 )
 from graphkin.handouts.fonts import Fonts, fonts
-from graphkin.handouts.grid import markers_svg, room_svg
+from graphkin.handouts.grid import room_svg
+from graphkin.handouts.markers import DIGITS, MARKERS, SIZE, digits, edges, markers_svg
 from graphkin.handouts.scripted import Sign, signs
 from graphkin.outputs.extras import needed
 from graphkin.outputs.paged import unscaled
 from graphkin.outputs.spans import mm
 from graphkin.outputs.svg import svg
 from graphkin.sheet.lettering import Label, Run
-from graphkin.sheet.paper import PAPERS
+from graphkin.sheet.paper import PAPERS, Paper
 
 _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 _MISSING = re.compile(r'the text `"(.+?)"` could not be displayed')
@@ -58,8 +59,18 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
   footer: context {{
     set text(size: 8pt)
     grid(columns: (1fr, auto), align: (left + bottom, right + bottom),
-      bar, {foot} + " · " + str(counter(page).get().first()) + "/" + str(counter(page).final().first()))
+      bar, {foot}{number} + " · " + str(counter(page).get().first()) + "/" + str(counter(page).final().first()))
   }})
+"""
+_MARKER = """#let bits = ({bits})
+#let marker(id) = box(width: {size}mm, height: {size}mm, fill: black, {{
+  for k in range(16) {{
+    if calc.odd(bits.at(id).bit-rshift(15 - k)) {{
+      place(top + left, dx: (calc.rem(k, 4) + 1) * {cell}mm, dy: (calc.quo(k, 4) + 1) * {cell}mm,
+        rect(width: {cell}mm, height: {cell}mm, fill: white))
+    }}
+  }}
+}})
 """
 
 
@@ -67,7 +78,8 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
     """The PDF of a handout.
 
     font  a font file to use; else the one the environment names, else the system's
-    scan  the number of a sheet that is to be photographed, 0 to 15: markers and dots are printed with it
+    scan  the number of the first page of those that are to be photographed, each of which has the next one: markers
+          and dots are printed with it
 
     Raises NeedsExtra without typst, NoFont, NoChineseLetters, NoLetter.
     """
@@ -78,8 +90,8 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
     found = fonts(font, bool(_WIDE.search(words)))
     page = PAPERS[paper]
     if scan is not None:
-        pictures["markers"] = markers_svg(page.width, page.height, scan)
-    text = _head(handout, found, page.width, page.height, scan is not None) + _contents(handout) + body
+        pictures["markers"] = markers_svg(page.width, page.height)
+    text = _head(handout, found, page, scan) + _contents(handout) + body
     try:
         made: bytes = typst.compile(
             text.encode(), format="pdf", sys_inputs=pictures, font_paths=list(found.folders), timestamp=0,
@@ -92,15 +104,35 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
     return unscaled(made)
 
 
-def _head(handout: Handout, found: Fonts, width: float, height: float, scan: bool) -> str:
+def pages(content: bytes) -> int:
+    """How many pages a PDF of this writer has."""
+    return len(re.findall(rb"/Type\s*/Page\b", content))
+
+
+def _head(handout: Handout, found: Fonts, page: Paper, scan: int | None) -> str:
     foot = handout.foot
     said = " · ".join(filter(None, ("graphkin " + foot.version, foot.stage, foot.seed, foot.digest)))
-    markers = f'pdf.artifact(image(bytes(sys.inputs.markers), format: "svg", width: {mm(width)}mm))'
-    return _HEAD.format(
+    before, number, background = _numbered(page, scan) if scan is not None else ("", "", "none")
+    return before + _HEAD.format(
         title=_string(handout.title), families=", ".join(map(_string, found.families)), lang=_string(handout.lang),
-        width=mm(width), height=mm(height), margin=mm(_MARGIN + (8 if scan else 0)), bar=_string(foot.bar),
-        foot=_string(said), background=markers if scan else "none",
+        width=mm(page.width), height=mm(page.height), margin=mm(_MARGIN + (8 if scan is not None else 0)),
+        bar=_string(foot.bar), foot=_string(said), number=number, background=background,
     )  # fmt: skip
+
+
+def _numbered(page: Paper, first: int) -> tuple[str, str, str]:
+    """What draws a marker, what says a page's number in its foot, and the background that tells it to a camera."""
+    left, right = edges(page.width, page.height)
+    number = f"{first - 1} + counter(page).get().first()"
+    parts = ((left, f"calc.quo({number}, {DIGITS})"), (right, f"calc.rem({number}, {DIGITS})"))
+    placed = (
+        f"place(top + left, dx: {mm(at.real)}mm, dy: {mm(at.imag)}mm, marker({digits(0)[0]} + {part}))"
+        for at, part in parts
+    )
+    shared = f'image(bytes(sys.inputs.markers), format: "svg", width: {mm(page.width)}mm)'
+    background = f"context pdf.artifact({{ place(top + left, {shared}); {'; '.join(placed)} }})"
+    before = _MARKER.format(bits=", ".join(map(str, MARKERS)), size=mm(SIZE), cell=mm(SIZE / 6))
+    return before, f' + " · #" + str({number})', background
 
 
 def _contents(handout: Handout) -> str:
