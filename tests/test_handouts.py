@@ -174,7 +174,7 @@ def test_markers_are_told_apart_however_they_lie():
 
 def test_sheets_of_a_class_are_told_apart_on_paper(tmp_path: Path):
     """What is painted on each page is read: its corners, and a number that goes on from page to page and file to file."""
-    command = ["handout", "ex3-1", "ex3-5", "--stage", "blank", "--scan", "244", "-o", str(tmp_path)]
+    command = ["handout", "ex3-1", "ex3-5", "--stage", "problem", "--scan", "245", "-o", str(tmp_path)]
     done = CliRunner().invoke(main, command)
     assert done.exit_code == 0, done.output
     readers = [pypdf.PdfReader(tmp_path / f"{name}.pdf") for name in ("ex3-1", "ex3-5")]
@@ -187,8 +187,8 @@ def test_sheets_of_a_class_are_told_apart_on_paper(tmp_path: Path):
         left, right = (MARKERS.index(found[at]) for at in sorted({*found} - {*corners}, key=lambda at: at.real))
         told.append((left - 4) * 246 + right - 4)
         assert f"#{told[-1]}" in page.extract_text()
-    assert told == list(range(244, 244 + len(told)))
-    assert len(told) > 4
+    assert told == list(range(245, 245 + len(told)))
+    assert len(told) >= 2
 
 
 def test_a_class_has_numbers_enough():

@@ -46,6 +46,12 @@ class Rows:
     heads: tuple[Label, Label]
     columns: tuple[tuple[Label, Label, Label] | None, ...]
 
+    @property
+    def lines(self) -> list[list[Label | None]]:
+        """The terms, the directions, the sizes, each behind its head; None where there is to be written."""
+        columns = [((), *self.heads), *self.columns]
+        return [[column[k] if column is not None else None for column in columns] for k in range(3)]
+
 
 @frozen
 class Picture:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from html import escape
-from typing import assert_never
 
-from graphkin.handouts.document import Block, Formula, Handout, Heading, NewPage, Picture, Room, Rows, Table, Text
+from graphkin.handouts.document import Handout, Heading, Picture, Rows, Table, Text
 from graphkin.handouts.grid import room_svg
+from graphkin.handouts.medium import Medium
 from graphkin.handouts.scripted import Sign, signs
 from graphkin.outputs.svg import inline
 from graphkin.sheet.lettering import Label, Run
@@ -33,7 +32,7 @@ def html(handout: Handout, paper: str = "A4") -> str:
     """The whole page."""
     size = PAPERS[paper]
     style = _STYLE.format(width=size.width, height=size.height, room=size.width - 40)
-    body = "\n".join(line for block in handout.blocks for line in _block(block))
+    body = _PAGE.written(handout.blocks)
     foot, title = handout.foot, escape(handout.title)
     said = " · ".join(filter(None, ("graphkin " + foot.version, foot.stage, foot.seed, foot.digest)))
     bar = f'<div><div class="bar"></div>{escape(foot.bar)}</div>'
@@ -52,42 +51,35 @@ def _contents(handout: Handout) -> str:
     return f'<h1>{escape(handout.contents)}</h1>\n<ol>{items}</ol>\n<div class="new"></div>\n'
 
 
-def _block(block: Block) -> Iterator[str]:
-    match block:
-        case Heading(words, level):
-            yield f"<h{level}>{_words(words)}</h{level}>"
-        case Text(words, act):
-            number = f'<span class="act">{escape(act)}</span> ' if act else ""
-            yield f"<p>{number}{_words(words)}</p>"
-        case Formula(words):
-            yield f'<p class="formula">{_words(words)}</p>'
-        case Rows():
-            yield _rows(block)
-        case Picture(sheet, told):
-            yield f'<figure role="img" aria-label="{escape(told)}">{inline(sheet)}</figure>'
-        case Room():
-            yield f"<figure>{room_svg(block)}</figure>"
-        case Table(heads, rows):
-            yield _table(heads, rows)
-        case NewPage():
-            yield '<div class="new"></div>'
-        case _:
-            assert_never(block)
+def _heading(heading: Heading) -> str:
+    return f"<h{heading.level}>{_words(heading.words)}</h{heading.level}>"
+
+
+def _text(text: Text) -> str:
+    number = f'<span class="act">{escape(text.act)}</span> ' if text.act else ""
+    return f"<p>{number}{_words(text.words)}</p>"
 
 
 def _rows(rows: Rows) -> str:
-    columns = [((), *rows.heads), *rows.columns]
     rule = '<span class="rule"></span>'
-    lines = (
-        "".join(f"<td>{_words(column[k]) if column is not None else rule}</td>" for column in columns) for k in range(3)
-    )
+    lines = ("".join(f"<td>{_words(cell) if cell is not None else rule}</td>" for cell in line) for line in rows.lines)
     return '<table class="rows">' + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
 
 
-def _table(heads: tuple[Label, ...], rows: tuple[tuple[Label, ...], ...]) -> str:
-    first = "".join(f"<th>{_words(head)}</th>" for head in heads)
-    lines = ("".join(f"<td>{_words(cell)}</td>" for cell in row) for row in rows)
+def _picture(picture: Picture) -> str:
+    return f'<figure role="img" aria-label="{escape(picture.told)}">{inline(picture.sheet)}</figure>'
+
+
+def _table(table: Table) -> str:
+    first = "".join(f"<th>{_words(head)}</th>" for head in table.heads)
+    lines = ("".join(f"<td>{_words(cell)}</td>" for cell in row) for row in table.rows)
     return f'<table class="filled"><tr>{first}</tr>' + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
+
+
+_PAGE = Medium(
+    _heading, _text, lambda formula: f'<p class="formula">{_words(formula.words)}</p>', _rows, _picture,
+    lambda room: f"<figure>{room_svg(room)}</figure>", _table, lambda _: '<div class="new"></div>',
+)  # fmt: skip
 
 
 def _words(label: Label) -> str:

@@ -3,26 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
-from typing import assert_never
 
 from graphkin.errors import NoLetter
-from graphkin.handouts.document import (
-    Block,
-    Formula,
-    Handout,
-    Heading,
-    NewPage,
-    Picture,
-    Room,
-    Rows,
-    Table,
-    Text,
-)
+from graphkin.handouts.document import Handout, Rows, Table, Text
 from graphkin.handouts.fonts import Fonts, fonts
 from graphkin.handouts.grid import room_svg
 from graphkin.handouts.markers import DIGITS, MARKERS, SIZE, digits, edges, markers_svg
+from graphkin.handouts.medium import Medium
 from graphkin.handouts.scripted import Sign, signs
 from graphkin.outputs.extras import needed
 from graphkin.outputs.paged import unscaled
@@ -85,7 +73,7 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
     """
     typst = needed("typst", "pdf")
     pictures: dict[str, str] = {}
-    body = "\n".join(line for block in handout.blocks for line in _block(block, pictures))
+    body = _medium(pictures).written(handout.blocks)
     words = handout.title + body + handout.foot.bar
     found = fonts(font, bool(_WIDE.search(words)))
     page = PAPERS[paper]
@@ -142,27 +130,23 @@ def _contents(handout: Handout) -> str:
     return f"#{title}\n#outline(title: none, depth: 1)\n#pagebreak()\n"
 
 
-def _block(block: Block, pictures: dict[str, str]) -> Iterator[str]:
-    match block:
-        case Heading(words, level):
-            yield f"#heading(level: {level})[{_words(words)}]\n"
-        case Text(words, act):
-            number = f"#act({_string(act)}) " if act else ""
-            yield f"#par[{number}{_words(words)}]\n"
-        case Formula(words):
-            yield f"#pad(left: 8mm, par[{_words(words)}])\n"
-        case Rows():
-            yield _rows(block)
-        case Picture(sheet, told):
-            yield _image(pictures, svg(sheet), sheet.paper.width, told)
-        case Room():
-            yield _image(pictures, room_svg(block), block.width, "".join(run.text for run in block.name))
-        case Table(heads, rows):
-            yield _table(heads, rows)
-        case NewPage():
-            yield "#pagebreak(weak: true)\n"
-        case _:
-            assert_never(block)
+def _medium(pictures: dict[str, str]) -> Medium:
+    """Typst's markup; drawings are kept under the names by which it asks for them."""
+    return Medium(
+        lambda heading: f"#heading(level: {heading.level})[{_words(heading.words)}]\n",
+        _text,
+        lambda formula: f"#pad(left: 8mm, par[{_words(formula.words)}])\n",
+        _rows,
+        lambda picture: _image(pictures, svg(picture.sheet), picture.sheet.paper.width, picture.told),
+        lambda room: _image(pictures, room_svg(room), room.width, "".join(run.text for run in room.name)),
+        _table,
+        lambda _: "#pagebreak(weak: true)\n",
+    )
+
+
+def _text(text: Text) -> str:
+    number = f"#act({_string(text.act)}) " if text.act else ""
+    return f"#par[{number}{_words(text.words)}]\n"
 
 
 def _image(pictures: dict[str, str], text: str, width: float, told: str) -> str:
@@ -178,17 +162,16 @@ def _in_own_font(found: re.Match[str]) -> str:
 
 def _rows(rows: Rows) -> str:
     """Three lines: terms, directions, sizes; a blank is a line to write on."""
-    columns = [((), *rows.heads), *rows.columns]
     rule = "#box(width: 20mm, height: 6mm, stroke: (bottom: 0.18mm))"
-    cells = [f"[{_words(column[k]) if column is not None else rule}]" for k in range(3) for column in columns]
-    shape = f"columns: {len(columns)}, align: center + horizon, column-gutter: 2mm, row-gutter: 2mm"
+    cells = [f"[{_words(cell) if cell is not None else rule}]" for line in rows.lines for cell in line]
+    shape = f"columns: {len(rows.lines[0])}, align: center + horizon, column-gutter: 2mm, row-gutter: 2mm"
     return f"#block(breakable: false, pad(left: 8mm, grid({shape}, {', '.join(cells)})))\n"
 
 
-def _table(heads: tuple[Label, ...], rows: tuple[tuple[Label, ...], ...]) -> str:
-    cells = [f"[{_words(cell)}]" for row in rows for cell in row]
-    first = ", ".join(f"[{_words(head)}]" for head in heads)
-    shape = f"columns: (30mm,) * {len(heads)}, rows: 8mm, align: center + horizon, stroke: 0.18mm"
+def _table(table: Table) -> str:
+    cells = [f"[{_words(cell)}]" for row in table.rows for cell in row]
+    first = ", ".join(f"[{_words(head)}]" for head in table.heads)
+    shape = f"columns: (30mm,) * {len(table.heads)}, rows: 8mm, align: center + horizon, stroke: 0.18mm"
     return f"#block(breakable: false, table({shape}, table.header({first}), {', '.join(cells)}))\n"
 
 

@@ -1,4 +1,4 @@
-"""A drawing of one position as a file, by the ending of its name."""
+"""A drawing as a file, by the ending of its name; any drawing is written here, and replaces only one of graphkin's."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from graphkin.errors import Lang
 from graphkin.outputs.files import beside
 from graphkin.outputs.files import refuse as refuse_file
 from graphkin.outputs.paint import Ink
+from graphkin.outputs.svg import NAMESPACE
 from graphkin.planning import Method
 from graphkin.sheet import Sheet
 from graphkin.value import frozen
@@ -82,15 +83,18 @@ WRITERS: Mapping[str, Callable[[Picture], bytes]] = {
 """By the file's ending."""
 MOVING: Mapping[str, Callable[[Sequence[Sheet], float, Ink], bytes]] = {".svg": _moving_svg, ".png": _moving_png}
 """Sheets of several positions as one file, by its ending."""
-_MARKS = (b"https://graphkin.invalid/sheet/1", b"graphkin sheet")
+_MARKS = (NAMESPACE.encode(), b"graphkin sheet")
 
 
 def refuse(path: Path, force: bool) -> None:
-    """Whether a drawing may be written there; several are all asked before the first is written."""
+    """Whether a drawing may be written there; several are all asked before the first is written.
+
+    Raises FileInTheWay, NoFolder, CannotWrite.
+    """
     refuse_file(path, force, _MARKS)
 
 
-def write(path: Path, content: bytes, force: bool) -> None:
-    """Beside, then renamed. Raises FileInTheWay, NoFolder, CannotWrite."""
+def write(path: Path, content: bytes | str, force: bool) -> None:
+    """Beside, then renamed; a text as UTF-8. Raises FileInTheWay, NoFolder, CannotWrite."""
     with beside(path, force, _MARKS) as draft:
-        draft.write_bytes(content)
+        draft.write_bytes(content.encode() if isinstance(content, str) else content)
