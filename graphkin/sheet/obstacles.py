@@ -23,7 +23,7 @@ _CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
 class Tree:
     """Obstacles by place: line segments (n, 2, 2), and areas.
 
-    shapely finds whose surroundings overlap. Whether a segment passes through an upright box is seen for all at once:
+    shapely finds whose surroundings overlap; those of a box are those of its diagonal. Whether a segment passes through an upright box is seen for all at once:
     most of what is drawn are segments, and asked one by one they would take longer than all else of a crowded sheet.
     """
 
@@ -40,13 +40,14 @@ class Tree:
 
     def touched(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.intp]:
         """Rows of the boxes low..high that touch something, once for each thing touched."""
-        boxes = self._shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1])
-        rows, numbers = self._lines.query(boxes)
+        diagonals = self._shapely.linestrings(np.stack([low, high], axis=1))
+        rows, numbers = self._lines.query(diagonals)
         start, end = self._segments[numbers, 0], self._segments[numbers, 1]
         middle, half = (low + high) / 2, (high - low) / 2
         hit = _through(end - start, middle[rows] - start, half[rows])
-        areas: NDArray[np.intp] = self._areas.query(boxes, predicate="intersects")[0]
-        return np.concatenate([rows[hit], areas])
+        near = np.unique(self._areas.query(diagonals)[0])
+        boxes = self._shapely.box(low[near, 0], low[near, 1], high[near, 0], high[near, 1])
+        return np.concatenate([rows[hit], near[self._areas.query(boxes, predicate="intersects")[0]]])
 
     def crossed(self, start: NDArray[np.float64], end: NDArray[np.float64]) -> NDArray[np.intp]:
         """Rows of the lines start..end that touch something, once for each thing touched."""
