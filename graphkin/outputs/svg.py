@@ -65,7 +65,7 @@ def _drawn(sheet: Sheet, ink: Ink, metadata: bool) -> str:
     pen = Pen(sheet, ink, metadata)
     for layer in sheet.layers:
         pen.layer(layer)
-    return str(pen.drawing.tostring())
+    return ET.tostring(pen.drawing.get_xml(), encoding="unicode")
 
 
 def _refuse_control(text: str, where: str) -> None:
