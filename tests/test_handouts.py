@@ -147,7 +147,7 @@ class _Tags(HTMLParser):
         assert self.open.pop() == tag
 
 
-@pytest.mark.parametrize("name", library.names()[::7])
+@pytest.mark.parametrize("name", library.names()[::20])
 def test_pages_of_a_browser_need_nothing_else(name):
     made = handout([graphkin.load(name)], "solution", "en")
     page = html(made)
@@ -213,6 +213,43 @@ def test_a_folder_gets_a_file_for_each(tmp_path: Path):
     assert done.exit_code == 0, done.output
     assert sorted(path.name for path in (tmp_path / "sheets").iterdir()) == ["ex3-1.pdf", "ex3-5.pdf"]
     assert "seed 7" in _reader((tmp_path / "sheets" / "ex3-1.pdf").read_bytes()).pages[0].extract_text()
+
+
+@pytest.fixture(scope="module")
+def homework(tmp_path_factory) -> Path:
+    """A class's problem set in its folder."""
+    folder = tmp_path_factory.mktemp("class")
+    (folder / "class.csv").write_text("id,name\n20240001,Li Lei\n20240002,Han Meimei\n", encoding="utf-8")
+    template = folder / "slide.toml"
+    template.write_text(library.text("ex3-1").replace("AB = 24", "AB = { from = 20, to = 28, step = 1 }"), encoding="utf-8")
+    command = ["problems", str(template), "--students", str(folder / "class.csv"), "--seed", "27", "-o", str(folder / "set")]
+    done = CliRunner().invoke(main, command)
+    assert done.exit_code == 0, done.output
+    return folder / "set"
+
+
+@pytest.mark.parametrize("target", ["sheets", "print.pdf"])
+def test_a_class_gets_its_own_sheets(homework: Path, target: str, tmp_path: Path):
+    """A file each, or one to print; each page says whose it is, of which set, and has a number of its own."""
+    command = ["handout", str(homework), "--stage", "blank", "--lang", "en", "--scan", "10", "-o", str(tmp_path / target)]
+    done = CliRunner().invoke(main, command)
+    assert done.exit_code == 0, done.output
+    paths = sorted((tmp_path / target).iterdir()) if target == "sheets" else [tmp_path / target]
+    assert [path.stem for path in paths] == (["20240001", "20240002"] if target == "sheets" else ["print"])
+    texts = [page.extract_text() for path in paths for page in pypdf.PdfReader(path).pages]
+    own = texts if target == "sheets" else texts[1:]
+    assert [("20240001" in text, "20240002" in text) for text in own] == [(True, False)] * 3 + [(False, True)] * 3
+    for number, text in enumerate(texts, 10):
+        assert "seed 27" in text
+        assert f"#{number} " in text
+
+
+@pytest.mark.parametrize("text", ["", "[]", '{"seed": 1}', '{"seed": 1, "students": {"a": {"file": "../a.toml"}}}'])
+def test_a_list_that_is_none_is_said(text: str, tmp_path: Path):
+    (tmp_path / "set.json").write_text(text, encoding="utf-8")
+    done = CliRunner().invoke(main, ["handout", str(tmp_path), "--lang", "en", "-o", str(tmp_path / "a.pdf")])
+    assert done.exit_code == 3
+    assert "problem set" in done.output
 
 
 def test_no_boxes_where_no_chinese_font_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):

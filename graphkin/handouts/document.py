@@ -14,10 +14,11 @@ Stage = Literal["problem", "blank", "half", "solution"]
 
 @frozen
 class Heading:
-    """A heading; level 1 is a problem's title."""
+    """A heading; level 1 is a problem's title. `said`: what the foot of its pages says of this problem alone."""
 
     words: Label
     level: int = 2
+    said: str = ""
 
 
 @frozen
@@ -96,7 +97,8 @@ Block = Heading | Text | Formula | Rows | Picture | Table | Room | NewPage
 class Foot:
     """What every page says of itself.
 
-    stage   in words; digest: the beginning of the mechanism file's SHA-256; seed: of the set it belongs to
+    stage   in words; digest: the beginning of the mechanism file's SHA-256, where that is one for all pages
+    seed    of the set it belongs to
     """
 
     stage: str
@@ -104,6 +106,10 @@ class Foot:
     digest: str
     seed: str
     bar: str
+
+    @property
+    def words(self) -> str:
+        return " · ".join(filter(None, ("graphkin " + self.version, self.stage, self.seed, self.digest)))
 
 
 @frozen

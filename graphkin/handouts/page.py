@@ -24,6 +24,7 @@ text-align:center;font-weight:normal}}.rows{{margin-left:8mm}}.rows td{{text-ali
 .rule{{display:inline-block;width:20mm;height:6mm;border-bottom:.18mm solid}}
 footer{{margin-top:8mm;font-size:8pt;display:flex;justify-content:space-between;align-items:flex-end}}
 .bar{{width:100mm;height:2mm;border:solid;border-width:.35mm .18mm 0}}.new{{break-before:page}}
+small{{font-size:8pt;font-weight:normal}}
 .act{{display:inline-block;min-width:3.6mm;line-height:3.6mm;border:.2mm solid;border-radius:2mm;text-align:center;
 font-size:7.5pt}}"""
 
@@ -34,12 +35,11 @@ def html(handout: Handout, paper: str = "A4") -> str:
     style = _STYLE.format(width=size.width, height=size.height, room=size.width - 40)
     body = _PAGE.written(handout.blocks)
     foot, title = handout.foot, escape(handout.title)
-    said = " · ".join(filter(None, ("graphkin " + foot.version, foot.stage, foot.seed, foot.digest)))
     bar = f'<div><div class="bar"></div>{escape(foot.bar)}</div>'
     return (
         f'<!DOCTYPE html>\n<html lang="{handout.lang}"><head><meta charset="utf-8">'
         f'<meta name="generator" content="{MARK.decode()}"><title>{title}</title>\n<style>{style}</style></head>\n'
-        f"<body>\n{_contents(handout)}{body}\n<footer>{bar}<span>{escape(said)}</span></footer>\n</body></html>\n"
+        f"<body>\n{_contents(handout)}{body}\n<footer>{bar}<span>{escape(foot.words)}</span></footer>\n</body></html>\n"
     )
 
 
@@ -52,7 +52,8 @@ def _contents(handout: Handout) -> str:
 
 
 def _heading(heading: Heading) -> str:
-    return f"<h{heading.level}>{_words(heading.words)}</h{heading.level}>"
+    said = f' <small>{escape(heading.said)}</small>' if heading.said else ""
+    return f"<h{heading.level}>{_words(heading.words)}{said}</h{heading.level}>"
 
 
 def _text(text: Text) -> str:

@@ -28,27 +28,43 @@ _ROOM = complex(135.0, 100.0)
 
 
 def handout(
-    mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, *, upto: int = 1, answers: bool = False, seed: str = ""
-) -> Handout:
+    mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, *, upto: int = 1, answers: bool = False, seed: str = "",
+    whose: Sequence[str] = (),
+) -> Handout:  # fmt: skip
     """One or several problems at one stage.
 
     upto     of a half-worked solution: so many whole equations are done
     answers  the answers of all at the end
     seed     of the set the problems belong to, as every page says it
+    whose    the student each problem is for, or "": it stands after the title
 
     Raises what loading, planning and proving raise.
     """
-    problems = [told(mechanism, lang) for mechanism in mechanisms]
+    owners = whose or [""] * len(mechanisms)
+    problems = [replace(told(each, lang), whose=who) for each, who in zip(mechanisms, owners, strict=True)]
     blocks: list[Block] = []
     for k, problem in enumerate(problems):
         blocks += [NewPage()] if k else []
-        blocks += _staged(problem, stage, upto)
+        own = _digest([problem.drawing.mechanism]) if len(problems) > 1 else ""
+        said = " · ".join(filter(None, (problem.whose, own)))
+        blocks += (replace(b, said=said) if isinstance(b, Heading) and b.level == 1 else b
+                   for b in _staged(problem, stage, upto))  # fmt: skip
     if answers:
         blocks += [NewPage(), Heading(plain(say("handouts.answers", lang)), 1)]
         blocks += [block for problem in problems for block in _answers(problem)]
     title = " / ".join(problem.title for problem in problems)
     contents = say("handouts.contents", lang) if len(problems) > 1 else ""
     return Handout(title, lang, tuple(blocks), _foot(mechanisms, stage, lang, seed), contents)
+
+
+def in_languages(
+    mechanisms: Sequence[Mechanism], stage: Stage, langs: Sequence[Lang], *, upto: int = 1, answers: bool = False,
+    seed: str = "", whose: Sequence[str] = (),
+) -> Handout:  # fmt: skip
+    """The handout in each of the languages, one after the other; its feet are in the first."""
+    found = [handout(mechanisms, stage, lang, upto=upto, answers=answers, seed=seed, whose=whose) for lang in langs]
+    blocks = [block for k, each in enumerate(found) for block in ((NewPage(),) if k else ()) + each.blocks]
+    return replace(found[0], blocks=tuple(blocks))
 
 
 def told(mechanism: Mechanism, lang: Lang) -> Told:
@@ -71,9 +87,13 @@ def _scales(drawing: Drawing) -> Iterator[tuple[Plane, float]]:
 
 
 def _foot(mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, seed: str) -> Foot:
-    digest = hashlib.sha256("\0".join(mechanism.text for mechanism in mechanisms).encode()).hexdigest()[:12]
+    digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
     said = say("handouts.seed", lang, seed=seed) if seed else ""
     return Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, said, say("handouts.bar", lang))
+
+
+def _digest(mechanisms: Sequence[Mechanism]) -> str:
+    return hashlib.sha256("\0".join(mechanism.text for mechanism in mechanisms).encode()).hexdigest()[:12]
 
 
 # --- stages -----------------------------------------------------------------------------------

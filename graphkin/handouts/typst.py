@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from graphkin.errors import NoLetter
-from graphkin.handouts.document import Handout, Rows, Table, Text
+from graphkin.handouts.document import Handout, Heading, Rows, Table, Text
 from graphkin.handouts.fonts import Fonts, fonts
 from graphkin.handouts.grid import room_svg
 from graphkin.handouts.markers import DIGITS, MARKERS, SIZE, digits, edges, markers_svg
@@ -47,7 +47,8 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
   footer: context {{
     set text(size: 8pt)
     grid(columns: (1fr, auto), align: (left + bottom, right + bottom),
-      bar, {foot}{number} + " · " + str(counter(page).get().first()) + "/" + str(counter(page).final().first()))
+      bar, {foot} + state("said", "").get(){number} + " · " +
+        str(counter(page).get().first()) + "/" + str(counter(page).final().first()))
   }})
 """
 _MARKER = """#let bits = ({bits})
@@ -99,12 +100,11 @@ def pages(content: bytes) -> int:
 
 def _head(handout: Handout, found: Fonts, page: Paper, scan: int | None) -> str:
     foot = handout.foot
-    said = " · ".join(filter(None, ("graphkin " + foot.version, foot.stage, foot.seed, foot.digest)))
     before, number, background = _numbered(page, scan) if scan is not None else ("", "", "none")
     return before + _HEAD.format(
         title=_string(handout.title), families=", ".join(map(_string, found.families)), lang=_string(handout.lang),
         width=mm(page.width), height=mm(page.height), margin=mm(_MARGIN + (8 if scan is not None else 0)),
-        bar=_string(foot.bar), foot=_string(said), number=number, background=background,
+        bar=_string(foot.bar), foot=_string(foot.words), number=number, background=background,
     )  # fmt: skip
 
 
@@ -133,7 +133,7 @@ def _contents(handout: Handout) -> str:
 def _medium(pictures: dict[str, str]) -> Medium:
     """Typst's markup; drawings are kept under the names by which it asks for them."""
     return Medium(
-        lambda heading: f"#heading(level: {heading.level})[{_words(heading.words)}]\n",
+        _heading,
         _text,
         lambda formula: f"#pad(left: 8mm, par[{_words(formula.words)}])\n",
         _rows,
@@ -142,6 +142,12 @@ def _medium(pictures: dict[str, str]) -> Medium:
         _table,
         lambda _: "#pagebreak(weak: true)\n",
     )
+
+
+def _heading(heading: Heading) -> str:
+    """With what the feet say from here on: a heading of the first level begins a page."""
+    said = f"#state(\"said\", \"\").update({_string(' · ' + heading.said)})\n" if heading.said else ""
+    return f"{said}#heading(level: {heading.level})[{_words(heading.words)}]\n"
 
 
 def _text(text: Text) -> str:
