@@ -12,6 +12,8 @@ from graphkin.sheet.lettering import Label, scripts
 _FINE, _BOLD, _FRAME = ("#d5dde5", 0.1), ("#a9b8c6", 0.18), ("#000000", 0.35)
 _STEP = 5.0
 _LETTERS = 4.2
+_OFF, _HIGH, _WIDE = 1.4, 3.0, 4.0
+"""What letters keep from a line, how high they are, and how wide a pole's letter is [mm]."""
 _FAMILY = "Times New Roman, Liberation Serif, Tinos, serif"
 
 
@@ -29,9 +31,10 @@ def room_svg(room: Room) -> str:
     start, end = _through(room, along)
     _line(drawing, start, end, "#555555", 0.18)
     drawing.add(drawing.circle((mm(room.pole.real), mm(room.pole.imag)), "0.6", fill="#000000"))
-    _letters(drawing, room.name, room.pole + complex(-5.5, -1.5))
     away = room.pole + 22 * (along if _inside(room, room.pole + 30 * along) else -along)
-    _letters(drawing, room.mark, away + complex(1.5, -1.5))
+    right, left = _beside(along)
+    _letters(drawing, room.name, room.pole + left)
+    _letters(drawing, room.mark, away + right)
     return str(drawing.tostring())
 
 
@@ -59,6 +62,14 @@ def _through(room: Room, along: complex) -> tuple[complex, complex]:
                 reach.append(((most if step > 0 else 0.0) - place) / step)
         ends.append(room.pole + way * min(reach))
     return ends[1], ends[0]
+
+
+def _beside(along: complex) -> tuple[complex, complex]:
+    """From a place on a line to where letters begin that stand clear of it: to the right of it, and to the left."""
+    way = along if along.real >= 0 else -along
+    rises = way.imag <= 0
+    off = _OFF * (way * 1j if rises else way * -1j)
+    return off + (1j * _HIGH if rises else 0), -off - _WIDE + (0 if rises else 1j * _HIGH)
 
 
 def _inside(room: Room, place: complex) -> bool:

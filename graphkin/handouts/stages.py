@@ -18,12 +18,14 @@ from graphkin.mechanism import Mechanism
 from graphkin.running import replay_all
 from graphkin.say import entry
 from graphkin.say.catalogue import say
+from graphkin.sheet.fit import corners
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_sheet import HEADINGS, Style, mechanism_sheet
+from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.scales import KEYS, finest, written
 
-_ROOM = complex(135.0, 100.0)
+_ROOM = blank.ROOM / 1.2
 """What one figure takes up on a page at most [mm], without its labels."""
 
 
@@ -80,10 +82,15 @@ def _scales(drawing: Drawing) -> Iterator[tuple[Plane, float]]:
     """As the file has them; else the finest at which each figure has room on a page."""
     for plane in PLANES:
         given = drawing.mechanism.scales.get(KEYS[plane])
-        places = [complex(at) for at in drawing.plot.points(plane).values()]
-        wide = max(at.real for at in places) - min(at.real for at in places)
-        tall = max(at.imag for at in places) - min(at.imag for at in places)
-        yield plane, given or finest(complex(wide, tall), _ROOM)
+        low, high = corners(_shown(drawing, plane))
+        yield plane, given or finest(high - low, _ROOM)
+
+
+def _shown(drawing: Drawing, plane: Plane) -> list[complex]:
+    """The places of a figure in SI units, wheels' rims among them."""
+    if plane == "position":
+        return shown_places(drawing.method, drawing.plot)
+    return [complex(at) for at in drawing.plot.points(plane).values()]
 
 
 def _foot(mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, seed: str) -> Foot:
@@ -136,8 +143,8 @@ def _blank(problem: Told) -> Iterator[Block]:
         yield NewPage()
         yield Heading(plain(HEADINGS[problem.lang][plane]))
         yield blank.empty_rows(problem)
-        scale = "".join(run.text for run in written(plane, problem.scales[plane]))
-        yield Text(formula(say("handouts.draw here", problem.lang, scale=scale)))
+        before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
+        yield Text((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
         yield blank.room(problem, plane)
         yield blank.measured(problem)
 
