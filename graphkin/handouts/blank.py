@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import hashlib
 import math
+from collections.abc import Iterator
 
 from graphkin.construction import Construction, LayOff, Plane
 from graphkin.handouts.document import Room, Rows, Table
@@ -23,7 +24,7 @@ _EDGE, _GRID = 4.0, 5.0
 """What the polygon keeps from the edge; the pole stands on a line of the grid [mm]."""
 _STEP = 10.0
 """Rooms are so many millimetres, or a multiple of it."""
-_TERMS = 3
+_EQUATIONS, _TERMS = 3, {"velocity": 3, "acceleration": 5}
 
 
 def room(told: Told, plane: Plane) -> Room:
@@ -79,12 +80,19 @@ def _first_direction(told: Told, construction: Construction) -> tuple[float, Lab
     return 0.0, plain("0°")
 
 
-def empty_rows(told: Told, equation: VectorEquation | None = None) -> Rows:
+def equations(told: Told, plane: Plane) -> Iterator[Rows]:
+    """Lines for as many equations as a polygon takes, three at most, each with as many terms as its plane may have."""
+    construction = _construction(told, plane)
+    for _ in construction.equations[:_EQUATIONS]:
+        yield empty_rows(told, terms=_TERMS[plane])
+
+
+def empty_rows(told: Told, equation: VectorEquation | None = None, terms: int = 3) -> Rows:
     """Lines to write an equation on: as many terms as it has, or as any may have."""
     lang = told.lang
     heads = tuple(plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row"))
     columns: list[tuple[Label, Label, Label] | None] = []
-    sides = [len(side) for side in equation.sides] if equation is not None else [1, _TERMS - 1]
+    sides = [len(side) for side in equation.sides] if equation is not None else [1, terms - 1]
     if equation is not None and equation.front:
         sides = [1, *sides]
     for k, count in enumerate(sides):
@@ -94,10 +102,10 @@ def empty_rows(told: Told, equation: VectorEquation | None = None) -> Rows:
     return Rows((heads[0], heads[1]), tuple(columns))
 
 
-def measured(told: Told, count: int = 5) -> Table:
-    """Room for what is read off: a vector, its length on paper, its value."""
+def measured(told: Told, count: int = 3) -> Table:
+    """Room for what is read off: a vector, its length on paper, its value; twice beside each other."""
     heads = tuple(plain(say(f"handouts.{key}", told.lang)) for key in ("vector", "measured", "value"))
-    return Table(heads, tuple(((), (), ()) for _ in range(count)))
+    return Table(heads * 2, (((),) * 6,) * count)
 
 
 def boxes(told: Told) -> Table:

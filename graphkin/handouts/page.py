@@ -19,7 +19,7 @@ font-size:10.5pt;line-height:1.45;max-width:{room}mm;margin:0 auto}}
 h1{{font-size:15pt}}h2{{font-size:12pt;break-after:avoid}}
 math{{font-family:"DejaVu Math TeX Gyre","TeX Gyre Termes Math","XITS Math","STIX Two Math",math}}
 .formula{{margin-left:8mm}}figure{{margin:3mm 0;text-align:center;break-inside:avoid}}svg{{max-width:none}}
-table{{border-collapse:collapse;break-inside:avoid}}.filled td,.filled th{{border:.18mm solid;min-width:28mm;height:7mm;
+table{{border-collapse:collapse;break-inside:avoid}}.filled td,.filled th{{border:.18mm solid;min-width:24mm;height:7mm;
 text-align:center;font-weight:normal}}.rows{{margin-left:8mm}}.rows td{{text-align:center;padding:.6mm 1mm}}
 .rule{{display:inline-block;width:20mm;height:6mm;border-bottom:.18mm solid}}
 footer{{margin-top:8mm;font-size:8pt;display:flex;justify-content:space-between;align-items:flex-end}}

@@ -142,7 +142,7 @@ def _blank(problem: Told) -> Iterator[Block]:
     for plane in problem.polygons:
         yield NewPage()
         yield Heading(plain(HEADINGS[problem.lang][plane]))
-        yield blank.empty_rows(problem)
+        yield from blank.equations(problem, plane)
         before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
         yield Text((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
         yield blank.room(problem, plane)
@@ -161,7 +161,7 @@ def _half(problem: Told, upto: int) -> Iterator[Block]:
     if waiting is not None:
         yield Text(plain(say("handouts.go on", problem.lang)))
         yield blank.empty_rows(problem, waiting)
-        yield blank.measured(problem, 3)
+        yield blank.measured(problem, 2)
 
 
 def _solution(problem: Told) -> Iterator[Block]:

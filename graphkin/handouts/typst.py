@@ -31,7 +31,8 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
 #set heading(outlined: true, bookmarked: true)
 #show heading.where(level: 1): set text(size: 15pt)
 #show heading.where(level: 2): set text(size: 12pt)
-#let act(number) = box(baseline: 0.9mm,
+#let lettered(body) = text(font: ({families}), body)
+#let act(number) = box(
   circle(radius: 1.9mm, inset: 0mm, stroke: 0.2mm, align(center + horizon, text(size: 7.5pt, number))))
 #let bar = {{
   set text(size: 7pt)
@@ -177,7 +178,8 @@ def _rows(rows: Rows) -> str:
 def _table(table: Table) -> str:
     cells = [f"[{_words(cell)}]" for row in table.rows for cell in row]
     first = ", ".join(f"[{_words(head)}]" for head in table.heads)
-    shape = f"columns: (30mm,) * {len(table.heads)}, rows: 8mm, align: center + horizon, stroke: 0.18mm"
+    wide = mm(min(30, 152 / len(table.heads)))
+    shape = f"columns: ({wide}mm,) * {len(table.heads)}, rows: 8mm, align: center + horizon, stroke: 0.18mm"
     return f"#block(breakable: false, table({shape}, table.header({first}), {', '.join(cells)}))\n"
 
 
@@ -190,7 +192,7 @@ def _sign(sign: Sign) -> str:
     base = _run(sign.base) if sign.base is not None else ""
     if sign.low and sign.high:
         low, high = ("".join(map(_run, runs)) for runs in (sign.low, sign.high))
-        whole = f"$attach(#[{base}], t: #[{high}], b: #[{low}])$"
+        whole = f"$attach(#lettered[{base}], t: #lettered[{high}], b: #lettered[{low}])$"
         return f"#math.equation(alt: {_string(sign.plain)}, {whole})"
     low, high = ("".join(map(_run, runs)) for runs in (sign.low, sign.high))
     return base + (f"#sub[{low}]" if low else "") + (f"#super[{high}]" if high else "")
