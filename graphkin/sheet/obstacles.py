@@ -23,8 +23,9 @@ _CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
 class Tree:
     """Obstacles by place: line segments (n, 2, 2), and areas.
 
-    shapely finds whose surroundings overlap; those of a box are those of its diagonal. Whether a segment passes through an upright box is seen for all at once:
-    most of what is drawn are segments, and asked one by one they would take longer than all else of a crowded sheet.
+    shapely finds whose surroundings overlap; those of a box are those of its diagonal. Whether a segment passes
+    through an upright box is seen for all at once: most of what is drawn are segments, and asked one by one they would
+    take longer than all else of a crowded sheet.
     """
 
     def __init__(self, segments: NDArray[np.float64], areas: Sequence[Sequence[Place]]) -> None:
@@ -45,7 +46,7 @@ class Tree:
         start, end = self._segments[numbers, 0], self._segments[numbers, 1]
         middle, half = (low + high) / 2, (high - low) / 2
         hit = _through(end - start, middle[rows] - start, half[rows])
-        near = np.unique(self._areas.query(diagonals)[0])
+        near = np.flatnonzero(np.bincount(self._areas.query(diagonals)[0], minlength=len(low)))
         boxes = self._shapely.box(low[near, 0], low[near, 1], high[near, 0], high[near, 1])
         return np.concatenate([rows[hit], near[self._areas.query(boxes, predicate="intersects")[0]]])
 
