@@ -21,7 +21,7 @@ from graphkin.running.path import along, stride
 from graphkin.sheet.drives import drives
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.layout import Layout, lay_out, papers_for
-from graphkin.sheet.lettering import plain
+from graphkin.sheet.lettering import joined, plain, point_label
 from graphkin.sheet.marks import Text
 from graphkin.sheet.mechanism_figure import moving_figure
 from graphkin.sheet.mechanism_sheet import HEADINGS
@@ -33,6 +33,7 @@ from graphkin.sheet.quiet_letters import lettered
 from graphkin.sheet.scales import KEYS, TooLargeForPaper
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, strip_height
+from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import PLANES, Figure, Window, constructions
 from graphkin.sweeps import Course, course, prove
 from graphkin.value import frozen
@@ -42,11 +43,14 @@ _SHORT_OF_STOP = 1e-3
 """How near to a dead point the motion is shown [of the way between two of them]."""
 _ASIDE_DEG, _ASIDE_PART = 0.05, 0.001
 """How far beside a change point its position is drawn, where the polygons would be 0/0."""
-_LARGE = 4.0
-"""A polygon so many times larger than half of them are, near a dead point, is not drawn."""
+_ONE = 1e-6
+"""Points of a polygon that are never farther apart are one [of its size]."""
+_LARGE, _ENDLESS = 4.0, 12.0
+"""A polygon so many times larger than half of them are is not drawn: near a dead point; where a turn has none, but a
+special point goes far off."""
 _WORTH = 2
 """A polygon is drawn as large as if it had so many times its letters: most of the time it is smaller than its room."""
-TOO_LARGE: dict[Lang, str] = {"en": "too large here, near a dead point", "zh": "接近死点，图形过大，此处不画"}
+TOO_LARGE: dict[Lang, str] = {"en": "too large to be drawn here", "zh": "此处图形过大，不画"}
 BACK: dict[Lang, str] = {"en": "there and back; polygons: the way there", "zh": "往返运动；多边形按去程画"}
 
 
@@ -136,12 +140,13 @@ class _Frames:
 
     @cached_property
     def _shown(self) -> dict[Plane, set[int]]:
-        """The positions at which a plane is drawn: all, but for those near a dead point at which it is endless."""
+        """The positions at which a plane is drawn: all, but for those at which it is endless."""
         found: dict[Plane, set[int]] = {}
         for plane, values in self._values.items():
             sizes = np.array([max((abs(v) for v in at), default=0.0) for at in values])
             usual = float(np.median(sizes[np.isfinite(sizes)]))
-            fits = np.isfinite(sizes) & ((sizes <= _LARGE * usual) | (not self.back or plane == "position"))
+            most = np.inf if plane == "position" else usual * (_LARGE if self.back else _ENDLESS)
+            fits = np.isfinite(sizes) & (sizes <= most)
             found[plane] = set(np.flatnonzero(fits).tolist())
         return found
 
@@ -178,13 +183,42 @@ class _Frames:
     def _figure(self, plane: Plane, window: Window, k: int) -> Figure:
         born = births(self.method, plane)
         if plane != "position":
-            construction = constructions(self.method)[plane]
-            return polygon_figure(Polygon(self.method.mechanism, construction, self.plots[k], window, born))
+            polygon = Polygon(self.method.mechanism, constructions(self.method)[plane], self.plots[k], window, born)
+            return Figure(polygon_figure(polygon).marks, self._letters(polygon, self._as_one[plane]))
         first, here, *others = (
             Skeleton(self.method.mechanism, plot, window, born)
             for plot in (self.plots[0], self.plots[k], *self.plots[:: max(1, len(self.plots) // 8)])
         )
         return moving_figure(here, self.method, others, drives(first if self._drives_stand else here))
+
+    @cached_property
+    def _as_one(self) -> dict[Plane, list[tuple[str, ...]]]:
+        """The points of each polygon; those that never part are one, the pole and what is fixed first."""
+        found: dict[Plane, list[tuple[str, ...]]] = {}
+        for plane in self.planes:
+            construction = constructions(self.method)[plane]
+            nodes = dict.fromkeys((construction.pole, *construction.nodes))
+            names = [name for name in nodes if name in self.plots[0].points(plane)]
+            ways = {name: np.array([complex(plot.points(plane)[name]) for plot in self.plots]) for name in names}
+            size = max((float(np.nanmax(np.abs(way))) for way in ways.values()), default=0.0)
+            groups: dict[str, list[str]] = {}
+            for name in names:
+                alike = (one for one in groups if np.nanmax(np.abs(ways[one] - ways[name])) <= _ONE * size)
+                groups.setdefault(next(alike, name), []).append(name)
+            found[plane] = [tuple(group) for group in groups.values()]
+        return found
+
+    @staticmethod
+    def _letters(polygon: Polygon, groups: Sequence[tuple[str, ...]]) -> list[Wanted]:
+        """A label for each point that bears a letter."""
+        places = polygon.named
+        middle = sum(polygon.points.values()) / max(1, len(polygon.points))
+        named = [[name for name in group if name in places] for group in groups]
+        at = {tuple(group): places[group[0]] for group in named if group}
+        return [
+            Wanted(joined([point_label(name) for name in group]), place, gap=0.5, away=place - middle)
+            for group, place in at.items()
+        ]
 
     @cached_property
     def _drives_stand(self) -> bool:

@@ -50,8 +50,10 @@ def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list
         costs = [_costs(row, half, trees[k], taken[k], room) for k, row in zip(at, middles, strict=True)]
         best = int(np.argmin(np.sum(costs, axis=0) + len(costs) * _dislikes(middles.shape[1])))
         for k, row in zip(at, middles, strict=True):
-            found[k].append(_text(wants[k], row[best]))
-            taken[k].append(_boxes(row[best : best + 1], half))
+            place = _boxes(row[best : best + 1], half)
+            if not any(_overlap(place, other) for other in taken[k]):  # hidden while it would lie on another
+                found[k].append(_text(wants[k], row[best]))
+                taken[k].append(place)
     return found
 
 
@@ -107,12 +109,18 @@ def _boxes(middles: np.ndarray, half: complex) -> Boxes:
     return places - reach, places + reach
 
 
+def _overlap(one: Boxes, other: Boxes) -> np.ndarray:
+    """Which of the boxes lie on the other."""
+    lies: np.ndarray = np.all((other[0] < one[1] - _CLEAR) & (other[1] - _CLEAR > one[0]), axis=1)
+    return lies
+
+
 def _costs(middles: np.ndarray, half: complex, drawn: Tree, taken: Sequence[Boxes], room: Room) -> np.ndarray:
     """On how many things each of the places lies."""
     low, high = _boxes(middles, half)
     cost = np.bincount(drawn.touched(low, high), minlength=len(middles)).astype(float)
-    for other_low, other_high in taken:
-        cost += np.all((low < other_high) & (high > other_low), axis=1)
+    for other in taken:
+        cost += _overlap((low, high), other)
     outside = (low < [room.left, room.top]).any(axis=1) | (high > [room.right, room.bottom]).any(axis=1)
     return cost + _OUTSIDE * outside
 
