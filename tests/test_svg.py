@@ -12,9 +12,10 @@ import pytest
 from defusedxml.ElementTree import fromstring
 
 from graphkin import Drawing, library
+from graphkin.outputs.drawings import write
 from graphkin.outputs.files import FileInTheWay
 from graphkin.outputs.spans import mm
-from graphkin.outputs.svg import Unwritable, svg, write
+from graphkin.outputs.svg import Unwritable, svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
@@ -129,11 +130,11 @@ def test_control_characters_are_refused() -> None:
 
 def test_own_files_are_replaced_and_others_kept(tmp_path: Path, text: str) -> None:
     own, other = tmp_path / "own.svg", tmp_path / "other.svg"
-    write(own, text)
-    write(own, text)
+    write(own, text, False)
+    write(own, text, False)
     other.write_text("<svg/>")
     with pytest.raises(FileInTheWay, match=r"other\.svg"):
-        write(other, text)
+        write(other, text, False)
     assert other.read_text() == "<svg/>"
     write(other, text, force=True)
     assert own.read_text(encoding="utf-8") == other.read_text(encoding="utf-8") == text
