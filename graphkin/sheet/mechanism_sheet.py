@@ -45,7 +45,7 @@ _CROWDED, _EASED = 8, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
 _COARSER = 1.34
 """So much coarser a figure may be drawn to have room for its equations over it."""
-_TRIALS = 3
+_TRIALS = 4
 """How often equations are moved into the strip, whose height leaves figures less room."""
 _MORE = (2, 4)
 """So many times its labels count for a plane where some found no place."""
@@ -98,13 +98,15 @@ def _given(drawing: _Planes, paper: str | None, tight: bool) -> Sheet:
 
 def _whole(work: _Work, paper: str | None) -> _Composed:
     """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
-    for _ in range(_TRIALS):
-        best = _cut(work, paper)
-        whole = work.on(best.layout, far=True) if best.lettered.lost else best
-        if not whole.lettered.left_out or work.tight:
-            break
+    trials = 1 if work.tight else _TRIALS
+    while True:
+        trials -= 1
+        whole = _cut(work, paper)
+        if whole.lettered.lost and not (trials and whole.lettered.left_out):
+            whole = work.on(whole.layout, far=True)
+        if not (trials and whole.lettered.left_out):
+            return whole
         work = replace(work, apart=[*work.apart, *whole.lettered.left_out])
-    return whole
 
 
 def mechanism_step_sheets(
