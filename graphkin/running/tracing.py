@@ -55,7 +55,7 @@ def _setting_out(
     else:
         before, t = after
         start = tuple(float(value) for value in before.values(t))
-        near = before.near(t)
+        near = dict(before.near(t))
         sides = {choice: int(side) for choice, side in before.crossings(t).items()}
     nodes = (np.zeros(1), {name: np.full(1, value) for name, value in near.items()})
     return Path(start, pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Mapping, MutableMapping
+from collections.abc import Hashable, Iterator, Mapping, MutableMapping, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 
+from graphkin.construction.fitting import sense_and_sine
+from graphkin.construction.kinds import Fit
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.value import frozen
@@ -34,11 +36,36 @@ class Vector:
 
 
 @frozen
+class Judged:
+    """What is worked out from all the rest where somebody wants to know: a group's sense (0) or its sine (1)."""
+
+    step: Fit
+    which: int
+
+
+Place = Column | Vector | Judged
+"""Where a quantity of the plot comes from."""
+
+
+@frozen
+class Patch:
+    """Positions that were replayed plainly: their numbers (m,), and what that gave."""
+
+    rows: np.ndarray
+    plot: Plot
+
+
+@frozen
 class Numbers:
     """What a program gives: a block (rows, n), beside what it was given, scalars () or (n,)."""
 
     block: np.ndarray
     given: tuple[np.ndarray, ...]
+
+    @property
+    def count(self) -> int:
+        """Of positions."""
+        return int(self.block.shape[1])
 
     def read(self, column: Column | Vector) -> Value:
         """A scalar, or an array of its own (n,)."""
@@ -48,7 +75,7 @@ class Numbers:
         x, y = self._row(column.x), self._row(column.y)
         if not np.ndim(x) and not np.ndim(y):
             return complex(column.x.sign * x, column.y.sign * y)
-        vector = np.empty(self.block.shape[1], dtype=complex)
+        vector = np.empty(self.count, dtype=complex)
         np.multiply(column.x.sign, x, out=vector.real)
         np.multiply(column.y.sign, y, out=vector.imag)
         return vector
@@ -62,14 +89,14 @@ class Numbers:
 class LazyQuantities(MutableMapping[Any, Value]):
     """Quantities by name, each made when it is first read."""
 
-    def __init__(self, columns: Mapping[Any, Column | Vector], numbers: Numbers) -> None:
-        self.columns: dict[Any, Column | Vector | None] = {**columns}
-        self.numbers = numbers
+    def __init__(self, plot: LazyPlot, table: str, columns: Mapping[Any, Place]) -> None:
+        self.plot, self.table = plot, table
+        self.columns: dict[Any, Place | None] = {**columns}
         self.read: dict[Any, Value] = {}
 
     def __getitem__(self, name: Hashable) -> Value:
-        if name not in self.read and (column := self.columns[name]) is not None:
-            return self.read.setdefault(name, self.numbers.read(column))
+        if name not in self.read and (place := self.columns[name]) is not None:
+            return self.read.setdefault(name, self.plot.looked_up(self.table, name, place))
         return self.read[name]
 
     def __setitem__(self, name: Hashable, value: Value) -> None:
@@ -95,16 +122,27 @@ class LazyPlot(Plot):
 
     @classmethod
     def of(
-        cls, standing: Facts, columns: Mapping[str, Mapping[Any, Column | Vector]], numbers: Numbers
-    ) -> LazyPlot:
+        cls, standing: Facts, columns: Mapping[str, Mapping[Any, Place]], numbers: Numbers,
+        patches: Sequence[Patch] = (),
+    ) -> LazyPlot:  # fmt: skip
         """The plot of what a program gives.
 
         standing  facts with the drivers at other values
         columns   where each quantity is found, by table and name
+        patches   positions told otherwise
         """
         plot = cls.__new__(cls)
         plot.__dict__ |= {"near": {}, "_standing": standing, "_columns": columns, "_numbers": numbers}
+        plot.__dict__["_patches"] = patches
         return plot
+
+    def looked_up(self, table: str, name: Hashable, place: Place) -> Value:
+        """A quantity of a table, in an array of its own."""
+        known = self.__dict__
+        numbers: Numbers = known["_numbers"]
+        found = sense_and_sine(place.step, self)[place.which] if isinstance(place, Judged) else numbers.read(place)
+        patches = [(patch.rows, getattr(patch.plot, table)[name]) for patch in known["_patches"]]
+        return _patched(found, numbers.count, patches)
 
     def __getattr__(self, name: str) -> Any:
         """Tables and facts, which a plot has as attributes, when they are first asked for."""
@@ -117,5 +155,16 @@ class LazyPlot(Plot):
             standing: Facts = known["_standing"]
             found = replace(standing, values=tuple(value[()] for value in numbers.given[: len(standing.values)]))
         else:
-            found = LazyQuantities(known["_columns"][name], numbers)
+            found = LazyQuantities(self, name, known["_columns"][name])
         return known.setdefault(name, found)
+
+
+def _patched(value: Value, count: int, patches: Sequence[tuple[np.ndarray, Value]]) -> Value:
+    """A quantity with other values at some positions; a scalar remains one where they are no other."""
+    if not np.ndim(value):
+        if all(np.all(np.equal(found, value)) for _, found in patches):
+            return value
+        value = np.full(count, value)
+    for here, found in patches:
+        value[here] = found
+    return value

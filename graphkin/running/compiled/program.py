@@ -12,7 +12,7 @@ notes that something failed somewhere; then the program is run again to see at w
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -23,7 +23,7 @@ from graphkin.construction.pencil import replay
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.running.compiled.calls import Calls, written_out
-from graphkin.running.compiled.lazy_plot import TABLES, Column, LazyPlot, Numbers, Vector
+from graphkin.running.compiled.lazy_plot import TABLES, Column, Judged, LazyPlot, Numbers, Patch, Place, Vector
 from graphkin.running.compiled.operations import NUMBER
 from graphkin.running.compiled.recorder import Written, record
 from graphkin.running.compiled.tape import Tape
@@ -40,19 +40,22 @@ PLANES = ("position", "velocity", "acceleration")
 Registers = list[np.ndarray]
 
 
-def compiled_program(constructions: Sequence[Construction], facts: Facts) -> Program:
-    """The program of a method's three constructions. Raises CannotRecord where they can't be written down."""
-    recording = record(constructions, facts)
+def compiled_program(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> Program:
+    """The program of a method's three constructions. Raises CannotRecord where they can't be written down.
+
+    near  what a position close by can tell: angles by base link, displacements by `slide_key`
+    """
+    recording = record(constructions, facts, near)
     tape = recording.tape
     tables: dict[str, Mapping[Any, Value]] = {name: getattr(recording.plot, name) for name in TABLES}
-    sines = [value.real_at for value in tables["sines"].values() if isinstance(value, Written)]
+    sines = [value.real_at for value in (*tables["sines"].values(), *recording.sound) if isinstance(value, Written)]
     shown = [place for table in tables.values() for value in table.values() for place in _places(value, tape)]
-    calls = written_out(tape, len(facts.values) + len(recording.sides), sines, shown)
+    calls = written_out(tape, len(facts.values) + len(recording.sides) + len(recording.near), sines, shown)
     columns = {
         name: {key: _found(value, tape, calls, name in PLANES) for key, value in table.items()}
         for name, table in tables.items()
     }
-    return Program(tuple(constructions), facts, recording.sides, calls, columns, [])
+    return Program(tuple(constructions), facts, recording.sides, recording.near, calls, columns, [])
 
 
 def _places(value: Value, tape: Tape) -> tuple[int, ...]:
@@ -62,8 +65,10 @@ def _places(value: Value, tape: Tape) -> tuple[int, ...]:
     return tuple(tape.unsigned(place)[0] for place in (value.real_at, value.imag_at))
 
 
-def _found(value: Value, tape: Tape, calls: Calls, vector: bool) -> Column | Vector:
+def _found(value: Value, tape: Tape, calls: Calls, vector: bool) -> Place:
     """Where a quantity of the plot is found after a run."""
+    if isinstance(value, Judged):
+        return value
     if isinstance(value, Written):
         x, y = (_column(*tape.unsigned(place), tape, calls) for place in (value.real_at, value.imag_at))
     else:
@@ -86,6 +91,7 @@ class Program:
 
     facts    with the drivers at any values
     sides    the side of each choice that the steps have
+    near     what a run must be given of positions close by, where links are fitted or roll
     columns  where each quantity of a plot is found, by table and name
     spare    registers that no run has in hand: a run takes a set from here, or new ones, so runs never share any
     """
@@ -93,20 +99,30 @@ class Program:
     constructions: tuple[Construction, ...]
     facts: Facts
     sides: Mapping[int, int]
+    near: tuple[str, ...]
     calls: Calls
-    columns: Mapping[str, Mapping[Any, Column | Vector]]
+    columns: Mapping[str, Mapping[Any, Place]]
     spare: list[Registers]
 
-    def run(self, values: Sequence[Value], sides: Mapping[int, Value] | None = None) -> Plot:
-        """The plot at driver values, and crossings taken on given sides: each scalar or (n,), one at least (n,)."""
-        taken = self.sides if sides is None else {**self.sides, **sides}
-        given = tuple(np.array(value, dtype=float) for value in (*values, *taken.values()))
+    def run(
+        self, values: Sequence[Value], sides: Mapping[int, Value] | None = None, near: Mapping[str, Value] | None = None
+    ) -> Plot:
+        """The plot at driver values, crossings taken on given sides, from positions close by: each scalar or (n,), one
+        at least (n,)."""
+        taken, near = self.sides if sides is None else {**self.sides, **sides}, near or {}
+        given = tuple(
+            np.array(value, dtype=float) for value in (*values, *taken.values(), *(near[name] for name in self.near))
+        )
         block = np.empty((len(self.calls.rows), max(value.size for value in given)))
         failed = self._filled(block, given)
-        plot = LazyPlot.of(self.facts, self.columns, Numbers(block, given))
+        numbers = Numbers(block, given)
+        plot = LazyPlot.of(self.facts, self.columns, numbers)
         # not least > .. : NaN, too
         if failed or not np.minimum.reduce(block[: self.calls.sines], axis=None, initial=1.0) > FLAT_SINE:
-            return self._mended(plot, self._doubtful(block, given, failed), taken)
+            doubtful = self._doubtful(block, given, failed)
+            parts = np.array_split(doubtful, -(-doubtful.size // CHUNK)) if doubtful.size else []
+            patches = [Patch(part, self._replayed(part, plot.facts.values, taken, near)) for part in parts]
+            return LazyPlot.of(self.facts, self.columns, numbers, patches)
         return plot
 
     # --- running ------------------------------------------------------------------------------
@@ -159,25 +175,14 @@ class Program:
                     self.calls.run_watched(parts, rows, registers, _Watched(sound[here]))
         return np.flatnonzero(~sound)
 
-    def _mended(self, plot: Plot, doubtful: np.ndarray, sides: Mapping[int, Value]) -> Plot:
-        """The plot with doubtful positions replayed plainly."""
-        if not doubtful.size:
-            return plot
-        parts = np.array_split(doubtful, -(-doubtful.size // CHUNK))
-        plain = [self._replayed(part, plot.facts.values, sides) for part in parts]
-        count = max(np.size(value) for value in (*plot.facts.values, *sides.values()))
-        whole = Plot(plot.facts)
-        for name in TABLES:
-            table: dict[Any, Value] = getattr(whole, name)
-            for key, value in getattr(plot, name).items():
-                table[key] = _patched(value, count, parts, [getattr(found, name)[key] for found in plain])
-        return whole
-
-    def _replayed(self, here: np.ndarray, values: Sequence[Value], sides: Mapping[int, Value]) -> Plot:
+    def _replayed(
+        self, here: np.ndarray, values: Sequence[Value], sides: Mapping[int, Value], near: Mapping[str, Value]
+    ) -> Plot:
         """Plain replay at some positions."""
         values = tuple(value[here] if np.ndim(value) else value for value in values)
         sides = {choice: side[here] if np.ndim(side) else side for choice, side in sides.items()}
-        plot = Plot(replace(self.facts, values=values))
+        close = {name: value[here] if np.ndim(value) else value for name, value in near.items()}
+        plot = Plot(replace(self.facts, values=values), close)
         for construction in self.constructions:
             replay(construction, plot, sides if construction.plane == "position" else None)
         return plot
@@ -191,14 +196,3 @@ class _Watched:
 
     def __call__(self, found: np.ndarray) -> None:
         np.logical_and(self.sound, np.isfinite(found), out=self.sound)
-
-
-def _patched(value: Value, count: int, parts: Sequence[np.ndarray], plain: Sequence[Value]) -> Value:
-    """A quantity with other values at some positions; a scalar remains one where they are no other."""
-    if not np.ndim(value):
-        if all(np.all(np.equal(found, value)) for found in plain):
-            return value
-        value = np.full(count, value)
-    for here, found in zip(parts, plain, strict=True):
-        value[here] = found
-    return value
