@@ -366,7 +366,7 @@ def test_plots_are_replaced_and_added_to_as_any_plot():
 
 def carried_out(tape: Tape, places: Sequence[int], *given: np.ndarray) -> list[np.ndarray]:
     """What entries come to."""
-    calls = written_out(tape, len(given), (), places)
+    calls = written_out(tape, len(given), (), places, ())
     block = np.empty((len(calls.rows), given[0].size))
     calls.run(given, block, [np.empty(given[0].size) for _ in range(calls.registers)])
     return [block[calls.rows[place]] for place in places]

@@ -19,12 +19,22 @@ TABLES = tuple(field.name for field in fields(Plot) if field.name not in ("facts
 
 @frozen
 class Column:
-    """Where one real quantity, or its negative, is found: a row of the block, one of what was given, else a number."""
+    """Where one real quantity, or its negative, is found: a row of the block, one of what was given, else a number.
+
+    alone   no other quantity is found in that row
+    """
 
     row: int | None = None
     given: int | None = None
     number: float = 0.0
     sign: int = 1
+    alone: bool = False
+
+    def of(self, rows: Sequence[np.ndarray] | np.ndarray, given: Sequence[np.ndarray]) -> Value:
+        """The quantity without its sign, () or (n,)."""
+        if self.row is not None:
+            return rows[self.row]
+        return self.number if self.given is None else given[self.given][()]
 
 
 @frozen
@@ -36,6 +46,14 @@ class Vector:
 
 
 @frozen
+class Pair:
+    """A vector whose parts lie side by side, by its number among these; `alone`: no other quantity is this vector."""
+
+    number: int
+    alone: bool = False
+
+
+@frozen
 class Judged:
     """What is worked out from all the rest where somebody wants to know: a group's sense (0) or its sine (1)."""
 
@@ -43,7 +61,7 @@ class Judged:
     which: int
 
 
-Place = Column | Vector | Judged
+Place = Column | Vector | Pair | Judged
 """Where a quantity of the plot comes from."""
 
 
@@ -57,9 +75,14 @@ class Patch:
 
 @frozen
 class Numbers:
-    """What a program gives: a block (rows, n), beside what it was given, scalars () or (n,)."""
+    """What a program gives: real numbers (rows, n) and vectors (pairs, n), beside what it was given, () or (n,).
+
+    What is one quantity alone is handed out as it lies there, all else as a copy: what is done with an array that was
+    read changes no other.
+    """
 
     block: np.ndarray
+    vectors: np.ndarray
     given: tuple[np.ndarray, ...]
 
     @property
@@ -67,23 +90,23 @@ class Numbers:
         """Of positions."""
         return int(self.block.shape[1])
 
-    def read(self, column: Column | Vector) -> Value:
+    def read(self, column: Column | Vector | Pair) -> Value:
         """A scalar, or an array of its own (n,)."""
+        if isinstance(column, Pair):
+            found = self.vectors[column.number]
+            return found if column.alone else found.copy()
         if isinstance(column, Column):
-            found = self._row(column)
+            found = column.of(self.block, self.given)
+            if column.alone and column.sign == 1:
+                return found
             return np.multiply(column.sign, found) if np.ndim(found) else column.sign * found
-        x, y = self._row(column.x), self._row(column.y)
+        x, y = (part.of(self.block, self.given) for part in (column.x, column.y))
         if not np.ndim(x) and not np.ndim(y):
             return complex(column.x.sign * x, column.y.sign * y)
         vector = np.empty(self.count, dtype=complex)
         np.multiply(column.x.sign, x, out=vector.real)
         np.multiply(column.y.sign, y, out=vector.imag)
         return vector
-
-    def _row(self, column: Column) -> Value:
-        if column.row is not None:
-            return self.block[column.row]
-        return column.number if column.given is None else self.given[column.given][()]
 
 
 class LazyQuantities(MutableMapping[Any, Value]):
@@ -142,7 +165,7 @@ class LazyPlot(Plot):
         numbers: Numbers = known["_numbers"]
         found = sense_and_sine(place.step, self)[place.which] if isinstance(place, Judged) else numbers.read(place)
         patches = [(patch.rows, getattr(patch.plot, table)[name]) for patch in known["_patches"]]
-        return _patched(found, numbers.count, patches)
+        return _patched(found, numbers.count, patches) if patches else found
 
     def __getattr__(self, name: str) -> Any:
         """Tables and facts, which a plot has as attributes, when they are first asked for."""

@@ -12,6 +12,7 @@ notes that something failed somewhere; then the program is run again to see at w
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -23,7 +24,7 @@ from graphkin.construction.pencil import replay
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.running.compiled.calls import Calls, written_out
-from graphkin.running.compiled.lazy_plot import TABLES, Column, Judged, LazyPlot, Numbers, Patch, Place, Vector
+from graphkin.running.compiled.lazy_plot import TABLES, Column, Judged, LazyPlot, Numbers, Pair, Patch, Place, Vector
 from graphkin.running.compiled.operations import NUMBER
 from graphkin.running.compiled.recorder import Written, record
 from graphkin.running.compiled.tape import Tape
@@ -49,13 +50,18 @@ def compiled_program(constructions: Sequence[Construction], facts: Facts, near: 
     tape = recording.tape
     tables: dict[str, Mapping[Any, Value]] = {name: getattr(recording.plot, name) for name in TABLES}
     sines = [value.real_at for value in (*tables["sines"].values(), *recording.sound) if isinstance(value, Written)]
-    shown = [place for table in tables.values() for value in table.values() for place in _places(value, tape)]
-    calls = written_out(tape, len(facts.values) + len(recording.sides) + len(recording.near), sines, shown)
-    columns = {
-        name: {key: _found(value, tape, calls, name in PLANES) for key, value in table.items()}
+    vectors = [value for name in PLANES for value in tables[name].values()]
+    numbers = [value for name in tables if name not in PLANES for value in tables[name].values()]
+    shown, parts = ([place for value in of for place in _places(value, tape)] for of in (numbers, vectors))
+    given = len(facts.values) + len(recording.sides) + len(recording.near)
+    calls = written_out(tape, given, sines, shown, parts)
+    pairs: dict[Vector, Pair] = {}
+    columns: Mapping[str, Mapping[Any, Place]] = {
+        name: {key: _found(value, tape, calls, pairs if name in PLANES else None) for key, value in table.items()}
         for name, table in tables.items()
     }
-    return Program(tuple(constructions), facts, recording.sides, recording.near, calls, columns, [])
+    columns = _told_apart(columns)
+    return Program(tuple(constructions), facts, recording.sides, recording.near, calls, columns, (*pairs,), [])
 
 
 def _places(value: Value, tape: Tape) -> tuple[int, ...]:
@@ -65,15 +71,35 @@ def _places(value: Value, tape: Tape) -> tuple[int, ...]:
     return tuple(tape.unsigned(place)[0] for place in (value.real_at, value.imag_at))
 
 
-def _found(value: Value, tape: Tape, calls: Calls, vector: bool) -> Place:
-    """Where a quantity of the plot is found after a run."""
+def _found(value: Value, tape: Tape, calls: Calls, pairs: dict[Vector, Pair] | None) -> Place:
+    """Where a quantity of the plot is found after a run; a vector that takes work is entered among the pairs."""
     if isinstance(value, Judged):
         return value
     if isinstance(value, Written):
         x, y = (_column(*tape.unsigned(place), tape, calls) for place in (value.real_at, value.imag_at))
     else:
         x, y = (Column(number=float(part)) for part in (np.real(value), np.imag(value)))
-    return Vector(x, y) if vector else x
+    if pairs is None:
+        return x
+    vector = Vector(x, y)
+    return vector if x.row is None and y.row is None else pairs.setdefault(vector, Pair(len(pairs)))
+
+
+def _told_apart(columns: Mapping[str, Mapping[Any, Place]]) -> dict[str, dict[Any, Place]]:
+    """The same, with those marked that are alone in their row."""
+    used = Counter(_row(place) for table in columns.values() for place in table.values())
+    return {
+        name: {
+            key: replace(place, alone=True) if isinstance(place, Column | Pair) and used[_row(place)] == 1 else place
+            for key, place in table.items()
+        }
+        for name, table in columns.items()
+    }
+
+
+def _row(place: Place) -> object:
+    """What a quantity lies in: a row of numbers, a pair; else nothing that could be shared."""
+    return (Pair, place.number) if isinstance(place, Pair) else (Column, getattr(place, "row", None))
 
 
 def _column(place: int, sign: int, tape: Tape, calls: Calls) -> Column:
@@ -93,6 +119,7 @@ class Program:
     sides    the side of each choice that the steps have
     near     what a run must be given of positions close by, where links are fitted or roll
     columns  where each quantity of a plot is found, by table and name
+    pairs    vectors whose parts are laid side by side, in the order of their numbers
     spare    registers that no run has in hand: a run takes a set from here, or new ones, so runs never share any
     """
 
@@ -102,6 +129,7 @@ class Program:
     near: tuple[str, ...]
     calls: Calls
     columns: Mapping[str, Mapping[Any, Place]]
+    pairs: tuple[Vector, ...]
     spare: list[Registers]
 
     def run(
@@ -113,9 +141,10 @@ class Program:
         given = tuple(
             np.array(value, dtype=float) for value in (*values, *taken.values(), *(near[name] for name in self.near))
         )
-        block = np.empty((len(self.calls.rows), max(value.size for value in given)))
-        failed = self._filled(block, given)
-        numbers = Numbers(block, given)
+        count = max(value.size for value in given)
+        block, vectors = np.empty((self.calls.kept, count)), np.empty((len(self.pairs), count), dtype=complex)
+        failed = self._filled(block, vectors, given)
+        numbers = Numbers(block, vectors, given)
         plot = LazyPlot.of(self.facts, self.columns, numbers)
         # not least > .. : NaN, too
         if failed or not np.minimum.reduce(block[: self.calls.sines], axis=None, initial=1.0) > FLAT_SINE:
@@ -127,42 +156,50 @@ class Program:
 
     # --- running ------------------------------------------------------------------------------
 
-    def _filled(self, block: np.ndarray, given: Sequence[np.ndarray]) -> bool:
-        """Fill the block; whether a division or a root failed anywhere."""
+    def _filled(self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray]) -> bool:
+        """Fill the block, and the vectors; whether a division or a root failed anywhere."""
         failures: list[str] = []
 
         def note(failure: str, _: int) -> None:
             failures.append(failure)
 
         with np.errstate(call=note, divide="call", invalid="call", over="ignore", under="ignore"):
-            for _, parts, rows, registers in self._chunks(block, given):
+            for here, parts, rows, registers in self._chunks(block, given):
                 self.calls.run(parts, rows, registers)
+                self._side_by_side(vectors[:, here], rows, parts)
         return bool(failures)
+
+    def _side_by_side(self, vectors: np.ndarray, rows: Sequence[np.ndarray], given: Sequence[np.ndarray]) -> None:
+        """The parts of each vector laid where they are read, while they are still in the cache."""
+        for vector, pair in zip(vectors, self.pairs):
+            for part, column in ((vector.real, pair.x), (vector.imag, pair.y)):
+                if column.sign == 1:
+                    part[:] = column.of(rows, given)
+                else:
+                    np.negative(column.of(rows, given), out=part)
 
     def _chunks(
         self, block: np.ndarray, given: Sequence[np.ndarray]
-    ) -> Iterator[tuple[slice, Sequence[np.ndarray], np.ndarray, Registers]]:
+    ) -> Iterator[tuple[slice, Sequence[np.ndarray], Sequence[np.ndarray], Registers]]:
         """Where a chunk lies, and what it is done with: what is given, rows of the result, registers."""
-        count = block.shape[1]
-        registers = self._borrowed(min(count, CHUNK))
-        if count <= CHUNK:
-            yield slice(0, count), given, block, registers
-        else:
-            for begin in range(0, count, CHUNK):
-                here = slice(begin, min(begin + CHUNK, count))
-                size = here.stop - begin
-                parts = [value[here] if value.ndim else value for value in given]
-                yield here, parts, block[:, here], registers if size == CHUNK else [r[:size] for r in registers]
-        self.spare.append(registers)
+        count, parts = block.shape[1], len(self.calls.rows) - self.calls.kept
+        borrowed = self._borrowed(min(count, CHUNK))
+        for begin in range(0, count, CHUNK):
+            here = slice(begin, min(begin + CHUNK, count))
+            size = here.stop - begin
+            values = given if size == count else [value[here] if value.ndim else value for value in given]
+            work = borrowed if size == borrowed[0].size else [register[:size] for register in borrowed]
+            yield here, values, [*block[:, here], *work[:parts]], work[parts : parts + self.calls.registers]
+        self.spare.append(borrowed)
 
     def _borrowed(self, size: int) -> Registers:
         try:
             registers = self.spare.pop()
         except IndexError:
             registers = []
-        if len(registers) and registers[0].size == size:
+        if registers and registers[0].size == size:
             return registers
-        return list(np.empty((max(self.calls.registers, 1), size)))[: self.calls.registers]
+        return list(np.empty((max(len(self.calls.rows) - self.calls.kept + self.calls.registers, 1), size)))
 
     # --- positions that fail ------------------------------------------------------------------
 
