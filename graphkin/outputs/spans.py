@@ -59,5 +59,5 @@ def runs(mark: Text) -> list[Span]:
                 found[-1] = replace(found[-1], text=found[-1].text + spaces)
             at = mark.at + complex(start + advance(spaces, run.italic) * size, drop)
             found += [Span(bare, at, size, run.italic, run.bold)] if bare else []
-            start += run_width(replace(run, text=text), mark.size)
+            start += run_width(run._replace(text=text), mark.size)
     return found
