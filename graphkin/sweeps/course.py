@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any
 
@@ -147,7 +148,14 @@ def _over(
     path = trace(method, pace, low - start, high - start, before)
     values = wanted.values if wanted else _usual(method, driver, path, swept)
     t, there = _turned_back(method, path, driver, values - start)
-    found = Course(method, path, swept, t[there], values[there], values[~there])
+    return _of_those(Course(method, path, swept, t, values, values[:0]), there)
+
+
+def _of_those(whole: Course, there: np.ndarray) -> Course:
+    """The course without the positions that are not reached; most often all are, and no array is copied."""
+    if there.all():
+        return whole
+    found = replace(whole, t=whole.t[there], values=whole.values[there], dropped=whole.values[~there])
     if not there.any():
         raise _none(found)
     return found
@@ -237,10 +245,7 @@ def _together(method: Method, given: dict[int, Wanted], moving: list[int]) -> Co
     path = trace(method, paces, *ends, before)
     there = np.broadcast_to(path.leads_to(wanted), wanted.shape)
     values = wanted + begin[swept]
-    found = Course(method, path, swept, wanted[there], values[there], values[~there])
-    if not there.any():
-        raise _none(found)
-    return found
+    return _of_those(Course(method, path, swept, wanted, values, values[:0]), there)
 
 
 # --- reading ----------------------------------------------------------------------------------

@@ -25,7 +25,7 @@ from graphkin.construction.kinds import Fit, Simultaneous
 from graphkin.construction.plot import Plot
 from graphkin.construction.terms import Plane
 from graphkin.geometry import Value
-from graphkin.running.compiled.lazy_plot import Judged
+from graphkin.running.compiled.columns import Judged
 from graphkin.running.compiled.operations import CannotRecord
 
 STEPS = 2

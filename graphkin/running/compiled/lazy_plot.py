@@ -9,60 +9,12 @@ from typing import Any
 import numpy as np
 
 from graphkin.construction.fitting import sense_and_sine
-from graphkin.construction.kinds import Fit
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
+from graphkin.running.compiled.columns import Column, Columns, Judged, Pair, Place, Vector
 from graphkin.value import frozen
 
 TABLES = tuple(field.name for field in fields(Plot) if field.name not in ("facts", "near", "follows"))
-
-
-@frozen
-class Column:
-    """Where one real quantity, or its negative, is found: a row of the block, one of what was given, else a number.
-
-    alone   no other quantity is found in that row
-    """
-
-    row: int | None = None
-    given: int | None = None
-    number: float = 0.0
-    sign: int = 1
-    alone: bool = False
-
-    def of(self, rows: Sequence[np.ndarray] | np.ndarray, given: Sequence[np.ndarray]) -> Value:
-        """The quantity without its sign, () or (n,)."""
-        if self.row is not None:
-            return rows[self.row]
-        return self.number if self.given is None else given[self.given][()]
-
-
-@frozen
-class Vector:
-    """A complex quantity."""
-
-    x: Column
-    y: Column
-
-
-@frozen
-class Pair:
-    """A vector whose parts lie side by side, by its number among these; `alone`: no other quantity is this vector."""
-
-    number: int
-    alone: bool = False
-
-
-@frozen
-class Judged:
-    """What is worked out from all the rest where somebody wants to know: a group's sense (0) or its sine (1)."""
-
-    step: Fit
-    which: int
-
-
-Place = Column | Vector | Pair | Judged
-"""Where a quantity of the plot comes from."""
 
 
 @frozen
@@ -97,7 +49,7 @@ class Numbers:
             return found if column.alone else found.copy()
         if isinstance(column, Column):
             found = column.of(self.block, self.given)
-            if column.alone and column.sign == 1:
+            if column.alone:
                 return found
             return np.multiply(column.sign, found) if np.ndim(found) else column.sign * found
         x, y = (part.of(self.block, self.given) for part in (column.x, column.y))
@@ -109,18 +61,59 @@ class Numbers:
         return vector
 
 
+@frozen
+class Told:
+    """All that a finished plot is read from.
+
+    standing  facts with the drivers at other values
+    columns   where each quantity is found, by table and name
+    patches   positions told otherwise
+    """
+
+    standing: Facts
+    columns: Mapping[str, Columns]
+    numbers: Numbers
+    patches: Sequence[Patch] = ()
+
+    @property
+    def facts(self) -> Facts:
+        """With the drivers where they are."""
+        given = self.numbers.given[: len(self.standing.values)]
+        return replace(self.standing, values=tuple(value[()] for value in given))
+
+    def ready(self, columns: Columns) -> dict[Any, Value]:
+        """What of a table is read as it lies there, without any work."""
+        if self.patches:
+            return {}
+        found = {**columns.known}
+        found.update((name, self.numbers.vectors[number]) for name, number in columns.pairs)
+        found.update((name, self.numbers.block[row]) for name, row in columns.rows)
+        return found
+
+    def looked_up(self, table: str, name: Hashable, place: Place) -> Value:
+        """A quantity of a table, in an array of its own."""
+        if isinstance(place, Judged):
+            found = sense_and_sine(place.step, LazyPlot.of(self))[place.which]
+        else:
+            found = self.numbers.read(place)
+        patches = [(patch.rows, getattr(patch.plot, table)[name]) for patch in self.patches]
+        return _patched(found, self.numbers.count, patches) if patches else found
+
+
 class LazyQuantities(MutableMapping[Any, Value]):
     """Quantities by name, each made when it is first read."""
 
-    def __init__(self, plot: LazyPlot, table: str, columns: Mapping[Any, Place]) -> None:
-        self.plot, self.table = plot, table
-        self.columns: dict[Any, Place | None] = {**columns}
-        self.read: dict[Any, Value] = {}
+    def __init__(self, told: Told, table: str) -> None:
+        self.told, self.table = told, table
+        self.columns: dict[Any, Place | None] = {**told.columns[table].places}
+        self.read = told.ready(told.columns[table])
 
     def __getitem__(self, name: Hashable) -> Value:
-        if name not in self.read and (place := self.columns[name]) is not None:
-            return self.read.setdefault(name, self.plot.looked_up(self.table, name, place))
-        return self.read[name]
+        if name in self.read:
+            return self.read[name]
+        if (place := self.columns[name]) is None:
+            raise KeyError(name)
+        return self.read.setdefault(name, self.told.looked_up(self.table, name, place))
 
     def __setitem__(self, name: Hashable, value: Value) -> None:
         self.columns.setdefault(name, None)
@@ -144,42 +137,19 @@ class LazyPlot(Plot):
     """A finished plot; of what it holds, only what is read is put into arrays by itself."""
 
     @classmethod
-    def of(
-        cls, standing: Facts, columns: Mapping[str, Mapping[Any, Place]], numbers: Numbers,
-        patches: Sequence[Patch] = (),
-    ) -> LazyPlot:  # fmt: skip
-        """The plot of what a program gives.
-
-        standing  facts with the drivers at other values
-        columns   where each quantity is found, by table and name
-        patches   positions told otherwise
-        """
+    def of(cls, told: Told) -> LazyPlot:
+        """The plot of what a program gives."""
         plot = cls.__new__(cls)
-        plot.__dict__ |= {"near": {}, "_standing": standing, "_columns": columns, "_numbers": numbers}
-        plot.__dict__["_patches"] = patches
+        plot.__dict__ |= {"near": {}, "_told": told}
         return plot
-
-    def looked_up(self, table: str, name: Hashable, place: Place) -> Value:
-        """A quantity of a table, in an array of its own."""
-        known = self.__dict__
-        numbers: Numbers = known["_numbers"]
-        found = sense_and_sine(place.step, self)[place.which] if isinstance(place, Judged) else numbers.read(place)
-        patches = [(patch.rows, getattr(patch.plot, table)[name]) for patch in known["_patches"]]
-        return _patched(found, numbers.count, patches) if patches else found
 
     def __getattr__(self, name: str) -> Any:
         """Tables and facts, which a plot has as attributes, when they are first asked for."""
         known = self.__dict__
-        if "_numbers" not in known or name not in ("facts", *TABLES):
+        if "_told" not in known or name not in ("facts", *TABLES):
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-        numbers: Numbers = known["_numbers"]
-        found: Any
-        if name == "facts":
-            standing: Facts = known["_standing"]
-            found = replace(standing, values=tuple(value[()] for value in numbers.given[: len(standing.values)]))
-        else:
-            found = LazyQuantities(self, name, known["_columns"][name])
-        return known.setdefault(name, found)
+        told: Told = known["_told"]
+        return known.setdefault(name, told.facts if name == "facts" else LazyQuantities(told, name))
 
 
 def _patched(value: Value, count: int, patches: Sequence[tuple[np.ndarray, Value]]) -> Value:

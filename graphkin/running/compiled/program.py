@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 
@@ -24,7 +24,8 @@ from graphkin.construction.pencil import replay
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.running.compiled.calls import Calls, written_out
-from graphkin.running.compiled.lazy_plot import TABLES, Column, Judged, LazyPlot, Numbers, Pair, Patch, Place, Vector
+from graphkin.running.compiled.columns import Column, Columns, Judged, Pair, Place, Vector
+from graphkin.running.compiled.lazy_plot import TABLES, LazyPlot, Numbers, Patch, Told
 from graphkin.running.compiled.operations import NUMBER
 from graphkin.running.compiled.recorder import Written, record
 from graphkin.running.compiled.tape import Tape
@@ -60,8 +61,8 @@ def compiled_program(constructions: Sequence[Construction], facts: Facts, near: 
         name: {key: _found(value, tape, calls, pairs if name in PLANES else None) for key, value in table.items()}
         for name, table in tables.items()
     }
-    columns = _told_apart(columns)
-    return Program(tuple(constructions), facts, recording.sides, recording.near, calls, columns, (*pairs,), [])
+    told = {name: Columns.of(table) for name, table in _told_apart(columns).items()}
+    return Program(tuple(constructions), facts, recording.sides, recording.near, calls, told, (*pairs,), [])
 
 
 def _places(value: Value, tape: Tape) -> tuple[int, ...]:
@@ -90,11 +91,16 @@ def _told_apart(columns: Mapping[str, Mapping[Any, Place]]) -> dict[str, dict[An
     used = Counter(_row(place) for table in columns.values() for place in table.values())
     return {
         name: {
-            key: replace(place, alone=True) if isinstance(place, Column | Pair) and used[_row(place)] == 1 else place
+            key: replace(place, alone=True) if _as_it_is(place) and used[_row(place)] == 1 else place
             for key, place in table.items()
         }
         for name, table in columns.items()
     }
+
+
+def _as_it_is(place: Place) -> TypeGuard[Column | Pair]:
+    """Whether it is what lies there, and nothing is to be done with it."""
+    return isinstance(place, Pair) or (isinstance(place, Column) and place.row is not None and place.sign == 1)
 
 
 def _row(place: Place) -> object:
@@ -128,7 +134,7 @@ class Program:
     sides: Mapping[int, int]
     near: tuple[str, ...]
     calls: Calls
-    columns: Mapping[str, Mapping[Any, Place]]
+    columns: Mapping[str, Columns]
     pairs: tuple[Vector, ...]
     spare: list[Registers]
 
@@ -144,15 +150,14 @@ class Program:
         count = max(value.size for value in given)
         block, vectors = np.empty((self.calls.kept, count)), np.empty((len(self.pairs), count), dtype=complex)
         failed = self._filled(block, vectors, given)
-        numbers = Numbers(block, vectors, given)
-        plot = LazyPlot.of(self.facts, self.columns, numbers)
+        told = Told(self.facts, self.columns, Numbers(block, vectors, given))
         # not least > .. : NaN, too
         if failed or not np.minimum.reduce(block[: self.calls.sines], axis=None, initial=1.0) > FLAT_SINE:
             doubtful = self._doubtful(block, given, failed)
             parts = np.array_split(doubtful, -(-doubtful.size // CHUNK)) if doubtful.size else []
-            patches = [Patch(part, self._replayed(part, plot.facts.values, taken, near)) for part in parts]
-            return LazyPlot.of(self.facts, self.columns, numbers, patches)
-        return plot
+            patches = [Patch(part, self._replayed(part, told.facts.values, taken, near)) for part in parts]
+            told = replace(told, patches=patches)
+        return LazyPlot.of(told)
 
     # --- running ------------------------------------------------------------------------------
 
