@@ -7,6 +7,7 @@ that the values cannot tell from it are given with it, as one set.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from copy import copy
 
 import numpy as np
 
@@ -22,8 +23,8 @@ _SAME = 0.5
 """Explanations whose values differ by less, in standard deviations, are one."""
 _CHANCE = 0.008
 """A hit that random numbers make more often is no hint."""
-_AT_ONCE = 1 << 17
-"""Weights that are held at once."""
+_AT_ONCE, _STUDENTS = 1 << 16, 256
+"""Weights that are held at once, and students: as many as one core does best."""
 
 
 @frozen
@@ -62,9 +63,22 @@ class Explainer:
         self._table = columns_of(table, there)
         self._values, self._scatters = (some[np.ix_(rows, there)] for some in (hypotheses.values, hypotheses.scatters))
 
+    def only(self, k: int) -> Explainer:
+        """Who knows of explanation k alone."""
+        one = copy(self)
+        one._scale, one.names = self._scale.only(k), (self.names[k],)
+        one._values, one._scatters = self._values[[k]], self._scatters[[k]]
+        return one
+
+    def drawn(self, k: int, errors: np.ndarray) -> np.ndarray:
+        """What those who make mistake k hand in (students, quantities of the key); errors: standard normal."""
+        given = np.full((len(errors), len(self.there)), np.nan)
+        given[:, self.there] = self._scale.drawn(k, errors)
+        return given
+
     def best(self, given: np.ndarray, wrong: np.ndarray) -> Iterator[Best]:
         """Of values of which some are wrong (students, quantities of the key), as many as are held at once."""
-        step = max(_AT_ONCE // max(len(self.names), 1), 1)
+        step = min(max(_AT_ONCE // max(len(self.names), 1), 1), _STUDENTS)
         for k in range(0, len(given), step):
             yield self._best(given[k : k + step, self.there], wrong[k : k + step, self.there])
 

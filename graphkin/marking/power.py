@@ -14,9 +14,13 @@ from graphkin.marking.marker import Marker
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.scatter import Drawings
 from graphkin.marking.slips import Slips, seed_of
+from graphkin.marking.tellable import Observed, observed
 from graphkin.marking.weights import MOVED, ONE, shifts
 from graphkin.value import frozen
 
+_Parts = tuple[Observed, float, float, float]
+"""What an observer makes of a mistake; part of its students that has a value judged wrong, is told of it, and of nothing
+else."""
 _DIGITS = 4
 _RIGHT = 2000
 """Students who work right: a mistake named to one of them is a false alarm."""
@@ -30,6 +34,7 @@ class Found:
 
     moved        by how many standard deviations it moves a handed-in value, at most
     applicable   whether that is more than a pencil might
+    observed     what an observer would make of it who knows this mistake alone; None where it is not applicable
     wrong        part of the students who have a value judged wrong
     named        part whose best explanation, or set of explanations, has this mistake; alone: and no other
     """
@@ -37,9 +42,15 @@ class Found:
     name: Name
     moved: float
     applicable: bool
+    observed: Observed | None = None
     wrong: float = np.nan
     named: float = np.nan
     alone: float = np.nan
+
+    @property
+    def tellable(self) -> bool:
+        """Whether paper can tell it: most students who make it hand in what tells them from others."""
+        return self.observed is not None and self.observed.tellable
 
 
 @frozen
@@ -78,7 +89,7 @@ def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[F
     moved[:, ~handed] = np.nan
     most = np.fmax.reduce(moved, axis=1, initial=0.0)
     rows = [row for row, names in enumerate(key.singles.names) if most[row] > MOVED and names[0] in known]
-    tried: dict[int, tuple[float, float, float]] = {}
+    tried: dict[int, _Parts] = {}
     for start in range(0, len(rows), _AT_ONCE):
         some = np.array(rows[start : start + _AT_ONCE])
         columns: list[tuple[Rewrite, ...]] = [(known[key.singles.names[row][0]],) for row in some]
@@ -89,10 +100,10 @@ def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[F
 
 def _tried(
     marker: Marker, handed: np.ndarray, rows: np.ndarray, given: np.ndarray
-) -> dict[int, tuple[float, float, float]]:
-    """Of those who make a mistake each (rows,), given (rows, trials, quantities): by row what part has a value judged
-    wrong, what part is told of it, and of nothing else. Nothing where most drawings fail."""
-    found: dict[int, tuple[float, float, float]] = {}
+) -> dict[int, _Parts]:
+    """Of those who make a mistake each (rows,), given (rows, trials, quantities), by row. Nothing where most drawings
+    fail."""
+    found: dict[int, _Parts] = {}
     judged = handed & np.isfinite(marker.key.singles.values[rows])
     for there in np.unique(judged, axis=0):
         some = np.flatnonzero((judged == there).all(axis=1))
@@ -107,7 +118,7 @@ def _tried(
 
 def _parts(
     marker: Marker, there: np.ndarray, rows: np.ndarray, given: np.ndarray, drawn: np.ndarray
-) -> list[tuple[float, float, float]]:
+) -> list[_Parts]:
     """The same of those who hand in the same quantities; `drawn`: who does at all (rows, trials)."""
     key, given, of = marker.key, given[drawn], np.nonzero(drawn)[0]
     explainer = Explainer(key, marker.table, there, key.singles, ONE)
@@ -119,8 +130,9 @@ def _parts(
     named = (same & mine[of]).any(axis=1)
     each = wrong.any(axis=1), named, named & ~(same & other[of]).any(axis=1)
     count = drawn.sum(axis=1)
-    parts = [np.bincount(of, one, minlength=len(rows)) / count for one in each]
-    return [(float(a), float(b), float(c)) for a, b, c in zip(*parts, strict=True)]
+    parts = [(np.bincount(of, one, minlength=len(rows)) / count).tolist() for one in each]
+    ideal = [observed(explainer, int(np.argmax(one)), lambda values: marker.judged(values)[1]) for one in mine]
+    return list(zip(ideal, *parts, strict=True))
 
 
 def _handed(marker: Marker, texts: Sequence[str] | None) -> np.ndarray:

@@ -7,6 +7,7 @@ right or anything. Weights are logarithms of likelihoods times how often such wo
 from __future__ import annotations
 
 from collections import Counter
+from copy import copy
 from functools import cached_property
 from math import lgamma
 
@@ -66,6 +67,16 @@ class Scale:
         self._one = _Rows(self.table, hypotheses.values[chosen], hypotheses.scatters[chosen], together)
         right = key.together[np.ix_(there, there)][None]
         self._right = _Rows(self.table, self.table.right[None], self.table.scatter[None], right)
+
+    def only(self, k: int) -> Scale:
+        """Of explanation k alone, met as often as here, and hit by chance as often as all are."""
+        one = copy(self)
+        one.rows, one.shares, one._one = self.rows[[k]], self.shares[[k]], self._one.only(k)
+        return one
+
+    def drawn(self, k: int, errors: np.ndarray) -> np.ndarray:
+        """Values of those who make mistake k (students, n), normal about what it gives; errors: standard normal."""
+        return self._one.drawn(k, errors)
 
     def weigh(self, given: np.ndarray) -> Weighed:
         """For students' values (students, n)."""
@@ -152,8 +163,12 @@ class _Rows:
     values, scatters (m, n), NaN where one says nothing; together: how values of each scatter together (m, n, n)
     """
 
-    def __init__(self, table: Columns, values: np.ndarray, scatters: np.ndarray, together: np.ndarray) -> None:
-        self.table, self.together = table, together
+    def __init__(
+        self, table: Columns, values: np.ndarray, scatters: np.ndarray, together: np.ndarray,
+        cells: dict[int, float] | None = None,
+    ) -> None:  # fmt: skip
+        """cells: of all that chance may hit, where that is more than these rows."""
+        self.table, self.given, self.together = table, (values, scatters), together
         self.judged = np.isfinite(values) & np.isfinite(scatters)
         self.middle, self.size = upright(table, table.right), np.where(self.judged, upright(table, values), 0.0)
         self.values = np.where(self.judged, self.size - self.middle, 0.0)
@@ -161,6 +176,18 @@ class _Rows:
         self.count = self.judged.sum(axis=1)
         self.own = np.where(self.judged, np.log(scatters), 0.0).sum(axis=1)
         self._axes: dict[int, tuple[np.ndarray, np.ndarray, np.ndarray]] = {}
+        self._cells = self._crowds() if cells is None else cells
+
+    def only(self, k: int) -> _Rows:
+        values, scatters = (some[[k]] for some in self.given)
+        return _Rows(self.table, values, scatters, self.together[[k]], self._cells)
+
+    def drawn(self, k: int, errors: np.ndarray) -> np.ndarray:
+        """Values (students, n) that scatter as those of a row; errors: standard normal (students, n)."""
+        sizes, axes = np.linalg.eigh(self.together[k])
+        off = errors * np.sqrt(np.maximum(sizes, 0.0)) @ axes.T
+        found: np.ndarray = upright(self.table, self.size[k] + off / self.sharp[k])
+        return found
 
     def weigh(self, given: np.ndarray, nothing: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Weights, worst deviations, sums of their squares, chance: (students, m) each. Where some value must be off by
@@ -237,8 +264,7 @@ class _Rows:
             self._axes[row] = axes, 1 / variances, np.log(variances).sum(axis=0)
         return self._axes[row]
 
-    @cached_property
-    def _cells(self) -> dict[int, float]:
+    def _crowds(self) -> dict[int, float]:
         """By how many quantities are judged: how many of such rows random numbers meet, for a cell of size 1 about each
         (a logarithm)."""
         crowded = self.own + np.where(self.judged, _crowded(self.table, self.size), 0.0).sum(axis=1)
