@@ -19,8 +19,8 @@ from graphkin.marking.weights import MOVED, ONE, shifts
 from graphkin.value import frozen
 
 _Parts = tuple[Observed, float, float, float]
-"""What an observer makes of a mistake; part of its students that has a value judged wrong, is told of it, and of nothing
-else."""
+"""What an observer makes of a mistake; part of its students who have a value judged wrong, are told of it, and of no
+other."""
 _DIGITS = 4
 _RIGHT = 2000
 """Students who work right: a mistake named to one of them is a false alarm."""
