@@ -175,18 +175,20 @@ class _Rows:
         self.sharp = 1 / np.where(self.judged, scatters, np.inf)
         self.count = self.judged.sum(axis=1)
         self.own = np.where(self.judged, np.log(scatters), 0.0).sum(axis=1)
-        self._axes: dict[int, tuple[np.ndarray, np.ndarray, np.ndarray]] = {}
+        self._axes: dict[int, tuple[np.ndarray, ...]] = {}
         self._cells = self._crowds() if cells is None else cells
 
     def only(self, k: int) -> _Rows:
         values, scatters = (some[[k]] for some in self.given)
-        return _Rows(self.table, values, scatters, self.together[[k]], self._cells)
+        one = _Rows(self.table, values, scatters, self.together[[k]], self._cells)
+        one._axes[0] = self._apart(k)
+        return one
 
     def drawn(self, k: int, errors: np.ndarray) -> np.ndarray:
         """Values (students, n) that scatter as those of a row; errors: standard normal (students, n)."""
-        sizes, axes = np.linalg.eigh(self.together[k])
-        off = errors * np.sqrt(np.maximum(sizes, 0.0)) @ axes.T
-        found: np.ndarray = upright(self.table, self.size[k] + off / self.sharp[k])
+        axes, along = self._apart(k)[:2]
+        off = errors[:, : len(along)] * along @ axes.T / np.where(self.judged[k], self.sharp[k], 1.0)
+        found: np.ndarray = upright(self.table, self.size[k] + off)
         return found
 
     def weigh(self, given: np.ndarray, nothing: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -246,22 +248,23 @@ class _Rows:
         squares[:, 0] = near
         ends = np.flatnonzero(np.diff(row, append=-1)) + 1
         for start, end in zip((0, *ends), ends, strict=False):
-            axes, sharp, sizes = self._apart(int(row[start]))
+            axes, _, sharp, sizes = self._apart(int(row[start]))
             squares[start:end, 1:] = (z[start:end] @ axes) ** 2 @ sharp + sizes
         mean: np.ndarray = np.logaddexp.reduce(-0.5 * squares, axis=1) - np.log(1 + len(_COMMON))
         found: np.ndarray = mean - 0.5 * self.count[row] * np.log(2 * np.pi)
         return found
 
-    def _apart(self, row: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Of a row: deviations along these axes (n, ..) do not hang together; by what their squares are multiplied, and
-        what is added, for each part that is common (.., parts), (parts,)."""
+    def _apart(self, row: int) -> tuple[np.ndarray, ...]:
+        """Of a row: deviations along these axes (n, ..) do not hang together, and how far they go (..,); by what their
+        squares are multiplied, and what is added, for each part that is common (.., parts), (parts,)."""
         if row not in self._axes:
             judged = self.judged[row]
             sizes, axes = np.linalg.eigh(self.together[row][np.ix_(judged, judged)])
             parts = np.array(_COMMON)
             variances = np.maximum(parts * sizes[:, None] + 1 - parts, 1 - parts)  # smaller ones are rounding
             axes = np.eye(len(judged))[:, judged] @ axes
-            self._axes[row] = axes, 1 / variances, np.log(variances).sum(axis=0)
+            along = np.sqrt(np.maximum(sizes, 0.0))
+            self._axes[row] = axes, along, 1 / variances, np.log(variances).sum(axis=0)
         return self._axes[row]
 
     def _crowds(self) -> dict[int, float]:
