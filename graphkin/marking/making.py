@@ -72,13 +72,14 @@ def asked_alone(
     words = {quantity.text: question for question, quantity in asked.items()}
     right = _right(method, plot, every)
     naturals, worth = _naturals(every, right), dict.fromkeys(asked, 1.0)
-    drawn = drawings_of(method, marking, _FEW).values(every)[0]
+    drawings = drawings_of(method, marking, _FEW)
+    drawn = drawings.values(every)[0]
     scatters = spread(drawn, right, [sort_of(quantity) for quantity in every])
     entries = tuple(
         _entry(words[q.text], q, value, deviation, naturals[q.unit], marking, worth)
         for q, value, deviation in zip(every, right, scatters, strict=True)
     )
-    return every, entries, float(np.isnan(drawn).any(axis=1).mean())
+    return every, entries, drawings.failed + (1 - drawings.failed) * float(np.isnan(drawn).any(axis=1).mean())
 
 
 def steps_of(method: Method) -> tuple[Step, ...]:

@@ -131,7 +131,10 @@ def _parts(
     each = wrong.any(axis=1), named, named & ~(same & other[of]).any(axis=1)
     count = drawn.sum(axis=1)
     parts = [(np.bincount(of, one, minlength=len(rows)) / count).tolist() for one in each]
-    ideal = [observed(explainer, int(np.argmax(one)), lambda values: marker.judged(values)[1]) for one in mine]
+    ideal = [
+        observed(explainer, int(np.argmax(one)), given[of == k], lambda values: marker.judged(values)[1])
+        for k, one in enumerate(mine)
+    ]
     return list(zip(ideal, *parts, strict=True))
 
 
