@@ -64,11 +64,13 @@ class Hypotheses:
 
     names     of the mistakes of each row: one or two
     values    (m, n), SI; scatters (m, n): their standard deviations
+    together  correlation of each row's scatters (m, n, n); NaN, or None: as right values scatter
     """
 
     names: tuple[tuple[Name, ...], ...]
     values: np.ndarray
     scatters: np.ndarray
+    together: np.ndarray | None = None
 
 
 @frozen
