@@ -85,7 +85,7 @@ def asked_print(judge: Judge, student: str) -> str:
         marker = None
     if marker is None:
         return ""
-    return fingerprint(marker.key.text, *(entry.text for entry in marker.key.entries))
+    return fingerprint(*(text for key in marker.key.positions for text in (key.text, *(e.text for e in key.entries))))
 
 
 def _work(submission: Submission) -> Work:

@@ -11,6 +11,7 @@ import numpy as np
 
 from graphkin import loading, planning
 from graphkin.construction import Plot
+from graphkin.marking.at_positions import joined, parted
 from graphkin.marking.carrying import Carried, Problem
 from graphkin.marking.diagnosis import Diagnosis, diagnoses
 from graphkin.marking.handed import readable
@@ -63,17 +64,30 @@ class Marker:
     def pairs(self) -> Hypotheses:
         return pairs_of(self.method, self.plot, self.key, self.quantities)
 
+    @cached_property
+    def positions(self) -> tuple[Marker, ...]:
+        """One for each position that is asked for, this one for the first."""
+        return self, *(Marker(key) for key in self.key.further)
+
     def mark(self, works: Sequence[Work]) -> list[Marked]:
         """The marks of some students, in their order; they hang on nobody else's work."""
+        if self.key.further:
+            parts = zip(*(parted(work, len(self.positions)) for work in works), strict=True)
+            marks = (marker._mark_here(list(part)) for marker, part in zip(self.positions, parts, strict=bool(works)))
+            return [joined(work.student, some) for work, *some in zip(works, *marks, strict=True)]
+        return self._mark_here(works)
+
+    def _mark_here(self, works: Sequence[Work]) -> list[Marked]:
+        """At the drawn position."""
         works = [self._as_asked(work) for work in works]
         asked = {entry.text for entry in self.key.entries}
         further = list(dict.fromkeys(text for work in works for text in work.numbers if text not in asked))
         if len(further) > _FURTHER and len(works) > 1:
             half = len(works) // 2
-            return [*self.mark(works[:half]), *self.mark(works[half:])]
+            return [*self._mark_here(works[:half]), *self._mark_here(works[half:])]
         with self._lock:  # threads that mark at once
             marker = self._widened(further[:_FURTHER])
-        return marker._mark(works)
+        return marker._marks(works)
 
     @cached_property
     def _asked(self) -> tuple[Entry, ...]:
@@ -103,7 +117,7 @@ class Marker:
             self._wider = Marker(_widened(self.key, self.method, further), self.method)
         return self._wider or self
 
-    def _mark(self, works: Sequence[Work]) -> list[Marked]:
+    def _marks(self, works: Sequence[Work]) -> list[Marked]:
         given = np.array([[_value(work, entry) for entry in self.key.entries] for work in works]).reshape(
             len(works), len(self.key.entries)
         )

@@ -9,7 +9,6 @@ from graphkin.errors import Lang
 from graphkin.marking.diagnosis import Explanation
 from graphkin.marking.graded import Graded
 from graphkin.marking.marked import Judged, Marked
-from graphkin.mechanism import Mechanism
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
 from graphkin.say.mistakes import together
@@ -38,12 +37,6 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
 def interrupted(path: Path, lang: Lang) -> str:
     """That a marking that was broken off can be gone on with."""
     return say("marks.interrupted", lang, path=path)
-
-
-def remarks(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
-    """What of a problem is not marked."""
-    if any(driver.also for driver in mechanism.drivers):
-        yield say("marks.drawn position", lang, name=mechanism.name)
 
 
 def table(rows: Sequence[Sequence[str]]) -> Iterator[str]:

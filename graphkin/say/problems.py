@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from graphkin.errors import Lang
 from graphkin.marking.handed import asked_of
-from graphkin.mechanism import Mechanism
-from graphkin.quantities import EDGE, Centre, Component, Quantity, Quotient, Rotation, read
+from graphkin.mechanism import Driver, Mechanism
+from graphkin.quantities import EDGE, Centre, Component, Quantity, Quotient, Rotation, at_position, read
 from graphkin.running.assembled import Assembled
 from graphkin.say import names
 from graphkin.say.assembly import assembly
@@ -35,7 +36,9 @@ def problem(
         quantity = read(mechanism, question)
         lines.append(f"  {_asked(question, quantity)}{worth}{_measured(mechanism, quantity, lang)}")
     lines += ["", say("problems.hand in", lang), "", f"  student = {_quoted(student)}", "  [answers]"]
-    lines += [f'  "{question}" = ' for question in marked]
+    count = 1 + positions(mechanism)
+    lines += [f"  {_quoted(at_position(question, at))} = " for at in range(1, count + 1) for question in marked]
+    lines += ["", say("problems.drawing of position", lang)] if count > 1 else []
     return "\n".join(lines) + f"\n\n{MADE}\n"
 
 
@@ -45,6 +48,34 @@ def statement(mechanism: Mechanism, lang: Lang, drawn: Assembled | None = None) 
     yield from (f"  {line}" for line in _given(tomllib.loads(mechanism.text), lang))
     if drawn is not None and (told := assembly(drawn, lang)):
         yield f"  {told}"
+    yield from _positions(mechanism, lang)
+
+
+def positions(mechanism: Mechanism) -> int:
+    """How many further ones are asked for."""
+    return max((len(driver.also) for driver in mechanism.drivers), default=0)
+
+
+def _positions(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
+    """Where the drivers stand at each, by its number."""
+    if not positions(mechanism):
+        return
+    yield ""
+    yield say("problems.positions", lang)
+    for at in range(positions(mechanism) + 1):
+        values = ((driver, _value_at(driver, at)) for driver in mechanism.drivers)
+        told = [f"{names.point(driver.name)} = {_driven(driver, x)}" for driver, x in values if x is not None]
+        told = told or [say("problems.as given", lang)]
+        yield f"  #{at + 1}{say('common.colon', lang)}{say('common.list', lang).join(told)}"
+
+
+def _value_at(driver: Driver, at: int) -> float | None:
+    return driver.also[at - 1] if 0 < at <= len(driver.also) else driver.value
+
+
+def _driven(driver: Driver, value: float) -> str:
+    """`120°`, `25 mm`."""
+    return f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{math.degrees(value):.6g}°"
 
 
 def remark(shared: Sequence[str], lang: Lang) -> str:

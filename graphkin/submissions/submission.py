@@ -21,10 +21,17 @@ class Asked:
 
     questions  as the key writes them (`omega 3`, `a_k B3B2`): what a student calls one of them comes out in these
                words; any other quantity of the mechanism comes out as `quantities` writes it
+    further    what is asked at further positions: the same mechanism drawn there
     """
 
     mechanism: Mechanism
     questions: tuple[str, ...] = ()
+    further: tuple[Asked, ...] = ()
+
+    @property
+    def positions(self) -> tuple[Asked, ...]:
+        """What is asked at each position, the drawn one first."""
+        return self, *self.further
 
 
 @frozen
