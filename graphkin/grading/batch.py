@@ -8,6 +8,7 @@ from itertools import groupby
 
 from graphkin.errors import GraphkinError, OwnFault, TookTooLong, UnknownStudent, Unreadable, WantsExtra, Where
 from graphkin.grading.again import Again
+from graphkin.grading.drawn import with_drawings
 from graphkin.grading.sets import Judge, OneKey, fingerprint
 from graphkin.marking.graded import Drawn, Graded
 from graphkin.marking.marked import Marked, Number, Work
@@ -60,9 +61,14 @@ def _read(item: Handed | Again, judge: Judge, limits: Limits, reading: str) -> R
     one = read_one(item, asked, limits)
     prints = (item.digest[:16], reading, asked_print(judge, one.student), judge.key_print(one.student))
     notes = (*one.notes, *(given.fault for given in one.values.values() if given.fault is not None))
-    again = isinstance(one.reason, _ONCE_MORE)
+    work, more, reason = _work(one), list[GraphkinError](), one.reason
+    try:
+        work, more = with_drawings(work, one, judge)
+    except Exception as problem:
+        reason = OwnFault(Where(one.file), type(problem).__name__)
+    again = isinstance(reason, _ONCE_MORE)
     drawn = {} if one.drawn is None else one.drawn.in_si()
-    return Read(_work(one), one.file, one.place, one.reason, notes, () if again else prints, drawn)
+    return Read(work, one.file, one.place, reason, (*notes, *more), () if again else prints, drawn)
 
 
 def _again(item: Again, judge: Judge) -> Read:
@@ -93,7 +99,7 @@ def _work(submission: Submission) -> Work:
     return Work(
         submission.student,
         {
-            text: Number(given.value, given.fault is None)
+            text: Number(given.value, given.fault is None, measured=given.ends is not None and not given.text)
             for text, given in submission.values.items()
             if given.value is not None and math.isfinite(given.value)
         },

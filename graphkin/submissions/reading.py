@@ -177,13 +177,12 @@ def _read(
     limits: Limits,
 ) -> Submission:
     told = answers_at((entry for document in documents for entry in document.entries), key, _questions, limits)
-    values, drawn, more = dict(told.values), None, [*notes, *told.notes]
+    values, drawn, more = dict(told.values), dict[int, Drawn](), [*notes, *told.notes]
     for name, content in drawings:
         try:
             asked, at = of_file(name, key)
-            measured, points, others = _measured(name, content, _where(handed, name), asked, told, limits)
+            measured, drawn[at], others = _measured(name, content, _where(handed, name), asked, told, limits)
             values = {**named_at(measured, at), **values}
-            drawn = points if at == 1 else drawn
             more += others
         except GraphkinError as problem:
             more.append(problem)

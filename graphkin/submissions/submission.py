@@ -99,6 +99,7 @@ class Submission:
     reason   why nothing of it can be marked; `values` is empty then
     notes    what was passed over: a question that is none, a second answer to one, a letter that was not found
     place    line of a class table, or name of the member of an archive: under which results go back to the platform
+    drawings  what was measured on the drawing of each position, by its number
     """
 
     student: str
@@ -107,7 +108,12 @@ class Submission:
     reason: GraphkinError | None = None
     notes: tuple[GraphkinError, ...] = ()
     place: str = ""
-    drawn: Drawn | None = None
+    drawings: Mapping[int, Drawn] = field(default_factory=dict)
+
+    @property
+    def drawn(self) -> Drawn | None:
+        """Of the first position."""
+        return self.drawings.get(1)
 
 
 @frozen

@@ -7,7 +7,7 @@ PHRASES: Phrases = {
     "verdict carried": ("carried", "沿用正确"),
     "verdict wrong": ("wrong", "错误"),
     "verdict missing": ("missing", "未答"),
-    "verdict wrong sense": ("wrong sense", "转向（符号）相反"),
+    "verdict wrong sense": ("wrong sense", "方向（转向、符号）错误"),
     "verdict wrong unit": ("wrong unit", "单位不符"),
     "status marked": ("marked", "已评阅"),
     "status not marked": ("not marked", "未评阅"),
