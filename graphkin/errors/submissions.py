@@ -100,8 +100,8 @@ class TookTooLong(GraphkinError):
     where: Where
     seconds: float
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: not read within {seconds:g} s. Hand in a simpler file.",
-        "zh": "{where}：{seconds:g} 秒内未能读完，请提交更简单的文件。",
+        "en": "{where}: not done within {seconds:g} s. Hand in a simpler file.",
+        "zh": "{where}：{seconds:g} 秒内未能处理完，请提交更简单的文件。",
     }
 
 

@@ -13,9 +13,11 @@ from graphkin.grading.sets import Judge, OneKey, fingerprint
 from graphkin.marking.graded import Drawn, Graded
 from graphkin.marking.marked import Marked, Number, Work
 from graphkin.marking.marker import Marker
-from graphkin.submissions import Handed, Limits, Submission, read_one
+from graphkin.submissions import Handed, Limits, Submission, limited, read_one
 from graphkin.value import frozen
 
+_EACH = 0.1
+"""A batch is marked at once in the time of one submission and so much more for each [s]."""
 _ONCE_MORE = (OwnFault, TookTooLong, Unreadable, WantsExtra)
 """Reasons that may be gone when it is tried again."""
 
@@ -37,7 +39,7 @@ Item = Handed | Again | Kept
 def marked(some: list[Item], judge: Judge, limits: Limits, reading: str) -> list[Graded | Kept]:
     """What becomes of each, in order."""
     read = [one if isinstance(one, Kept) else _read(one, judge, limits, reading) for one in some]
-    marks = _marked(judge, [one for one in read if isinstance(one, Read) and one.reason is None])
+    marks = _marked(judge, [one for one in read if isinstance(one, Read) and one.reason is None], limits.seconds)
     return [one if isinstance(one, Kept) else _graded(one, one.reason or next(marks)) for one in read]
 
 
@@ -63,7 +65,10 @@ def _read(item: Handed | Again, judge: Judge, limits: Limits, reading: str) -> R
     notes = (*one.notes, *(given.fault for given in one.values.values() if given.fault is not None))
     work, more, reason = _work(one), list[GraphkinError](), one.reason
     try:
-        work, more = with_drawings(work, one, judge)
+        with limited(limits.seconds, Where(one.file)):
+            work, more = with_drawings(work, one, judge)
+    except GraphkinError as problem:
+        reason = problem
     except Exception as problem:
         reason = OwnFault(Where(one.file), type(problem).__name__)
     again = isinstance(reason, _ONCE_MORE)
@@ -109,7 +114,7 @@ def _work(submission: Submission) -> Work:
 def _graded(one: Read, marks: Marked | GraphkinError) -> Graded:
     student, file, place = one.work.student, one.file, one.place
     if isinstance(marks, GraphkinError):
-        prints = () if isinstance(marks, OwnFault) else one.prints
+        prints = () if isinstance(marks, _ONCE_MORE) else one.prints
         return Graded(student, file, place, None, marks, one.notes, prints=prints)
     return Graded(student, file, place, marks, None, one.notes, one.drawn, one.prints)
 
@@ -117,24 +122,27 @@ def _graded(one: Read, marks: Marked | GraphkinError) -> Graded:
 # --- marking ----------------------------------------------------------------------------------
 
 
-def _marked(judge: Judge, batch: Sequence[Read]) -> Iterator[Marked | GraphkinError]:
+def _marked(judge: Judge, batch: Sequence[Read], seconds: float) -> Iterator[Marked | GraphkinError]:
     """In their order; those in a row who have one key are marked at once."""
     for marker, some in groupby(batch, lambda one: judge.marker(one.work.student)):
         assert marker is not None, "who is not of the class was refused before"
-        yield from _marks(marker, list(some))
+        yield from _marks(marker, list(some), seconds)
 
 
-def _marks(marker: Marker, batch: Sequence[Read]) -> list[Marked | GraphkinError]:
-    """All at once; one by one where that fails, so that an error of ours is one student's row."""
+def _marks(marker: Marker, batch: Sequence[Read], seconds: float) -> list[Marked | GraphkinError]:
+    """All at once; one by one, each within its time, where that fails or takes long, so that an error of ours or a
+    hostile submission is one student's row."""
     try:
-        return list(marker.mark([one.work for one in batch]))
+        with limited(seconds + _EACH * len(batch), Where(batch[0].file)):
+            return list(marker.mark([one.work for one in batch]))
     except Exception:
-        return [_alone(marker, one) for one in batch]
+        return [_alone(marker, one, seconds) for one in batch]
 
 
-def _alone(marker: Marker, one: Read) -> Marked | GraphkinError:
+def _alone(marker: Marker, one: Read, seconds: float) -> Marked | GraphkinError:
     try:
-        return marker.mark([one.work])[0]
+        with limited(seconds, Where(one.file)):
+            return marker.mark([one.work])[0]
     except GraphkinError as problem:
         return problem
     except Exception as problem:

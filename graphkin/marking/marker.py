@@ -133,10 +133,11 @@ class Marker:
         new = [text for text in texts if text not in self._further]
         if len(self._further) + len(new) > _FURTHER:
             self._further, new, self._wider = {}, list(texts), None
-        self._further |= {text: readable(self.method.mechanism, text) for text in new}
-        if any(self._further[text] is not None for text in new):
-            further = [quantity for quantity in self._further.values() if quantity is not None]
+        known = self._further | {text: readable(self.method.mechanism, text) for text in new}
+        if any(known[text] is not None for text in new):
+            further = [quantity for quantity in known.values() if quantity is not None]
             self._wider = Marker(_widened(self.key, self.method, further), self.method)
+        self._further = known  # last: an alarm may have ended it before
         return self._wider or self
 
     def _marks(self, works: Sequence[Work]) -> list[Marked]:
