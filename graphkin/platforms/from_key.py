@@ -48,4 +48,5 @@ def _wrongs(key: Key, column: int, entry: Entry) -> Iterator[Wrong]:
         if np.isfinite(value) and np.isfinite(scatter):
             number = abs(float(value)) if entry.sort == "size" else float(value)
             words = {lang: mistake(names[0], lang) for lang in LANGUAGES}
-            yield Wrong((names[0][0],), number * factor, key.marking.sigmas * float(scatter) * factor, words)
+            yield Wrong((names[0][0],), number * factor, key.marking.sigmas * float(scatter) * factor, words,
+                        form=names[0][3])  # fmt: skip

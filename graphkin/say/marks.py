@@ -11,7 +11,7 @@ from graphkin.marking.graded import Graded
 from graphkin.marking.marked import Judged, Marked
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import together
+from graphkin.say.mistakes import once, together
 from graphkin.say.numbers import number
 from graphkin.say.text_table import aligned
 from graphkin.say.verdicts import verdict
@@ -92,6 +92,6 @@ def _mistakes(marked: Marked, lang: Lang) -> Iterator[str]:
 
 
 def _set(explanation: Explanation, lang: Lang) -> str:
-    texts = list(dict.fromkeys(together(names, lang) for names in explanation.names))
+    texts = once(together(names, lang) for names in explanation.names)
     more = [say("marks.more", lang, count=len(texts) - _SETS)] if len(texts) > _SETS else []
     return say("marks.or", lang).join([*texts[:_SETS], *more])
