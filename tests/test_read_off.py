@@ -146,3 +146,18 @@ def test_directions_stay_when_marks_are_made_anew(tmp_path: Path):
     numbers = again(record(found), Where("")).work
     assert (numbers.numbers["a_k B3B2"].points, numbers.numbers["alpha 3"].measured) == (False, True)
     assert one.mark([numbers]) == [found.marked]
+
+
+def test_letters_with_words_in_them(tmp_path: Path):
+    """A link called by a word: `n_rod'`, with or without its mark for lowering, or n' alone."""
+    document = tomllib.loads(library.load("ex3-5").text)
+    document["links"]["rod"] = document["links"].pop("2")
+    document["ask"] = ["omega rod", "alpha rod", "a_n CB"]
+    one = Marker(key_drawn(api.plan(loading.from_dict(document, name="words"))))
+    page = svg(drawn(one.plot), {"velocity": 0.005, "acceleration": 0.05})
+    assert ">n_rod'<" in page
+    for spelt in ("n_rod'", "nrod'", "n'_rod"):
+        (tmp_path / "s1.svg").write_text(page.replace(">n_rod'<", f">{spelt}<"), encoding="utf-8")
+        (found,) = grade(one.key, [tmp_path / "s1.svg"])
+        assert found.marked is not None
+        assert found.marked.score == pytest.approx(1.0), spelt

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from graphkin.errors import Lang
+from graphkin.loading.names import split_points
 from graphkin.marking.handed import asked_of
 from graphkin.mechanism import Driver, Mechanism
 from graphkin.quantities import EDGE, Centre, Component, Quantity, Quotient, Rotation, at_position, read
@@ -149,8 +150,17 @@ def _given(document: dict[str, Any], lang: Lang) -> Iterator[str]:
         rows = content.items() if table == "links" else [("", row) for row in _rows(content)]
         for name, row in rows:
             head = say(f"problems.table {table}", lang) + (f" {name}" if name else "")
-            told = say("common.and", lang).join(_told(key, value, lang) for key, value in row.items())
+            told = say("common.and", lang).join(_told(key, value, lang) for key, value in _named(row, lang).items())
             yield f"{head}{say('common.colon', lang)}{told}"
+
+
+def _named(row: dict[str, Any], lang: Lang) -> dict[str, Any]:
+    """With what a sliding pair is called behind its name, in this language."""
+    title, rest = row.get("title"), {key: value for key, value in row.items() if key != "title"}
+    called = title.get(lang) or next(iter(title.values()), "") if isinstance(title, dict) else title
+    if not called or called == row.get("name"):
+        return rest
+    return {**rest, "name": f"{row['name']} ({called})"} if "name" in row else {"name": called, **rest}
 
 
 def _rows(content: Any) -> list[Any]:
@@ -158,8 +168,10 @@ def _rows(content: Any) -> list[Any]:
 
 
 def _told(key: str, value: object, lang: Lang) -> str:
-    known = say(f"problems.key {key}", lang) if is_phrase(f"problems.key {key}") else names.point(key)
-    return f"{known} = {_shown(value, lang)}"
+    if is_phrase(f"problems.key {key}"):
+        return f"{say(f'problems.key {key}', lang)} = {_shown(value, lang)}"
+    angle = "∠" if len(split_points(key)) == len(("tail", "corner", "head")) else ""
+    return f"{angle}{names.point(key)} = {_shown(value, lang)}"
 
 
 def _shown(value: object, lang: Lang) -> str:

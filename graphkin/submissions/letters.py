@@ -148,15 +148,16 @@ def _spelled(polygons: Sequence[Polygon]) -> dict[str, tuple[Plane, str]]:
             more.setdefault(short, (polygon.plane, letter))
     found = more | found
     large = {name[0].upper() + name[1:]: key for name, key in found.items() if len(name) > 1 or name in ("p", "o")}
-    return large | found
+    every = large | found
+    return {name.replace("_", ""): key for name, key in every.items()} | every  # subscripts are read without their mark
 
 
 def _without_numbers(polygon: Polygon) -> dict[str, str]:
-    """`n'` for `n3'`, where there is one n in this polygon."""
+    """`n'` for `n3'` and for `n_rod'`, where there is one n in this polygon."""
     short: dict[str, list[str]] = {}
     for letter in polygon.letters:
-        if re.fullmatch(r"[nk][0-9]+'+", letter):
-            short.setdefault(re.sub("[0-9]", "", letter), []).append(letter)
+        if (numbered := re.fullmatch(r"([nk])(?:[0-9]+|_[^']+)('+)", letter)) is not None:
+            short.setdefault("".join(numbered.groups()), []).append(letter)
     return {name: letters[0] for name, letters in short.items() if len(letters) == 1}
 
 
@@ -176,7 +177,7 @@ def _pieces(text: str) -> list[str]:
 
 def _key(piece: str, spelled: Mapping[str, tuple[Plane, str]]) -> tuple[Plane, str] | None:
     """With the primes last, which GeoGebra has before a number: `b'_{3}`."""
-    return spelled.get(re.sub(r"^([A-Za-z]+)('+)([0-9]+)$", r"\1\3\2", piece.replace('"', "''")))
+    return spelled.get(re.sub(r"^([A-Za-z]+)('+)(\w+)$", r"\1\3\2", piece.replace('"', "''")))
 
 
 def _by_name(
