@@ -149,7 +149,8 @@ def _spelled(polygons: Sequence[Polygon]) -> dict[str, tuple[Plane, str]]:
     found = more | found
     large = {name[0].upper() + name[1:]: key for name, key in found.items() if len(name) > 1 or name in ("p", "o")}
     every = large | found
-    return {name.replace("_", ""): key for name, key in every.items()} | every  # subscripts are read without their mark
+    # subscripts are read without their mark; of numbers only words stay apart so: n3_1 is not n31
+    return {re.sub(r"_(?=[^\W\d])", "", name): key for name, key in every.items()} | every
 
 
 def _without_numbers(polygon: Polygon) -> dict[str, str]:
