@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from graphkin.errors import GraphkinError, NoSenseDrawn, OffTheDrawing, Where
+from graphkin.errors import GraphkinError, NoSenseDrawn, OffTheDrawing
 from graphkin.grading.sets import Judge
 from graphkin.marking.marked import Number, Work
 from graphkin.marking.marker import Marker
@@ -41,7 +41,7 @@ def _at(work: Work, one: Submission, at: int, marker: Marker) -> Found:
     told = {text: replace(work.numbers[text], points=good) for text, good in _named(points, at).items()
             if text in work.numbers}  # fmt: skip
     lost = tuple(text for bare in found.no_sense if (text := at_position(bare, at)) not in work.numbers)
-    where = Where(one.file)
+    where = one.drawings[at].where
     notes: list[GraphkinError] = [OffTheDrawing(where, tuple(new))] if new else []
     notes += [NoSenseDrawn(where, lost)] if lost else []
     return replace(work, numbers={**work.numbers, **new, **told}), notes

@@ -18,8 +18,11 @@ _BACK = ("diagnosis", "reason")
 
 
 def quantities(results: Iterable[Result]) -> tuple[str, ...]:
-    """All that is asked anywhere, as it is met first."""
-    return tuple(dict.fromkeys(line.name for result in results for line in result.lines))
+    """All that is asked anywhere, as it is met first, and what is wrong on the way; what is right there is on the pages."""
+    met: dict[str, bool] = {}
+    for line in (line for result in results for line in result.lines):
+        met[line.name] = met.get(line.name, False) or bool(line.most) or line.verdict == "wrong"
+    return tuple(name for name, told in met.items() if told)
 
 
 def rows(

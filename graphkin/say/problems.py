@@ -182,5 +182,7 @@ def _shown(value: object, lang: Lang) -> str:
             return "(" + say("common.and", lang).join(_told(key, inner, lang) for key, inner in value.items()) + ")"
         case list():
             return "(" + ", ".join(_shown(inner, lang) for inner in value) + ")"
+        case "frame":
+            return say("problems.the frame", lang)
         case _:
             return str(value)

@@ -69,12 +69,14 @@ class Drawn:
     scales      by plane: SI unit per mm, as used; None where none is known
     calibrated  the planes whose scale was taken from their known first vector
     turned      by plane: by how much the drawn polygon stands turned, where it may [rad]
+    where       the file
     """
 
     points: Mapping[tuple[Plane, str], complex]
     scales: Mapping[Plane, float]
     calibrated: tuple[Plane, ...] = ()
     turned: Mapping[Plane, float] = field(default_factory=dict)
+    where: Where = NOWHERE
 
     def in_si(self) -> dict[Plane, dict[str, complex]]:
         """Points from the first of their plane on, SI, turned back; of planes whose scale is known."""

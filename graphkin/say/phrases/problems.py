@@ -43,6 +43,7 @@ PHRASES: Phrases = {
     ),
     # tables of the mechanism file
     "table frame": ("Frame", "机架"),
+    "the frame": ("the frame", "机架"),
     "table links": ("Link", "构件"),
     "table slide": ("Sliding pair", "移动副"),
     "table gear": ("Gear pair", "齿轮副"),
