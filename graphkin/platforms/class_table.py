@@ -18,7 +18,7 @@ _BACK = ("diagnosis", "reason")
 
 
 def quantities(results: Iterable[Result]) -> tuple[str, ...]:
-    """All that is asked anywhere, as it is met first, and what is wrong on the way; what is right there is on the pages."""
+    """All that is asked anywhere, as it is met first, and what is wrong on the way."""
     met: dict[str, bool] = {}
     for line in (line for result in results for line in result.lines):
         met[line.name] = met.get(line.name, False) or bool(line.most) or line.verdict == "wrong"
