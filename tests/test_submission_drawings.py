@@ -274,6 +274,12 @@ def test_no_letters():
     assert "b3" in found.reason.message("zh")
 
 
+@pytest.mark.parametrize("path", ["M1e300 1e300L-1e308 1e308", "M0 0L1e12 3"])
+def test_coordinates_beyond_any_page(path: str):
+    found = handed("a.svg", svg(more=f'<path d="{path}"/>'))
+    assert type(found.reason).__name__ == "BrokenSubmission"
+
+
 def test_layers_that_are_hidden_are_not_measured():
     hidden = svg().replace(b"<path", b'<g style="display:none"><path', 1).replace(b"</svg>", b"</g></svg>")
     assert isinstance(handed("a.svg", hidden).reason, NoLetters)
