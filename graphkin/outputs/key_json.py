@@ -60,6 +60,7 @@ def key_data(key: Key) -> Json:
                 key.singles.names, key.singles.values, key.singles.scatters, _hanging(key.singles), strict=True
             )
         ],
+        **({"positions": [key_data(one) for one in key.further]} if key.further else {}),
     }  # fmt: skip
 
 
@@ -123,6 +124,7 @@ class _Reader:
             tuple(self._number(x, "given") for x in data["given"]), together, self._mistakes(data["mistakes"], count),
             {str(lang): str(title) for lang, title in data["title"].items()},
             tuple(self._step(item) for item in data["steps"]),
+            tuple(self.key(item) for item in data.get("positions", ())),
         )  # fmt: skip
 
     def _entry(self, item: Json) -> Entry:
