@@ -45,10 +45,15 @@ def _sign(text: str) -> list[Run]:
     assert match is not None
     letter, part, low, digits, power = match.groups()
     below = re.findall(r"[^\W\d_]+|[^A-Za-z]+", (low or digits).replace("@", " "))
-    found = [Run(letter, True), *(Run(piece, piece.isalpha() and piece.isascii(), "sub") for piece in below)]
+    found = [Run(letter, True), *(Run(piece, _italic(piece), "sub") for piece in below)]
     if part:
         found.append(Run("".join(_RAISED[c] for c in part), True, "sup", back=True))
     return [*found, Run(_RAISED[power], place="sup")] if power else found
+
+
+def _italic(low: str) -> bool:
+    """Names and letters are; digits, Chinese and the words for least and greatest stand upright."""
+    return low.isalpha() and low.isascii() and low not in ("min", "max")
 
 
 def _points(text: str) -> list[Run]:
