@@ -6,12 +6,10 @@ from collections.abc import Iterator
 from itertools import pairwise
 from math import degrees
 
-import numpy as np
-
 from graphkin.construction import LayOff, Measure, Normal, Step, Tangential, Term, Turning
-from graphkin.geometry import Value, cross
+from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, CircularSlot, Gear, Roll, Slide
+from graphkin.pairs import Gear, Roll, Slide
 from graphkin.say import names
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
@@ -74,20 +72,10 @@ def _offsets(reading: Reading) -> Iterator[str]:
     for slide in reading.mechanism.of(Slide):
         points = [p for p in reading.mechanism.named(slide.guide) if p in reading.plot.position]
         if points and slide.stands_for is None:
-            along = reading.plot.guide_direction(slide.name)
-            yield from _offset(reading, slide.guide, points[0], along, slide.point)
-    for line in (line for cam in reading.mechanism.of(Cam) for line in cam.lines):
-        points = [p for p in reading.mechanism.named(line.link) if p in reading.plot.position]
-        if points and line.origin in reading.plot.position:
-            along = line.direction * np.exp(1j * float(reading.plot.theta.get(line.link, 0.0)))
-            yield from _offset(reading, line.link, points[0], along, line.origin)
-
-
-def _offset(reading: Reading, link: str, point: str, along: Value, place: str) -> Iterator[str]:
-    """How far a line of a link, through a place, passes a point of it; nothing where it does not."""
-    off = abs(float(cross(along, reading.plot.arm(point, place))))
-    if off > reading.noise:
-        yield f"{'e' if link == FRAME else 'h'}_{names.point(point)} = {number(off * 1000)} mm"
+            off = abs(float(cross(reading.plot.guide_direction(slide.name), reading.plot.arm(points[0], slide.point))))
+            if off > reading.noise:
+                called = names.point(points[0])
+                yield f"{'e' if slide.guide == FRAME else 'h'}_{called} = {number(off * 1000)} mm"
 
 
 def _radii(reading: Reading) -> Iterator[str]:
@@ -96,21 +84,10 @@ def _radii(reading: Reading) -> Iterator[str]:
             yield _radius(reading, link, radius)
     for roll in reading.mechanism.of(Roll):
         yield _radius(reading, roll.wheel, roll.radius)
-    for cam in reading.mechanism.of(Cam):
-        for _, centre, radius in cam.circles:
-            if radius:
-                yield _radius_about(centre, radius)
-    for slot in reading.mechanism.of(CircularSlot):
-        yield _radius_about(slot.centre, slot.radius)
 
 
 def _radius(reading: Reading, link: str, radius: float) -> str:
     return f"{names.of_link('r', reading.mechanism.called(link))} = {number(radius * 1000)} mm"
-
-
-def _radius_about(centre: str, radius: float) -> str:
-    """Of an arc about a point of its link."""
-    return f"r_{names.point(centre)} = {number(radius * 1000)} mm"
 
 
 def _rates(reading: Reading) -> Iterator[str]:

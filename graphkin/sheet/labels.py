@@ -23,6 +23,8 @@ from graphkin.sheet.wanted import Candidate, Wanted
 
 _CLEAR, _EASY = 0.45, 1.3
 """What a label keeps from lines at least, and likes to keep [mm]."""
+_PASSING = 0.4
+"""What a leader keeps from other labels [mm]."""
 _TOUCH = 0.05
 """Closer than this to a box's edge is not yet on it [mm]."""
 _ROUNDS = 8
@@ -201,9 +203,10 @@ class _Table:
         left, top = self.low[row] - apart
         right, bottom = self.high[row] + apart
         clash = (low[:, 0] < right) & (low[:, 1] < bottom) & (high[:, 0] > left) & (high[:, 1] > top)
-        crossed = self.led[rows] & _cross(self.begin[rows], self.anchor[rows], self.low[row], self.high[row])
+        nearest, farthest = self.low[row] - _PASSING, self.high[row] + _PASSING
+        crossed = self.led[rows] & _cross(self.begin[rows], self.anchor[rows], nearest, farthest)
         if self.led[row]:
-            crossed |= _cross(self.begin[row], self.anchor[row], low, high)
+            crossed |= _cross(self.begin[row], self.anchor[row], low - _PASSING, high + _PASSING)
         return clash, crossed
 
     def _burden(self, row: int, rows: Any, clash: Any, crossed: Any) -> Any:

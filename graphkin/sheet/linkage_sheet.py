@@ -160,5 +160,6 @@ def _gamma_caption(report: Report, lang: Lang) -> tuple[str, ...]:
 def _dead(report: Report, driver: str, lang: Lang) -> str:
     values = report.dead[driver]
     slides = driver == report.slide
-    said = ", ".join(f"{round(value * 1e3, 6) + 0.0:.5g} mm".replace("-", "−") if slides else _degrees(value) for value in values)
+    said = ", ".join(f"{round(value * 1e3, 6) + 0.0:.5g} mm" if slides else _degrees(value) for value in values)
+    said = said.replace("-", "−")
     return _WORDS["dead" if values else "none"][lang].format(driver=driver, values=said)
