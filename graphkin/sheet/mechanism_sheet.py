@@ -32,7 +32,7 @@ from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.page import Last, Lettered, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import LARGE, Paper
 from graphkin.sheet.pencil import pencil_lines
-from graphkin.sheet.plain_mechanism import shown_places
+from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places, shown_places
 from graphkin.sheet.polygons import Polygon, polygon_figure
 from graphkin.sheet.results import Table, tables
 from graphkin.sheet.scales import KEYS, TooLargeForPaper
@@ -147,7 +147,8 @@ class _Planes:
     def values(self, plane: Plane) -> list[complex]:
         """The points a plane shows, in SI units."""
         if plane == "position":
-            return shown_places(self.method, self.plot)
+            places = mechanism_places if self.style == "given" else shown_places
+            return places(self.method, self.plot)
         points = self.plot.points(plane)
         names = {self.construction(plane).pole, *self.construction(plane).nodes}
         found = [complex(v) for name, v in points.items() if name in names]
@@ -157,6 +158,8 @@ class _Planes:
         return gear_images(self.method, self.plot) if plane == "velocity" else []
 
     def figure(self, plane: Plane, window: Window) -> Figure:
+        if plane == "position" and self.style == "given":
+            return bare_figure(self.method, self.skeleton(window))
         if plane == "position":
             return mechanism_figure(self.skeleton(window), self.method, self.values(plane))
         return heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
@@ -253,7 +256,7 @@ class _Work:
     def notes(self) -> dict[Plane, Label]:
         """Planes that hold what ruler and compass do not give, and how it was found."""
         found: dict[Plane, Label] = {}
-        for plane in self.planes:
+        for plane in self.planes if self.drawing.style != "given" else ():
             kinds = {type(step) for step in self.drawing.construction(plane).steps}
             if Fit in kinds:
                 found[plane] = plain(FITTED[self.lang])
