@@ -44,11 +44,16 @@ def _sign(text: str) -> list[Run]:
     match = _SIGN.fullmatch(text)
     assert match is not None
     letter, part, low, digits, power = match.groups()
-    below = re.findall(r"[^\W\d_]+|[^A-Za-z]+", (low or digits).replace("@", " "))
+    below = re.findall(r"[^\W\d_]+|[^A-Za-z]+", _spaced(low or digits))
     found = [Run(letter, True), *(Run(piece, _italic(piece), "sub") for piece in below)]
     if part:
         found.append(Run("".join(_RAISED[c] for c in part), True, "sup", back=True))
     return [*found, Run(_RAISED[power], place="sup")] if power else found
+
+
+def _spaced(low: str) -> str:
+    """Points that bear the number of their link after a digit of their own: `{B1_3,B1_2}` as the labels have it."""
+    return low.strip("{}").replace("_", " ").replace(",", ", ") if low.startswith("{") else low.replace("@", " ")
 
 
 def _italic(low: str) -> bool:
