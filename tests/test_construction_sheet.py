@@ -239,7 +239,9 @@ def test_what_is_carried_to_another_place_is_drawn_there() -> None:
 
 
 @pytest.mark.parametrize(("text", "written"), [
-    ("aⁿ_{J1_3,J1_1}", "aJ1 3, J1 1n"), ("γ_min", "γmin"), ("v_B@3", "vB 3"),
+    ("aⁿ_{J1_3,J1_1}", "aJ1 3, J1 1n"), ("γ_min", "γmin"), ("v_B@3", "vB 3"), ("n3,1′", "n3,1′"),
 ])  # fmt: skip
 def test_subscripts_read_as_on_the_labels(text: str, written: str) -> None:
-    assert "".join(run.text for run in formula(text)) == written
+    label = formula(text)
+    assert "".join(run.text for run in label) == written
+    assert all(run.place == "sub" for run in label if run.text[0].isdigit())

@@ -11,8 +11,8 @@ _LOW = r"(?:[^\s()/|²³·、。，；：,;]|,(?=\w))+"
 _SIGN = re.compile(rf"([A-Za-zα-ωṡ]\u0308?)([ⁿᵗᵏʳ]*)(?:_({_LOW})|(\d+))([²³]?)(?![A-Za-z])")
 _POINT = re.compile(r"[A-Z][0-9]*′*")
 _POINTS = re.compile(rf"(?<=[⊥∥→])(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)")
-_NODE = re.compile(r"[a-z]\d*′*")
-_STRETCH = re.compile(r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*′+|[a-z]\d+′*)+(?![A-Za-z²³])")
+_NODE = re.compile(r"[a-z]\d*(?:,\d+(?=′))?′*")
+_STRETCH = re.compile(r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+|[a-z]\d+′*)+(?![A-Za-z²³])")
 _ANY = re.compile(f"(?P<points>{_POINTS.pattern})|(?P<stretch>{_STRETCH.pattern})|(?P<sign>{_SIGN.pattern})")
 
 
@@ -64,4 +64,4 @@ def _italic(low: str) -> bool:
 def _points(text: str) -> list[Run]:
     """`BD`, `O1B`, `n3′b3′`: each point with its digits below it."""
     names = _POINT.findall(text) or _NODE.findall(text)
-    return [run for name in names for run in point_label(name.replace("′", "'"))]
+    return [run for name in names for run in point_label(name.replace("′", "'").replace(",", "_"))]
