@@ -15,11 +15,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Disc, Mark, Stroke
+from graphkin.sheet.marks import Disc, Mark, Place, Stroke
 from graphkin.sheet.nearness import Arrows
 from graphkin.sheet.obstacles import Tree, tree
 from graphkin.sheet.paper import Room
-from graphkin.sheet.wanted import Candidate, Wanted
+from graphkin.sheet.wanted import Candidates, Wanted
 
 _CLEAR, _EASY = 0.45, 1.3
 """What a label keeps from lines at least, and likes to keep [mm]."""
@@ -81,14 +81,14 @@ def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: boo
             break
         left = [want for k, want in enumerate(left) if k not in out]
     marks: list[Mark] = []
-    for want, spot in zip(left, (table.candidates[row] for row in chosen), strict=True):
+    for want, row in zip(left, chosen, strict=True):
         wide, up, down = box(want.label, want.size)
-        corner = spot.middle + complex(-wide / 2, (up - down) / 2)
-        marks += want.texts(corner)
-        if spot.anchor is not None:
-            marks.append(_leader(spot, complex(wide, up + down) / 2, want))
+        middle, anchor = complex(table.candidates.middle[row]), complex(table.candidates.anchor[row])
+        marks += want.texts(middle + complex(-wide / 2, (up - down) / 2))
+        if table.led[row]:
+            marks.append(_leader(middle, anchor, complex(wide, up + down) / 2, want))
             if want.of:
-                marks.append(Disc(spot.anchor, _DOT, "leader", "ink", step=want.step))
+                marks.append(Disc(anchor, _DOT, "leader", "ink", step=want.step))
     return Settled(marks, len(clashing))
 
 
@@ -104,14 +104,13 @@ def _left_out(wanted: Sequence[Wanted], clashing: Sequence[int]) -> set[int]:
     return own or close
 
 
-def _leader(spot: Candidate, half: complex, want: Wanted) -> Mark:
+def _leader(middle: Place, anchor: Place, half: complex, want: Wanted) -> Mark:
     """A thin line from the near side of a label's box to what it names."""
-    assert spot.anchor is not None
-    off = spot.anchor - spot.middle
+    off = anchor - middle
     edge = complex(max(-half.real, min(half.real, off.real)), max(-half.imag, min(half.imag, off.imag)))
     way = off - edge
-    begin = spot.middle + edge + way / abs(way) * 0.3 if abs(way) > 1 else spot.middle + edge
-    return Stroke((begin, spot.anchor), "leader", step=want.step)
+    begin = middle + edge + way / abs(way) * 0.3 if abs(way) > 1 else middle + edge
+    return Stroke((begin, anchor), "leader", step=want.step)
 
 
 # --- the choice -------------------------------------------------------------------------------
@@ -131,28 +130,24 @@ class _Table:
         self, wanted: Sequence[Wanted], known: Tree, arrows: Arrows, room: Room, far: bool = False
     ) -> None:  # fmt: skip
         self.known, self.prices = known, _CROWD if far else _NEAR
-        self.candidates: list[Candidate] = []
+        found: list[Candidates] = []
         owners: list[int] = []
-        sizes: list[tuple[float, float]] = []
+        halves: list[complex] = []
         places = [want.place for want in wanted]
         crowd = complex(_middle([place.real for place in places]), _middle([place.imag for place in places]))
         for k, want in enumerate(wanted):
             wide, up, down = box(want.label, want.size)
-            found = list(want.candidates(complex(wide, up + down) / 2))
-            if far:
-                found += want.far_candidates(complex(wide, up + down) / 2, crowd)
-            self.candidates += found
-            owners += [k] * len(found)
-            sizes += [(wide / 2, (up + down) / 2)] * len(found)
+            halves.append(complex(wide, up + down) / 2)
+            parts = [want.candidates(halves[k]), *([want.far_candidates(halves[k], crowd)] if far else ())]
+            found += parts
+            owners += [k] * sum(len(part.cost) for part in parts)
         self.owner = np.array(owners)
-        middle = np.array([(spot.middle.real, spot.middle.imag) for spot in self.candidates])
-        half = np.array(sizes)
-        self.low, self.high = np.asfortranarray(middle - half), np.asfortranarray(middle + half)
-        anchors = [spot.middle if spot.anchor is None else spot.anchor for spot in self.candidates]
-        self.anchor = np.array([(anchor.real, anchor.imag) for anchor in anchors], order="F")
+        self.candidates = Candidates.joined(found)
+        middle, self.led, self.cost = self.candidates.middle, self.candidates.led, self.candidates.cost
+        half = np.array(halves)[self.owner]
+        self.low, self.high = _columns(middle - half), _columns(middle + half)
+        self.anchor = _columns(np.where(self.led, self.candidates.anchor, middle))
         self.begin = np.clip(self.anchor, self.low, self.high)
-        self.led = np.array([spot.anchor is not None for spot in self.candidates])
-        self.cost = np.array([spot.cost for spot in self.candidates])
         self.strange = ~self.led & arrows.strange(wanted, self.owner, self.low, self.high)
         self.cost += self.prices.strange * self.strange
         self.free = self._judge(room) & ~self.strange
@@ -164,10 +159,10 @@ class _Table:
     def _judge(self, room: Room) -> Any:
         """Which candidates touch nothing drawn; near misses and bad places are written into the cost."""
         known = self.known
-        near = np.bincount(known.touched(self.low - _EASY, self.high + _EASY), minlength=len(self.candidates))
+        near = np.bincount(known.touched(self.low - _EASY, self.high + _EASY), minlength=len(self.owner))
         maybe = np.flatnonzero(near)
         rows = maybe[known.touched(self.low[maybe] - _CLEAR, self.high[maybe] + _CLEAR)]
-        hits = np.bincount(rows, minlength=len(self.candidates))
+        hits = np.bincount(rows, minlength=len(self.owner))
         self.cost += 0.45 * np.minimum(near, 6) + self.prices.line * np.minimum(hits, 5)
         inside = np.all(self.low >= (room.left, room.top), axis=1)
         inside &= np.all(self.high <= (room.right, room.bottom), axis=1)
@@ -247,6 +242,11 @@ class _Table:
         np.fill_diagonal(over, False)
         bad |= over.any(axis=0) | over.any(axis=1)
         return [int(k) for k in np.flatnonzero(bad)]
+
+
+def _columns(places: Any) -> Any:
+    """Complex places (n,) as columns x and y (n, 2)."""
+    return np.array([places.real, places.imag]).T
 
 
 def _cross(start: Any, end: Any, low: Any, high: Any) -> Any:
