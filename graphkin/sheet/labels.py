@@ -46,7 +46,8 @@ class _Prices(NamedTuple):
     """What it costs to lie on a line, on a label, out of the room, nearer to another arrow than to its own without a
     leader; a leader on a label, on a leader.
 
-    apart  what two labels keep from each other [mm]
+    apart   what two labels keep from each other [mm]
+    beside  for a leader that ends beside another's end
     """
 
     line: float = 60.0
@@ -56,9 +57,12 @@ class _Prices(NamedTuple):
     crossed: float = 25.0
     leaders: float = 0.0
     apart: float = 0.7
+    beside: float = 4.0
 
 
 _NEAR, _CROWD = _Prices(), _Prices(400.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3)
+_ONE, _BESIDE = 0.5, 2.5
+"""Leaders that end nearer together than the second look like one; than the first, they end at one place [mm]."""
 _THROUGH = 1.5
 """What a far leader pays for each line it crosses."""
 
@@ -210,6 +214,9 @@ class _Table:
         if self.prices.leaders and self.led[row]:
             meeting = _meet(self.begin[rows], self.anchor[rows], self.begin[row], self.anchor[row])
             more += self.prices.leaders * (self.led[rows] & meeting)
+        if self.led[row]:
+            apart = np.abs(self.anchor[rows] - self.anchor[row]).max(axis=1)
+            more += self.prices.beside * (self.led[rows] & (_ONE < apart) & (apart < _BESIDE))
         return more
 
     def mended(self, chosen: list[int]) -> list[int]:
