@@ -216,7 +216,7 @@ class _Table:
             more += self.prices.leaders * (self.led[rows] & meeting)
         if self.led[row]:
             apart = np.abs(self.anchor[rows] - self.anchor[row]).max(axis=1)
-            more += self.prices.beside * (self.led[rows] & (_ONE < apart) & (apart < _BESIDE))
+            more += self.prices.beside * (self.led[rows] & (apart > _ONE) & (apart < _BESIDE))
         return more
 
     def mended(self, chosen: list[int]) -> list[int]:

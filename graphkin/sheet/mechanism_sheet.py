@@ -14,6 +14,8 @@ from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.planning.acts import births, pages
+from graphkin.planning.held_still import held_labels
+from graphkin.planning.needed import Fact, at_rest
 from graphkin.say.catalogue import say
 from graphkin.say.plane import Polygon as Spoken
 from graphkin.say.polygons import polygon as told
@@ -171,7 +173,13 @@ class _Planes:
     def polygon(self, plane: Plane, window: Window) -> Polygon:
         born, gears = births(self.method, plane), self.gears(plane)
         drafted = self.style == "construction"
-        return Polygon(self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted)
+        held = held_labels(self.method, plane, self.rested)
+        return Polygon(self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted, held)
+
+    @cached_property
+    def rested(self) -> frozenset[Fact]:
+        """What drivers at rest hold still."""
+        return at_rest(self.method, self.plot.facts)
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
