@@ -11,13 +11,15 @@ from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Gear, Roll, Slide
 from graphkin.say import names
+from graphkin.say.given_places import driven_slides, face_offsets, fixed_points, guide_angles
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
 
 
 def dimensions(reading: Reading) -> list[str]:
     """`AD = 78 mm`, `AB = 24 mm`, .. link by link; then offsets of guides, radii of wheels, driven rates."""
-    return [*dict.fromkeys([*_lengths(reading), *_offsets(reading), *_radii(reading), *_rates(reading)])]
+    found = (fixed_points, _lengths, _offsets, guide_angles, face_offsets, _radii, driven_slides, _rates)
+    return [*dict.fromkeys(text for which in found for text in which(reading))]
 
 
 def measured_lengths(reading: Reading) -> list[tuple[str, str]]:
@@ -55,7 +57,7 @@ def length(reading: Reading, one: str, other: str) -> str:
 
 def _lengths(reading: Reading) -> Iterator[str]:
     """Each link by as many distances of its points as fix it."""
-    for link in (FRAME, *reading.mechanism.moving):
+    for link in reading.mechanism.moving:
         points = [point for point in reading.mechanism.named(link) if point in reading.plot.position]
         for k, point in enumerate(points[1:], start=1):
             for other in points[max(0, k - 2) : k] if not _in_line(reading, points) else points[k - 1 : k]:
