@@ -35,6 +35,7 @@ class Reading:
 
     scales  "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s²)/mm]
     ruler   reads what is measured; exactly where there is none
+    apart   every act is told by itself, though a driver at rest holds its points still
     """
 
     method: Method
@@ -42,6 +43,7 @@ class Reading:
     scales: Mapping[str, float]
     lang: Lang
     ruler: Ruler | None = None
+    apart: bool = False
 
     def say(self, key: str, /, **words: object) -> str:
         text = say(key, self.lang, **words)
@@ -69,7 +71,7 @@ class Reading:
     @cached_property
     def rested(self) -> frozenset[Fact]:
         """What drivers at rest hold still in both polygons."""
-        return at_rest(self.method, self.plot.facts)
+        return frozenset() if self.apart else at_rest(self.method, self.plot.facts)
 
     # --- links --------------------------------------------------------------------------------
 

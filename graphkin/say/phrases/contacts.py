@@ -97,6 +97,10 @@ PHRASES: Phrases = {
         "The turns of links {links} since the drawn position (Δθ) are coupled; the rolling relations {relations} are solved together:",
         "构件 {links} 自给定位置起的转角 Δθ 互相关联，须联立求解纯滚动关系 {relations}：",
     ),
+    "fit given": (
+        "Links {links} stand as the drawn position gives them: {values}.",
+        "构件 {links} 按给定位置取：{values}。",
+    ),
     "lies on": ("{point} on {guide}", "{point} 在 {guide} 上"),
     "fitted": ("This gives {values}.", "得 {values}。"),
     "special point": (
