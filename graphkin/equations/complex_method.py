@@ -85,7 +85,7 @@ def _derived(page: Page, pretty: Pretty, polygon: Polygon, order: int) -> None:
     if order == 1:
         page.say("equations.derived")
     else:
-        say_derived(page, "equations.derived again", [polygon.sum])
+        say_derived(page, [polygon.sum], again=True)
     page.show(complex_sides(pretty, polygon, derived))
 
 
@@ -108,7 +108,7 @@ def _rolled(page: Page, pretty: Pretty, moving: Sum, constant: Node) -> None:
     """The angle relation and its derivatives."""
     page.say("equations.rolling relation")
     page.show((pretty.sum(moving), constant))
-    say_derived(page, "equations.derived", [moving])
+    say_derived(page, [moving])
     page.show(sides(pretty, moving.rate), sides(pretty, moving.rate.rate))
 
 
@@ -178,7 +178,7 @@ def _points(model: Model, page: Page, pretty: Pretty) -> None:
         page.say("equations.point from", start=model.bodies.spot(found.start), name=point)
         place, velocity, acceleration = (Letter(symbol) for symbol in vectors(model, found))
         page.show((place, pretty.sum(found.sum)))
-        say_derived(page, "equations.derived", [found.sum])
+        say_derived(page, [found.sum])
         page.show((velocity, _whole(pretty, found.sum.rate)))
         page.show((acceleration, _whole(pretty, found.sum.rate.rate)))
 

@@ -22,13 +22,14 @@ def motion_of(driver: Symbol) -> list[Node]:
     return [Letter(driver), Letter(moving.rate), last]
 
 
-def say_derived(page: Page, key: str, sums: Iterable[Sum]) -> None:
+def say_derived(page: Page, sums: Iterable[Sum], again: bool = False) -> None:
     """The sentence before a second derivative, with what is zero in it: `.., with α1 = 0`."""
     found = dict.fromkeys(push for of in sums for symbol in of.moving if (push := _without_push(symbol)) is not None)
     if found:
-        page.say(f"{key} steady", zero=listed([nothing(push) for push in found]))
+        zero = listed([nothing(push) for push in found])
+        page.say("equations.derived again steady" if again else "equations.derived steady", zero=zero)
     else:
-        page.say(key)
+        page.say("equations.derived again" if again else "equations.derived")
 
 
 def nothing(symbol: Symbol) -> Node:

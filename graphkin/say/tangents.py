@@ -67,8 +67,8 @@ class Tangents(PaperLengths):
             length, turned = reading.distance(angle.corner, angle.through), abs(in_degrees(angle.angle))
             figures = f"{number(length)} × sin {number(turned)}°"
         slot = None if pair.stands_for is None else pair.stands_for.equivalent
-        if isinstance(slot, Slot) and abs(offset - abs(slot.offset)) <= reading.noise:
-            formula = "r"
+        if pair.stands_for is not None and isinstance(slot, Slot) and abs(offset - abs(slot.offset)) <= reading.noise:
+            formula = reading.rim(pair.stands_for)
         chain = Calculation("h", (formula,) if formula else (), figures, offset, "m").text
         return f"{chain}{reading.say('derivation.on paper', length=self._length('', 'h', offset))}"
 

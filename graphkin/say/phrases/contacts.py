@@ -41,7 +41,7 @@ PHRASES: Phrases = {
         "轮 {wheels} 啮合，中心距 {length} 由其他构件保持。其连心线也在转动，记为 {link}。",
     ),
     "path of": ("the path of {name}", "点 {name} 的轨迹线"),
-    "abreast": ("On {path}, {mark} is the point abreast of {origin}.", "{path}上正对 {origin} 的点记为 {mark}。"),
+    "abreast": ("On {path}, {mark} is the point abreast of {origin}: {length}.", "{path}上正对 {origin} 的点记为 {mark}，{length}。"),
     "marked start": ("{mark} is the start of {path}.", "{path}的起点记为 {mark}。"),
     "path start": ("the start of {path}", "{path} 的起点"),
     "track": ("track", "轨道"),
@@ -107,7 +107,7 @@ PHRASES: Phrases = {
         "Special point: {first} and {second} meet at {point}, taken as a point of link {link}.",
         "特殊点：{first}与{second}交于 {point}，将 {point} 视为构件 {link} 上的点。",
     ),
-    "leg line": ("the line of leg {line}", "支路 {line} 的延长线"),
+    "leg line": ("the line of leg {line}", "支路 {line} 所在直线"),
     "leg normal": ("the line through {through} at right angles to {guide}", "过 {through} 所作{guide} 的垂线"),
     # --- groups: polygons
     "special": (

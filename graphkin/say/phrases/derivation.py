@@ -46,8 +46,8 @@ PHRASES: Phrases = {
     ),
     "composed": ("from {parts} at their known angle", "由 {parts} 及其已知夹角作出"),
     "lay off slide": (
-        "From {start} lay off {length} along {guide} ({angle}): {tip}.",
-        "由 {start} 沿{guide}（{angle}）取 {length}，得 {tip}。",
+        "From {start} lay off {length} along {guide} (at {angle} to +x): {tip}.",
+        "由 {start} 沿{guide}（与 x 轴正向成 {angle}）取 {length}，得 {tip}。",
     ),
     "circle": ("draw the circle about {about} with radius {length}", "以 {about} 为圆心、{length} 为半径作弧"),
     "take guide": ("take {guide}", "取{guide}"),
@@ -186,7 +186,7 @@ PHRASES: Phrases = {
     ),
     "slide grows": ("{direction}, the way {s} grows", "{direction}，指向 {s} 增大的方向"),
     "slide shrinks": ("{direction}, the way {s} shrinks", "{direction}，指向 {s} 减小的方向"),
-    "at angle": ("{direction}, at {angle}", "{direction}，与 x 轴正向成 {angle}"),
+    "at angle": ("{direction}, at {angle} to +x", "{direction}，与 x 轴正向成 {angle}"),
     # --- polygons: the pencil
     "lay off": ("From {start} lay off {length}.", "由 {start} 作矢量 {length}。"),
     "lay off backwards": (
