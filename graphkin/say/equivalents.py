@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from itertools import combinations
 from typing import Any, assert_never
 
 from graphkin.construction import (
@@ -20,7 +21,7 @@ from graphkin.construction import (
     Swing,
     Touch,
 )
-from graphkin.geometry import cross
+from graphkin.geometry import cross, dot
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, Slot, rod_name
 from graphkin.pairs import Roll as RollingPair
@@ -141,11 +142,20 @@ def _distance(centres: tuple[str, str], radii: tuple[float, float], internal: bo
 
 def face_of(reading: Reading, line: Line) -> str:
     """Two points of a moving line where such are named."""
+    ends = points_of(reading, line)
+    return f" {names.pair(*ends)}" if ends else ""
+
+
+def points_of(reading: Reading, line: Line) -> tuple[str, str] | None:
+    """Two named points of a moving line, in its direction."""
     link = reading.mechanism.links[line.link]
     off = {p: abs(float(cross(line.direction, link.arm(line.origin, p)))) for p in reading.mechanism.named(line.link)}
-    on_it = [p for p in off if off[p] <= reading.noise]
-    ends = (on_it[0], next((p for p in on_it if abs(link.arm(on_it[0], p)) > reading.noise), "")) if on_it else ("", "")
-    return f" {names.pair(*ends)}" if line.link != FRAME and all(ends) else ""
+    on_it = sorted((p for p in off if off[p] <= reading.noise and line.link != FRAME), key=lambda p: p != line.origin)
+    for first, second in combinations(on_it, 2):
+        ahead = float(dot(line.direction, link.arm(first, second)))
+        if abs(ahead) > reading.noise:
+            return (first, second) if ahead > 0 else (second, first)
+    return None
 
 
 def _path(reading: Reading, name: str) -> Iterator[Entry]:

@@ -13,7 +13,7 @@ from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Roll, Slide
 from graphkin.say import names
-from graphkin.say.equivalents import face_of
+from graphkin.say.equivalents import points_of
 from graphkin.say.guide_angle import guide_angle
 from graphkin.say.numbers import degrees, given
 from graphkin.say.reading import Reading
@@ -135,11 +135,11 @@ def _roll(reading: Reading, pair: Roll) -> str:
 
 
 def _track(reading: Reading, line: Line) -> str:
-    """` BQ`, ` (through D at 30° to E→F)`: where a line lies in its link."""
+    """` B→Q`, ` (through D at 30° to E→F)`: where a line lies in its link, and which way it points."""
     if line.link == FRAME:
         return reading.say("common.note", note=_line(reading, line))
-    if on_it := face_of(reading, line):
-        return on_it
+    if ends := points_of(reading, line):
+        return f" {names.arrow(*ends)}"
     link, points = reading.mechanism.links[line.link], reading.mechanism.named(line.link)
     arms = ((one, p) for one in points[:1] for p in points[1:] if abs(link.arm(one, p)) > reading.noise)
     through = names.point(line.origin) if line.named else ""
@@ -160,7 +160,9 @@ def _cam(reading: Reading, pair: Cam) -> str:
 def _profile(reading: Reading, pair: Cam, k: int) -> str:
     profile, link = pair.profiles[k], reading.link(pair.links[k])
     if profile.line is not None:
-        return reading.say("solution.flat face", link=link, line=_track(reading, profile.line))
+        centre = names.point(pair.profiles[1 - k].centre or "")
+        side = reading.say("solution.wheel left" if profile.left else "solution.wheel right", centre=centre)
+        return reading.say("solution.flat face", link=link, line=_track(reading, profile.line), side=side)
     centre = names.point(profile.centre or "")
     if not profile.radius:
         return reading.say("solution.knife edge", link=link, point=centre)

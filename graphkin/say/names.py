@@ -58,6 +58,11 @@ def stretch(tail: str, head: str) -> str:
     return point(tail) + between + point(head)
 
 
+def triangle(*corners: str) -> str:
+    """`△b2cd`; longer names stand apart."""
+    return "△" + (" " if any("@" in corner for corner in corners) else "").join(map(point, corners))
+
+
 def arrow(tail: str, head: str) -> str:
     return f"{point(tail)}→{point(head)}"
 

@@ -221,6 +221,8 @@ class Reading:
         pair = self.method.structure.slides[slide]
         if slide in self.contact_slides:
             return self.say("contacts.path of", name=names.point(pair.point))
+        if pair.guide != FRAME and not pair.named:
+            return self.say("derivation.guide of link", link=self.link(pair.guide))
         return self.say("derivation.guide of", name=self.slide_name(slide) if pair.named else names.point(pair.point))
 
     def points_along(self, slide: str) -> tuple[str, str] | None:

@@ -29,6 +29,7 @@ PHRASES: Phrases = {
     "driven slide": ("slide {slide} is at {place}", "移动副 {slide} 的位移 {place}"),
     # --- places and lines
     "guide of": ("guide {name}", "{name} 导路"),
+    "guide of link": ("the guide of link {link}", "构件 {link} 的导路"),
     "origin of": ("the start of guide {name}", "{name} 导路的起点"),
     # --- position
     "fixed points": ("Fixed points, in mm on paper: {points}.", "定出固定点（图上 mm）：{points}。"),
@@ -138,9 +139,24 @@ PHRASES: Phrases = {
         "{letter} is a point of the mechanism here, so the pole is called {pole}.",
         "本题中 {letter} 为机构上的点，故极点记为 {pole}。",
     ),
+    "renamed tips": (
+        "{letter} is a point of the mechanism here, so the ends of {part} are called {tip}.",
+        "本题中 {letter} 为机构上的点，故{part}的终点记为 {tip}。",
+    ),
+    "tips n": ("normal components", "法向分量"),
+    "tips k": ("Coriolis components", "哥氏分量"),
     "held still": (
-        "The drive of links {links} is at rest, so they stand still: {points} are fixed points and lie on {pole}.",
-        "构件 {links} 的驱动此时静止，故它们不动，{points} 相当于固定点，其影像与 {pole} 重合。",
+        "The driver of link {links} is at rest, so the link stands still: {fixed}.",
+        "构件 {links} 的原动件此时静止，故该构件不动：{fixed}。",
+    ),
+    "held still, several": (
+        "The drivers of links {links} are at rest, so these links stand still: {fixed}.",
+        "构件 {links} 的原动件此时静止，故这些构件不动：{fixed}。",
+    ),
+    "as fixed": ("{points} is like a fixed point, and its image lies on {pole}", "{points} 相当于固定点，其影像与 {pole} 重合"),
+    "as fixed, several": (
+        "{points} are like fixed points, and their images lie on {pole}",
+        "{points} 相当于固定点，其影像均与 {pole} 重合",
     ),
     "never turn": (
         "Link {links} can only translate: {rates}, and all its points move alike.",

@@ -58,8 +58,8 @@ PHRASES: Phrases = {
     "wheel left": (", {centre} to its left", "，沿此方向看 {centre} 在其左侧"),
     "wheel right": (", {centre} to its right", "，沿此方向看 {centre} 在其右侧"),
     "displacement": ("displacement {s}", "位移 {s}"),
-    "cam": ("{first} and {second} touch and slide on each other.", "{first}与{second}相接触，组成高副。"),
-    "flat face": ("the flat face{line} of link {link}", "构件 {link} 的平底{line} "),
+    "cam": ("{first} and {second} touch and slide on each other.", "{first}与{second}；两者相接触，组成高副。"),
+    "flat face": ("the flat face{line} of link {link}{side}", "构件 {link} 的平底{line}{side}"),
     "knife edge": ("the knife edge {point} of link {link}", "构件 {link} 的尖顶 {point}"),
     "circle": (
         "the circle of link {link} about {centre} with radius {radius}",
