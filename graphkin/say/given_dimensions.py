@@ -129,7 +129,9 @@ def _roll(reading: Reading, pair: Roll) -> str:
     words["radius"] = f"{reading.radius(pair.wheel, pair.radius)} = {_mm(reading, pair.radius)}"
     if pair.line is None:
         about = names.point(pair.track_centre or "")
-        return reading.say("solution.rolls on circle", about=about, other=_mm(reading, pair.track_radius), **words)
+        other = f"{reading.radius(pair.track, pair.track_radius)} = {_mm(reading, pair.track_radius)}"
+        where = reading.say("solution.inside" if pair.internal else "solution.outside")
+        return reading.say("solution.rolls on circle", about=about, other=other, where=where, **words)
     side = reading.say("solution.wheel left" if pair.left else "solution.wheel right", centre=words["centre"])
     return reading.say("solution.rolls on line", line=_track(reading, pair.line), side=side, **words)
 

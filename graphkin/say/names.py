@@ -25,7 +25,8 @@ def point(name: str) -> str:
     Auxiliary points (`*1`), and where the line of a contact starts (`c0 origin`), have no letter of their own: the
     marks that stand for them here are given letters by `lettered`.
 
-    The links of lower-pair equivalents are called e, e2, ..; those that hold a rolling wheel after its contact.
+    The links of lower-pair equivalents are called e, e2, ..; those that hold a rolling wheel f, the lines of centres
+    of gears g.
     """
     if name.startswith("*") or name.endswith(_STARTS):
         return f"{_OPEN}{name}{_CLOSE}"

@@ -23,7 +23,7 @@ PHRASES: Phrases = {
     # --- drivers
     "driven link": ("{line} of link {link} makes {angle} with +x", "构件 {link} 的 {line} 与 x 轴正向成 {angle}"),
     "driven joint": (
-        "{line} of link {link} makes {angle} with {other} of link {seen_from}",
+        "{line} of link {link} is turned by {angle} from {other} of link {seen_from}",
         "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}",
     ),
     "driven slide": ("slide {slide} is at {place}", "移动副 {slide} 的位移 {place}"),
@@ -276,7 +276,7 @@ PHRASES: Phrases = {
     "redundant": ("Redundant constraint, set aside: {line}.", "虚约束，求解时除去不计：{line}。"),
     "pose line": ("{line} of link {link} at {angle} to +x", "构件 {link} 的 {line} 与 x 轴正向成 {angle}"),
     "pose joint": (
-        "{line} of link {link} at {angle} to {other} of link {seen_from}",
-        "构件 {link} 的 {line} 与构件 {seen_from} 的 {other} 成 {angle}",
+        "{line} of link {link} turned by {angle} from {other} of link {seen_from}",
+        "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}",
     ),
 }

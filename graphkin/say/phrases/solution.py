@@ -48,9 +48,11 @@ PHRASES: Phrases = {
     "gears": ("Gears {wheels} are in external mesh: {radii}.", "齿轮 {wheels} 外啮合：{radii}。"),
     "internal gears": ("Gears {wheels} are in internal mesh: {radii}.", "齿轮 {wheels} 内啮合：{radii}。"),
     "rolls on circle": (
-        "Wheel {wheel} about {centre}, {radius}, rolls without slip on the circle of link {track} about {about} with radius {other}.",
-        "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 上以 {about} 为圆心、{other} 为半径的圆上作纯滚动。",
+        "Wheel {wheel} about {centre}, {radius}, rolls without slip on the circle of link {track} about {about} with radius {other} ({where}).",
+        "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 上以 {about} 为圆心、半径为 {other} 的圆上作纯滚动（{where}）。",
     ),
+    "inside": ("one inside the other", "内切"),
+    "outside": ("side by side", "外切"),
     "rolls on line": (
         "Wheel {wheel} about {centre}, {radius}, rolls without slip on the line{line} of link {track}{side}.",
         "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 的直线{line} 上作纯滚动{side}。",
