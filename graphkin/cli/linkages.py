@@ -111,9 +111,9 @@ def _held(mechanism: str | None, given: dict[str, tuple[str, ...]], by: str, lin
 def _draw(
     output: Path, reports: list[Report], mechanism: str | None, paper: str | None, force: bool, lang: Lang
 ) -> None:
-    from graphkin.outputs import svg
+    from graphkin.outputs import drawings, svg
     from graphkin.sheet.linkage_sheet import limit_sheet
 
     title = read(mechanism).headline(lang) if mechanism not in (None, "-") else ""
-    svg.write(output, svg.svg(limit_sheet(reports, lang, paper=paper, title=title)), force)
+    drawings.write(output, svg.svg(limit_sheet(reports, lang, paper=paper, title=title)), force)
     click.echo(str(output), err=True)
