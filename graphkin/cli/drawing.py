@@ -48,6 +48,9 @@ if TYPE_CHECKING:
 @click.option("--tight", is_flag=True, help="The figures alone, cut to their size, for Word and LaTeX.")
 @click.option("--ink", type=click.Choice(["accent", "black"]), default="accent", show_default=True,
               help="A colour a plane, or black alone.")
+@click.option("--path", "paths", multiple=True, metavar="POINT",
+              help="The curve that a point draws, with ticks at equal steps of the driver; again for others.")
+@click.option("--arrows", is_flag=True, help="With --path: the point's velocity at each tick.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
 @force_option
 @coincident_option
@@ -58,8 +61,8 @@ if TYPE_CHECKING:
 @speaking
 def draw(
     mechanism: str, output: Path | None, dpi: float, only: Plane | None, paper: str | None, style: Style, tight: bool,
-    ink: Ink, steps: Path | None, force: bool, coincident: str, method: str, angles: tuple[float, ...],
-    displacements: tuple[float, ...], lang: Lang,
+    ink: Ink, paths: tuple[str, ...], arrows: bool, steps: Path | None, force: bool, coincident: str, method: str,
+    angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Draw the mechanism and its polygons to scale: a sheet, or a construction that moves in GeoGebra (.ggb).
 
@@ -68,16 +71,18 @@ def draw(
       graphkin draw ex3-1 -o sheet.svg --lang zh
       graphkin draw ex3-1 -o sheet.pdf
       graphkin draw ex3-7 --angle 120 --steps steps
+      graphkin draw p3-20 --path E --arrows
       graphkin draw mine.toml --watch
     """
     from graphkin.outputs import drawings, svg
 
     if style == "given" and (steps is not None or only not in (None, "position")):
         raise click.UsageError("--style given draws the mechanism alone: leave out --steps and other planes")
+    _check_paths(paths, arrows, style, only, output)
     machine = read(mechanism)
     output = output or Path(f"{machine.name}.svg")
     drawing = drawn(machine, coincident, method, angles, displacements)
-    sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight)
+    sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight, paths=paths, arrows=arrows)
     written = drawings.WRITERS[output.suffix.lower() or ".svg"]
     pages = [(output, written(drawings.Picture(sheet, drawing.method, drawing.plot, lang, dpi, ink)))]
     if steps is not None:
@@ -94,6 +99,15 @@ def draw(
     for path, content in pages:
         drawings.write(path, content, force)
         click.echo(str(path), err=str(output) == "-")
+
+
+def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane | None, output: Path | None) -> None:
+    if arrows and not paths:
+        raise click.UsageError("--arrows draws velocities along a path: --path E")
+    if paths and (style == "given" or only not in (None, "position")):
+        raise click.UsageError("--path is drawn with the mechanism, as a result: leave out --style given and --only")
+    if paths and output is not None and output.suffix.lower() == ".ggb":
+        raise click.UsageError("GeoGebra draws paths itself, as Locus(E, slider): leave out --path")
 
 
 @click.command()

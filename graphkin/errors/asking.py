@@ -7,8 +7,8 @@ from typing import ClassVar
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
 __all__ = [
-    "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NoPosition", "NoQuestion", "NoRate", "NoSuchDriver",
-    "NoSuchName", "NoSuchValue", "NotSwept", "TooManyRows", "UnknownQuantity",
+    "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NoPosition", "NoQuestion", "NoRate", "NoSpeed",
+    "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotSwept", "StandsStill", "TooManyRows", "UnknownQuantity",
 ]  # fmt: skip
 
 
@@ -124,6 +124,29 @@ class NoPosition(GraphkinError):
         "en": "{where}: none of the positions asked for is reached: {driver} moves from {low} to {high} only. "
         "Ask for a range within, or with smaller steps.",
         "zh": "{where}：所要求的位置都不能到达：{driver} 只能在 {low} 至 {high} 之间运动。请改用其中的范围，或减小步长。",
+    }
+
+
+class StandsStill(GraphkinError):
+    """A point whose path is asked for, and that stays where it is."""
+
+    where: Where
+    point: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {point} stays where it is as the mechanism moves, so it has no path. Name a point that moves.",
+        "zh": "{where}：机构运动时点 {point} 静止不动，没有轨迹。请改用运动的点。",
+    }
+
+
+class NoSpeed(GraphkinError):
+    """Velocities are to be drawn along a path, and the driver says nothing of how fast it moves."""
+
+    where: Where
+    driver: str
+    keys: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: driver {driver} has no {keys}, so there are no velocities to draw. Give it one, or leave the arrows out.",
+        "zh": "{where}：原动件 {driver} 未给出 {keys}，没有可画的速度。请补上，或不画箭头。",
     }
 
 

@@ -31,6 +31,7 @@ from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.page import Last, Lettered, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import LARGE, Paper
+from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.pencil import pencil_lines
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.polygons import Polygon, polygon_figure
@@ -69,6 +70,7 @@ def mechanism_sheet(
     style: Style = "construction",
     upto: int | None = None,
     tight: bool = False,
+    paths: Paths = NONE,
 ) -> Sheet:
     """Draw a mechanism and its polygons to scale.
 
@@ -78,13 +80,15 @@ def mechanism_sheet(
     only   the plane or planes to draw; all three where left out
     style  "construction": how the polygons are drawn, too; "result": what comes of it; "given": the mechanism with
            what is known of it, and nothing that would have to be found
+    paths  of points, drawn under the mechanism
     upto   draw the construction as far as this act of those planes, counted from 1, its newest marks emphasised
 
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
     if style == "given":
         return _given(_Planes(method, plot, style), paper, lang, tight)
-    work = _Work(_Planes(method, plot, style), _planes(only), [] if tight else tables(method, plot, lang), lang, tight)
+    drawing = _Planes(method, plot, style, paths)
+    work = _Work(drawing, _planes(only), [] if tight else tables(method, plot, lang), lang, tight)
     if upto is not None:
         return next(_staged(work, paper, [upto]))
     return _whole(work, paper).lettered.sheet
@@ -140,6 +144,7 @@ class _Planes:
     method: Method
     plot: Plot
     style: Style
+    paths: Paths = NONE
 
     def construction(self, plane: Plane) -> Construction:
         return constructions(self.method)[plane]
@@ -147,7 +152,7 @@ class _Planes:
     def values(self, plane: Plane) -> list[complex]:
         """The points a plane shows, in SI units."""
         if plane == "position":
-            return shown_places(self.method, self.plot)
+            return [*shown_places(self.method, self.plot), *self.paths.places]
         points = self.plot.points(plane)
         names = {self.construction(plane).pole, *self.construction(plane).nodes}
         found = [complex(v) for name, v in points.items() if name in names]
@@ -158,7 +163,9 @@ class _Planes:
 
     def figure(self, plane: Plane, window: Window) -> Figure:
         if plane == "position":
-            return mechanism_figure(self.skeleton(window), self.method, self.values(plane))
+            return self.paths.figure(window) + mechanism_figure(
+                self.skeleton(window), self.method, self.values(plane)
+            )
         return heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
 
     def skeleton(self, window: Window) -> Skeleton:
@@ -172,7 +179,8 @@ class _Planes:
     def extent(self, plane: Plane) -> Extent:
         """How large the plane's points are, and how far its signs reach beyond them."""
         given = self.method.mechanism.scales.get(KEYS[plane])
-        return Extent.of(self.values(plane), partial(self.figure, plane), given)
+        extent = Extent.of(self.values(plane), partial(self.figure, plane), given)
+        return replace(extent, top=extent.top + self.paths.height) if plane == "position" else extent
 
 
 # --- which paper, how divided -----------------------------------------------------------------
@@ -301,8 +309,10 @@ class _Work:
         drawing, room = self.drawing, layout.rooms[plane]
         window = layout.window(plane, self.extent(layout, plane))
         before = [*heading(HEADINGS[self.lang][plane], plane, window.scale, room)]
+        corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
+        if plane == "position":
+            before += drawing.paths.written(corner)
         if plane in layout.headed:
-            corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
             before += laid_out(self.blocks[plane], corner, room.size.real - 2 * HEAD_LEFT)
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
