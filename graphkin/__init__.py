@@ -43,8 +43,8 @@ __version__ = "0.1.0"
 ORDER = (
     "value", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming",
     "motions", "quantities", "measured", "loading", "library", "starters", "planning", "running", "seal", "analytic",
-    "freedoms", "assur", "readings", "agreement", "centres", "linkages", "design", "sweeps", "finding", "check",
-    "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading",
+    "freedoms", "assur", "readings", "standing", "agreement", "centres", "linkages", "design", "sweeps", "finding",
+    "check", "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading",
     "problems", "platforms", "handouts", "reference", "cli",
 )  # fmt: skip
 

@@ -75,6 +75,7 @@ def draw(
       graphkin draw mine.toml --watch
     """
     from graphkin.outputs import drawings, svg
+    from graphkin.outputs.edited import refuse_edited
 
     if style == "given" and (steps is not None or only not in (None, "position")):
         raise click.UsageError("--style given draws the mechanism alone: leave out --steps and other planes")
@@ -96,6 +97,7 @@ def draw(
         steps.mkdir(parents=True, exist_ok=True)
     for path, _ in pages:
         drawings.refuse(path, force)
+    refuse_edited(output, force)
     for path, content in pages:
         drawings.write(path, content, force)
         click.echo(str(path), err=str(output) == "-")
@@ -205,9 +207,10 @@ def _solved(
 @click.argument("drawings", metavar="DRAWING.svg...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--tolerance", type=click.FloatRange(min=0, min_open=True), default=0.01, show_default=True, metavar="MM",
               help="How far a vector or point may be off.")  # fmt: skip
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a drawing: mm on paper, and what is wrong.")
 @lang_option
 @speaking
-def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
+def check(drawings: tuple[Path, ...], tolerance: float, as_json: bool, lang: Lang) -> None:
     """Measure drawings with a ruler and hold them against the analytic solution.
 
     \b
@@ -216,7 +219,7 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
       graphkin draw ex3-1 -o - | graphkin check -
     """
     from graphkin.check import measure
-    from graphkin.say.checks import check_lines
+    from graphkin.say.checks import check_json, check_lines
 
     if not math.isfinite(tolerance):
         raise click.UsageError("--tolerance takes a finite number")
@@ -225,9 +228,11 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
         try:
             report = measure(drawing, tolerance)
         except GraphkinError as error:
-            click.echo(error.message(lang), err=True)
+            refused = {"format": 1, "file": str(drawing), "error": error.message(lang)}
+            click.echo(json_line(refused) if as_json else error.message(lang), err=not as_json)
             status = 3
             continue
-        click.echo("\n".join(check_lines(report, tolerance, lang)))
+        lines = [json_line(check_json(report, tolerance, lang))] if as_json else check_lines(report, tolerance, lang)
+        click.echo("\n".join(lines))
         status = max(status, 0 if report.passed(tolerance) else 1)
     sys.exit(status)
