@@ -270,3 +270,26 @@ def test_structure_as_data() -> None:
     assert (first["freedoms"], first["formula"], first["class"], second["class"]) == (1, 1, 2, 3)
     assert [link for group in second["groups"] for link in group["links"]]
     assert "error" in wrong
+
+
+def test_a_slide_may_be_driven_by_the_name_it_is_printed_with() -> None:
+    text = library.text("ex3-1")
+    begin, end = text.index("[[driver]]"), text.index("[sketch]")
+    driven = text[:begin] + '[[driver]]\nslide = "s0"\nat = 58.867\nvelocity = 0.1\n\n' + text[end:]
+    lines = run("solve", "-", text=driven).stdout.splitlines()
+    assert "position: s0 = 58.867 mm" in lines
+    assert any(re.match(r"theta 1 +60\.0", line) for line in lines)
+    assert "no sliding pair" in run("solve", "-", text=driven.replace('"s0"', '"s1"')).stderr
+
+
+def test_values_for_each_driver() -> None:
+    machine = library.load("ex3-1")
+    for act in (lambda: api.motion(machine, [1, 2]), lambda: api.Drawing.of(machine, [1, 2])):
+        with pytest.raises(ValueError, match=r"1 drivers, 2 values. Give one value for each of AB"):
+            act()
+
+
+def test_a_trains_ratios_are_no_trial() -> None:
+    assert "fitted by trial" not in run("draw", "p3-12", "--tight", "--only", "position", "-o", "-").stdout
+    assert "fitted by trial" not in run("draw", "ex3-3", "--only", "position", "-o", "-").stdout
+    assert "fitted by trial" in run("draw", "ex3-2", "--only", "position", "-o", "-").stdout

@@ -9,6 +9,7 @@ from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 __all__ = [
     "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NoPosition", "NoQuestion", "NoRate", "NoSpeed",
     "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotSwept", "StandsStill", "TooManyRows", "UnknownQuantity",
+    "ValueForEach",
 ]  # fmt: skip
 
 
@@ -125,6 +126,21 @@ class NoPosition(GraphkinError):
         "Ask for a range within, or with smaller steps.",
         "zh": "{where}：所要求的位置都不能到达：{driver} 只能在 {low} 至 {high} 之间运动。请改用其中的范围，或减小步长。",
     }
+
+
+class ValueForEach(GraphkinError, ValueError):
+    """So many values for drivers, of which there are more or fewer."""
+
+    where: Where
+    count: int
+    drivers: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {needed} drivers, {count} values. Give one value for each of {names}, in this order [rad, m].",
+        "zh": "{where}：原动件有 {needed} 个，给了 {count} 个值。请按 {names} 的顺序各给一个 [rad, m]。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "needed": len(self.drivers), "names": ", ".join(self.drivers)}
 
 
 class StandsStill(GraphkinError):

@@ -262,10 +262,10 @@ class _Work:
         """Planes that hold what ruler and compass do not give, and how it was found."""
         found: dict[Plane, Label] = {}
         for plane in self.planes:
-            kinds = {type(step) for step in self.drawing.construction(plane).steps}
-            if Fit in kinds:
+            steps = self.drawing.construction(plane).steps
+            if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
                 found[plane] = plain(FITTED[self.lang])
-            elif Simultaneous in kinds:
+            elif any(isinstance(step, Simultaneous) for step in steps):
                 found[plane] = plain(TOGETHER[self.lang])
         return found
 
