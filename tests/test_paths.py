@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
 from click.testing import CliRunner
 
 import graphkin
+from graphkin import library
 from graphkin.cli import main
 from graphkin.errors import GraphkinError
 from graphkin.outputs.svg import svg
@@ -107,3 +109,16 @@ def test_what_cannot_be_drawn_is_said(options: list[str], status: int, said: str
 def test_a_path_of_a_point_in_python_names_it() -> None:
     with pytest.raises(GraphkinError, match="no point Q"):
         graphkin.Drawing.of(graphkin.load("ex3-5")).sheet(paths=["Q"])
+
+
+@pytest.mark.parametrize(
+    ("ask", "answers"),
+    [
+        ('["path C"]', ["C is at (65.08, 46.23) mm.", "ω3 = 3.919 rad/s (clockwise)"]),
+        ('["x C", "path C", "omega 3"]', ["x_C, the place of C and ω3.", "x_C = 65.08 mm", "C is at (65.08, 46.23) mm."]),
+    ],
+)
+def test_a_solution_answers_where_a_point_is(ask: str, answers: list[str]) -> None:
+    text = re.sub("(?m)^ask = .*", f"ask = {ask}", library.text("ex3-1"))
+    said = CliRunner().invoke(main, ["explain", "-", "--lang", "en"], input=text).stdout
+    assert all(answer in said for answer in answers)
