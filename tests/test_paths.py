@@ -119,6 +119,6 @@ def test_a_path_of_a_point_in_python_names_it() -> None:
     ],
 )
 def test_a_solution_answers_where_a_point_is(ask: str, answers: list[str]) -> None:
-    text = re.sub("(?m)^ask = .*", f"ask = {ask}", library.text("ex3-1"))
+    text = re.sub("(?m)^ask *= .*", f"ask = {ask}", library.text("ex3-1"))
     said = CliRunner().invoke(main, ["explain", "-", "--lang", "en"], input=text).stdout
     assert all(answer in said for answer in answers)
