@@ -9,7 +9,7 @@ import numpy as np
 
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
-from graphkin.sheet.formula import formula
+from graphkin.sheet.formula import points_label
 from graphkin.sheet.lettering import Label, number, plain, point_label
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import LEAST
@@ -28,6 +28,8 @@ _TICK, _NUMBERED = 0.9, 1.5
 """Half of a tick [mm]."""
 _LONGEST = 16.0
 """The longest velocity [mm]."""
+_HERE = "\0"
+"""Where a name goes in a text."""
 _PITCH = 3.8
 """From line to line of what is said of the paths [mm]."""
 
@@ -86,8 +88,8 @@ class Paths:
         said: list[Label] = []
         if self.curves:
             one = self.curves[0]
-            words = {"step": one.shown(one.step), "driver": one.course.driver.name}
-            said.append(formula(say("sheet.ticks", self.lang, **words)))
+            driver, step = one.course.driver.name, one.shown(one.step)
+            said.append(_around(say("sheet.ticks", self.lang, step=step, driver=_HERE), points_label(driver)))
         if self.arrows:
             said.append((*plain(say("sheet.arrows", self.lang)), *number(self.scale), *plain(" m/s")))
         if self.arrows and self.curves[0].seconds is not None:
@@ -119,5 +121,10 @@ def _on_paper(curve: PointPath, window: Window) -> tuple[Place, ...]:
 
 
 def _named(curve: PointPath, lang: Lang) -> Label:
-    before, after = say("sheet.path of", lang).split("|")
-    return (*plain(before), *point_label(curve.point), *plain(after))
+    return _around(say("sheet.path of", lang, point=_HERE), point_label(curve.point))
+
+
+def _around(text: str, name: Label) -> Label:
+    """A text with a name in italics put in."""
+    before, _, after = text.partition(_HERE)
+    return (*plain(before), *name, *plain(after))
