@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -103,7 +103,7 @@ def replay(method: Method, values: Sequence[Value] | None = None) -> State:
     from graphkin.readings import readings
 
     plot = running.replay_all(method, values)
-    return State(readings(method, plot), plot.facts.values, plot)
+    return State(partial(readings, method, plot), plot)
 
 
 def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> State:
@@ -118,8 +118,7 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> S
     """
     from graphkin import analytic
 
-    found = analytic.motion(mechanism, values)
-    return State(found, found.values)
+    return State(analytic.motion(mechanism, values))
 
 
 def sweep(

@@ -275,14 +275,23 @@ class Readable:
 class State(Readable):
     """Positions, velocities and accelerations at one position or at many, by one of the two roads.
 
-    motions     all of it as plain tables
-    values      each driver's value, in their order [rad or m]
+    source      all of it as plain tables, or what reads them off when they are first asked for
     plot        the finished drawing, where this was drawn (`graphkin.replay`)
     """
 
-    motions: Motions
-    values: tuple[Any, ...]
+    source: Motions | Callable[[], Motions]
     plot: Any = None
+
+    @cached_property
+    def motions(self) -> Motions:
+        """All of it as plain tables."""
+        return self.source() if callable(self.source) else self.source
+
+    @property
+    def values(self) -> tuple[Any, ...]:
+        """Each driver's value, in their order [rad or m]."""
+        holding: Any = self.source if self.plot is None else self.plot.facts
+        return tuple(holding.values)
 
     @property
     def mechanism(self) -> Mechanism:

@@ -65,6 +65,10 @@ class Lazy(Mapping[str, _T]):
     def __contains__(self, name: object) -> bool:
         return name in self._made
 
+    def __reduce__(self) -> tuple[type, tuple[dict[str, _T]]]:
+        """Sent elsewhere it is a plain table."""
+        return dict, (dict(self),)
+
     def __iter__(self) -> Iterator[str]:
         return iter(self._made)
 

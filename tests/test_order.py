@@ -126,13 +126,21 @@ def test_public_names():
         assert getattr(graphkin, name) is not None
 
 
-def test_light_start():
-    """Drawing a sheet, held against the analysis, loads neither matplotlib nor what only other commands need."""
+@pytest.mark.parametrize(
+    ("arguments", "spared"),
+    [
+        (["draw", "ex3-1", "-o", "-"], {"matplotlib", "scipy", "graphkin.check", "graphkin.sweeps"}),
+        (["list"], {"numpy", "pydantic", "shapely", "svgwrite", "graphkin.loading"}),
+    ],
+    ids=lambda given: given[0] if isinstance(given, list) else "",
+)
+def test_light_start(arguments: list[str], spared: set[str]):
+    """A command loads what it uses: a sheet, held against the analysis, and the list of titles."""
     code = (
         "import sys; from click.testing import CliRunner; from graphkin.cli import main\n"
-        "result = CliRunner().invoke(main, ['draw', 'ex3-1', '-o', '-'])\n"
+        f"result = CliRunner().invoke(main, {arguments})\n"
         "assert result.exit_code == 0, result.output\n"
-        "loaded = {'matplotlib', 'scipy', 'graphkin.check', 'graphkin.sweeps'} & set(sys.modules)\n"
+        f"loaded = {spared} & set(sys.modules)\n"
         "assert not loaded, loaded"
     )
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -57,8 +57,9 @@ def list_(
     found = library.chosen(kind or "", group or "", source)
     if not found:
         click.echo(say("structure.none listed", lang), err=True)
-    for machine in found:
-        click.echo(f"{machine.name:<12}{machine.headline(lang)}")
+    titles = library.titles(lang)
+    for name in found:
+        click.echo(f"{name:<12}{titles[name]}")
 
 
 def _kinds(output: Path | None, force: bool, lang: Lang) -> None:

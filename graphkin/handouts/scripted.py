@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from graphkin.sheet.lettering import Label, Run
 from graphkin.value import frozen
@@ -33,7 +32,7 @@ def signs(label: Label) -> Iterator[Sign]:
     for run in label:
         if run.place == "base":
             if base is not None and not low and not high and base.italic == run.italic:
-                base = replace(base, text=base.text + run.text)
+                base = base._replace(text=base.text + run.text)
                 continue
             if base is not None or low or high:
                 yield Sign(base, low, high)

@@ -66,12 +66,18 @@ def _title(head: str) -> dict[Lang, str]:
     return {"en": title, "zh": title} if isinstance(title, str) else title
 
 
-def chosen(kind: str = "", group: str = "", source: str = "") -> tuple[Mechanism, ...]:
-    """Those that have a pair of this kind (`hinge`: no other pair), in this folder, with this text in their source."""
-    folders = groups()
-    names_of = folders.get(group, ()) if group else names()
-    found = (load(name) for name in names() if name in names_of)
-    return tuple(each for each in found if _has(each, kind) and _from(each, source))
+def chosen(kind: str = "", group: str = "", source: str = "") -> tuple[str, ...]:
+    """Those that have a pair of this kind (`hinge`: no other pair), in this folder, with this text in their source.
+
+    Files are read only to look for a pair or a source in them.
+    """
+    there = groups().get(group, ()) if group else names()
+    found = (name for name in names() if name in there)
+    return tuple(name for name in found if not (kind or source) or _is(load(name), kind, source))
+
+
+def _is(mechanism: Mechanism, kind: str, source: str) -> bool:
+    return _has(mechanism, kind) and _from(mechanism, source)
 
 
 def _from(mechanism: Mechanism, source: str) -> bool:

@@ -69,7 +69,7 @@ def _drawn(sheet: Sheet, ink: Ink, metadata: bool) -> str:
     pen = _Pen(sheet, ink, metadata)
     for layer in sheet.layers:
         pen.layer(layer)
-    return str(pen.drawing.tostring())
+    return ET.tostring(pen.drawing.get_xml(), encoding="unicode")
 
 
 def write(path: str | os.PathLike[str], text: str, force: bool = False) -> None:

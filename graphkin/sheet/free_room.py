@@ -38,19 +38,21 @@ class FreeRoom:
 
     def __init__(self, standing: Sequence[Mark], room: Room) -> None:
         self.room = room
-        self.marks = list(standing)
-        self._tree = tree(self.marks)
+        self.marks, self._first = list(standing), len(standing)
+        self._standing, self._added = tree(self.marks), tree(())
         self._letters = _boxes([mark for mark in standing if isinstance(mark, Text)])
 
     def add(self, marks: Sequence[Mark]) -> None:
         """These lie on the paper now, too."""
         self.marks += marks
-        self._tree = tree(self.marks)
+        self._added = tree(self.marks[self._first :])
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
 
     def free(self, low: Any, high: Any) -> Any:
         """Which of many boxes (n, 2) touch nothing and lie in the room."""
-        clear = np.bincount(self._tree.touched(low - _CLEAR, high + _CLEAR), minlength=len(low)) == 0
+        clear = np.ones(len(low), dtype=bool)
+        for lying in (self._standing, self._added):
+            clear[lying.touched(low - _CLEAR, high + _CLEAR)] = False
         inside = np.all(low >= (self.room.left, self.room.top), axis=1)
         return clear & inside & np.all(high <= (self.room.right, self.room.bottom), axis=1)
 
@@ -78,12 +80,12 @@ class FreeRoom:
 
     def place(self, want: Wanted, half: complex) -> Place | None:
         """The middle of the best free place near what is named; None where there is none without a leader."""
-        near = [spot for spot in want.candidates(half) if spot.anchor is None]
-        middle = np.array([(spot.middle.real, spot.middle.imag) for spot in near])
-        size = np.array((half.real, half.imag))
-        cost = np.where(self.free(middle - size, middle + size), [spot.cost for spot in near], np.inf)
+        spots = want.candidates(half)
+        near = spots.middle[~spots.led]
+        middle, size = np.stack([near.real, near.imag], axis=1), np.array((half.real, half.imag))
+        cost = np.where(self.free(middle - size, middle + size), spots.cost[~spots.led], np.inf)
         best = int(np.argmin(cost))
-        return near[best].middle if np.isfinite(cost[best]) else None
+        return complex(near[best]) if np.isfinite(cost[best]) else None
 
     def corner(self, size: complex, from_below: bool = False) -> Place | None:
         """The upper left corner of the uppermost (or lowest) free rectangle of a size; None where there is none."""

@@ -8,12 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
-from functools import cache
-from typing import Literal
+from functools import cache, lru_cache
+from typing import Literal, NamedTuple
 
 from graphkin.quantities.digits import significant
-from graphkin.value import frozen
 
 SMALL = 0.68
 """Size of sub- and superscripts, against the letters they belong to."""
@@ -57,11 +55,11 @@ def _table() -> dict[str, tuple[float, float]]:
 _WIDTHS = _table()
 _CORNER = re.compile(r"([a-z])_([^\W\d_]\w*?)(?:_(\d+))?('*)")
 _EQUIVALENT = re.compile(r"e [a-z]+(\d*)")
-_CJK = re.compile(r"[\u2460-\u2473\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
+_WIDE = (("\u2160", "\u217f"), ("\u2460", "\u2473"), ("\u2e80", "\u9fff"), ("\uff00", "\uffef"))
+"""Ranges of characters that are one em wide."""
 
 
-@frozen
-class Run:
+class Run(NamedTuple):
     """Letters in one style. `back`: it stands over the subscript before it (a^n_CB, stacked); `bold`: asked for."""
 
     text: str
@@ -81,7 +79,12 @@ Label = tuple[Run, ...]
 def advance(text: str, italic: bool = False) -> float:
     """Width of letters [em]; what the table does not hold counts as half an em, a wide character as one."""
     style = 1 if italic else 0
-    return sum(1.0 if _CJK.match(c) else _WIDTHS.get(c, (0.5, 0.5))[style] for c in text)
+    return sum(1.0 if is_wide(c) else _WIDTHS.get(c, (0.5, 0.5))[style] for c in text)
+
+
+def is_wide(letter: str) -> bool:
+    """Whether a character is as wide as high, as Chinese ones are."""
+    return letter > "\u2100" and any(first <= letter <= last for first, last in _WIDE)
 
 
 def run_width(run: Run, size: float) -> float:
@@ -95,7 +98,7 @@ def run_size(run: Run, size: float) -> float:
 
 
 def bold(label: Label) -> Label:
-    return tuple(replace(run, bold=True) for run in label)
+    return tuple(run._replace(bold=True) for run in label)
 
 
 def scripts(label: Label, size: float) -> list[tuple[Run, float, float]]:
@@ -113,11 +116,13 @@ def scripts(label: Label, size: float) -> list[tuple[Run, float, float]]:
     return placed
 
 
+@lru_cache(4096)
 def width(label: Label, size: float) -> float:
     """Width of a whole label [mm]."""
     return max((start + run_width(run, size) for run, start, _ in scripts(label, size)), default=0.0)
 
 
+@lru_cache(4096)
 def box(label: Label, size: float) -> tuple[float, float, float]:
     """Width, height above the base line, depth below it [mm]."""
     places = {run.place for run in label}
@@ -198,7 +203,7 @@ def _spoken(sites: str) -> str:
 
 def link_label(name: str) -> Label:
     """A link's number, or its word, in italics."""
-    return tuple(replace(run, italic=run.text != "′") for run in _mixed(name, "base"))
+    return tuple(run._replace(italic=run.text != "′") for run in _mixed(name, "base"))
 
 
 def between(names: Sequence[str]) -> str:

@@ -20,7 +20,6 @@ from graphkin.say.polygons import polygon as told
 from graphkin.say.reading import Reading
 from graphkin.sheet.annotated import Annotated
 from graphkin.sheet.arrows import heads_apart, side_by_side
-from graphkin.sheet.captions import Captions
 from graphkin.sheet.drafted import Drafted
 from graphkin.sheet.equation_rows import EquationBlock, equation_blocks, head_of, laid_out
 from graphkin.sheet.fit import Extent
@@ -47,7 +46,7 @@ _CROWDED, _EASED = 8, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
 _COARSER = 1.34
 """So much coarser a figure may be drawn to have room for its equations over it."""
-_TRIALS = 3
+_TRIALS = 4
 """How often equations are moved into the strip, whose height leaves figures less room."""
 _MORE = (2, 4)
 """So many times its labels count for a plane where some found no place."""
@@ -86,30 +85,31 @@ def mechanism_sheet(
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
     if style == "given":
-        return _given(_Planes(method, plot, style), paper, lang, tight)
-    drawing = _Planes(method, plot, style, paths)
-    work = _Work(drawing, _planes(only), [] if tight else tables(method, plot, lang), lang, tight)
+        return _given(_Planes(method, plot, ("position",), style, lang), paper, tight)
+    drawing = _Planes(method, plot, _planes(only), style, lang, paths)
+    work = _Work(drawing, [] if tight else tables(method, plot, lang), tight)
     if upto is not None:
         return next(_staged(work, paper, [upto]))
     return _whole(work, paper).lettered.sheet
 
 
-def _given(drawing: _Planes, paper: str | None, lang: Lang, tight: bool) -> Sheet:
+def _given(drawing: _Planes, paper: str | None, tight: bool) -> Sheet:
     """The mechanism alone, with what the problem gives and asks."""
-    reading = Reading(drawing.method, drawing.plot, dict.fromkeys(KEYS.values(), 1.0), lang)
-    work = _Work(drawing, ("position",), [] if tight else given_tables(reading), lang, tight)
+    work = _Work(drawing, [] if tight else given_tables(drawing.reading({})), tight)
     return replace(_whole(work, paper).lettered.sheet, given=True)
 
 
 def _whole(work: _Work, paper: str | None) -> _Composed:
     """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
-    for _ in range(_TRIALS):
-        best = _cut(work, paper)
-        whole = work.on(best.layout, far=True) if best.lettered.lost else best
-        if not whole.lettered.left_out or work.tight:
-            break
+    trials = 1 if work.tight else _TRIALS
+    while True:
+        trials -= 1
+        whole = _cut(work, paper)
+        if whole.lettered.lost and not (trials and whole.lettered.left_out):
+            whole = work.on(whole.layout, far=True)
+        if not (trials and whole.lettered.left_out):
+            return whole
         work = replace(work, apart=[*work.apart, *whole.lettered.left_out])
-    return whole
 
 
 def mechanism_step_sheets(
@@ -122,8 +122,8 @@ def mechanism_step_sheets(
     tight: bool = False,
 ) -> Iterator[Sheet]:
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
-    found = [] if tight else tables(method, plot, lang)
-    yield from _staged(_Work(_Planes(method, plot, "construction"), _planes(only), found, lang, tight), paper)
+    drawing = _Planes(method, plot, _planes(only), "construction", lang)
+    yield from _staged(_Work(drawing, [] if tight else tables(method, plot, lang), tight), paper)
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -133,17 +133,19 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 
 def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
     """The scales of the sheet."""
-    work = _Work(_Planes(method, plot, "construction"), PLANES, tables(method, plot, lang), lang)
+    work = _Work(_Planes(method, plot, PLANES, "construction", lang), tables(method, plot, lang))
     return _whole(work, None).layout.scales
 
 
 @frozen
 class _Planes:
-    """Draws any plane through any window."""
+    """Draws any plane through any window; planes: those the sheet shows."""
 
     method: Method
     plot: Plot
+    planes: tuple[Plane, ...]
     style: Style
+    lang: Lang
     paths: Paths = NONE
 
     def construction(self, plane: Plane) -> Construction:
@@ -176,11 +178,30 @@ class _Planes:
         drafted = self.style == "construction"
         return Polygon(self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted)
 
-    def extent(self, plane: Plane) -> Extent:
-        """How large the plane's points are, and how far its signs reach beyond them."""
+    @cached_property
+    def extents(self) -> dict[Plane, Extent]:
+        """How large each plane's points are, and how far its signs reach beyond them."""
+        return {plane: self._extent(plane) for plane in self.planes}
+
+    def _extent(self, plane: Plane) -> Extent:
         given = self.method.mechanism.scales.get(KEYS[plane])
         extent = Extent.of(self.values(plane), partial(self.figure, plane), given)
         return replace(extent, top=extent.top + self.paths.height) if plane == "position" else extent
+
+    @cached_property
+    def equations(self) -> dict[Plane, list[EquationBlock]]:
+        """The equations of each polygon as the words print them."""
+        if self.style != "construction":
+            return {}
+        rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
+        reading = self.reading({})
+        polygons = [plane for plane in self.planes if plane != "position"]
+        parts = {plane: self.construction(plane).parts for plane in polygons}
+        return {plane: equation_blocks(told(reading, plane, parts[plane], 0), rows) for plane in polygons}
+
+    def reading(self, drawn: Mapping[Plane, float]) -> Reading:
+        """What the words read, at the scales of the planes that are drawn."""
+        return Reading(self.method, self.plot, {key: drawn.get(plane, 1.0) for plane, key in KEYS.items()}, self.lang)
 
 
 # --- which paper, how divided -----------------------------------------------------------------
@@ -196,10 +217,12 @@ class _Composed:
 
 def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
+    from graphkin.sheet.captions import Captions  # all the words of a solution
+
     layout, drawing = _whole(work, paper).layout, work.drawing
     whole = work.on(layout, stages=True, far=True).lettered.sheet
     others = {} if work.planes == PLANES else scales_of(drawing.method, drawing.plot, work.lang)
-    captions = Captions.of(work.reading({**others, **layout.scales}), work.planes)
+    captions = Captions.of(drawing.reading({**others, **layout.scales}), work.planes)
     strip = None if work.tight else layout.strip
     return (captions.sheet(whole, number, strip) for number in numbers or range(1, len(captions.acts) + 1))
 
@@ -232,30 +255,31 @@ class _Work:
     """What does not depend on the paper; `apart`: equations that go into the strip."""
 
     drawing: _Planes
-    planes: tuple[Plane, ...]
     found: list[Table]
-    lang: Lang
     tight: bool = False
     apart: Sequence[EquationBlock] = ()
 
+    @property
+    def planes(self) -> tuple[Plane, ...]:
+        return self.drawing.planes
+
+    @property
+    def lang(self) -> Lang:
+        return self.drawing.lang
+
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
-        return {plane: replace(self.drawing.extent(plane), over=self._over(plane)) for plane in self.planes}
+        """With the equations over each polygon."""
+        return {plane: replace(extent, over=self._over(plane)) for plane, extent in self.drawing.extents.items()}
 
     def _over(self, plane: Plane) -> tuple[complex, complex] | None:
         return head_of(self.blocks[plane]) if self.blocks.get(plane) else None
 
     @cached_property
     def blocks(self) -> dict[Plane, list[EquationBlock]]:
-        """The equations of each polygon as the words print them."""
-        if self.drawing.style != "construction":
-            return {}
-        rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
-        reading = self.reading({})
-        polygons = [plane for plane in self.planes if plane != "position"]
-        parts = {plane: self.drawing.construction(plane).parts for plane in polygons}
-        found = {plane: equation_blocks(told(reading, plane, parts[plane], 0), rows) for plane in polygons}
-        return {plane: [block for block in blocks if block not in self.apart] for plane, blocks in found.items()}
+        """The equations that stand with their polygons."""
+        every = self.drawing.equations.items()
+        return {plane: [block for block in blocks if block not in self.apart] for plane, blocks in every}
 
     @cached_property
     def notes(self) -> dict[Plane, Label]:
@@ -326,12 +350,8 @@ class _Work:
     def drafted(self, layout: Layout, plane: Plane, window: Window) -> Last:
         """How a polygon is constructed, and what of the mechanism is used for it."""
         if plane == "position":
-            return Annotated(self.drawing.skeleton(window), self.reading(layout.scales), self.planes)
+            return Annotated(self.drawing.skeleton(window), self.drawing.reading(layout.scales), self.planes)
         acts = [act for act in self.drawing.method.acts if act.plane == plane]
         loose = [] if plane in layout.headed else self.blocks[plane]
-        return Drafted(self.drawing.polygon(plane, window), Spoken(self.reading(layout.scales), plane), acts, loose)
-
-    def reading(self, drawn: Mapping[Plane, float]) -> Reading:
-        """What the words read, at the scales of the planes that are drawn."""
-        scales = {key: drawn.get(plane, 1.0) for plane, key in KEYS.items()}
-        return Reading(self.drawing.method, self.drawing.plot, scales, self.lang)
+        spoken = Spoken(self.drawing.reading(layout.scales), plane)
+        return Drafted(self.drawing.polygon(plane, window), spoken, acts, loose)

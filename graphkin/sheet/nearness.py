@@ -25,8 +25,8 @@ class Arrows:
     def __init__(self, drawn: Iterable[Mark]) -> None:
         vectors = [mark for mark in drawn if isinstance(mark, VectorMark) and mark.length > _LEAST]
         self.names = np.array([vector.name for vector in vectors])
-        self.start = np.array([(v.start.real, v.start.imag) for v in vectors]).reshape(-1, 2)
-        self.end = np.array([(v.end.real, v.end.imag) for v in vectors]).reshape(-1, 2)
+        self.start = np.array([vector.start for vector in vectors], dtype=complex)
+        self.end = np.array([vector.end for vector in vectors], dtype=complex)
 
     def strange(
         self, wanted: Sequence[Wanted], owner: NDArray[np.intp], low: NDArray[np.float64], high: NDArray[np.float64]
@@ -45,14 +45,17 @@ class Arrows:
 
 
 def _apart(low: Any, high: Any, start: Any, end: Any) -> Any:
-    """Distance of boxes (m, 1, 2) from lines (n, 2): (m, n); 0 where they meet."""
-    corners = [np.stack([x[..., 0], y[..., 1]], axis=-1) for x in (low, high) for y in (low, high)]
-    found = [_from_line(corner, start, end) for corner in corners]
-    found += [np.linalg.norm(np.maximum(np.maximum(low - at, at - high), 0.0), axis=-1) for at in (start, end)]
+    """Distance of boxes (m, 1, 2) from lines from start to end (n,), complex: (m, n); 0 where they meet."""
+    (left, top), (right, bottom) = np.moveaxis(low, -1, 0), np.moveaxis(high, -1, 0)
+    found = [_from_line(x + 1j * y, start, end) for x in (left, right) for y in (top, bottom)]
+    for at in (start, end):
+        across = np.maximum(np.maximum(left - at.real, at.real - right), 0.0)
+        found.append(np.hypot(across, np.maximum(np.maximum(top - at.imag, at.imag - bottom), 0.0)))
     return np.minimum.reduce(found)
 
 
 def _from_line(at: Any, start: Any, end: Any) -> Any:
     way = end - start
-    t = np.clip(((at - start) * way).sum(axis=-1) / (way * way).sum(axis=-1), 0.0, 1.0)
-    return np.linalg.norm(at - start - t[..., None] * way, axis=-1)
+    off = at - start
+    along = np.clip((off * way.conj()).real / (way * way.conj()).real, 0.0, 1.0)
+    return np.abs(off - along * way)

@@ -17,53 +17,61 @@ if TYPE_CHECKING:
 
 _TIP, _TIP_HALF = 2.8, 0.5
 """Length and half width of an arrow head [mm]."""
+_CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
 
 
 class Tree:
     """Obstacles by place: line segments (n, 2, 2), and areas.
 
-    shapely finds whose surroundings overlap. Whether a segment passes through an upright box is seen for all at once:
-    most of what is drawn are segments, and asked one by one they would take longer than all else of a crowded sheet.
+    shapely finds whose surroundings overlap; those of a box are those of its diagonal. Whether a segment passes
+    through an upright box is seen for all at once: most of what is drawn are segments, and asked one by one they would
+    take longer than all else of a crowded sheet.
     """
 
-    def __init__(self, segments: NDArray[np.float64], areas: Sequence[Any]) -> None:
+    def __init__(self, segments: NDArray[np.float64], areas: Sequence[Sequence[Place]]) -> None:
+        """areas: the corners of each."""
         import shapely
 
         self._shapely, self._segments = shapely, segments
         self._lines = shapely.STRtree(shapely.linestrings(segments))
-        self._areas = shapely.STRtree(np.array(areas, dtype=object))
+        corners = np.array([place for area in areas for place in (*area, area[0])], dtype=complex)
+        owners = np.repeat(np.arange(len(areas)), [len(area) + 1 for area in areas])
+        rings = shapely.linearrings(corners.real, corners.imag, indices=owners)
+        self._areas = shapely.STRtree(shapely.polygons(rings))
 
     def touched(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.intp]:
         """Rows of the boxes low..high that touch something, once for each thing touched."""
-        boxes = self._shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1])
-        rows, numbers = self._lines.query(boxes)
+        diagonals = self._shapely.linestrings(np.stack([low, high], axis=1))
+        rows, numbers = self._lines.query(diagonals)
         start, end = self._segments[numbers, 0], self._segments[numbers, 1]
         middle, half = (low + high) / 2, (high - low) / 2
         hit = _through(end - start, middle[rows] - start, half[rows])
-        areas: NDArray[np.intp] = self._areas.query(boxes, predicate="intersects")[0]
-        return np.concatenate([rows[hit], areas])
+        near = np.flatnonzero(np.bincount(self._areas.query(diagonals)[0], minlength=len(low)))
+        boxes = self._shapely.box(low[near, 0], low[near, 1], high[near, 0], high[near, 1])
+        return np.concatenate([rows[hit], near[self._areas.query(boxes, predicate="intersects")[0]]])
 
     def crossed(self, start: NDArray[np.float64], end: NDArray[np.float64]) -> NDArray[np.intp]:
         """Rows of the lines start..end that touch something, once for each thing touched."""
         lines = self._shapely.linestrings(np.stack([start, end], axis=1))
-        found = [tree.query(lines, predicate="intersects")[0] for tree in (self._lines, self._areas)]
-        return np.concatenate(found)
+        rows, numbers = self._lines.query(lines)
+        hit = _meet(start[rows], end[rows], self._segments[numbers, 0], self._segments[numbers, 1])
+        areas: NDArray[np.intp] = self._areas.query(lines, predicate="intersects")[0]
+        return np.concatenate([rows[hit], areas])
 
 
 def tree(drawn: Iterable[Mark]) -> Tree:
     """The marks as obstacles."""
-    import shapely
-
-    lines: list[tuple[Place, Place]] = []
+    lines: list[Place] = []
     areas: list[tuple[Place, ...]] = []
     for mark in drawn:
         for places, filled in _outlines(mark):
             if filled:
                 areas.append(places)
             else:
-                lines += pairwise(places)
-    segments = np.array([[(a.real, a.imag), (b.real, b.imag)] for a, b in lines]).reshape(-1, 2, 2)
-    return Tree(segments, [shapely.Polygon([(p.real, p.imag) for p in area]) for area in areas])
+                for ends in pairwise(places):
+                    lines += ends
+    corners = np.array(lines, dtype=complex)
+    return Tree(np.stack([corners.real, corners.imag], axis=-1).reshape(-1, 2, 2), areas)
 
 
 def _through(way: NDArray[np.float64], off: NDArray[np.float64], half: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -77,14 +85,26 @@ def _through(way: NDArray[np.float64], off: NDArray[np.float64], half: NDArray[n
     return found
 
 
+def _meet(start: Any, end: Any, other: Any, other_end: Any) -> NDArray[np.bool_]:
+    """Whether segments, whose surroundings overlap, meet others: each has its ends on both sides of the other."""
+
+    def apart(a: Any, way: Any, b: Any, c: Any) -> Any:
+        one = way[:, 0] * (b - a)[:, 1] - way[:, 1] * (b - a)[:, 0]
+        two = way[:, 0] * (c - a)[:, 1] - way[:, 1] * (c - a)[:, 0]
+        return one * two > 0
+
+    found: NDArray[np.bool_] = ~apart(start, end - start, other, other_end)
+    found &= ~apart(other, other_end - other, start, end)
+    return found
+
+
 def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:
     """Polylines and filled areas a mark is made of."""
     match mark:
         case Stroke(places, closed=closed, fill=fill):
             yield (*places, places[0]) if closed else places, closed and fill not in ("none", "tint")
         case Disc(centre, radius, fill=fill):
-            circle = tuple(centre + cmath.rect(radius, k * cmath.pi / 12) for k in range(25))
-            yield circle, fill not in ("none", "tint")
+            yield tuple(centre + radius * turn for turn in _CIRCLE), fill not in ("none", "tint")
         case Arc():
             yield arc_places(mark), False
         case Text(label, at, size):
@@ -94,7 +114,7 @@ def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:
             if abs(end - start) > _TIP:
                 yield _tip(start, end), True
         case PointMark(at=at, radius=radius):
-            yield tuple(at + cmath.rect(radius, k * cmath.pi / 4) for k in range(9)), True
+            yield tuple(at + radius * turn for turn in _CIRCLE[::3]), True
 
 
 def arc_places(arc: Arc) -> tuple[Place, ...]:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
 
 from graphkin.construction import Node, Plane, Plot
@@ -77,11 +76,12 @@ class Table:
             yield Table(self.head, self.rows[k : k + count])
 
 
+@lru_cache(4096)
 def _whole(cell: Label) -> float | None:
     """Width of a number up to its point; of the whole number where it has none; None where it is no number [mm]."""
     first = cell[0] if cell else Run("")
     whole = re.match(r"−?\d+", first.text)
-    return width((replace(first, text=whole[0]),), SIZE) if whole is not None and not first.italic else None
+    return width((first._replace(text=whole[0]),), SIZE) if whole is not None and not first.italic else None
 
 
 def _speed(usual: Usual, value: float) -> Label:

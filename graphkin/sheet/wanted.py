@@ -4,35 +4,62 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from graphkin.sheet.lettering import Label, width
 from graphkin.sheet.marks import Place, Text
 from graphkin.sheet.paper import LABEL
 from graphkin.value import frozen
 
-_RINGS = (0.0, 1.0, 2.2, 4.0, 6.5, 9.5, 13.0)
+_RINGS = np.array([0.0, 1.0, 2.2, 4.0, 6.5, 9.5, 13.0])
 _LED = 4.0
 """From this ring on a leader is drawn."""
-_TURNS = tuple(cmath.rect(1, math.tau * k / 16) for k in range(16))
-_FAR_RINGS = (17.0, 21.5, 26.5, 32.0, 38.0, 44.5, 51.5, 59.0)
+_TURNS = np.array([cmath.rect(1, math.tau * k / 16) for k in range(16)])
+_LITTLE = np.array([0.05 * ((k - 14) % 16) for k in range(16)])
+"""What a direction costs where none is liked: above and to the right first."""
+_NOWHERE = complex("nan")
+_FAR_RINGS = np.array([17.0, 21.5, 26.5, 32.0, 38.0, 44.5, 51.5, 59.0])
 """Where labels of a crowd go when nothing nearer is free [mm]."""
-_FAR_TURNS = tuple(cmath.rect(1, math.tau * k / 32) for k in range(32))
+_FAR_TURNS = np.array([cmath.rect(1, math.tau * k / 32) for k in range(32)])
 _ANCHORS = (0.5, 0.3, 0.7)
 """Where along a line a far leader may end."""
 _LED_ALONG = (0.3, 0.7)
 """Where else than at its middle a leader may meet an arrow."""
 _OFF_MIDDLE = 0.5
-_ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
+_ALONG = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82])
+_FARTHER = np.array([0.0, 0.75, 1.65])[:, None]
+"""How much farther than it need a label may stand from its line [mm]."""
+_POINT = 1.5
+"""A shorter line is a point [mm]."""
 
 
-class Candidate(NamedTuple):
-    """A candidate: the middle of the label's box, what it costs, and where a leader would go."""
+class Candidates(NamedTuple):
+    """Where a label may stand, all as arrays (n,).
 
-    middle: Place
-    cost: float
-    anchor: Place | None
+    middle  of the label's box, complex [mm]
+    cost    what it costs
+    anchor  where a leader would go, complex; nan where none is drawn
+    """
+
+    middle: Any
+    cost: Any
+    anchor: Any
+
+    @property
+    def led(self) -> Any:
+        """Which of them have a leader."""
+        return ~np.isnan(self.anchor)
+
+    def taken(self, rows: Any) -> Candidates:
+        """Some of them."""
+        return Candidates(self.middle[rows], self.cost[rows], self.anchor[rows])
+
+    @classmethod
+    def joined(cls, parts: Iterable[Candidates]) -> Candidates:
+        return cls(*map(np.concatenate, zip(*parts, strict=True)))
 
 
 @frozen
@@ -68,55 +95,55 @@ class Wanted:
         """What it names, as one point."""
         return self.start if self.end is None else (self.start + self.end) / 2
 
-    def candidates(self, half: complex) -> Iterator[Candidate]:
+    def candidates(self, half: complex) -> Candidates:
         """Where it may stand near what it names; half: of the width and height of its box [mm]."""
-        if self.end is not None and abs(self.end - self.start) > 1.5:
-            yield from _beside(self.start, self.end, half, self)
-            yield from _around((self.start + self.end) / 2, half, self, first=3)
-            if self.of:
-                for t in _LED_ALONG:
-                    for spot in _around(self.start + (self.end - self.start) * t, half, self, first=3):
-                        yield spot._replace(cost=spot.cost + _OFF_MIDDLE)
-        else:
-            yield from _around(self.start, half, self)
+        start, end = self.start, self.end
+        if end is None or abs(end - start) <= _POINT:
+            return _around(start, half, self)
+        places = [(start + end) / 2, *(start + (end - start) * t for t in (_LED_ALONG if self.of else ()))]
+        led = [_around(place, half, self, first=3) for place in places]
+        off = [part._replace(cost=part.cost + _OFF_MIDDLE) for part in led[1:]]
+        return Candidates.joined([_beside(start, end, half, self), led[0], *off])
 
-    def far_candidates(self, half: complex, crowd: Place) -> Iterator[Candidate]:
+    def far_candidates(self, half: complex, crowd: Place) -> Candidates:
         """Wide rings, away from the middle of the crowd first."""
         ends = (self.start, self.start if self.end is None else self.end)
-        for anchor in dict.fromkeys(ends[0] + (ends[1] - ends[0]) * t for t in _ANCHORS):
-            away = (anchor - crowd).conjugate() / max(abs(anchor - crowd), 1e-9)
-            for turn in _FAR_TURNS:
-                side = complex(_held(turn.real) * half.real, _held(turn.imag) * half.imag)
-                liking = 5.0 * (1 - (turn * away).real)
-                for ring in _FAR_RINGS:
-                    yield Candidate(anchor + (self.gap + 0.6 + ring) * turn + side, 1.6 * ring + 6 + liking, anchor)
+        anchors = dict.fromkeys(ends[0] + (ends[1] - ends[0]) * t for t in _ANCHORS)
+        return Candidates.joined(_far(anchor, crowd, half, self.gap) for anchor in anchors)
 
 
-def _around(point: Place, half: complex, want: Wanted, first: int = 0) -> Iterator[Candidate]:
+def _around(point: Place, half: complex, want: Wanted, first: int = 0) -> Candidates:
     """Rings about a point; a box touches the ring with its near side or corner."""
     away = want.away.conjugate() / abs(want.away) if want.away else 0j
-    likings = [0.8 * (1 - (turn * away).real) if away else 0.05 * ((k - 14) % 16) for k, turn in enumerate(_TURNS)]
-    sides = [complex(_held(turn.real) * half.real, _held(turn.imag) * half.imag) for turn in _TURNS]
-    for ring in _RINGS[first:]:
-        reach = want.gap + 0.6 + ring
-        price, anchor = (1.6 * ring + 6, point) if ring >= _LED else (1.6 * ring, None)
-        for turn, side, liking in zip(_TURNS, sides, likings):
-            yield Candidate(point + reach * turn + side, price + liking, anchor)
+    liking = 0.8 * (1 - (_TURNS * away).real) if away else _LITTLE
+    rings = _RINGS[first:, None]
+    middle = point + (want.gap + 0.6 + rings) * _TURNS + _sides(_TURNS, half)
+    led = np.broadcast_to(rings >= _LED, middle.shape)
+    cost = 1.6 * rings + np.where(led, 6.0, 0.0) + liking
+    return Candidates(middle.ravel(), cost.ravel(), np.where(led, point, _NOWHERE).ravel())
 
 
-def _held(x: float) -> float:
-    """Cosine or sine of a direction, so that four of eight directions put the box's corners to the ring."""
-    return max(-1.0, min(1.0, x * 1.6))
+def _far(anchor: Place, crowd: Place, half: complex, gap: float) -> Candidates:
+    """Wide rings about a point."""
+    away = (anchor - crowd).conjugate() / max(abs(anchor - crowd), 1e-9)
+    liking = 5.0 * (1 - (_FAR_TURNS * away).real)
+    middle = anchor + (gap + 0.6 + _FAR_RINGS) * _FAR_TURNS[:, None] + _sides(_FAR_TURNS, half)[:, None]
+    cost = 1.6 * _FAR_RINGS + 6 + liking[:, None]
+    return Candidates(middle.ravel(), cost.ravel(), np.full(middle.size, anchor))
 
 
-def _beside(start: Place, end: Place, half: complex, want: Wanted) -> Iterator[Candidate]:
+def _sides(turns: Any, half: complex) -> Any:
+    """From what a box touches to its middle, in each direction; in four of eight its corners come to the ring."""
+    return np.clip(turns.real * 1.6, -1.0, 1.0) * half.real + 1j * (np.clip(turns.imag * 1.6, -1.0, 1.0) * half.imag)
+
+
+def _beside(start: Place, end: Place, half: complex, want: Wanted) -> Candidates:
     """Both sides of a line, at several places along it."""
     along = (end - start) / abs(end - start)
     away = want.away / abs(want.away) if want.away else 0j
-    for normal in (along * -1j, along * 1j):
-        support = abs(normal.real) * half.real + abs(normal.imag) * half.imag
-        liking = 0.6 * (1 - (normal * away.conjugate()).real) if away else (0.0 if normal.imag <= 0 else 0.1)
-        for more in (0.0, 0.75, 1.65):
-            for t in _ALONG:
-                middle = start + (end - start) * t + normal * (support + want.gap + more)
-                yield Candidate(middle, 1.2 * more + 2.5 * abs(t - 0.5) + liking, None)
+    normal = np.array([along * -1j, along * 1j])[:, None, None]
+    support = np.abs(normal.real) * half.real + np.abs(normal.imag) * half.imag
+    liking = 0.6 * (1 - (normal * away.conjugate()).real) if away else np.where(normal.imag <= 0, 0.0, 0.1)
+    middle = start + (end - start) * _ALONG + normal * (support + want.gap + _FARTHER)
+    cost = 1.2 * _FARTHER + 2.5 * np.abs(_ALONG - 0.5) + liking
+    return Candidates(middle.ravel(), cost.ravel(), np.full(middle.size, _NOWHERE))
