@@ -74,6 +74,8 @@ PHRASES: Phrases = {
         "各点的速度和加速度，各构件的角速度和角加速度。",
     ),
     "find velocities": ("the velocities of all points, ω of all links.", "各点的速度，各构件的角速度。"),
+    "place": ("the place of {point}", "点 {point} 的位置"),
+    "place at": ("{point} is at {place} mm.", "{point} 位于 {place} mm。"),
     "centre": ("instant centre {name}", "瞬心 {name}"),
     "centre at": (
         "{name} lies at {place} mm (the point at which both links have one velocity).",
