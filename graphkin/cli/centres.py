@@ -218,6 +218,7 @@ def _of_two_velocities(asked: _Asked) -> None:
 def _write(asked: _Asked, source: str) -> None:
     """The sheet, and one sheet a step; all are made before the first is written."""
     from graphkin.outputs import drawings
+    from graphkin.outputs.edited import refuse_edited
 
     found = asked.found(source)
     pages = list(_pages(asked, found))
@@ -227,6 +228,8 @@ def _write(asked: _Asked, source: str) -> None:
         asked.steps.mkdir(parents=True, exist_ok=True)
     for path, _ in pages:
         drawings.refuse(path, asked.force)
+    if asked.output is not None:
+        refuse_edited(asked.output, asked.force)
     for path, text in pages:
         drawings.write(path, text, asked.force)
         click.echo(str(path), err=str(asked.output) == "-")

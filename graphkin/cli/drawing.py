@@ -51,6 +51,9 @@ if TYPE_CHECKING:
 @click.option("--tight", is_flag=True, help="The figures alone, cut to their size, for Word and LaTeX.")
 @click.option("--ink", type=click.Choice(["accent", "black"]), default="accent", show_default=True,
               help="A colour a plane, or black alone.")
+@click.option("--path", "paths", multiple=True, metavar="POINT",
+              help="The curve that a point draws, with ticks at equal steps of the driver; again for others.")
+@click.option("--arrows", is_flag=True, help="With --path: the point's velocity at each tick.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
 @click.option("--animate", is_flag=True, help="Moving, as .svg or .png: a turn of the driver, or as far as it gets.")
 @force_option
@@ -62,7 +65,8 @@ if TYPE_CHECKING:
 @speaking
 def draw(
     mechanism: str, output: Path | None, dpi: float | None, only: Plane | None, paper: str | None, style: Style,
-    tight: bool, ink: Ink, steps: Path | None, animate: bool, force: bool, coincident: str, method: str,
+    tight: bool, ink: Ink, paths: tuple[str, ...], arrows: bool, steps: Path | None, animate: bool, force: bool,
+    coincident: str, method: str,
     angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Draw the mechanism and its polygons to scale: a sheet, or a construction that moves in GeoGebra (.ggb).
@@ -73,12 +77,15 @@ def draw(
       graphkin draw ex3-1 -o sheet.pdf
       graphkin draw ex3-7 --angle 120 --steps steps
       graphkin draw ex3-7 --animate -o shaper.svg
+      graphkin draw p3-20 --path E --arrows
       graphkin draw mine.toml --watch
     """
     from graphkin.outputs import drawings, svg
+    from graphkin.outputs.edited import refuse_edited
 
     if style == "given" and (steps is not None or only not in (None, "position")):
         raise click.UsageError("--style given draws the mechanism alone: leave out --steps and other planes")
+    _check_paths(paths, arrows, style, only, output)
     machine = read(mechanism)
     output = output or Path(f"{machine.name}.svg")
     if animate:
@@ -91,7 +98,7 @@ def draw(
         click.echo(str(output))
         return
     drawing = drawn(machine, coincident, method, angles, displacements)
-    sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight)
+    sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight, paths=paths, arrows=arrows)
     written = drawings.WRITERS[output.suffix.lower() or ".svg"]
     pages = [(output, written(drawings.Picture(sheet, drawing.method, drawing.plot, lang, dpi or 200.0, ink)))]
     if steps is not None:
@@ -105,11 +112,19 @@ def draw(
         steps.mkdir(parents=True, exist_ok=True)
     for path, _ in pages:
         drawings.refuse(path, force)
+    refuse_edited(output, force)
     for path, content in pages:
         drawings.write(path, content, force)
         click.echo(str(path), err=str(output) == "-")
 
 
+def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane | None, output: Path | None) -> None:
+    if arrows and not paths:
+        raise click.UsageError("--arrows draws velocities along a path: --path E")
+    if paths and (style == "given" or only not in (None, "position")):
+        raise click.UsageError("--path is drawn with the mechanism, as a result: leave out --style given and --only")
+    if paths and output is not None and output.suffix.lower() == ".ggb":
+        raise click.UsageError("GeoGebra draws paths itself, as Locus(E, slider): leave out --path")
 def _frames(
     machine: Mechanism, coincident: str, method: str, paper: str | None, only: Plane | None, lang: Lang
 ) -> list[Sheet]:
@@ -214,9 +229,10 @@ def _solved(
 @click.argument("drawings", metavar="DRAWING.svg...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--tolerance", type=click.FloatRange(min=0, min_open=True), default=0.01, show_default=True, metavar="MM",
               help="How far a vector or point may be off.")  # fmt: skip
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a drawing: mm on paper, and what is wrong.")
 @lang_option
 @speaking
-def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
+def check(drawings: tuple[Path, ...], tolerance: float, as_json: bool, lang: Lang) -> None:
     """Measure drawings with a ruler and hold them against the analytic solution.
 
     \b
@@ -225,7 +241,7 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
       graphkin draw ex3-1 -o - | graphkin check -
     """
     from graphkin.check import measure
-    from graphkin.say.checks import check_lines
+    from graphkin.say.checks import check_json, check_lines
 
     if not math.isfinite(tolerance):
         raise click.UsageError("--tolerance takes a finite number")
@@ -234,9 +250,11 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
         try:
             report = measure(drawing, tolerance)
         except GraphkinError as error:
-            click.echo(error.message(lang), err=True)
+            refused = {"format": 1, "file": str(drawing), "error": error.message(lang)}
+            click.echo(json_line(refused) if as_json else error.message(lang), err=not as_json)
             status = 3
             continue
-        click.echo("\n".join(check_lines(report, tolerance, lang)))
+        lines = [json_line(check_json(report, tolerance, lang))] if as_json else check_lines(report, tolerance, lang)
+        click.echo("\n".join(lines))
         status = max(status, 0 if report.passed(tolerance) else 1)
     sys.exit(status)

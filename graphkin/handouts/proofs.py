@@ -93,9 +93,9 @@ _COMMON = (
 def _key(told: Told) -> Key | None:
     """The key of the problem; None where nothing is asked that is marked."""
     from graphkin.errors import GraphkinError
-    from graphkin.grading.keys import key_for
+    from graphkin.grading.keys import key_drawn
 
     try:
-        return key_for(told.drawing.mechanism)
+        return key_drawn(told.drawing.method)
     except GraphkinError:
         return None
