@@ -111,6 +111,6 @@ def test_same_sheets_give_the_same_bytes(kind: str):
             assert (picture.n_frames, picture.info["loop"]) == (3, 0)
 
 
-@pytest.mark.parametrize("more", [["-o", "a.pdf"], ["--steps", "x"], ["--angle", "3"], ["--tight"]])
+@pytest.mark.parametrize("more", [["-o", "a.pdf"], ["--steps", "x"], ["--angle", "3"], ["--tight"], ["--path", "C"]])
 def test_what_does_not_go_together_is_said(more: list[str]):
     assert CliRunner().invoke(main, ["draw", "s2-2", "--animate", *more]).exit_code == 2

@@ -34,9 +34,9 @@ from graphkin.errors import GraphkinError, Lang
 if TYPE_CHECKING:
     from graphkin.api import Drawing
     from graphkin.construction import Plane
-    from graphkin.mechanism import Mechanism
     from graphkin.outputs.paint import Ink
-    from graphkin.sheet import Sheet, Style
+    from graphkin.planning import Method
+    from graphkin.sheet import Style
 
 
 @click.command()
@@ -89,13 +89,11 @@ def draw(
     machine = read(mechanism)
     output = output or Path(f"{machine.name}.svg")
     if animate:
-        if steps is not None or tight or style != "construction" or angles or displacements:
-            raise click.UsageError("--animate shows the motion: leave out --steps, --tight, --style, --angle and --at")
-        if output.suffix.lower() not in drawings.MOVING:
-            raise click.UsageError(f"{output}: what moves must end in {' or '.join(drawings.MOVING)}")
-        frames = _frames(machine, coincident, method, paper, only, lang)
-        drawings.write(output, drawings.MOVING[output.suffix.lower()](frames, dpi or 100.0, ink), force)
-        click.echo(str(output))
+        if steps is not None or tight or style != "construction" or paths or angles or displacements:
+            raise click.UsageError(
+                "--animate shows the motion: leave out --steps, --tight, --style, --path, --angle and --at"
+            )
+        _write_motion(output, planned(machine, coincident, method), paper, only, dpi or 100.0, ink, force, lang)
         return
     drawing = drawn(machine, coincident, method, angles, displacements)
     sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight, paths=paths, arrows=arrows)
@@ -125,13 +123,23 @@ def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane
         raise click.UsageError("--path is drawn with the mechanism, as a result: leave out --style given and --only")
     if paths and output is not None and output.suffix.lower() == ".ggb":
         raise click.UsageError("GeoGebra draws paths itself, as Locus(E, slider): leave out --path")
-def _frames(
-    machine: Mechanism, coincident: str, method: str, paper: str | None, only: Plane | None, lang: Lang
-) -> list[Sheet]:
-    """One sheet a position of the whole motion."""
+
+
+def _write_motion(
+    output: Path, method: Method, paper: str | None, only: Plane | None, dpi: float, ink: Ink, force: bool, lang: Lang
+) -> None:
+    """The whole motion, one sheet a position, as a file that moves."""
+    from graphkin.outputs import drawings
+    from graphkin.outputs.edited import refuse_edited
     from graphkin.sheet.motion_frames import motion_frames
 
-    return motion_frames(planned(machine, coincident, method), paper=paper, lang=lang, only=only)
+    if (moving := drawings.MOVING.get(output.suffix.lower())) is None:
+        raise click.UsageError(f"{output}: what moves must end in {' or '.join(drawings.MOVING)}")
+    drawings.refuse(output, force)
+    refuse_edited(output, force)
+    frames = motion_frames(method, paper=paper, lang=lang, only=only)
+    drawings.write(output, moving(frames, dpi, ink), force)
+    click.echo(str(output))
 
 
 @click.command()
