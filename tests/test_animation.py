@@ -19,7 +19,7 @@ from graphkin.cli import main
 from graphkin.outputs import drawings
 from graphkin.outputs.animation import animation
 from graphkin.sheet import Sheet
-from graphkin.sheet.marks import PointMark, Text
+from graphkin.sheet.marks import PointMark, Text, VectorMark
 from graphkin.sheet.motion_frames import motion_frames
 from graphkin.sheet.obstacles import bounds
 
@@ -83,6 +83,12 @@ def test_letters_do_not_hop(name: str):
 
 def _said(text: Text) -> str:
     return "".join(run.text for run in text.label)
+
+
+def test_drawn_position_has_all_its_polygons():
+    """Even where that is near a dead point, and its polygons are larger than most."""
+    first = motion_frames(graphkin.plan(graphkin.load("p3-22")), 3)[0]
+    assert {mark.plane for mark in first.marks if isinstance(mark, VectorMark)} == {"velocity", "acceleration"}
 
 
 def test_first_moment_is_a_right_sheet(tmp_path: Path):

@@ -140,13 +140,13 @@ class _Frames:
 
     @cached_property
     def _shown(self) -> dict[Plane, set[int]]:
-        """The positions at which a plane is drawn: all, but for those at which it is endless."""
+        """The positions at which a plane is drawn: the first, and all others but those at which it is endless."""
         found: dict[Plane, set[int]] = {}
         for plane, values in self._values.items():
             sizes = np.array([max((abs(v) for v in at), default=0.0) for at in values])
             usual = float(np.median(sizes[np.isfinite(sizes)]))
             most = np.inf if plane == "position" else usual * (_LARGE if self.back else _ENDLESS)
-            fits = np.isfinite(sizes) & (sizes <= most)
+            fits = np.isfinite(sizes) & (sizes <= max(most, sizes[0]))
             found[plane] = set(np.flatnonzero(fits).tolist())
         return found
 
