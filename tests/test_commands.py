@@ -290,5 +290,5 @@ def test_values_for_each_driver() -> None:
 
 
 def test_a_trains_ratios_are_no_trial() -> None:
-    assert "fitted by trial" not in run("draw", "p3-12", "--tight", "--only", "position", "-o", "-").stdout
+    assert "fitted by trial" not in run("draw", "ex3-3", "--only", "position", "-o", "-").stdout
     assert "fitted by trial" in run("draw", "ex3-2", "--only", "position", "-o", "-").stdout
