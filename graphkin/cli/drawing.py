@@ -24,6 +24,7 @@ from graphkin.cli.shared import (
     lang_option,
     mechanisms_argument,
     method_option,
+    planned,
     read,
     speaking,
     told_each,
@@ -33,14 +34,16 @@ from graphkin.errors import GraphkinError, Lang
 if TYPE_CHECKING:
     from graphkin.api import Drawing
     from graphkin.construction import Plane
+    from graphkin.mechanism import Mechanism
     from graphkin.outputs.paint import Ink
-    from graphkin.sheet import Style
+    from graphkin.sheet import Sheet, Style
 
 
 @click.command()
 @each_mechanism
 @drawing_option
-@click.option("--dpi", type=click.FloatRange(20, 2400), default=200.0, show_default=True, help="Dots per inch of .png.")
+@click.option("--dpi", type=click.FloatRange(20, 2400), show_default="200, or 100 if it moves",
+              help="Dots per inch of .png.")
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
 @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
 @click.option("--style", type=click.Choice(["construction", "result", "given"]), default="construction",
@@ -52,6 +55,7 @@ if TYPE_CHECKING:
               help="The curve that a point draws, with ticks at equal steps of the driver; again for others.")
 @click.option("--arrows", is_flag=True, help="With --path: the point's velocity at each tick.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
+@click.option("--animate", is_flag=True, help="Moving, as .svg or .png: a turn of the driver, or as far as it gets.")
 @force_option
 @coincident_option
 @method_option
@@ -60,8 +64,9 @@ if TYPE_CHECKING:
 @lang_option
 @speaking
 def draw(
-    mechanism: str, output: Path | None, dpi: float, only: Plane | None, paper: str | None, style: Style, tight: bool,
-    ink: Ink, paths: tuple[str, ...], arrows: bool, steps: Path | None, force: bool, coincident: str, method: str,
+    mechanism: str, output: Path | None, dpi: float | None, only: Plane | None, paper: str | None, style: Style,
+    tight: bool, ink: Ink, paths: tuple[str, ...], arrows: bool, steps: Path | None, animate: bool, force: bool,
+    coincident: str, method: str,
     angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Draw the mechanism and its polygons to scale: a sheet, or a construction that moves in GeoGebra (.ggb).
@@ -71,6 +76,7 @@ def draw(
       graphkin draw ex3-1 -o sheet.svg --lang zh
       graphkin draw ex3-1 -o sheet.pdf
       graphkin draw ex3-7 --angle 120 --steps steps
+      graphkin draw ex3-7 --animate -o shaper.svg
       graphkin draw p3-20 --path E --arrows
       graphkin draw mine.toml --watch
     """
@@ -82,10 +88,19 @@ def draw(
     _check_paths(paths, arrows, style, only, output)
     machine = read(mechanism)
     output = output or Path(f"{machine.name}.svg")
+    if animate:
+        if steps is not None or tight or style != "construction" or angles or displacements:
+            raise click.UsageError("--animate shows the motion: leave out --steps, --tight, --style, --angle and --at")
+        if output.suffix.lower() not in drawings.MOVING:
+            raise click.UsageError(f"{output}: what moves must end in {' or '.join(drawings.MOVING)}")
+        frames = _frames(machine, coincident, method, paper, only, lang)
+        drawings.write(output, drawings.MOVING[output.suffix.lower()](frames, dpi or 100.0, ink), force)
+        click.echo(str(output))
+        return
     drawing = drawn(machine, coincident, method, angles, displacements)
     sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight, paths=paths, arrows=arrows)
     written = drawings.WRITERS[output.suffix.lower() or ".svg"]
-    pages = [(output, written(drawings.Picture(sheet, drawing.method, drawing.plot, lang, dpi, ink)))]
+    pages = [(output, written(drawings.Picture(sheet, drawing.method, drawing.plot, lang, dpi or 200.0, ink)))]
     if steps is not None:
         pages += [
             (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page, ink).encode())
@@ -110,6 +125,13 @@ def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane
         raise click.UsageError("--path is drawn with the mechanism, as a result: leave out --style given and --only")
     if paths and output is not None and output.suffix.lower() == ".ggb":
         raise click.UsageError("GeoGebra draws paths itself, as Locus(E, slider): leave out --path")
+def _frames(
+    machine: Mechanism, coincident: str, method: str, paper: str | None, only: Plane | None, lang: Lang
+) -> list[Sheet]:
+    """One sheet a position of the whole motion."""
+    from graphkin.sheet.motion_frames import motion_frames
+
+    return motion_frames(planned(machine, coincident, method), paper=paper, lang=lang, only=only)
 
 
 @click.command()

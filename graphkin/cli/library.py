@@ -67,10 +67,10 @@ def _kinds(output: Path | None, force: bool, lang: Lang) -> None:
 
     click.echo("\n".join(family_lines(lang)))
     if output is not None:
-        from graphkin.outputs import svg
+        from graphkin.outputs import drawings, svg
         from graphkin.sheet.linkage_family import family_sheet
 
-        svg.write(output, svg.svg(family_sheet(lang)), force)
+        drawings.write(output, svg.svg(family_sheet(lang)), force)
         click.echo(str(output), err=True)
 
 

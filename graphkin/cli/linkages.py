@@ -141,8 +141,8 @@ def _held(mechanism: Mechanism | None, given: dict[str, tuple[str, ...]], by: st
 
 
 def _draw(output: Path, reports: list[Report], title: str, paper: str | None, force: bool, lang: Lang) -> None:
-    from graphkin.outputs import svg
+    from graphkin.outputs import drawings, svg
     from graphkin.sheet.linkage_sheet import limit_sheet
 
-    svg.write(output, svg.svg(limit_sheet(reports, lang, paper=paper, title=title)), force)
+    drawings.write(output, svg.svg(limit_sheet(reports, lang, paper=paper, title=title)), force)
     click.echo(str(output), err=True)

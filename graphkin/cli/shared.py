@@ -159,10 +159,17 @@ def drawn(
     """The drawing that the options ask for."""
     from graphkin import api
 
+    found = planned(machine, coincident, method)
+    return api.Drawing.at(found, at_values(found, angles, displacements))
+
+
+def planned(machine: Mechanism, coincident: str, method: str) -> Method:
+    """The method that the options ask for."""
+    from graphkin import api
+
     if coincident and coincident not in machine.points:
         raise click.UsageError(f"--coincident: {machine.name} has no point {coincident}")
-    planned = api.plan(machine, coincident, centres=method == "centre")
-    return api.Drawing.at(planned, at_values(planned, angles, displacements))
+    return api.plan(machine, coincident, centres=method == "centre")
 
 
 def at_values(method: Method, angles: Sequence[float], displacements: Sequence[float]) -> list[float] | None:

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.construction import Plane
+from graphkin.construction import Given, Plane
 from graphkin.mechanism import FRAME
 from graphkin.motions import Motions
 from graphkin.planning.held_still import standing
@@ -169,8 +169,8 @@ def asked(reading: Reading, everything: bool = False, only: Plane = "acceleratio
         constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
         parts = {plane: constructions[plane].parts for plane in planes}
         return Asked(reading, wanted, tuple(one.text for one in wanted), parts, False)
-    led = needed(reading.method, facts)
-    shown = {plane: led[plane] for plane in planes if len(led[plane]) > 1 or _direct(facts, plane)}
+    led = needed(reading.method, {*facts})
+    shown = {plane: led[plane] for plane in planes if _finds(led[plane]) or _direct(facts, plane)}
     return Asked(reading, (*texts.values(),), (*texts,), shown, True)
 
 
@@ -194,6 +194,11 @@ def _plane(quantity: Quantity) -> Plane:
     return {"rad/s": "velocity", "m/s": "velocity", "rad/s^2": "acceleration", "m/s^2": "acceleration"}.get(
         max(quantity.halves, key=lambda half: half.unit.endswith("^2")).unit, "position"
     )  # type: ignore[return-value]
+
+
+def _finds(parts: tuple[Part, ...]) -> bool:
+    """Whether anything is drawn from what is there at the start."""
+    return any(not isinstance(part, Given) for part in parts)
 
 
 def _direct(facts: set[Fact], plane: Plane) -> bool:

@@ -17,6 +17,8 @@ from graphkin.value import filled
 
 _CLEAR, _EASY = 0.45, 1.3
 """What a label keeps from lines at least, and likes to keep [mm]."""
+_PASSING = 0.4
+"""What a leader keeps from other labels [mm]."""
 _TOUCH = 0.05
 """Closer than this to a box's edge is not yet on it [mm]."""
 _ROUNDS = 8
@@ -27,7 +29,8 @@ class _Prices(NamedTuple):
     """What it costs to lie on a line, on a label, out of the room, nearer to another arrow than to its own without a
     leader; a leader on a label, on a leader.
 
-    apart  what two labels keep from each other [mm]
+    apart   what two labels keep from each other [mm]
+    beside  for a leader that ends beside another's end
     """
 
     line: float = 60.0
@@ -37,9 +40,12 @@ class _Prices(NamedTuple):
     crossed: float = 25.0
     leaders: float = 0.0
     apart: float = 0.7
+    beside: float = 4.0
 
 
 _NEAR, _CROWD = _Prices(), _Prices(400.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3)
+_ONE, _BESIDE = 0.5, 2.5
+"""Leaders that end nearer together than the second look like one; than the first, they end at one place [mm]."""
 _THROUGH = 1.5
 """What a far leader pays for each line it crosses."""
 
@@ -115,11 +121,12 @@ class Table:
         low, high, apart = self.low[rows], self.high[rows], self.prices.apart
         clash = _overlap(low, high, self.low[row] - apart, self.high[row] + apart)
         begin, anchor, crossed = self.begin[rows], self.anchor[rows], np.zeros(len(low), dtype=bool)
-        maybe = np.flatnonzero(self.led[rows] & self._reaching(rows, self.low[row], self.high[row]))
-        crossed[maybe] = _cross(begin[maybe], anchor[maybe], self.low[row], self.high[row])
+        nearest, farthest = self.low[row] - _PASSING, self.high[row] + _PASSING
+        maybe = np.flatnonzero(self.led[rows] & self._reaching(rows, nearest, farthest))
+        crossed[maybe] = _cross(begin[maybe], anchor[maybe], nearest, farthest)
         if self.led[row]:
-            maybe = np.flatnonzero(_overlap(low, high, self.least[row], self.most[row]))
-            crossed[maybe] |= _cross(self.begin[row], self.anchor[row], low[maybe], high[maybe])
+            maybe = np.flatnonzero(_overlap(low, high, self.least[row] - _PASSING, self.most[row] + _PASSING))
+            crossed[maybe] |= _cross(self.begin[row], self.anchor[row], low[maybe] - _PASSING, high[maybe] + _PASSING)
         return clash, crossed
 
     def burden(self, row: int, rows: Any, clash: Any, crossed: Any) -> Any:
@@ -129,6 +136,9 @@ class Table:
             maybe = np.flatnonzero(self.led[rows] & self._reaching(rows, self.least[row], self.most[row]))
             meeting = _meet(self.begin[rows][maybe], self.anchor[rows][maybe], self.begin[row], self.anchor[row])
             more[maybe[meeting]] += self.prices.leaders
+        if self.led[row]:
+            apart = np.abs(self.anchor[rows] - self.anchor[row]).max(axis=1)
+            more += self.prices.beside * (self.led[rows] & (apart > _ONE) & (apart < _BESIDE))
         return more
 
     def _reaching(self, rows: Any, low: Any, high: Any) -> Any:

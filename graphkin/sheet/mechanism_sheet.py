@@ -14,6 +14,8 @@ from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.planning.acts import births, pages
+from graphkin.planning.held_still import held_labels
+from graphkin.planning.needed import Fact, at_rest
 from graphkin.say.catalogue import say
 from graphkin.say.plane import Polygon as Spoken
 from graphkin.say.polygons import polygon as told
@@ -32,7 +34,7 @@ from graphkin.sheet.page import Last, Lettered, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import LARGE, Paper
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.pencil import pencil_lines
-from graphkin.sheet.plain_mechanism import shown_places
+from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places, shown_places
 from graphkin.sheet.polygons import Polygon, polygon_figure
 from graphkin.sheet.results import Table, tables
 from graphkin.sheet.scales import KEYS, TooLargeForPaper
@@ -154,7 +156,8 @@ class _Planes:
     def values(self, plane: Plane) -> list[complex]:
         """The points a plane shows, in SI units."""
         if plane == "position":
-            return [*shown_places(self.method, self.plot), *self.paths.places]
+            places = mechanism_places if self.style == "given" else shown_places
+            return [*places(self.method, self.plot), *self.paths.places]
         points = self.plot.points(plane)
         names = {self.construction(plane).pole, *self.construction(plane).nodes}
         found = [complex(v) for name, v in points.items() if name in names]
@@ -164,6 +167,8 @@ class _Planes:
         return gear_images(self.method, self.plot) if plane == "velocity" else []
 
     def figure(self, plane: Plane, window: Window) -> Figure:
+        if plane == "position" and self.style == "given":
+            return bare_figure(self.method, self.skeleton(window))
         if plane == "position":
             return self.paths.figure(window) + mechanism_figure(
                 self.skeleton(window), self.method, self.values(plane)
@@ -176,7 +181,13 @@ class _Planes:
     def polygon(self, plane: Plane, window: Window) -> Polygon:
         born, gears = births(self.method, plane), self.gears(plane)
         drafted = self.style == "construction"
-        return Polygon(self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted)
+        held = held_labels(self.method, plane, self.rested)
+        return Polygon(self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted, held)
+
+    @cached_property
+    def rested(self) -> frozenset[Fact]:
+        """What drivers at rest hold still."""
+        return at_rest(self.method, self.plot.facts)
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
@@ -285,7 +296,7 @@ class _Work:
     def notes(self) -> dict[Plane, Label]:
         """Planes that hold what ruler and compass do not give, and how it was found."""
         found: dict[Plane, Label] = {}
-        for plane in self.planes:
+        for plane in self.planes if self.drawing.style != "given" else ():
             steps = self.drawing.construction(plane).steps
             if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
                 found[plane] = plain(FITTED[self.lang])

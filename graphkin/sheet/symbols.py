@@ -91,7 +91,7 @@ def hinge_beside(at: Place, side: complex, step: int | None = None) -> list[Mark
 
 
 def corner(at: Place, one: Place, other: Place, step: int | None = None) -> list[Mark]:
-    """Two lines welded together: the corner between them filled; nothing where they are almost in line."""
+    """Two lines welded together: the corner between them as a plate; nothing where they are almost in line."""
     a, b = one - at, other - at
     if abs(a) < 3 or abs(b) < 3:
         return []
@@ -99,8 +99,8 @@ def corner(at: Place, one: Place, other: Place, step: int | None = None) -> list
     opening = abs(cmath.phase(b / a))
     if not math.radians(8) < opening < math.radians(172):
         return []
-    reach = min(3.2, 2.0 / math.sin(opening / 2)) if opening < math.pi / 2 else 2.4
-    return [Stroke((at, at + a * reach, at + b * reach), "thin", closed=True, fill="ink", step=step)]
+    reach = min(6.0, 3.0 / math.sin(opening / 2)) if opening < math.pi / 2 else 4.2
+    return [Stroke((at, at + a * reach, at + b * reach), "thin", closed=True, fill="tint", step=step)]
 
 
 def block(at: Place, along: complex, shows: Shows, step: int | None = None) -> list[Mark]:
