@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.construction import Given, Plane
+from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Size, Tangential, Turning
 from graphkin.mechanism import FRAME
 from graphkin.motions import Motions
 from graphkin.planning.held_still import standing
@@ -61,7 +61,18 @@ class Asked:
         """The pairs of points by whose distance the polygons multiply or divide."""
         method, rested = self.reading.method, self.reading.rested
         shown = (part for plane, parts in self.parts.items() for part in standing(method, plane, parts, rested))
-        return tuple(dict.fromkeys(pair for part in shown for pair in arms(part)))
+        return tuple(dict.fromkeys(pair for part in shown for pair in self._arms(part)))
+
+    def _arms(self, part: Part) -> Iterator[tuple[str, str]]:
+        """Those of one part; of a link that cannot turn none is multiplied by anything."""
+        if isinstance(part, Equation):
+            for step in part.steps:
+                yield from self._arms(step)
+        elif not isinstance(part, LayOff) or not self._translating(part.term.size):
+            yield from arms(part)
+
+    def _translating(self, size: Size | None) -> bool:
+        return isinstance(size, Turning | Normal | Tangential) and self.reading.translates(size.link)
 
     @property
     def angles(self) -> frozenset[str] | None:

@@ -126,8 +126,42 @@ class Relation:
             return f"{self.symbol(track)} {sign} {formula}", start - turned if sign == "−" else start + turned
         return (f"−{formula}", -turned) if sign == "−" else (formula, turned)
 
+    def slid_by(self, slide: str, polygon: Polygon) -> tuple[tuple[str, ...], Formula | str]:
+        """`ṡ_A − r2(ω2 − ω1)`: one of the displacements that make up a wheel's way, by the others; r ω alone of one."""
+        contact, plot, first = self.contact, self.reading.plot, polygon.plane == "velocity"
+        ways = dict(contact.way or ((contact.slide, 1.0),))
+        if slide not in ways:
+            return (), ""
+        track, wheel = contact.wheels
+        table, own = plot.s_rate if first else plot.s_acceleration, ways[slide]
+        terms: list[tuple[float, str, Formula]] = []
+        for other, share in ways.items():
+            if other != slide:
+                moved = Operand(self.reading.usual.motion(float(table[other]), polygon.plane))
+                terms.append((-share / own, _moved(self.reading, names.SLIDING[polygon.plane], other), moved))
+        turning, turned = self.symbol(wheel), self._figure(wheel)
+        if track != FRAME:
+            turning, turned = f"({turning} − {self.symbol(track)})", turned - self._figure(track)
+        room = "" if track != FRAME else " "
+        terms.append((-contact.on_slide / own, f"{self.radius(1)}{room}{turning}", self._radius(1) * turned))
+        return (_summed([(sign, name) for sign, name, _ in terms]),), _added([(sign, size) for sign, _, size in terms])
+
     def _figure(self, link: str) -> Formula:
         return Operand(self.value(link))
+
+
+def _summed(terms: list[tuple[float, str]]) -> str:
+    """`ṡ_A − r2 ω2`, `−r2 ω2`."""
+    (sign, name), *more = sorted(terms, key=lambda term: term[0] < 0)
+    return ("−" if sign < 0 else "") + name + "".join(f" {'−' if s < 0 else '+'} {other}" for s, other in more)
+
+
+def _added(terms: list[tuple[float, Formula]]) -> Formula:
+    (sign, total), *more = sorted(terms, key=lambda term: term[0] < 0)
+    total = -total if sign < 0 else total
+    for s, other in more:
+        total = total - other if s < 0 else total + other
+    return total
 
 
 def relation_of(polygon: Polygon, contact: InStep) -> Relation:
@@ -242,7 +276,8 @@ def rolling(polygon: Polygon, step: Roll) -> Iterator[Entry]:
         slide, table = names.SLIDING[polygon.plane], polygon.reading.plot
         value = float((table.s_rate if polygon.plane == "velocity" else table.s_acceleration)[step.slide])
         value = reading.usual.motion(value, polygon.plane)
-        yield Calculation(_moved(reading, slide, step.slide), (), "", value, names.UNIT[polygon.plane])
+        formula, numbers = relation.slid_by(step.slide, polygon)
+        yield Calculation(_moved(reading, slide, step.slide), formula, numbers, value, names.UNIT[polygon.plane])
 
 
 def checked(polygon: Polygon, contact: Contact) -> str:

@@ -57,10 +57,10 @@ PHRASES: Phrases = {
         "Wheel {wheel} about {centre}, {radius}, rolls without slip on the line{line} of link {track}{side}.",
         "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 的直线{line} 上作纯滚动{side}。",
     ),
-    "wheel left": (", {centre} to its left", "，沿此方向看 {centre} 在其左侧"),
-    "wheel right": (", {centre} to its right", "，沿此方向看 {centre} 在其右侧"),
+    "wheel left": (" ({centre} on its left)", "（沿此方向看 {centre} 在其左侧）"),
+    "wheel right": (" ({centre} on its right)", "（沿此方向看 {centre} 在其右侧）"),
     "displacement": ("displacement {s}", "位移 {s}"),
-    "cam": ("{first} and {second} touch and slide on each other.", "{first}与{second}；两者相接触，组成高副。"),
+    "cam": ("{first} and {second} touch and slide on each other.", "{first}与{second}相接触，组成高副。"),
     "flat face": ("the flat face{line} of link {link}{side}", "构件 {link} 的平底{line}{side}"),
     "knife edge": ("the knife edge {point} of link {link}", "构件 {link} 的尖顶 {point}"),
     "circle": (
