@@ -12,7 +12,7 @@ from click.testing import CliRunner
 from graphkin import Drawing, library
 from graphkin.check import measure
 from graphkin.cli import main
-from graphkin.construction import Fit, Image, LayOff, Meet, Plot
+from graphkin.construction import Drawn, Fit, Image, LayOff, Meet, Plot
 from graphkin.errors import Lang, NothingToMeasure
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
@@ -24,7 +24,7 @@ from graphkin.sheet import Sheet, Style
 from graphkin.sheet.drafted import Drafted
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import Label
-from graphkin.sheet.marks import Arc, Disc, Stroke, Text, VectorMark
+from graphkin.sheet.marks import Arc, Disc, PointMark, Stroke, Text, VectorMark
 
 SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
 SEVERAL = ("ex3-1", "p3-16", "p3-17", "p3-22", "s4-ex6", "scotch-yoke")
@@ -225,3 +225,23 @@ def test_the_pole_of_two_velocities_has_a_sheet(tmp_path: Path) -> None:
     assert CliRunner().invoke(main, words).exit_code == 0
     assert out.read_text("utf-8").count("<line") > 5
     assert CliRunner().invoke(main, [*words, "--steps", str(tmp_path)]).exit_code == 2
+
+
+def test_what_is_carried_to_another_place_is_drawn_there() -> None:
+    """The tangential acceleration of C1 is found at one end of the polygon and laid off at another."""
+    page = drawing("ex3-4").sheet(lang="en")
+    done = {act: act.done for act in drawing("ex3-4").method.acts if isinstance(act.done, LayOff)}
+    (act, step), *_ = ((act, step) for act, step in done.items() if isinstance(step.term.size, Drawn))
+    points = {mark.name: mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.plane == act.plane}
+    lines = [mark for mark in page.marks if isinstance(mark, Stroke) and mark.step == act.page]
+    drawn = sum(abs(mark.places[1] - mark.places[0]) for mark in lines if mark.pen == "measured")
+    assert drawn > 0.7 * abs(points[step.tip] - points[step.start])
+
+
+@pytest.mark.parametrize(("text", "written"), [
+    ("aⁿ_{J1_3,J1_1}", "aJ1 3, J1 1n"), ("γ_min", "γmin"), ("v_B@3", "vB 3"), ("n3,1′", "n3,1′"),
+])  # fmt: skip
+def test_subscripts_read_as_on_the_labels(text: str, written: str) -> None:
+    label = formula(text)
+    assert "".join(run.text for run in label) == written
+    assert all(run.place == "sub" for run in label if run.text[0].isdigit())

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from graphkin import api, finding, loading, sweeps
-from graphkin.errors import GraphkinError
+from graphkin.errors import GraphkinError, Lang
 from graphkin.finding.search import Curve, crossings, differences, followed, tops, touches, vanishing
-from graphkin.say.finding import lines
+from graphkin.say.finding import lines, signed_lines
 
 PLAIN = """
 [frame]
@@ -373,3 +373,15 @@ def test_vectors_come_to_nothing_simply_and_twice() -> None:
         (lambda t: (t - 1.2345) + 1e-6j, []),
     ):
         assert vanishing(t, function(t), function)[0] == pytest.approx(zeros, abs=1e-6)
+
+
+@pytest.mark.parametrize(("name", "condition", "lang", "first"), [
+    ("p3-4a", "a_k B3B2 = 0", "en", "aᵏ_B3B2 = 0 (searched from φ_AB = 0° to 360°, a full turn)"),
+    ("ex3-7", "stroke s ram", "zh", "s_ram 的行程（搜索范围：φ_AB = 0° 至 360°，即整周）"),
+    ("p3-18", "v_x E = 0.5 by omega 1", "en", "v_E,x = 0.5 by ω1"),
+])  # fmt: skip
+def test_the_sheet_says_in_signs_what_was_found(name: str, condition: str, lang: Lang, first: str) -> None:
+    told = [*signed_lines(found_by(name, condition), lang)]
+    assert told[0] == first
+    assert all(line.startswith("  ") for line in told[1:])
+    assert not [line for line in told if "\0" in line or " deg" in line]

@@ -158,6 +158,14 @@ def _inkscape(path: Path, image: Path) -> None:
     _run("inkscape", "-d", "127", "-b", "white", "-y", "1", str(path), "-o", str(image))
 
 
+def _chromium(path: Path, image: Path) -> None:
+    """A picture of the window, in which a page of A4 lies at its corner."""
+    browser = next(filter(shutil.which, ("chromium", "chromium-browser", "google-chrome")), "chromium")
+    page = ("--window-size=794,1123", f"--force-device-scale-factor={127 / 96}", "--hide-scrollbars", f"file://{path}")
+    own = ("--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={path.parent / 'browser'}")
+    _run(browser, *own, f"--screenshot={image}", *page)
+
+
 def _typst(path: Path, image: Path) -> None:
     typst = pytest.importorskip("typst")
     page = path.with_suffix(".typ")
@@ -165,7 +173,7 @@ def _typst(path: Path, image: Path) -> None:
     typst.compile(str(page), output=str(image), ppi=127.0)
 
 
-VIEWERS = {"librsvg": _librsvg, "inkscape": _inkscape, "typst": _typst}
+VIEWERS = {"librsvg": _librsvg, "inkscape": _inkscape, "chromium": _chromium, "typst": _typst}
 
 
 @pytest.mark.parametrize("viewer", VIEWERS)

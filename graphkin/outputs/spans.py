@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import replace
+from itertools import groupby
 
-from graphkin.sheet.lettering import advance, run_size, run_width, scripts
+from graphkin.sheet.lettering import advance, is_wide, run_size, run_width, scripts
 from graphkin.sheet.marks import Place, Text
 from graphkin.value import frozen
 
 LATIN = "Times New Roman, Liberation Serif, Tinos, serif"
 _CHINESE = "Noto Serif CJK SC, Source Han Serif SC, Songti SC, SimSun, WenQuanYi Micro Hei, serif"
-_WIDE = re.compile(r"([\u221a\u2225\u22a5\u2460-\u2473\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]+)")
+_SIGNS = "√∥⊥"
+"""Signs that the Chinese letters have, and Latin ones may not."""
 
 
 def mm(value: float) -> str:
@@ -40,11 +41,16 @@ class Span:
 
     def type(self, size: float) -> dict[str, str]:
         """What they are set in, where the letters around them have that size and are upright Latin ones."""
-        wide = _WIDE.match(self.text) is not None
+        wide = _is_chinese(self.text[:1])
         found = {"font_family": _CHINESE} if wide else {}
         found |= {"font_size": short(self.size)} if size and self.size != size else {}
         found |= {"font_style": "italic"} if self.italic and not wide else {}
         return found | ({"font_weight": "bold"} if self.bold else {})
+
+
+def _is_chinese(letter: str) -> bool:
+    """Whether it is set in the Chinese letters."""
+    return is_wide(letter) or (letter in _SIGNS and letter != "")
 
 
 def runs(mark: Text) -> list[Span]:
@@ -52,7 +58,7 @@ def runs(mark: Text) -> list[Span]:
     found: list[Span] = []
     for run, start, drop in scripts(mark.label, mark.size):
         size = run_size(run, mark.size)
-        for text in filter(None, _WIDE.split(run.text)):
+        for text in ("".join(letters) for _, letters in groupby(run.text, _is_chinese)):
             bare = text.lstrip(" ") if found else text
             spaces = text[: len(text) - len(bare)]
             if spaces:

@@ -21,6 +21,11 @@ def held_points(method: Method, plane: Plane, rested: frozenset[Fact]) -> tuple[
     return tuple(dict.fromkeys(point for point, _ in nodes.values()))
 
 
+def held_labels(method: Method, plane: Plane, rested: frozenset[Fact]) -> dict[str, str]:
+    """How those points are written in the polygon, `D7`, and their letters."""
+    return {of: point for point, of in _held(method, plane, rested).values()}
+
+
 def standing(method: Method, plane: Plane, parts: tuple[Part, ...], rested: frozenset[Fact]) -> tuple[Part, ...]:
     """The parts that find something that moves, with the pole for every point that does not."""
     construction = method.velocity if plane == "velocity" else method.acceleration
@@ -75,11 +80,14 @@ class _Writer:
         return tuple(self.term(term) for term in (terms[1:] if held and len(terms) > 1 else terms))
 
     def term(self, term: Term) -> Term:
-        """Seen from a fixed point, a velocity is an absolute one."""
-        absolute = self.plane == "velocity" and term.seen_from in self.labels
-        seen_from = "" if absolute else self.labels.get(term.seen_from, term.seen_from)
-        of, tail, head = self.labels.get(term.of, term.of), self.node(term.tail), self.node(term.head)
-        return replace(term, of=of, seen_from=seen_from, tail=tail, head=head)
+        return replace(relabelled(term, self.plane, self.labels), tail=self.node(term.tail), head=self.node(term.head))
 
     def node(self, name: str) -> str:
         return self.pole if name in self.nodes else name
+
+
+def relabelled(term: Term, plane: Plane, labels: Mapping[str, str]) -> Term:
+    """With the letters of fixed points; seen from one, a velocity is an absolute one."""
+    absolute = plane == "velocity" and term.seen_from in labels
+    seen_from = "" if absolute else labels.get(term.seen_from, term.seen_from)
+    return replace(term, of=labels.get(term.of, term.of), seen_from=seen_from)

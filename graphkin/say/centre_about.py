@@ -26,11 +26,12 @@ def say(key: str, lang: Lang, /, **words: object) -> str:
 
 
 def about_words(seen: About, lang: Lang) -> list[str]:
-    """What is known of the link at this instant, a sentence each."""
-    return [*_about(seen, lang)]
+    """What is known of the link and of its points at this instant, a sentence each."""
+    return [*link_words(seen, lang), *(_point(name, carried, lang) for name, carried in seen.points.items())]
 
 
-def _about(seen: About, lang: Lang) -> Iterator[str]:
+def link_words(seen: About, lang: Lang) -> Iterator[str]:
+    """What is known of the link as a whole."""
     rates = {"omega": ("ω", seen.omega, "rad/s"), "alpha": ("α", seen.alpha, "rad/s²")}
     known = {"link": seen.called} | {name: sensed(*rate, lang) for name, rate in rates.items()}
     if seen.assumed:
@@ -46,8 +47,6 @@ def _about(seen: About, lang: Lang) -> Iterator[str]:
     elif seen.moves:
         yield say("about.no acceleration", lang)
     yield from _circles(seen, lang)
-    for name, carried in seen.points.items():
-        yield _point(name, carried, lang)
 
 
 def _circles(seen: About, lang: Lang) -> Iterator[str]:

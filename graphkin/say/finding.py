@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 
 from graphkin.errors import Lang
 from graphkin.finding.answers import Findings, Interval, Phase, Position, SlowPoint, Speeds
-from graphkin.finding.conditions import Comparison, Scaling, Slowest
+from graphkin.finding.conditions import Comparison, Extreme, Scaling, Slowest
 from graphkin.mechanism import Driver
 from graphkin.quantities import driven
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.names import in_signs
 from graphkin.say.numbers import exact, quantity
+
+_SIGNS = "φ", "s"
+"""Of what a driver turns, and of what it slides."""
+_MARKED = re.compile("\0([^\0]+)\0")
+"""A driver's name where it stands for its value."""
+
+
+def _marked(driver: Driver) -> str:
+    return f"\0{driver.name}\0"
+
 
 # --- values -----------------------------------------------------------------------------------
 
@@ -28,7 +39,7 @@ def _rate(driver: Driver, value: float) -> str:
 def _at(found: Findings, position: Position) -> str:
     """`AB = 26.38 deg, ram = 90 mm`: the driver by which positions are named first."""
     order = sorted(range(len(found.drivers)), key=lambda k: k != found.swept)
-    return ", ".join(f"{found.drivers[k].name} = {_driven(found.drivers[k], position.drivers[k])}" for k in order)
+    return ", ".join(f"{_marked(found.drivers[k])} = {_driven(found.drivers[k], position.drivers[k])}" for k in order)
 
 
 def _gravity(found: Findings) -> bool:
@@ -51,7 +62,33 @@ def _values(found: Findings, position: Position, called: Callable[[str], str] = 
 def lines(found: Findings, lang: Lang = "en") -> Iterator[str]:
     """Everything found, for the terminal; nothing twice."""
     for line in dict.fromkeys(_lines(found, lang)):
-        yield in_signs(line, lang)
+        yield in_signs(_MARKED.sub(r"\1", line), lang)
+
+
+def signed_lines(found: Findings, lang: Lang) -> Iterator[str]:
+    """The same for the sheet: in signs in either language, drivers with the letter of their value."""
+    named = {driver.name: f"{_SIGNS[driver.kind == 'slide']}_{driver.name}" for driver in found.drivers}
+    factors = [name for position in found.positions for name in position.factors]
+    rates = [name for d in found.drivers for name in (_letter(d), f"omega {d.link}")]
+    typed = {name: names.asked(name) for name in (*found.quantities, *factors, *rates)}
+    signs = re.compile("|".join(map(re.escape, sorted(typed, key=len, reverse=True))))
+    for line in dict.fromkeys([_headed(found, lang), *list(_lines(found, lang))[1:]]):
+        signed = signs.sub(lambda met: typed[met[0]], line)
+        yield _typeset(_MARKED.sub(lambda met: named[met[1]], signed)).replace("  (", " (")
+
+
+def _headed(found: Findings, lang: Lang) -> str:
+    """What was looked for, in the words of the language."""
+    wanted, first, *_ = found.condition, *_lines(found, lang)
+    if isinstance(wanted, Extreme):
+        return first.replace(wanted.text, say(f"finding.asked {wanted.which}", lang, of=wanted.quantity), 1)
+    if isinstance(wanted, Slowest):
+        return first.replace(wanted.text, say("finding.asked slowest", lang, of=wanted.of), 1)
+    return first
+
+
+def _typeset(text: str) -> str:
+    return text.replace(" deg", "°").replace("^2", "²").replace("= -", "= −")
 
 
 def _lines(found: Findings, lang: Lang) -> Iterator[str]:
@@ -69,7 +106,7 @@ def _looked(found: Findings, lang: Lang) -> str:
     assert found.looked is not None
     driver = found.drivers[found.swept]
     low, high = (_driven(driver, end) for end in found.looked)
-    text = say("finding.looked", lang, driver=driver.name, low=low, high=high)
+    text = say("finding.looked", lang, driver=_marked(driver), low=low, high=high)
     ends = [say("finding.low end", lang, value=end) for end, stop in zip((low, high), found.stopped) if stop]
     if ends:
         return text + say("finding.stopped", lang, ends=say("common.list", lang).join(ends))
@@ -119,8 +156,8 @@ def _interval(found: Findings, part: Interval, lang: Lang) -> str:
     for position in (part.begin, part.end):
         said = say("finding.kind end", lang) if position.kind == "end" else ""
         ends.append(_driven(driver, position.drivers[found.swept]) + (f" ({said})" if said else ""))
-    span = f"{driver.name} " + say("finding.interval", lang, begin=ends[0], end=ends[1])
-    at = f"{driver.name} = {_driven(driver, part.peak.drivers[found.swept])}"
+    span = f"{_marked(driver)} " + say("finding.interval", lang, begin=ends[0], end=ends[1])
+    at = f"{_marked(driver)} = {_driven(driver, part.peak.drivers[found.swept])}"
     peak = {"what": say(f"finding.kind {part.peak.kind}", lang), "values": _values(found, part.peak), "at": at}
     return f"{span}{say('common.colon', lang)}" + say("finding.peak", lang, **peak)
 
@@ -138,7 +175,7 @@ def _swing(found: Findings, lang: Lang) -> Iterator[str]:
 
 def _phase(found: Findings, name: str, phase: Phase, lang: Lang) -> str:
     called = say(f"finding.phase {name}", lang, way=say("finding.up" if phase.up else "finding.down", lang))
-    driver, angle = found.drivers[found.swept].name, quantity(phase.angle, "rad")
+    driver, angle = _marked(found.drivers[found.swept]), quantity(phase.angle, "rad")
     text = say("finding.phase", lang, name=called, driver=driver, angle=angle)
     if phase.time is None or phase.mean is None:
         return text
@@ -189,6 +226,6 @@ def _accelerations(found: Findings, entry: Speeds) -> str:
 def caption(found: Findings, position: Position) -> str:
     """What stands under a position on the sheet: `φ_AB = 26.38°: v_C = 0 m/s`."""
     driver, value = found.drivers[found.swept], position.drivers[found.swept]
-    at = f"{'s' if driver.kind == 'slide' else 'φ'}_{driver.name} = {_driven(driver, value)}"
+    at = f"{_SIGNS[driver.kind == 'slide']}_{driver.name} = {_driven(driver, value)}"
     values = _values(found, position, names.asked)
-    return (f"{at}: {values}" if values else at).replace(" deg", "°").replace("^2", "²").replace("= -", "= −")
+    return _typeset(f"{at}: {values}" if values else at)

@@ -9,6 +9,7 @@ from graphkin.centres.about import About
 from graphkin.centres.about_bobillier import Bobillier
 from graphkin.drafting import INFINITE, LineStep, PointStep, drawn_through
 from graphkin.errors import Lang
+from graphkin.say.centre_about import bobillier_words
 from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.curves import clipped
 from graphkin.sheet.fit import enlarged
@@ -36,7 +37,7 @@ HEADING: dict[Lang, str] = {
 def bobillier_sheet(seen: About, drawn: Bobillier, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
     """The whole construction over the mechanism. Raises UnknownPaper."""
     method, plot = seen.found.method, seen.plot
-    on = place_for(method, [plot], _places(seen, drawn), paper)
+    on = place_for(method, [plot], _places(seen, drawn), paper, told=bobillier_words(drawn, lang))
     drawing = _Drawing(drawn, on, drawn.point not in method.mechanism.points)
     figure = Figure.of(drawing.lines()) + on.mechanism(plot) + Figure.of(drawing.points())
     return on.sheet(plot, HEADING[lang].format(point=drawn.point, link=seen.called), figure, lang)

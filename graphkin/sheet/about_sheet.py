@@ -12,7 +12,9 @@ from graphkin.centres.about import About, Circle, InflectionLine
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
+from graphkin.say.centre_about import link_words
 from graphkin.say.numbers import number
+from graphkin.sheet.about_table import point_tables
 from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.curves import circle, clipped
 from graphkin.sheet.fit import enlarged
@@ -53,7 +55,7 @@ def about_sheet(seen: About, *, paper: str | None = None, lang: Lang = "en") -> 
     """
     method, plot = seen.found.method, seen.plot
     places = enlarged(enlarged(shown_places(method, plot), [seen.pole], _POLE), _wanted_places(seen), _MOST)
-    on = place_for(method, [plot], places, paper)
+    on = place_for(method, [plot], places, paper, point_tables(seen, lang), [*link_words(seen, lang)])
     drawing = _Drawing(seen, on, lang)
     under = chain(drawing.circles(), drawing.axes(), drawing.rays(), drawing.field())
     over = chain(drawing.velocities(), drawing.poles(), drawing.centres())

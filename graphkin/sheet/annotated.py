@@ -34,7 +34,7 @@ from graphkin.value import frozen
 _RADII = (7.0, 9.5, 12.0, 15.0)
 """Of the arcs that show how a link turns [mm]."""
 _TURNS = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
-_NARROWER = (75.0, 50.0, 30.0)
+_NARROWER = (75.0, 50.0, 30.0, 20.0)
 """What is given is written in shorter lines where long ones have no room [mm]."""
 _SHORT = 5.0
 """A shorter length is told by words alone [mm]."""

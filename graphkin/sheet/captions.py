@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
@@ -15,17 +14,13 @@ from graphkin.say.explained import derivation
 from graphkin.say.numbers import circled
 from graphkin.say.reading import Reading
 from graphkin.sheet.formula import formula
-from graphkin.sheet.lettering import plain, width
+from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import BODY, Room
+from graphkin.sheet.paragraphs import LINE, broken
 from graphkin.sheet.titleblock import tables_room
 from graphkin.value import frozen
-
-_LINE = 1.4
-"""From base line to base line, as a part of the letters' size."""
-_STOPS = r"[\u3001\u3002\uff0c\uff1b\uff09]?"
-_PIECES = re.compile(rf"[^\s\u2e80-\uffef]+{_STOPS}|[\u2e80-\uffef]{_STOPS}|\s+")
 
 
 @frozen
@@ -57,19 +52,6 @@ class Captions:
         yield Text(plain(head), at, BODY)
         sign = f"{circled(act.number)} " if act.numbered else ""
         for line in broken(sign + self.texts.get(act, ""), wide, BODY):
-            at += 1j * _LINE * BODY
+            at += 1j * LINE * BODY
             if at.imag < strip.bottom - 9:
                 yield Text(formula(line), at, BODY)
-
-
-def broken(text: str, room: float, size: float) -> Iterator[str]:
-    """Lines that fit a width [mm]: broken at blanks, and between Chinese characters."""
-    line = ""
-    for piece in _PIECES.findall(text):
-        if line and width(formula((line + piece).rstrip()), size) > room:
-            yield line.rstrip()
-            line = piece.lstrip()
-        else:
-            line += piece
-    if line.strip():
-        yield line.rstrip()

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from graphkin.centres import Centres
-from graphkin.sheet.cams import equivalents
 from graphkin.sheet.centre_arrows import centre_arrows
 from graphkin.sheet.centre_lines import centre_lines
 from graphkin.sheet.centre_places import SAME, OnPaper, Spot, centre_label
 from graphkin.sheet.lettering import Label, Run, joined
 from graphkin.sheet.marks import Disc, Mark, PointMark
-from graphkin.sheet.mechanism_figure import mechanism_figure
-from graphkin.sheet.plain_mechanism import mechanism_places
+from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.specials import specials
 from graphkin.sheet.symbols import HINGE
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
@@ -23,13 +20,9 @@ _BETWEEN = ", "
 
 
 def bare_mechanism(found: Centres, window: Window) -> Figure:
-    """The mechanism as it stands there before the first centre: no special points, no lower-pair equivalents."""
+    """The mechanism as it stands there before the first centre."""
     skeleton = Skeleton(found.method.mechanism, found.plot, window, {})
-    whole = mechanism_figure(skeleton, found.method, [])
-    beside = specials(found.method, skeleton, [])
-    left_out = [*beside.marks, *equivalents(skeleton)]
-    marks = [mark for mark in whole.marks if mark not in left_out]
-    return Figure(marks, [want for want in whole.wanted if want not in beside.wanted]).numbered(None)
+    return bare_figure(found.method, skeleton).numbered(None)
 
 
 def centre_figure(paper: OnPaper) -> Figure:

@@ -11,6 +11,7 @@ from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
 from graphkin.running.path import along
+from graphkin.say.centre_curves import curves_met
 from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.curves import clipped
 from graphkin.sheet.fit import corners, enlarged
@@ -48,7 +49,7 @@ def centrode_sheet(curves: Centrodes, *, t: float = 0.0, paper: str | None = Non
     Raises UnknownPaper.
     """
     plot = plot_at(curves, t)
-    on = centrode_page(curves, [t], paper)
+    on = centrode_page(curves, [t], paper, [*curves_met(curves, centre_at(curves, t), lang)])
     figure = Figure([*centrode_marks(curves, t, on)])
     figure.wanted += _names(curves, t, on, figure.marks, lang)
     figure += on.mechanism(plot)
@@ -72,8 +73,10 @@ def plot_at(curves: Centrodes, t: float) -> Plot:
     return along(curves.found.method, curves.path, t)
 
 
-def centrode_page(curves: Centrodes, times: Sequence[float], paper: str | None) -> Alone:
-    """A page with room for the mechanism at all these t, and for the curves near it."""
+def centrode_page(
+    curves: Centrodes, times: Sequence[float], paper: str | None, told: Sequence[str] = ()
+) -> Alone:  # fmt: skip
+    """A page with room for the mechanism at all these t, and for the curves near it; told: sentences in its strip."""
     method = curves.found.method
     plots = [plot_at(curves, t) for t in times]
     values = [place for plot in plots for place in shown_places(method, plot)]
@@ -84,7 +87,7 @@ def centrode_page(curves: Centrodes, times: Sequence[float], paper: str | None) 
     near = places[_between(places, low - more, high + more)]
     centre = centre_at(curves, times[0])
     shown = enlarged([*values, *(corners(near) if near.size else ())], [] if centre is None else [centre], _CENTRE)
-    return place_for(method, plots, shown, paper)
+    return place_for(method, plots, shown, paper, told=told)
 
 
 def _between(places: np.ndarray, low: complex, high: complex) -> np.ndarray:

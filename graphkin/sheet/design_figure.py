@@ -264,6 +264,8 @@ class DesignFigure:
             return
         if one.shape == "guide-bar":
             yield from self._angle(at["C"], at["B1"], at["B2"], "ψ = θ", one.theta, 2)
+            for pin in ("B1", "B2"):
+                yield from self._right_angle(pin, "A", "C", "")
             return
         yield from self._angle(at["A"], at["C1"], at["C2"], "θ", one.theta, self._last)
         yield from self._seen_under()
@@ -278,19 +280,29 @@ class DesignFigure:
         """The triangle on C1C2 that gives the circle: 90° at C2, 90° − θ at C1."""
         if not {"C1", "C2", "P"} <= self.places.keys():
             return
-        first, second, third = (self.on.window(self.places[name]) for name in ("C1", "C2", "P"))
-        back, down, stage = first - second, third - second, self.construction.born("P")
-        if abs((back.conjugate() * down).real) > 1e-6 * abs(back * down) or min(abs(back), abs(down)) < 3 * _SQUARE:
+        if not (square := list(self._right_angle("C2", "C1", "P", "90°"))):
             return
-        a, b = back / abs(back) * _SQUARE, down / abs(down) * _SQUARE
-        yield Stroke((second + a, second + a + b, second + b), "construction", step=stage)
-        yield Wanted(plain("90°"), second + a + b, gap=0.5, away=a + b, size=BODY, step=stage, spare=True)
+        yield from square
+        first, second, third = (self.on.window(self.places[name]) for name in ("C1", "C2", "P"))
+        back, stage = first - second, self.construction.born("P")
         start, sweep = cmath.phase(-back), cmath.phase((third - first) / -back)
         radius = min(_ARC, 0.5 * abs(back))
         yield Arc(first, radius, start, sweep, "thin", step=stage)
         middle = cmath.rect(radius, start + sweep / 2)
         label = (*plain("90° − "), Run("θ", True))
         yield Wanted(label, first + middle, gap=0.6, away=middle, size=BODY, step=stage, spare=True)
+
+    def _right_angle(self, corner: str, one: str, other: str, said: str) -> Iterator[Entry]:
+        """A square in a corner, with what is said of it; nothing where the angle is another, or the sides are short."""
+        at, first, second = (self.on.window(self.places[name]) for name in (corner, one, other))
+        a, b = first - at, second - at
+        if abs((a.conjugate() * b).real) > 1e-6 * abs(a * b) or min(abs(a), abs(b)) < 3 * _SQUARE:
+            return
+        stage = max(self.construction.born(name) or 0 for name in (corner, one, other))
+        a, b = a / abs(a) * _SQUARE, b / abs(b) * _SQUARE
+        yield Stroke((at + a, at + a + b, at + b), "construction", step=stage)
+        if said:
+            yield Wanted(plain(said), at + a + b, gap=0.5, away=a + b, size=BODY, step=stage, spare=True)
 
     def _angle(
         self, centre: complex, first: complex, second: complex, letter: str, value: float, stage: int

@@ -10,7 +10,7 @@ import cmath
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from graphkin.construction import Image, LayOff, Meet, Ray, Term
+from graphkin.construction import Drawn, Image, LayOff, Meet, Ray, Term
 from graphkin.planning.acts import Act
 from graphkin.say.plane import Polygon as Spoken
 from graphkin.sheet.equation_rows import EquationBlock
@@ -19,7 +19,7 @@ from graphkin.sheet.free_room import Added, FreeRoom
 from graphkin.sheet.lettering import box, plain
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import LEAST, Room
-from graphkin.sheet.polygons import Polygon
+from graphkin.sheet.polygons import Polygon, arrows
 from graphkin.sheet.wanted import Wanted
 from graphkin.value import frozen
 
@@ -70,7 +70,8 @@ class Drafted:
     def lines(self) -> list[Mark]:
         """The direction lines as far as they like to go on past where they meet, for labels to keep off."""
         sides = [(line, side) for line in self._lines() for side in line.ways]
-        return [Stroke((line.foot, line.meeting, line.meeting + side * _LIKED), "construction") for line, side in sides]
+        on = [Stroke((line.foot, line.meeting, line.meeting + side * _LIKED), "construction") for line, side in sides]
+        return [*on, *(Stroke((start, end), "measured") for start, end, _ in self._carried())]
 
     def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
         """All of it among what stands there."""
@@ -80,6 +81,8 @@ class Drafted:
             tip = _drawn(line, free, added)
             marked += [(line, tip)] if tip is not None else []
         added.under.extend(square for square in self._squares() if _clear(square, free))
+        for start, end, page in self._carried():
+            added.under.extend(Stroke(piece, "measured", step=page) for piece in free.pieces(start, end))
         free.add(added.under)
         for act in self.acts:
             added.over.extend(self._number(act, free))
@@ -115,6 +118,18 @@ class Drafted:
             if step in equation.steps:
                 return equation.left + equation.right
         return ()
+
+    def _carried(self) -> Iterator[tuple[Place, Place, int]]:
+        """Where an arrow that was found elsewhere is laid off once more: from where to where, and in which act."""
+        points = self.polygon.points
+        drawn = {frozenset((a.tail, a.head)) for a in arrows(self.polygon.mechanism, self.polygon.construction, points)}
+        for act in self.acts:
+            match act.done:
+                case LayOff(term=Term(size=Drawn()), start=start, tip=tip) if {start, tip} <= points.keys():
+                    if frozenset((start, tip)) not in drawn and abs(points[tip] - points[start]) > _NOTHING:
+                        yield points[start], points[tip], act.page
+                case _:
+                    pass
 
     # --- right angles -----------------------------------------------------------------------------
 

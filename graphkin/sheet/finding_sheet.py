@@ -6,7 +6,7 @@ from graphkin.errors import Lang
 from graphkin.finding import Findings
 from graphkin.planning import Method
 from graphkin.running.reaching import moved_to
-from graphkin.say.finding import caption
+from graphkin.say.finding import caption, signed_lines
 from graphkin.sheet import Sheet
 from graphkin.sheet.gallery_sheet import MOST, side_by_side
 
@@ -21,5 +21,6 @@ def drawn(method: Method, found: Findings, lang: Lang = "en", *, paper: str | No
         return None
     shown = positions[:MOST]
     plots = [moved_to(method, position.drivers) for position in shown]
-    sheet = side_by_side(method, plots, [caption(found, position) for position in shown], lang, paper=paper)
+    captions = [caption(found, position) for position in shown]
+    sheet = side_by_side(method, plots, captions, lang, paper=paper, told=[*signed_lines(found, lang)])
     return sheet, len(positions) - len(shown)

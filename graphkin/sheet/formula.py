@@ -11,8 +11,8 @@ _LOW = r"(?:[^\s()/|²³·、。，；：,;]|,(?=\w))+"
 _SIGN = re.compile(rf"([A-Za-zα-ωṡ]\u0308?)([ⁿᵗᵏʳ]*)(?:_({_LOW})|(\d+))([²³]?)(?![A-Za-z])")
 _POINT = re.compile(r"[A-Z][0-9]*′*")
 _POINTS = re.compile(rf"(?<=[⊥∥→])(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)")
-_NODE = re.compile(r"[a-z]\d*′*")
-_STRETCH = re.compile(r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*′+|[a-z]\d+′*)+(?![A-Za-z²³])")
+_NODE = re.compile(r"[a-z]\d*(?:,\d+(?=′))?′*")
+_STRETCH = re.compile(r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+|[a-z]\d+′*)+(?![A-Za-z²³])")
 _ANY = re.compile(f"(?P<points>{_POINTS.pattern})|(?P<stretch>{_STRETCH.pattern})|(?P<sign>{_SIGN.pattern})")
 
 
@@ -44,14 +44,24 @@ def _sign(text: str) -> list[Run]:
     match = _SIGN.fullmatch(text)
     assert match is not None
     letter, part, low, digits, power = match.groups()
-    below = re.findall(r"[^\W\d_]+|[^A-Za-z]+", (low or digits).replace("@", " "))
-    found = [Run(letter, True), *(Run(piece, piece.isalpha() and piece.isascii(), "sub") for piece in below)]
+    below = re.findall(r"[^\W\d_]+|[^A-Za-z]+", _spaced(low or digits))
+    found = [Run(letter, True), *(Run(piece, _italic(piece), "sub") for piece in below)]
     if part:
         found.append(Run("".join(_RAISED[c] for c in part), True, "sup", back=True))
     return [*found, Run(_RAISED[power], place="sup")] if power else found
 
 
+def _spaced(low: str) -> str:
+    """Points that bear the number of their link after a digit of their own: `{B1_3,B1_2}` as the labels have it."""
+    return low.strip("{}").replace("_", " ").replace(",", ", ") if low.startswith("{") else low.replace("@", " ")
+
+
+def _italic(low: str) -> bool:
+    """Names and letters are; digits, Chinese and the words for least and greatest stand upright."""
+    return low.isalpha() and low.isascii() and low not in ("min", "max")
+
+
 def _points(text: str) -> list[Run]:
     """`BD`, `O1B`, `n3′b3′`: each point with its digits below it."""
     names = _POINT.findall(text) or _NODE.findall(text)
-    return [run for name in names for run in point_label(name.replace("′", "'"))]
+    return [run for name in names for run in point_label(name.replace("′", "'").replace(",", "_"))]

@@ -35,21 +35,23 @@ _LARGE_ENOUGH = 48.0
 
 
 def side_by_side(
-    method: Method, plots: Sequence[Plot], captions: Sequence[str], lang: Lang = "en", *, paper: str | None = None
-) -> Sheet:
+    method: Method, plots: Sequence[Plot], captions: Sequence[str], lang: Lang = "en", *, paper: str | None = None,
+    told: Sequence[str] = (),
+) -> Sheet:  # fmt: skip
     """The mechanism at several positions (at most `MOST`), lettered (a), (b), .. with captions.
 
     plots   the method replayed at one position each
     paper   a key of `PAPERS`; the smallest on which the figures are large enough where left out
+    told    sentences in the strip
 
     Raises UnknownPaper.
     """
     if not 0 < len(plots) <= MOST or len(captions) != len(plots):
         raise ValueError(f"1 to {MOST} positions, each with a caption; given: {len(plots)}, {len(captions)}")
     pictures = _pictures(method, plots, captions)
-    grid = _grid(pictures, papers_for(paper))
+    grid = _grid(pictures, papers_for(paper), told)
     panels = [picture.panel(cell, grid.scale) for picture, cell in zip(pictures, grid.cells)]
-    return Page(grid.paper, panels, method.mechanism, plots[0].facts.values, lang, Strip(grid.strip)).sheet()
+    return Page(grid.paper, panels, method.mechanism, plots[0].facts.values, lang, Strip(grid.strip, told=told)).sheet()
 
 
 def _pictures(method: Method, plots: Sequence[Plot], captions: Sequence[str]) -> list[Picture]:
@@ -79,12 +81,12 @@ class _Grid:
     scale: float
 
 
-def _grid(pictures: Sequence[Picture], papers: Sequence[Paper]) -> _Grid:
+def _grid(pictures: Sequence[Picture], papers: Sequence[Paper], told: Sequence[str]) -> _Grid:
     """The smallest paper with figures large enough, else the one with the largest."""
     best: _Grid | None = None
     for area in sorted({paper.width * paper.height for paper in papers}):
         same = [paper for paper in papers if paper.width * paper.height == area]
-        grids = [grid for paper in same for grid in _grids(pictures, paper)]
+        grids = [grid for paper in same for grid in _grids(pictures, paper, told)]
         best = min([*grids, *([best] if best else [])], key=lambda grid: grid.scale)
         if pictures[0].extent.longest / best.scale >= _LARGE_ENOUGH:
             return best
@@ -92,9 +94,9 @@ def _grid(pictures: Sequence[Picture], papers: Sequence[Paper]) -> _Grid:
     return best
 
 
-def _grids(pictures: Sequence[Picture], paper: Paper) -> Iterator[_Grid]:
+def _grids(pictures: Sequence[Picture], paper: Paper, told: Sequence[str]) -> Iterator[_Grid]:
     """Every number of columns."""
-    field, foot = divided(paper, strip_height(paper))
+    field, foot = divided(paper, strip_height(paper, told=told))
     for columns in range(1, len(pictures) + 1):
         cells = field.cells(len(pictures), columns)
         yield _Grid(paper, cells, foot, pictures[0].scale(cells[0]))

@@ -55,7 +55,8 @@ def _table() -> dict[str, tuple[float, float]]:
 _WIDTHS = _table()
 _CORNER = re.compile(r"([a-z])_([^\W\d_]\w*?)(?:_(\d+))?('*)")
 _EQUIVALENT = re.compile(r"e [a-z]+(\d*)")
-_CJK = re.compile(r"[\u2460-\u2473\u2160-\u217f\u2e80-\u9fff\u3000-\u303f\uff00-\uffef]")
+_WIDE = (("\u2160", "\u217f"), ("\u2460", "\u2473"), ("\u2e80", "\u9fff"), ("\uff00", "\uffef"))
+"""Ranges of characters that are one em wide."""
 
 
 class Run(NamedTuple):
@@ -78,7 +79,12 @@ Label = tuple[Run, ...]
 def advance(text: str, italic: bool = False) -> float:
     """Width of letters [em]; what the table does not hold counts as half an em, a wide character as one."""
     style = 1 if italic else 0
-    return sum(1.0 if _CJK.match(c) else _WIDTHS.get(c, (0.5, 0.5))[style] for c in text)
+    return sum(1.0 if is_wide(c) else _WIDTHS.get(c, (0.5, 0.5))[style] for c in text)
+
+
+def is_wide(letter: str) -> bool:
+    """Whether a character is as wide as high, as Chinese ones are."""
+    return letter > "\u2100" and any(first <= letter <= last for first, last in _WIDE)
 
 
 def run_width(run: Run, size: float) -> float:

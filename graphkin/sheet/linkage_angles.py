@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Iterator
 
 from graphkin.linkages import Report
 from graphkin.linkages.linkage import LinkagePosition
@@ -22,6 +23,8 @@ _BESIDE_HINGE, _BESIDE_BLOCK = (0.42, 11.0, 30.0), (0.3, 14.0, 34.0)
 """Radius of psi: share of the output's arm, least and most [mm]; beside a block it needs more room."""
 _SEEN = 0.05
 """An arm that leaves its link's line by more does not show its direction [mm]."""
+_SQUARE, _PAST_BLOCK, _RIGHT = 2.4, 6.5, 1e-6
+"""Side of the square in a right angle, and where it is to be seen beside a block [mm]; its cosine is no larger."""
 _NO_HEADS = 7.0
 """An arc shorter than this has no arrow heads [mm]."""
 
@@ -57,12 +60,25 @@ def _swept(centre: Place, radius: float, begin: float, sweep: float, label: Labe
 
 def dimensioned_limits(report: Report, window: Window) -> Figure:
     """psi or H between the limits, and theta at the crank's pivot."""
-    parts = [_theta(report, window)]
+    parts = [_theta(report, window), *(_crossing(end, window) for end in report.limits if end.how == "across")]
     if report.swing is not None:
         parts.append(_psi(report, window))
     elif report.stroke is not None:
         parts.append(_stroke(report, report.stroke, window))
     return sum(parts, Figure())
+
+
+def _crossing(end: LinkagePosition, window: Window) -> Figure:
+    """The right angle of a crank and a bar that slides over its pin."""
+    first, pin, last = on_paper(end, window)[:3]
+    return Figure.of(_square(pin, first - pin, last - pin, _PAST_BLOCK))
+
+
+def _square(at: Place, one: complex, other: complex, side: float = _SQUARE) -> Iterator[Mark]:
+    """Between two lines through a point that stand at right angles."""
+    one, other = one / abs(one), other / abs(other)
+    if abs((one.conjugate() * other).real) < _RIGHT:
+        yield Stroke((at + side * one, at + side * (one + other), at + side * other), "construction")
 
 
 def _psi(report: Report, window: Window) -> Figure:
@@ -139,4 +155,5 @@ def _between(at: Place, one: complex, other: complex, radius: float, label: Labe
         one = -one
     for way in (one, other):
         figure.marks.append(Stroke((at, at + way * (radius + 3)), "construction"))
+    figure.marks += _square(at, one, other)
     return figure + _arc(at, radius, one, other, label)

@@ -129,8 +129,8 @@ _WORDS: dict[str, dict[Lang, str]] = {
     "none": {"en": "no dead point where {driver} drives", "zh": "{driver} 主动时无死点"},
     "gamma": {"en": "Transmission angle, {driver} driving", "zh": "传动角（{driver} 主动）"},
     "least": {
-        "en": "γ min = {gamma}, α max = {alpha}, {driver} at {values}",
-        "zh": "γ min = {gamma}，α max = {alpha}，{driver} 在 {values}",
+        "en": "γ_min = {gamma}, α_max = {alpha}, at {letter}_{driver} = {values}",
+        "zh": "γ_min = {gamma}，α_max = {alpha}，此时 {letter}_{driver} = {values}",
     },
 }
 
@@ -152,7 +152,8 @@ def _gamma_caption(report: Report, lang: Lang) -> tuple[str, ...]:
     values = ", ".join(amount(report, end.driver, "zh") for end in report.least)
     words = {"gamma": _degrees(report.gamma_min or 0.0), "alpha": _degrees(report.alpha_max or 0.0)}
     found = [_WORDS["gamma"][lang].format(driver=report.driver)]
-    found.append(_WORDS["least"][lang].format(**words, driver=report.driver, values=values))
+    letter = "s" if report.driver == report.slide else "φ"
+    found.append(_WORDS["least"][lang].format(**words, letter=letter, driver=report.driver, values=values))
     return (*found, *([_dead(report, report.driver, lang)] if report.driver in report.dead else []))
 
 
@@ -160,4 +161,5 @@ def _dead(report: Report, driver: str, lang: Lang) -> str:
     values = report.dead[driver]
     slides = driver == report.slide
     said = ", ".join(f"{round(value * 1e3, 6) + 0.0:.5g} mm" if slides else _degrees(value) for value in values)
+    said = said.replace("-", "−")
     return _WORDS["dead" if values else "none"][lang].format(driver=driver, values=said)

@@ -14,13 +14,14 @@ from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.planning.acts import births, pages
+from graphkin.planning.held_still import held_labels
+from graphkin.planning.needed import Fact, at_rest
 from graphkin.say.catalogue import say
 from graphkin.say.plane import Polygon as Spoken
 from graphkin.say.polygons import polygon as told
 from graphkin.say.reading import Reading
 from graphkin.sheet.annotated import Annotated
 from graphkin.sheet.arrows import heads_apart, side_by_side
-from graphkin.sheet.captions import Captions
 from graphkin.sheet.drafted import Drafted
 from graphkin.sheet.equation_rows import EquationBlock, equation_blocks, head_of, laid_out
 from graphkin.sheet.fit import Extent
@@ -31,8 +32,9 @@ from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.page import Last, Lettered, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import LARGE, Paper
+from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.pencil import pencil_lines
-from graphkin.sheet.plain_mechanism import shown_places
+from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places, shown_places
 from graphkin.sheet.polygons import Polygon, polygon_figure
 from graphkin.sheet.results import Table, tables
 from graphkin.sheet.scales import KEYS, TooLargeForPaper
@@ -46,7 +48,7 @@ _CROWDED, _EASED = 8, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
 _COARSER = 1.34
 """So much coarser a figure may be drawn to have room for its equations over it."""
-_TRIALS = 3
+_TRIALS = 4
 """How often equations are moved into the strip, whose height leaves figures less room."""
 _MORE = (2, 4)
 """So many times its labels count for a plane where some found no place."""
@@ -69,6 +71,7 @@ def mechanism_sheet(
     style: Style = "construction",
     upto: int | None = None,
     tight: bool = False,
+    paths: Paths = NONE,
 ) -> Sheet:
     """Draw a mechanism and its polygons to scale.
 
@@ -78,34 +81,37 @@ def mechanism_sheet(
     only   the plane or planes to draw; all three where left out
     style  "construction": how the polygons are drawn, too; "result": what comes of it; "given": the mechanism with
            what is known of it, and nothing that would have to be found
+    paths  of points, drawn under the mechanism
     upto   draw the construction as far as this act of those planes, counted from 1, its newest marks emphasised
 
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
     if style == "given":
-        return _given(_Planes(method, plot, style), paper, lang, tight)
-    work = _Work(_Planes(method, plot, style), _planes(only), [] if tight else tables(method, plot, lang), lang, tight)
+        return _given(_Planes(method, plot, ("position",), style, lang), paper, tight)
+    drawing = _Planes(method, plot, _planes(only), style, lang, paths)
+    work = _Work(drawing, [] if tight else tables(method, plot, lang), tight)
     if upto is not None:
         return next(_staged(work, paper, [upto]))
     return _whole(work, paper).lettered.sheet
 
 
-def _given(drawing: _Planes, paper: str | None, lang: Lang, tight: bool) -> Sheet:
+def _given(drawing: _Planes, paper: str | None, tight: bool) -> Sheet:
     """The mechanism alone, with what the problem gives and asks."""
-    reading = Reading(drawing.method, drawing.plot, dict.fromkeys(KEYS.values(), 1.0), lang)
-    work = _Work(drawing, ("position",), [] if tight else given_tables(reading), lang, tight)
+    work = _Work(drawing, [] if tight else given_tables(drawing.reading({})), tight)
     return replace(_whole(work, paper).lettered.sheet, given=True)
 
 
 def _whole(work: _Work, paper: str | None) -> _Composed:
     """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
-    for _ in range(_TRIALS):
-        best = _cut(work, paper)
-        whole = work.on(best.layout, far=True) if best.lettered.lost else best
-        if not whole.lettered.left_out or work.tight:
-            break
+    trials = 1 if work.tight else _TRIALS
+    while True:
+        trials -= 1
+        whole = _cut(work, paper)
+        if whole.lettered.lost and not (trials and whole.lettered.left_out):
+            whole = work.on(whole.layout, far=True)
+        if not (trials and whole.lettered.left_out):
+            return whole
         work = replace(work, apart=[*work.apart, *whole.lettered.left_out])
-    return whole
 
 
 def mechanism_step_sheets(
@@ -118,8 +124,8 @@ def mechanism_step_sheets(
     tight: bool = False,
 ) -> Iterator[Sheet]:
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
-    found = [] if tight else tables(method, plot, lang)
-    yield from _staged(_Work(_Planes(method, plot, "construction"), _planes(only), found, lang, tight), paper)
+    drawing = _Planes(method, plot, _planes(only), "construction", lang)
+    yield from _staged(_Work(drawing, [] if tight else tables(method, plot, lang), tight), paper)
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -129,17 +135,20 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 
 def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
     """The scales of the sheet."""
-    work = _Work(_Planes(method, plot, "construction"), PLANES, tables(method, plot, lang), lang)
+    work = _Work(_Planes(method, plot, PLANES, "construction", lang), tables(method, plot, lang))
     return _whole(work, None).layout.scales
 
 
 @frozen
 class _Planes:
-    """Draws any plane through any window."""
+    """Draws any plane through any window; planes: those the sheet shows."""
 
     method: Method
     plot: Plot
+    planes: tuple[Plane, ...]
     style: Style
+    lang: Lang
+    paths: Paths = NONE
 
     def construction(self, plane: Plane) -> Construction:
         return constructions(self.method)[plane]
@@ -147,7 +156,8 @@ class _Planes:
     def values(self, plane: Plane) -> list[complex]:
         """The points a plane shows, in SI units."""
         if plane == "position":
-            return shown_places(self.method, self.plot)
+            places = mechanism_places if self.style == "given" else shown_places
+            return [*places(self.method, self.plot), *self.paths.places]
         points = self.plot.points(plane)
         names = {self.construction(plane).pole, *self.construction(plane).nodes}
         found = [complex(v) for name, v in points.items() if name in names]
@@ -157,8 +167,12 @@ class _Planes:
         return gear_images(self.method, self.plot) if plane == "velocity" else []
 
     def figure(self, plane: Plane, window: Window) -> Figure:
+        if plane == "position" and self.style == "given":
+            return bare_figure(self.method, self.skeleton(window))
         if plane == "position":
-            return mechanism_figure(self.skeleton(window), self.method, self.values(plane))
+            return self.paths.figure(window) + mechanism_figure(
+                self.skeleton(window), self.method, self.values(plane)
+            )
         return heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
 
     def skeleton(self, window: Window) -> Skeleton:
@@ -167,12 +181,38 @@ class _Planes:
     def polygon(self, plane: Plane, window: Window) -> Polygon:
         born, gears = births(self.method, plane), self.gears(plane)
         drafted = self.style == "construction"
-        return Polygon(self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted)
+        held = held_labels(self.method, plane, self.rested)
+        return Polygon(self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted, held)
 
-    def extent(self, plane: Plane) -> Extent:
-        """How large the plane's points are, and how far its signs reach beyond them."""
+    @cached_property
+    def rested(self) -> frozenset[Fact]:
+        """What drivers at rest hold still."""
+        return at_rest(self.method, self.plot.facts)
+
+    @cached_property
+    def extents(self) -> dict[Plane, Extent]:
+        """How large each plane's points are, and how far its signs reach beyond them."""
+        return {plane: self._extent(plane) for plane in self.planes}
+
+    def _extent(self, plane: Plane) -> Extent:
         given = self.method.mechanism.scales.get(KEYS[plane])
-        return Extent.of(self.values(plane), partial(self.figure, plane), given)
+        extent = Extent.of(self.values(plane), partial(self.figure, plane), given)
+        return replace(extent, top=extent.top + self.paths.height) if plane == "position" else extent
+
+    @cached_property
+    def equations(self) -> dict[Plane, list[EquationBlock]]:
+        """The equations of each polygon as the words print them."""
+        if self.style != "construction":
+            return {}
+        rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
+        reading = self.reading({})
+        polygons = [plane for plane in self.planes if plane != "position"]
+        parts = {plane: self.construction(plane).parts for plane in polygons}
+        return {plane: equation_blocks(told(reading, plane, parts[plane], 0), rows) for plane in polygons}
+
+    def reading(self, drawn: Mapping[Plane, float]) -> Reading:
+        """What the words read, at the scales of the planes that are drawn."""
+        return Reading(self.method, self.plot, {key: drawn.get(plane, 1.0) for plane, key in KEYS.items()}, self.lang)
 
 
 # --- which paper, how divided -----------------------------------------------------------------
@@ -188,10 +228,12 @@ class _Composed:
 
 def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
+    from graphkin.sheet.captions import Captions  # all the words of a solution
+
     layout, drawing = _whole(work, paper).layout, work.drawing
     whole = work.on(layout, stages=True, far=True).lettered.sheet
     others = {} if work.planes == PLANES else scales_of(drawing.method, drawing.plot, work.lang)
-    captions = Captions.of(work.reading({**others, **layout.scales}), work.planes)
+    captions = Captions.of(drawing.reading({**others, **layout.scales}), work.planes)
     strip = None if work.tight else layout.strip
     return (captions.sheet(whole, number, strip) for number in numbers or range(1, len(captions.acts) + 1))
 
@@ -224,40 +266,41 @@ class _Work:
     """What does not depend on the paper; `apart`: equations that go into the strip."""
 
     drawing: _Planes
-    planes: tuple[Plane, ...]
     found: list[Table]
-    lang: Lang
     tight: bool = False
     apart: Sequence[EquationBlock] = ()
 
+    @property
+    def planes(self) -> tuple[Plane, ...]:
+        return self.drawing.planes
+
+    @property
+    def lang(self) -> Lang:
+        return self.drawing.lang
+
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
-        return {plane: replace(self.drawing.extent(plane), over=self._over(plane)) for plane in self.planes}
+        """With the equations over each polygon."""
+        return {plane: replace(extent, over=self._over(plane)) for plane, extent in self.drawing.extents.items()}
 
     def _over(self, plane: Plane) -> tuple[complex, complex] | None:
         return head_of(self.blocks[plane]) if self.blocks.get(plane) else None
 
     @cached_property
     def blocks(self) -> dict[Plane, list[EquationBlock]]:
-        """The equations of each polygon as the words print them."""
-        if self.drawing.style != "construction":
-            return {}
-        rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
-        reading = self.reading({})
-        polygons = [plane for plane in self.planes if plane != "position"]
-        parts = {plane: self.drawing.construction(plane).parts for plane in polygons}
-        found = {plane: equation_blocks(told(reading, plane, parts[plane], 0), rows) for plane in polygons}
-        return {plane: [block for block in blocks if block not in self.apart] for plane, blocks in found.items()}
+        """The equations that stand with their polygons."""
+        every = self.drawing.equations.items()
+        return {plane: [block for block in blocks if block not in self.apart] for plane, blocks in every}
 
     @cached_property
     def notes(self) -> dict[Plane, Label]:
         """Planes that hold what ruler and compass do not give, and how it was found."""
         found: dict[Plane, Label] = {}
-        for plane in self.planes:
-            kinds = {type(step) for step in self.drawing.construction(plane).steps}
-            if Fit in kinds:
+        for plane in self.planes if self.drawing.style != "given" else ():
+            steps = self.drawing.construction(plane).steps
+            if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
                 found[plane] = plain(FITTED[self.lang])
-            elif Simultaneous in kinds:
+            elif any(isinstance(step, Simultaneous) for step in steps):
                 found[plane] = plain(TOGETHER[self.lang])
         return found
 
@@ -301,8 +344,10 @@ class _Work:
         drawing, room = self.drawing, layout.rooms[plane]
         window = layout.window(plane, self.extent(layout, plane))
         before = [*heading(HEADINGS[self.lang][plane], plane, window.scale, room)]
+        corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
+        if plane == "position":
+            before += drawing.paths.written(corner)
         if plane in layout.headed:
-            corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
             before += laid_out(self.blocks[plane], corner, room.size.real - 2 * HEAD_LEFT)
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
@@ -316,12 +361,8 @@ class _Work:
     def drafted(self, layout: Layout, plane: Plane, window: Window) -> Last:
         """How a polygon is constructed, and what of the mechanism is used for it."""
         if plane == "position":
-            return Annotated(self.drawing.skeleton(window), self.reading(layout.scales), self.planes)
+            return Annotated(self.drawing.skeleton(window), self.drawing.reading(layout.scales), self.planes)
         acts = [act for act in self.drawing.method.acts if act.plane == plane]
         loose = [] if plane in layout.headed else self.blocks[plane]
-        return Drafted(self.drawing.polygon(plane, window), Spoken(self.reading(layout.scales), plane), acts, loose)
-
-    def reading(self, drawn: Mapping[Plane, float]) -> Reading:
-        """What the words read, at the scales of the planes that are drawn."""
-        scales = {key: drawn.get(plane, 1.0) for plane, key in KEYS.items()}
-        return Reading(self.drawing.method, self.drawing.plot, scales, self.lang)
+        spoken = Spoken(self.drawing.reading(layout.scales), plane)
+        return Drafted(self.drawing.polygon(plane, window), spoken, acts, loose)

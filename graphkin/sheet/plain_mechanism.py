@@ -5,10 +5,11 @@ from __future__ import annotations
 from graphkin.construction import Plot
 from graphkin.planning import Method
 from graphkin.planning.acts import births
+from graphkin.sheet.cams import equivalents
 from graphkin.sheet.marks import Disc, Mark, PointMark
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.specials import named_specials
+from graphkin.sheet.specials import named_specials, specials
 from graphkin.sheet.wheels import rims
 from graphkin.sheet.window import Figure, Window
 
@@ -30,6 +31,14 @@ def plain_mechanism(method: Method, plot: Plot, window: Window) -> Figure:
     born = births(method, "position")
     figure = mechanism_figure(Skeleton(method.mechanism, plot, window, born), method, shown_places(method, plot))
     return Figure([plainly(mark) for mark in figure.marks], figure.wanted)
+
+
+def bare_figure(method: Method, skeleton: Skeleton) -> Figure:
+    """The mechanism as a problem gives it: no special points and no lower-pair equivalents, which a solution finds."""
+    whole, beside = mechanism_figure(skeleton, method, []), specials(method, skeleton, [])
+    left_out = [*beside.marks, *equivalents(skeleton)]
+    marks = [mark for mark in whole.marks if mark not in left_out]
+    return Figure(marks, [want for want in whole.wanted if want not in beside.wanted])
 
 
 def plainly(mark: Mark) -> Mark:

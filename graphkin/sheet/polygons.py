@@ -9,6 +9,7 @@ from typing import Any
 
 from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site, Size
 from graphkin.mechanism import FRAME, Mechanism
+from graphkin.planning.held_still import relabelled
 from graphkin.sheet import gear_images
 from graphkin.sheet.gear_images import GearImage
 from graphkin.sheet.lettering import joined, point_label, vector_label
@@ -66,6 +67,7 @@ class Polygon:
 
     born    the act in which each of its points is found; gears: images
     solving whether arrows that the construction finds are told from those it starts from
+    held    how points that drivers at rest hold are written, and their letters: they are fixed points
     """
 
     mechanism: Mechanism
@@ -75,6 +77,7 @@ class Polygon:
     born: Mapping[str, int]
     gears: list[GearImage] = field(default_factory=list)
     solving: bool = False
+    held: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
     def points(self) -> dict[str, Place]:
@@ -109,6 +112,17 @@ class Polygon:
         if not self.solving or not arrow.of_equation or isinstance(arrow.size, Drawn):
             return {}
         return {"solved": True} if arrow.size is None else {"pen": "laid"}
+
+    def letters(self, name: str) -> str:
+        """What a point is called on paper: `d` of `d7` where a driver at rest holds D."""
+        of = self.of(name)
+        return self.held[of].lower() + name[len(of) :] if of in self.held else name
+
+    def told(self, name: str) -> str:
+        """What an arrow is called on paper."""
+        term = self.construction.vectors().get(name) if self.held else None
+        plane = self.construction.plane
+        return relabelled(term, plane, self.held).name(plane) if term is not None else name
 
     def site(self, name: str) -> str:
         """A point of the polygon as the point of a link; nothing for the pole and for corners between arrows."""
@@ -191,7 +205,8 @@ def _point_names(polygon: Polygon) -> list[Wanted]:
     fixed = gear_images.points(polygon.gears, polygon.window)
     wanted: list[Wanted] = []
     for at, names in places:
-        labels = [point_label(name) for name in names] + [label for name in names for label in fixed.get(name, ())]
+        shown = dict.fromkeys(polygon.letters(name) for name in names)
+        labels = [point_label(name) for name in shown] + [label for name in names for label in fixed.get(name, ())]
         wanted.append(Wanted(joined(labels), at, gap=0.5, away=at - middle, step=polygon.step(names[0])))
     return wanted
 
@@ -199,14 +214,14 @@ def _point_names(polygon: Polygon) -> list[Wanted]:
 def _vector_names(polygon: Polygon, vectors: list[VectorMark]) -> list[Wanted]:
     """A label for each arrow that has a length."""
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
+    told = {vector.name: polygon.told(vector.name) for vector in vectors}
+    twice = {name for name, shown in told.items() if shown != name and shown in told}
     wanted: list[Wanted] = []
     for vector in vectors:
-        if vector.length >= _SAME:
+        if vector.length >= _SAME and vector.name not in twice:
             away, spare = (vector.start + vector.end) / 2 - middle, _told(polygon, vector)
-            label = vector_label(vector.name)
-            wanted.append(
-                Wanted(label, vector.start, vector.end, away=away, step=vector.step, spare=spare, of=vector.name)
-            )
+            label, ends = vector_label(told[vector.name]), (vector.start, vector.end)
+            wanted.append(Wanted(label, *ends, away=away, step=vector.step, spare=spare, of=vector.name))
     return wanted
 
 

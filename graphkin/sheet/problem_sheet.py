@@ -8,10 +8,14 @@ from graphkin.planning import Method
 from graphkin.sheet.alone import place_for
 from graphkin.sheet.mechanism_sheet import HEADINGS
 from graphkin.sheet.page import Sheet
-from graphkin.sheet.plain_mechanism import shown_places
+from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places, plainly
+from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.window import Figure
 
 
 def problem_sheet(method: Method, plot: Plot, lang: Lang) -> Sheet:
     """At the position of a plot, without results and in no step of a construction."""
-    alone = place_for(method, [plot], shown_places(method, plot), None)
-    return alone.sheet(plot, HEADINGS[lang]["position"], alone.mechanism(plot), lang)
+    alone = place_for(method, [plot], mechanism_places(method, plot), None)
+    bare = bare_figure(method, Skeleton(method.mechanism, plot, alone.window, {}))
+    figure = Figure([plainly(mark) for mark in bare.marks], bare.wanted)
+    return alone.sheet(plot, HEADINGS[lang]["position"], figure, lang)

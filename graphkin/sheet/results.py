@@ -173,6 +173,11 @@ class _Results:
             found.append((first, *(self.told(spoken, value, kind) for value, kind in values)))
         return Table(head, tuple(found))
 
+    def slide(self, name: str) -> Label:
+        """What people call it; a name of the file in italics."""
+        title = self.method.mechanism.slide_title(name, self.lang)
+        return plain(title, title.isascii())
+
     def slides(self) -> Table:
         """Displacements that have a name, with their rates."""
         head = (
@@ -182,7 +187,7 @@ class _Results:
         plot, usual = self.plot, self.usual
         rows = (
             (
-                bold(plain(slide.name, True)) if self.asked(slide.name, "s") else plain(slide.name, True),
+                bold(self.slide(slide.name)) if self.asked(slide.name, "s") else self.slide(slide.name),
                 self.told(slide.name, number(1000 * float(plot.s[slide.name])), "s"),
                 _speed(usual, float(plot.s_rate.get(slide.name, 0.0))),
                 _acceleration(usual, float(plot.s_acceleration.get(slide.name, 0.0))),

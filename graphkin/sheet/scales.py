@@ -6,6 +6,7 @@ mu_l in m/mm, mu_v in (m/s)/mm, mu_a in (m/s²)/mm: chosen from the series of sc
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import Any, ClassVar
 
 import numpy as np
@@ -64,10 +65,17 @@ def finest(size: complex, room: complex) -> float:
 
 def finest_each(least: Any) -> Any:
     """The scale of the series next above each of many values (0.01 where there is none), as `finest` takes it."""
-    series = [_next(np.max(least))]
-    while series[-1] > np.min(least) > 0:
+    series = _series(_next(np.min(least)), _next(np.max(least)))
+    return series[np.searchsorted(series, least * _CLOSE)]
+
+
+@lru_cache(256)
+def _series(finest: float, coarsest: float) -> Any:
+    """All scales from one to another, the finest first."""
+    series = [coarsest]
+    while series[-1] > finest:
         series.append(finer(series[-1]))
-    return np.array(series[::-1])[np.searchsorted(series[::-1], least * _CLOSE)]
+    return np.array(series[::-1])
 
 
 def _next(least: float) -> float:

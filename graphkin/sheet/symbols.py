@@ -8,8 +8,10 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
+from graphkin.construction import Plane
 from graphkin.sheet.marks import Arc, Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName
 
@@ -89,7 +91,7 @@ def hinge_beside(at: Place, side: complex, step: int | None = None) -> list[Mark
 
 
 def corner(at: Place, one: Place, other: Place, step: int | None = None) -> list[Mark]:
-    """Two lines welded together: the corner between them filled; nothing where they are almost in line."""
+    """Two lines welded together: the corner between them as a plate; nothing where they are almost in line."""
     a, b = one - at, other - at
     if abs(a) < 3 or abs(b) < 3:
         return []
@@ -97,8 +99,8 @@ def corner(at: Place, one: Place, other: Place, step: int | None = None) -> list
     opening = abs(cmath.phase(b / a))
     if not math.radians(8) < opening < math.radians(172):
         return []
-    reach = min(3.2, 2.0 / math.sin(opening / 2)) if opening < math.pi / 2 else 2.4
-    return [Stroke((at, at + a * reach, at + b * reach), "thin", closed=True, fill="ink", step=step)]
+    reach = min(6.0, 3.0 / math.sin(opening / 2)) if opening < math.pi / 2 else 4.2
+    return [Stroke((at, at + a * reach, at + b * reach), "thin", closed=True, fill="tint", step=step)]
 
 
 def block(at: Place, along: complex, shows: Shows, step: int | None = None) -> list[Mark]:
@@ -186,8 +188,18 @@ def push(start: Place, along: complex, step: int | None = None) -> list[Mark]:
     return [Stroke((start, tip - 0.8 * _HEAD * along), "vector", step=step), arrow_head(tip, along, step)]
 
 
-def arrow_head(tip: Place, along: complex, step: int | None) -> Mark:
+def arrow(start: Place, tip: Place, accent: Plane) -> list[Mark]:
+    """An arrow of any length in the colour of a plane; nothing for one that could not be seen."""
+    length = abs(tip - start)
+    if length < 0.3:
+        return []
+    along, head = (tip - start) / length, min(0.7 * _HEAD, 0.5 * length)
+    shaft = Stroke((start, tip - 0.8 * head * along), "vector", accent=accent)
+    return [shaft, replace(arrow_head(tip, along, None, head), accent=accent)]
+
+
+def arrow_head(tip: Place, along: complex, step: int | None, length: float = _HEAD) -> Stroke:
     """A filled arrow head."""
-    back = tip - _HEAD * along
-    side = 0.55j * along
+    back = tip - length * along
+    side = 0.55j * along * length / _HEAD
     return Stroke((tip, back + side, back - side), "hatch", closed=True, fill="ink", step=step)

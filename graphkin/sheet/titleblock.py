@@ -12,6 +12,7 @@ from graphkin.sheet.equation_rows import EquationBlock, flowed, head_of, laid_ou
 from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room
+from graphkin.sheet.paragraphs import Paragraphs
 from graphkin.sheet.results import Table, arranged, drawn_tables, height_of
 from graphkin.sheet.scales import written
 from graphkin.value import frozen
@@ -21,13 +22,22 @@ _WIDE = 64.0
 _LEAST_HEIGHT = 33.0
 _BAR = 9.0
 """Room for the check bar under the tables [mm]."""
+_SENTENCE = 2.8
+"""Letters of sentences [mm]."""
 _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
 
 
-def strip_height(paper: Paper, found: Sequence[Table] = (), equations: Sequence[EquationBlock] = ()) -> float:
+def strip_height(
+    paper: Paper, found: Sequence[Table] = (), equations: Sequence[EquationBlock] = (), told: Sequence[str] = ()
+) -> float:
     """What the strip needs on a paper [mm]."""
     lines = sum(head_of(line)[0].imag for line in flowed(equations, tables_room(paper)))
-    return max(_LEAST_HEIGHT, height_of(arranged([*found], tables_room(paper))) + lines + 1 + _BAR)
+    words = _written(told, paper).height
+    return max(_LEAST_HEIGHT, height_of(arranged([*found], tables_room(paper))) + words + lines + 1 + _BAR)
+
+
+def _written(told: Sequence[str], paper: Paper) -> Paragraphs:
+    return Paragraphs.of(told, tables_room(paper), _SENTENCE)
 
 
 def tables_room(paper: Paper) -> float:
@@ -40,6 +50,7 @@ class Strip:
     """What stands at the foot of a sheet beside title, source and scales.
 
     found  tables of results; notes: what stands beside a plane's scale; further: scales that no figure tells
+    told   sentences under the tables
     equations  those that have no room over their polygons
     """
 
@@ -48,6 +59,7 @@ class Strip:
     notes: Mapping[Plane, Label] = field(default_factory=dict)
     further: Mapping[Plane, float] = field(default_factory=dict)
     equations: Sequence[EquationBlock] = ()
+    told: Sequence[str] = ()
 
 
 def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane, float], lang: Lang) -> list[Mark]:
@@ -61,6 +73,9 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
     tiers, corner = arranged([*asked.found], tables_room(paper)), complex(room.left + 3, room.top + 1.5)
     marks += drawn_tables(tiers, corner)
     corner += 1j * height_of(tiers)
+    words = _written(asked.told, paper)
+    marks += words.marks(corner)
+    corner += 1j * words.height
     for line in flowed(asked.equations, tables_room(paper)):
         marks += laid_out(line, corner, tables_room(paper))
         corner += 1j * head_of(line)[0].imag

@@ -121,6 +121,14 @@ def course(method: Method, ranges: Ranges = ()) -> Course:
     return _over(method, swept, pace, given[swept] if moving else None, before)
 
 
+def course_from(method: Method, values: Sequence[float] | None = None) -> Course:
+    """The usual course, on through other driver values than the drawn ones [rad, m]. Raises NotReached."""
+    if values is None or not method.drivers:
+        return course(method)
+    swept = _first_moving(method, {}, ())
+    return _over(method, swept, _pace(method, swept, ()), None, reached(method, list(values)))
+
+
 def _first_moving(method: Method, given: dict[int, Wanted], ranges: Ranges) -> int:
     free = [k for k in range(len(method.drivers)) if k not in given]
     if not free:

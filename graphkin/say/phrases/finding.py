@@ -4,6 +4,11 @@ from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
     "looked": ("searched from {driver} = {low} to {high}", "搜索范围：{driver} = {low} 至 {high}"),
+    "asked max": ("greatest {of}", "{of} 的最大值"),
+    "asked min": ("least {of}", "{of} 的最小值"),
+    "asked range": ("range of {of}", "{of} 的变化范围"),
+    "asked stroke": ("stroke of {of}", "{of} 的行程"),
+    "asked slowest": ("slowest point of {of}", "{of} 上速度最小的点"),
     "in brackets": ("  ({text})", "（{text}）"),
     "because": ("  (because {zero})", "（因 {zero}）"),
     "turn": (", a full turn", "，即整周"),

@@ -1,0 +1,49 @@
+"""What a sheet says is given fixes the place of everything that does not move by itself."""
+
+from __future__ import annotations
+
+import pytest
+
+from graphkin import library, loads
+from graphkin.planning import plan
+from graphkin.running import replay_all
+from graphkin.say.dimensions import dimensions
+from graphkin.say.reading import Reading
+
+SHIFTED = """
+[frame]
+A = [10, 5]
+D = [60, 25]
+[links.1]
+AB = 20
+[links.2]
+BC = 60
+[links.3]
+CD = 40
+[[driver]]
+vector = "AB"
+angle = 70
+omega = 1
+[sketch]
+C = [70, 65]
+"""
+
+
+def said(machine) -> list[str]:
+    method = plan(machine)
+    return dimensions(Reading(method, replay_all(method), {}, "en"))
+
+
+@pytest.mark.parametrize(("name", "texts"), [
+    ("ex3-1", ["AD = 78 mm"]),  # level
+    ("p3-4a", ["AC = 80 mm"]),  # upright
+    ("p3-16", ["x_AF = 185 mm", "y_AF = 55 mm"]),
+    ("p3-11b", ["β_B = 70°", "s_left = −50 mm"]),
+    ("p3-21", ["AG = 20 mm", "x_H = 130 mm", "y_H = 50 mm", "s_screw = 90 mm"]),
+])  # fmt: skip
+def test_places_of_the_frame_and_of_driven_slides(name: str, texts: list[str]) -> None:
+    assert set(texts) <= set(said(library.load(name)))
+
+
+def test_coordinates_count_from_the_first_point() -> None:
+    assert said(loads(SHIFTED))[:2] == ["x_AD = 50 mm", "y_AD = 20 mm"]
