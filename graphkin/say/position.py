@@ -260,15 +260,15 @@ class PositionReader(Tangents):
         last  nothing more is drawn
         """
         reading, found, waiting = self.reading, list[str](), list[str]()
-        for link in self.waiting:
-            for member in (reading.body(link), *reading.group(link)):
-                named = reading.method.structure.named(member)
-                if len(named) > 1 and not last and not {*named[:2]} <= self.drawn:
-                    waiting.append(member)
-                elif len(named) > 1 and not self._knows(member):
-                    angle = reading.angle(reading.plot.arm(named[0], named[1]))
-                    name, arrow = reading.rate("θ", member), names.arrow(named[0], named[1])
-                    found.append(reading.say("derivation.angle of", name=name, angle=angle, arrow=arrow))
+        members = (member for link in self.waiting for member in (reading.body(link), *reading.group(link)))
+        for member in dict.fromkeys(members):
+            named = reading.method.structure.named(member)
+            if len(named) > 1 and not last and not {*named[:2]} <= self.drawn:
+                waiting.append(member)
+            elif len(named) > 1 and not self._knows(member):
+                angle = reading.angle(reading.plot.arm(named[0], named[1]))
+                name, arrow = reading.rate("θ", member), names.arrow(named[0], named[1])
+                found.append(reading.say("derivation.angle of", name=name, angle=angle, arrow=arrow))
         self.waiting = waiting
         if found:
             angles = reading.say("common.and").join(dict.fromkeys(found))

@@ -8,12 +8,11 @@ links, as arrays. `positions a second` counts crank positions, each with all of 
 
 from __future__ import annotations
 
-import os
 import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from functools import cache, partial
 from importlib.util import find_spec
 from pathlib import Path
@@ -58,18 +57,6 @@ def graphkin_pva(method: Method, angles: np.ndarray) -> Plot:
 
 
 # --- what the tests share ---------------------------------------------------------------------
-
-
-@pytest.fixture(autouse=True, scope="module")
-def _one_core() -> Iterator[None]:
-    """The process, and every thread that a peer starts, on one core, where the system lets us say so."""
-    if not hasattr(os, "sched_setaffinity"):
-        yield
-        return
-    cores = os.sched_getaffinity(0)
-    os.sched_setaffinity(0, {max(cores)})
-    yield
-    os.sched_setaffinity(0, cores)
 
 
 def needs(package: str) -> None:
