@@ -23,8 +23,8 @@ _SAME = 0.5
 """Explanations whose values differ by less, in standard deviations, are one."""
 _CHANCE = 0.008
 """A hit that random numbers make more often is no hint."""
-_AT_ONCE, _STUDENTS = 1 << 16, 256
-"""Weights that are held at once, and students: as many as one core does best."""
+_AT_ONCE = 1 << 16
+"""Weights that are held at once."""
 
 
 @frozen
@@ -78,7 +78,7 @@ class Explainer:
 
     def best(self, given: np.ndarray, wrong: np.ndarray) -> Iterator[Best]:
         """Of values of which some are wrong (students, quantities of the key), as many as are held at once."""
-        step = min(max(_AT_ONCE // max(len(self.names), 1), 1), _STUDENTS)
+        step = max(_AT_ONCE // max(len(self.names), 1), 1)
         for k in range(0, len(given), step):
             yield self._best(given[k : k + step, self.there], wrong[k : k + step, self.there])
 

@@ -29,6 +29,8 @@ FITS = 4.5
 """A value that is off by more standard deviations is not explained."""
 _REACH = 5.0
 _TURN = 2 * np.pi
+_PRODUCT = 1 << 18
+"""Products of a matrix of so many are left to one thread: more cost more than they give."""
 
 
 @frozen
@@ -247,6 +249,7 @@ class _Rows:
         squares = np.empty((len(near), 1 + len(_COMMON)))
         squares[:, 0] = near
         ends = np.flatnonzero(np.diff(row, append=-1)) + 1
+        ends = np.union1d(ends, np.arange(0, len(row), _PRODUCT // z.shape[1] ** 2 + 1)[1:])
         for start, end in zip((0, *ends), ends, strict=False):
             axes, _, sharp, sizes = self._apart(int(row[start]))
             squares[start:end, 1:] = (z[start:end] @ axes) ** 2 @ sharp + sizes
