@@ -6,14 +6,13 @@ right or anything. Weights are logarithms of likelihoods times how often such wo
 
 from __future__ import annotations
 
-from collections import Counter
 from copy import copy
 from functools import cached_property
 from math import lgamma
 
 import numpy as np
 
-from graphkin.marking.key import Hypotheses, Key, Name
+from graphkin.marking.key import Hypotheses, Key
 from graphkin.marking.verdicts import Columns, columns_of, differences, upright
 from graphkin.value import frozen
 
@@ -63,7 +62,7 @@ class Scale:
         """met: logarithm of how often one of the hypotheses is met."""
         self.table = columns_of(table, there)
         self.rows = np.flatnonzero(visible(self.table, hypotheses.values[:, there]))
-        self.shares = met + _shares([hypotheses.names[k] for k in self.rows])
+        self.shares = met + _shares(hypotheses.kinds[self.rows])
         chosen, usual = np.ix_(self.rows, there), key.together[np.ix_(there, there)]
         own = None if hypotheses.together is None else _Own(hypotheses.together, self.rows, there)
         self._one = _Rows(self.table, hypotheses.values[chosen], hypotheses.scatters[chosen], usual, own)
@@ -102,11 +101,11 @@ def shifts(table: Columns, values: np.ndarray) -> np.ndarray:
     return found
 
 
-def _shares(names: list[tuple[Name, ...]]) -> np.ndarray:
-    """Logarithms of the rows' shares: the same for each mistake, divided among its places and forms."""
-    kinds = [tuple(name[0] for name in row) for row in names]
-    count = Counter(kinds)
-    return -np.log([len(count) * count[kind] for kind in kinds])
+def _shares(kinds: np.ndarray) -> np.ndarray:
+    """Logarithms of rows' shares (m,): the same for each kind of mistake, divided among its places and forms."""
+    count = np.bincount(kinds)
+    found: np.ndarray = -np.log(np.count_nonzero(count) * count[kinds])
+    return found
 
 
 # --- densities --------------------------------------------------------------------------------
@@ -204,16 +203,11 @@ class _Rows:
         chance[who, row] = self._chance(near[who, row])
         return weights - self.own + self._rest(nothing), worst, near, chance
 
-    @cached_property
-    def _patterns(self) -> tuple[np.ndarray, np.ndarray]:
-        """Which quantities are judged together, and which of these patterns each row has."""
-        patterns, number = np.unique(self.judged, axis=0, return_inverse=True)
-        return patterns, number.reshape(-1)
-
-    def _rest(self, nothing: np.ndarray) -> np.ndarray:
+    def _rest(self, nothing: np.ndarray) -> np.ndarray | float:
         """What is said of the quantities that are not judged (students, m)."""
-        patterns, number = self._patterns
-        found: np.ndarray = np.einsum("sn,pn->sp", nothing, (~patterns).astype(float))[:, number]
+        if self.judged.all():
+            return 0.0
+        found: np.ndarray = np.einsum("ns,nm->sm", nothing.T.copy(), (~self.judged.T).astype(float))
         return found
 
     @cached_property
