@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import json
 import math
-import os
 from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
-from random_mechanisms import DYADS, dyad
 
 from graphkin import api
 from graphkin.errors import NOWHERE, BadKey
@@ -21,14 +19,11 @@ from graphkin.marking.making import drawings_of, half_digit
 from graphkin.marking.marked import Judged, Marked, Number, Work
 from graphkin.marking.marker import Marker
 from graphkin.marking.pencil import Pencil
-from graphkin.marking.power import power
 from graphkin.marking.scatter import Drawings, spread
 from graphkin.marking.slips import Mark, Slips
 from graphkin.marking.tolerances import tolerances
 from graphkin.outputs.key_json import key_data, key_of, key_text
 from graphkin.quantities import named
-
-TRIALS = int(os.environ.get("GRAPHKIN_TRIALS", "4"))
 
 
 @cache
@@ -296,29 +291,6 @@ def test_a_student_is_marked_alike_alone_and_in_a_class():
             assert (one.carried is None) == (other.carried is None)
             assert one.carried is None or one.carried == pytest.approx(other.carried, rel=1e-9)
         assert [one.names for one in found.diagnosis.explanations] == [one.names for one in alone.diagnosis.explanations]
-
-
-@pytest.mark.parametrize("name", ["ex3-1", "ex3-5", *DYADS])
-def test_power(name: str):
-    """Students who make a mistake with a pencil are told which; right work and random numbers are told nothing."""
-    machine = marker(name) if name.startswith("ex") else random_problem(name)
-    found = power(machine, TRIALS)
-    tried = [one for one in found.found if one.applicable and one.moved > 6]
-    assert len(tried) > 20
-    assert np.mean([one.named for one in tried]) > 0.95
-    assert found.alarms[1] <= 0.01
-    assert found.random <= 0.02
-
-
-def random_problem(kind: str, seed: int = 0) -> Marker:
-    """A random mechanism with a dyad of a kind, such as a teacher would take: its drawing fails nowhere, and most
-    values can be measured."""
-    while True:
-        machine = dyad(kind, seed := seed + 1)
-        key = key_for(machine)
-        wide = [entry.tolerance > 0.3 * abs(entry.right) for entry in key.entries]
-        if np.mean(wide) < 0.3:
-            return Marker(key, api.plan(machine))
 
 
 # --- keys -------------------------------------------------------------------------------------

@@ -97,7 +97,7 @@ def _explanation(explainer: Explainer, best: Best, k: int, follows: np.ndarray) 
     order = np.argsort(-best.weights[k, rows], kind="stable")
     explains = next(some for some in follows[order] if some.any())
     return Explanation(
-        tuple(explainer.names[row] for row in rows[order]), float(best.probability[k]), float(best.margin[k]),
+        tuple(explainer.name(row) for row in rows[order]), float(best.probability[k]), float(best.margin[k]),
         tuple(explainer.texts[n] for n in np.flatnonzero(explains)),
     )  # fmt: skip
 

@@ -11,7 +11,7 @@ from copy import copy
 
 import numpy as np
 
-from graphkin.marking.key import Hypotheses, Key
+from graphkin.marking.key import Hypotheses, Key, Name
 from graphkin.marking.verdicts import Columns, agrees, columns_of, differences
 from graphkin.marking.weights import FITS, Scale, Weighed
 from graphkin.value import frozen
@@ -23,8 +23,8 @@ _SAME = 0.5
 """Explanations whose values differ by less, in standard deviations, are one."""
 _CHANCE = 0.008
 """A hit that random numbers make more often is no hint."""
-_AT_ONCE, _STUDENTS = 1 << 16, 256
-"""Weights that are held at once, and students: as many as one core does best."""
+_AT_ONCE = 1 << 16
+"""Weights that are held at once."""
 
 
 @frozen
@@ -51,22 +51,28 @@ class Explainer:
     """Explains the values of those who hand in the same quantities by one mistake, or by two.
 
     there  which of the key's quantities these are
-    names  of the m explanations that can be seen in them; texts: of the quantities
+    texts  of these; names: of the m explanations that can be seen in them
     """
 
     def __init__(self, key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, met: float) -> None:
         """met: logarithm of how often one of the hypotheses is met."""
         self.there, self._scale = there, Scale(key, table, there, hypotheses, met)
-        rows = self._scale.rows
-        self.names = tuple(hypotheses.names[row] for row in rows)
+        rows, self._hypotheses = self._scale.rows, hypotheses
         self.texts = tuple(entry.text for entry, handed in zip(key.entries, there, strict=True) if handed)
         self._table = columns_of(table, there)
         self._values, self._scatters = (some[np.ix_(rows, there)] for some in (hypotheses.values, hypotheses.scatters))
 
+    @property
+    def names(self) -> tuple[tuple[Name, ...], ...]:
+        return tuple(self._hypotheses.names[row] for row in self._scale.rows)
+
+    def name(self, k: int) -> tuple[Name, ...]:
+        return self._hypotheses.names[self._scale.rows[k]]
+
     def only(self, k: int) -> Explainer:
         """Who knows of explanation k alone."""
         one = copy(self)
-        one._scale, one.names = self._scale.only(k), (self.names[k],)
+        one._scale = self._scale.only(k)
         one._values, one._scatters = self._values[[k]], self._scatters[[k]]
         return one
 
@@ -78,7 +84,7 @@ class Explainer:
 
     def best(self, given: np.ndarray, wrong: np.ndarray) -> Iterator[Best]:
         """Of values of which some are wrong (students, quantities of the key), as many as are held at once."""
-        step = min(max(_AT_ONCE // max(len(self.names), 1), 1), _STUDENTS)
+        step = max(_AT_ONCE // max(len(self._scale.rows), 1), 1)
         for k in range(0, len(given), step):
             yield self._best(given[k : k + step, self.there], wrong[k : k + step, self.there])
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import field
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -71,6 +72,13 @@ class Hypotheses:
     values: np.ndarray
     scatters: np.ndarray
     together: np.ndarray | None = None
+
+    @cached_property
+    def kinds(self) -> np.ndarray:
+        """The same number for rows whose mistakes have the same ids (m,)."""
+        numbers: dict[tuple[str, ...], int] = {}
+        found = [numbers.setdefault(tuple(name[0] for name in row), len(numbers)) for row in self.names]
+        return np.array(found, dtype=int)
 
 
 @frozen

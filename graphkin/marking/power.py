@@ -122,8 +122,9 @@ def _parts(
     """The same of those who hand in the same quantities; `drawn`: who does at all (rows, trials)."""
     key, given, of = marker.key, given[drawn], np.nonzero(drawn)[0]
     explainer = Explainer(key, marker.table, there, key.singles, ONE)
-    ids = np.array([names[0][0] for names in explainer.names], dtype=object)
-    mine = np.array([[names == key.singles.names[row] for names in explainer.names] for row in rows])
+    known = explainer.names
+    ids = np.array([names[0][0] for names in known], dtype=object)
+    mine = np.array([[names == key.singles.names[row] for names in known] for row in rows])
     other = ids != np.array([key.singles.names[row][0][0] for row in rows], dtype=object)[:, None]
     _, wrong = marker.judged(given)
     same = np.concatenate([best.same for best in explainer.best(given, wrong)])

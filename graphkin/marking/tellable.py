@@ -22,7 +22,7 @@ from graphkin.value import frozen
 
 WELL = 0.95
 """What part of the students who make a mistake should be told of it."""
-_TRIALS = 500
+_TRIALS = 400
 
 
 @frozen
@@ -48,11 +48,11 @@ Wrong = Callable[[np.ndarray], np.ndarray]
 
 def observed(explainer: Explainer, k: int, drawn: np.ndarray, wrong: Wrong) -> Observed:
     """Of explanation k; drawn: values of students who make this mistake (students, quantities)."""
-    count, one = int(explainer.there.sum()), explainer.only(k)
+    count = int(explainer.there.sum())
     normal = explainer.drawn(k, np.random.default_rng(count).standard_normal((_TRIALS, count)))
-    beyond = float(wrong(normal).any(axis=1).mean())
-    return Observed(beyond, _found(one, normal, wrong), _found(one, drawn, wrong))
-
-
-def _found(explainer: Explainer, given: np.ndarray, wrong: Wrong) -> float:
-    return float(np.concatenate([best.given for best in explainer.best(given, wrong(given))]).mean())
+    given = np.concatenate([normal, drawn])
+    beyond = wrong(given)
+    found = np.concatenate([best.given for best in explainer.only(k).best(given, beyond)])
+    return Observed(
+        float(beyond[:_TRIALS].any(axis=1).mean()), float(found[:_TRIALS].mean()), float(found[_TRIALS:].mean())
+    )

@@ -6,14 +6,13 @@ right or anything. Weights are logarithms of likelihoods times how often such wo
 
 from __future__ import annotations
 
-from collections import Counter
 from copy import copy
 from functools import cached_property
 from math import lgamma
 
 import numpy as np
 
-from graphkin.marking.key import Hypotheses, Key, Name
+from graphkin.marking.key import Hypotheses, Key
 from graphkin.marking.verdicts import Columns, columns_of, differences, upright
 from graphkin.value import frozen
 
@@ -29,6 +28,8 @@ FITS = 4.5
 """A value that is off by more standard deviations is not explained."""
 _REACH = 5.0
 _TURN = 2 * np.pi
+_PRODUCT = 1 << 18
+"""Products of a matrix of so many are left to one thread: more cost more than they give."""
 
 
 @frozen
@@ -61,12 +62,11 @@ class Scale:
         """met: logarithm of how often one of the hypotheses is met."""
         self.table = columns_of(table, there)
         self.rows = np.flatnonzero(visible(self.table, hypotheses.values[:, there]))
-        self.shares = met + _shares([hypotheses.names[k] for k in self.rows])
-        chosen = np.ix_(self.rows, there)
-        together = _hanging(key, self.table, there, hypotheses, self.rows)
-        self._one = _Rows(self.table, hypotheses.values[chosen], hypotheses.scatters[chosen], together)
-        right = key.together[np.ix_(there, there)][None]
-        self._right = _Rows(self.table, self.table.right[None], self.table.scatter[None], right)
+        self.shares = met + _shares(hypotheses.kinds[self.rows])
+        chosen, usual = np.ix_(self.rows, there), key.together[np.ix_(there, there)]
+        own = None if hypotheses.together is None else _Own(hypotheses.together, self.rows, there)
+        self._one = _Rows(self.table, hypotheses.values[chosen], hypotheses.scatters[chosen], usual, own)
+        self._right = _Rows(self.table, self.table.right[None], self.table.scatter[None], usual)
 
     def only(self, k: int) -> Scale:
         """Of explanation k alone, met as often as here, and hit by chance as often as all are."""
@@ -101,11 +101,11 @@ def shifts(table: Columns, values: np.ndarray) -> np.ndarray:
     return found
 
 
-def _shares(names: list[tuple[Name, ...]]) -> np.ndarray:
-    """Logarithms of the rows' shares: the same for each mistake, divided among its places and forms."""
-    kinds = [tuple(name[0] for name in row) for row in names]
-    count = Counter(kinds)
-    return -np.log([len(count) * count[kind] for kind in kinds])
+def _shares(kinds: np.ndarray) -> np.ndarray:
+    """Logarithms of rows' shares (m,): the same for each kind of mistake, divided among its places and forms."""
+    count = np.bincount(kinds)
+    found: np.ndarray = -np.log(np.count_nonzero(count) * count[kinds])
+    return found
 
 
 # --- densities --------------------------------------------------------------------------------
@@ -137,51 +137,49 @@ def _nothing(table: Columns, given: np.ndarray) -> np.ndarray:
     return found
 
 
-def _hanging(key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, rows: np.ndarray) -> np.ndarray:
-    """How the values of rows scatter together (m, n, n): as is known of each, or as right ones do; a larger value errs
-    as the right one does, whichever way it points."""
-    values = upright(table, hypotheses.values[np.ix_(rows, there)])
-    with np.errstate(invalid="ignore"):
-        turned = ~table.angle & (np.sign(values) * np.sign(upright(table, table.right)) < 0)
-    outward = np.where(turned, -1.0, 1.0)
-    found: np.ndarray = key.together[np.ix_(there, there)] * outward[:, :, None] * outward[:, None, :]
-    if hypotheses.together is not None:
-        own = hypotheses.together[np.ix_(rows, there, there)]
-        found = np.where(np.isnan(own), found, own)
-    return found
-
-
 def _turned(angles: np.ndarray) -> np.ndarray:
     """Modulo a turn."""
     found: np.ndarray = angles - _TURN * np.round(angles / _TURN)
     return found
 
 
+@frozen
+class _Own:
+    """How values of some rows scatter together, by themselves: what is known of all quantities (.., n, n)."""
+
+    known: np.ndarray
+    rows: np.ndarray
+    there: np.ndarray
+
+    def of(self, row: int) -> np.ndarray:
+        found: np.ndarray = self.known[self.rows[row]][np.ix_(self.there, self.there)]
+        return found
+
+
 class _Rows:
     """Explanations: normal in the quantities that they judge, "none" in the others.
 
-    values, scatters (m, n), NaN where one says nothing; together: how values of each scatter together (m, n, n)
+    values, scatters (m, n), NaN where one says nothing
+    usual   how values scatter together where a row says nothing of its own (n, n)
     """
 
     def __init__(
-        self, table: Columns, values: np.ndarray, scatters: np.ndarray, together: np.ndarray,
-        cells: dict[int, float] | None = None,
-    ) -> None:  # fmt: skip
-        """cells: of all that chance may hit, where that is more than these rows."""
-        self.table, self.given, self.together = table, (values, scatters), together
+        self, table: Columns, values: np.ndarray, scatters: np.ndarray, usual: np.ndarray, own: _Own | None = None
+    ) -> None:
+        self.table, self.given, self.usual, self._own = table, (values, scatters), usual, own
         self.judged = np.isfinite(values) & np.isfinite(scatters)
-        self.middle, self.size = upright(table, table.right), np.where(self.judged, upright(table, values), 0.0)
-        self.values = np.where(self.judged, self.size - self.middle, 0.0)
+        self.size = np.where(self.judged, upright(table, values), 0.0)
         self.sharp = 1 / np.where(self.judged, scatters, np.inf)
         self.count = self.judged.sum(axis=1)
         self.own = np.where(self.judged, np.log(scatters), 0.0).sum(axis=1)
         self._axes: dict[int, tuple[np.ndarray, ...]] = {}
-        self._cells = self._crowds() if cells is None else cells
+        self._cells = self._crowds()
 
     def only(self, k: int) -> _Rows:
+        """Row k alone; chance hits it as often as all of them."""
         values, scatters = (some[[k]] for some in self.given)
-        one = _Rows(self.table, values, scatters, self.together[[k]], self._cells)
-        one._axes[0] = self._apart(k)
+        one = _Rows(self.table, values, scatters, self.usual)
+        one._axes[0], one._cells = self._apart(k), self._cells
         return one
 
     def drawn(self, k: int, errors: np.ndarray) -> np.ndarray:
@@ -194,7 +192,7 @@ class _Rows:
     def weigh(self, given: np.ndarray, nothing: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Weights, worst deviations, sums of their squares, chance: (students, m) each. Where some value must be off by
         more than fits, the worst is infinite, and the density without a common part will do."""
-        given = upright(self.table, given) - self.middle
+        given = upright(self.table, given)
         near = self._near(given)
         worst, chance = np.full_like(near, np.inf), np.ones_like(near)
         row, who = np.nonzero((near < FITS**2 * self.count).T)  # row by row
@@ -205,23 +203,18 @@ class _Rows:
         chance[who, row] = self._chance(near[who, row])
         return weights - self.own + self._rest(nothing), worst, near, chance
 
-    @cached_property
-    def _patterns(self) -> tuple[np.ndarray, np.ndarray]:
-        """Which quantities are judged together, and which of these patterns each row has."""
-        patterns, number = np.unique(self.judged, axis=0, return_inverse=True)
-        return patterns, number.reshape(-1)
-
-    def _rest(self, nothing: np.ndarray) -> np.ndarray:
+    def _rest(self, nothing: np.ndarray) -> np.ndarray | float:
         """What is said of the quantities that are not judged (students, m)."""
-        patterns, number = self._patterns
-        found: np.ndarray = np.einsum("sn,pn->sp", nothing, (~patterns).astype(float))[:, number]
+        if self.judged.all():
+            return 0.0
+        found: np.ndarray = np.einsum("ns,nm->sm", nothing.T.copy(), (~self.judged.T).astype(float))
         return found
 
     @cached_property
     def _squared(self) -> tuple[np.ndarray, np.ndarray]:
         """What students' values, squared and plain, are multiplied by, and what is added, for (a - b)^2."""
         weight = np.where(self.table.angle, 0.0, self.sharp**2)
-        return np.concatenate([weight.T, (-2 * self.values * weight).T]), (self.values**2 * weight).sum(axis=1)
+        return np.concatenate([weight.T, (-2 * self.size * weight).T]), (self.size**2 * weight).sum(axis=1)
 
     def _near(self, given: np.ndarray) -> np.ndarray:
         """Sums of the squares of the deviations (students, m), multiplied out: near enough for those far off."""
@@ -229,13 +222,13 @@ class _Rows:
         # no matrix product: on matrices as small its threads cost more than they give
         near = np.einsum("ks,km->sm", np.concatenate([given.T**2, given.T]), factors) + rest
         for k in np.flatnonzero(self.table.angle):
-            near += (_turned(given[:, k, None] - self.values[:, k]) * self.sharp[:, k]) ** 2
+            near += (_turned(given[:, k, None] - self.size[:, k]) * self.sharp[:, k]) ** 2
         found: np.ndarray = np.maximum(near, 0.0)
         return found
 
     def _off(self, given: np.ndarray, row: np.ndarray) -> np.ndarray:
         """Deviations of values (pairs, n) from rows (pairs,)."""
-        off = given - self.values[row]
+        off = given - self.size[row]
         if self.table.angle.any():
             off[:, self.table.angle] = _turned(off[:, self.table.angle])
         found: np.ndarray = off * self.sharp[row]
@@ -247,6 +240,7 @@ class _Rows:
         squares = np.empty((len(near), 1 + len(_COMMON)))
         squares[:, 0] = near
         ends = np.flatnonzero(np.diff(row, append=-1)) + 1
+        ends = np.union1d(ends, np.arange(0, len(row), _PRODUCT // z.shape[1] ** 2 + 1)[1:])
         for start, end in zip((0, *ends), ends, strict=False):
             axes, _, sharp, sizes = self._apart(int(row[start]))
             squares[start:end, 1:] = (z[start:end] @ axes) ** 2 @ sharp + sizes
@@ -259,13 +253,24 @@ class _Rows:
         squares are multiplied, and what is added, for each part that is common (.., parts), (parts,)."""
         if row not in self._axes:
             judged = self.judged[row]
-            sizes, axes = np.linalg.eigh(self.together[row][np.ix_(judged, judged)])
+            sizes, axes = np.linalg.eigh(self._together(row)[np.ix_(judged, judged)])
             parts = np.array(_COMMON)
             variances = np.maximum(parts * sizes[:, None] + 1 - parts, 1 - parts)  # smaller ones are rounding
             axes = np.eye(len(judged))[:, judged] @ axes
             along = np.sqrt(np.maximum(sizes, 0.0))
             self._axes[row] = axes, along, 1 / variances, np.log(variances).sum(axis=0)
         return self._axes[row]
+
+    def _together(self, row: int) -> np.ndarray:
+        """How the values of a row scatter together (n, n). Without own ones, a larger value errs as the right one does,
+        whichever way it points."""
+        own = None if self._own is None else self._own.of(row)
+        if own is not None and not np.isnan(own).any():
+            return own
+        turned = ~self.table.angle & (self.size[row] * upright(self.table, self.table.right) < 0)
+        outward = np.where(turned, -1.0, 1.0)
+        found: np.ndarray = self.usual * np.outer(outward, outward)
+        return found
 
     def _crowds(self) -> dict[int, float]:
         """By how many quantities are judged: how many of such rows random numbers meet, for a cell of size 1 about each
