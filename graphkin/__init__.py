@@ -38,13 +38,14 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 ORDER = (
-    "value", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism", "naming",
-    "motions", "quantities", "measured", "loading", "library", "starters", "planning", "running", "seal", "analytic",
-    "freedoms", "assur", "readings", "agreement", "centres", "linkages", "design", "sweeps", "finding", "check",
-    "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading",
+    "value", "kept", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism",
+    "naming", "motions", "quantities", "measured", "loading", "library", "starters", "planning", "running", "seal",
+    "analytic", "freedoms", "assur", "readings", "standing", "agreement", "centres", "linkages", "design", "sweeps",
+    "finding",
+    "check", "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading",
     "problems", "platforms", "handouts", "reference", "cli",
 )  # fmt: skip
 
@@ -93,4 +94,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return sorted({*__all__, "__all__", "__doc__", "__name__", "__version__"})

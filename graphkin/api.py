@@ -23,8 +23,9 @@ from numpy.typing import ArrayLike
 
 from graphkin import library, loading, planning, running
 from graphkin.construction import Plane, Plot
-from graphkin.errors import CannotAssemble, GraphkinError, HigherClass, Lang, Where
+from graphkin.errors import CannotAssemble, GraphkinError, HigherClass, Lang, NoSpeed, Where
 from graphkin.geometry import Value
+from graphkin.loading.questions import rate_keys
 from graphkin.measured import Readable, State, read_off
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
     from graphkin.outputs.notebook import Shown
     from graphkin.quantities import Answer
     from graphkin.sheet import Style
-    from graphkin.sweeps import Ranges, Road
+    from graphkin.sweeps import PointPath, Ranges, Road
 
 __all__ = ["Drawing", "load", "motion", "plan", "replay", "sweep"]
 
@@ -207,14 +208,33 @@ class Drawing(Readable):
 
     def sheet(
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, style: Style = "construction",
-        tight: bool = False,
+        tight: bool = False, paths: Sequence[str] = (), arrows: bool = False,
     ) -> Shown:  # fmt: skip
         """The sheet: mechanism and polygons to scale, in millimetres on paper; `style`: with their construction, as
-        results alone, or only the mechanism with what is given; `tight`: the figures alone."""
-        from graphkin.outputs.notebook import shown
-        from graphkin.sheet import sheet
+        results alone, or only the mechanism with what is given; `tight`: the figures alone.
 
-        return shown(sheet(self.method, self.plot, paper=paper, lang=lang, only=only, style=style, tight=tight))
+        paths   points whose paths are drawn over the driver's turn, or as far as it gets; arrows: with velocities
+        """
+        from graphkin.outputs.notebook import shown
+        from graphkin.sheet import Paths, sheet
+
+        drawn = Paths(tuple(self._paths(paths, arrows)), arrows and bool(paths), lang)
+        found = sheet(
+            self.method, self.plot, paper=paper, lang=lang, only=only, style=style, tight=tight, paths=drawn
+        )
+        return shown(found)
+
+    def _paths(self, points: Sequence[str], arrows: bool) -> Iterator[PointPath]:
+        if not points:
+            return
+        from graphkin.sweeps import point_path
+
+        values = tuple(float(value) for value in self.plot.facts.values)
+        for point in dict.fromkeys(points):
+            path = point_path(self.method, point, values)
+            if arrows and not path.course.driver.rate:
+                raise NoSpeed(Where(f"path {point}"), path.course.driver.name, rate_keys(path.course.driver))
+            yield path
 
     def step_sheets(
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, tight: bool = False

@@ -58,6 +58,7 @@ class Structure:
     moving, low, high   counts of moving links, of lower and of higher pairs; rolling contacts are neither
     rolls               each rolling contact by its links, with the freedoms it takes: no slip, and the distance kept,
                         unless other pairs keep that
+    uncounted           how many redundant constraints the formula leaves out: distances from a track that others keep
     mobility            degrees of freedom by rank
     groups              in the order they are solved
     methods             keys of the methods that the construction needs: "two points", "coincident", ..
@@ -70,6 +71,7 @@ class Structure:
     groups: tuple[Together, ...]
     methods: tuple[str, ...]
     rolls: tuple[tuple[tuple[str, ...], int], ...] = ()
+    uncounted: int = 0
 
     @property
     def rolled(self) -> int:
@@ -77,8 +79,9 @@ class Structure:
 
     @property
     def repeated(self) -> int:
-        """Redundant constraints that the formula counts."""
-        return self.mobility.repeated - sum(taken == 1 for _, taken in self.rolls)
+        """Redundant constraints; a rack against its pinion is like two gears, whose distance is nobody's constraint."""
+        alone = sum(taken == 1 for _, taken in self.rolls) - self.uncounted
+        return self.mobility.repeated - alone
 
     @property
     def formula(self) -> int:
@@ -98,7 +101,7 @@ def structure(method: Method) -> Structure:
     high = sum(not pair.lower for pair in others)
     return Structure(
         len(mechanism.moving), low, high, mobility(mechanism),
-        tuple(_groups(method)), tuple(_methods(method)), tuple(_rolls(method)),
+        tuple(_groups(method)), tuple(_methods(method)), tuple(_rolls(method)), _uncounted(method),
     )  # fmt: skip
 
 
@@ -110,6 +113,10 @@ def _rolls(method: Method) -> Iterator[tuple[tuple[str, ...], int]]:
         if isinstance(pair, Roll):
             alone = pair.name in kept or rod_name(pair) in structure.bodies
             yield tuple(mechanism.called(link) for link in pair.joins), 2 if alone else 1
+
+
+def _uncounted(method: Method) -> int:
+    return sum(each.part == "line" and each.pair[0] == Roll.table for each in method.aside)
 
 
 def _groups(method: Method) -> Iterator[Together]:

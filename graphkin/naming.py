@@ -119,16 +119,18 @@ def named(mechanism: Mechanism, pair: PairName) -> tuple[str, str]:
     return table, names[k] if names.count(names[k]) == 1 else f"{names[k]} ({nth})"
 
 
-_ROD = re.compile(r"(?<![A-Za-z])([a-z]?)e (?:c(\d+)|(\w+))")
+_ROD = re.compile(r"(?<![A-Za-z])([a-z]?)e (?:([crg])(\d+)\b|(\w+))")
+_RODS = {"c": "e", "r": "f", "g": "g"}
+"""The letters of the links that stand for cam pairs, hold rolling wheels, and join the centres of gears."""
 
 
 def spelled(name: str) -> str:
-    """A name with the links of an equivalent as people read them: e, e2, ..; those that hold a wheel e_r0, .."""
+    """A name with the links of an equivalent as people read them: e, e2, ..; those that hold a wheel f, f2, .."""
     return _ROD.sub(_rod, name)
 
 
 def _rod(found: re.Match[str]) -> str:
-    letter, number, roll = found.groups()
-    if number is None:
+    letter, kind, number, roll = found.groups()
+    if kind is None:
         return f"{letter}e_{roll}"
-    return f"{letter}e" + (str(int(number) + 1) if int(number) else "")
+    return letter + _RODS[kind] + (str(int(number) + 1) if int(number) else "")

@@ -10,7 +10,7 @@ from graphkin.agreement import proved
 from graphkin.centres import centres, place
 from graphkin.construction import Plot, Site
 from graphkin.errors import Lang
-from graphkin.geometry import Value
+from graphkin.geometry import Value, dot
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
 from graphkin.naming import Seen
@@ -124,6 +124,9 @@ def _answer(method: Method, plot: Plot, motions: Motions, question: str) -> Mapp
     if found is None or not math.isfinite(_number(found.value)):
         return {"value": None, "unit": None if found is None else found.unit}
     vector = {} if found.vector is None else {"vector": _vector(found.vector)}
+    if quantity is not None and quantity.along is not None and found.vector is not None:  # signed, as in tables
+        signed = {"value": _number(dot(quantity.along, found.vector)), "size": _number(found.value)}
+        return {**signed, "unit": found.unit, **vector}
     return {"value": _number(found.value), "unit": found.unit, **vector}
 
 

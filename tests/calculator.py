@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from itertools import pairwise
+from math import radians, sin
 
 NUMBER = r"−?\d+(?:\.\d+)?(?:e−?\d+)?"
 FORMULA = re.compile(r"[−(]*\d[\d.e−+×/²() ]*(?:[×/²+]| − )[\d.e−+×/²() ]*")
@@ -11,6 +12,7 @@ RESULT = re.compile(rf"{NUMBER}")
 
 
 def calculated(formula: str) -> float:
+    formula = re.sub(r"sin ([\d.]+)°", lambda found: repr(sin(radians(float(found[1])))), formula)
     python = formula.replace("−", "-").replace("×", "*").replace("²", "**2")
     assert re.fullmatch(r"[-0-9.e*/+() ]+", python), formula
     return float(eval(python))
@@ -28,7 +30,7 @@ def chains(line: str) -> list[tuple[str, str]]:
     """Formulas of figures alone, each with the figure after it."""
     found = []
     for formula, after in pairwise(re.split(r" = ", line)):
-        if FORMULA.fullmatch(formula.strip()) and (result := RESULT.match(after)):
+        if FORMULA.fullmatch(re.sub(r"sin ([\d.]+)°", r"\1", formula.strip())) and (result := RESULT.match(after)):
             found.append((formula.strip(), result[0]))
     return found
 

@@ -1,18 +1,21 @@
-"""The gallery: every library mechanism as a sheet in each language, and a page of feedback on homework.
+"""The gallery: every library mechanism as a sheet in each language, a coupler curve, a handout, feedback on homework.
 
     .venv/bin/python tests/gallery.py            rebuilds figures/
     .venv/bin/python tests/gallery.py ex3-1      one of them
-    .venv/bin/python tests/gallery.py feedback   the page of feedback
+    .venv/bin/python tests/gallery.py feedback   the page of feedback; `path` the coupler curve; `handout` the worksheet
 """
 
 from __future__ import annotations
 
+import io
 import re
 import shutil
 import sys
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
+from unittest import mock
 
 from graphkin import Drawing, grading, library, platforms
 from graphkin.errors import Where
@@ -20,9 +23,14 @@ from graphkin.outputs.marks_json import record
 from graphkin.outputs.svg import svg
 from graphkin.platforms.svg_page import drawing as page
 
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
 HOMEWORK = Path(__file__).parent / "cases" / "homework"
 FEEDBACK = "feedback"
 """The folder of the page of feedback."""
+PATH, HANDOUT = "path", "handout"
+"""The folder of the coupler curve; the picture of a worksheet."""
 FIGURES = Path(__file__).parent.parent / "figures"
 NUMBER = re.compile(r"[-+]?\d*\.?\d+(?:e[-+]?\d+)?")
 CLOSE_MM = 0.02
@@ -43,6 +51,43 @@ def feedback() -> Iterator[tuple[Path, str]]:
     for lang, end in (("en", ""), ("zh", "-zh")):
         told = platforms.Feedback(result, lang, "answer", pictures(result, lang, "answer"))
         yield Path(FEEDBACK) / f"{FEEDBACK}{end}.svg", page(told).decode()
+
+
+def path() -> Iterator[tuple[Path, str]]:
+    """A coupler curve with the point's velocities."""
+    drawing = Drawing.of(library.load("ex3-5"))
+    for lang, end in (("en", ""), ("zh", "-zh")):
+        sheet = drawing.sheet(lang=lang, only="position", tight=True, paths=["E"], arrows=True)
+        yield Path(PATH) / f"{PATH}{end}.svg", svg(sheet)
+
+
+def worksheet() -> Image:
+    """Two pages of example 3-1 as they are printed, side by side."""
+    import typst
+    from PIL import Image
+
+    from graphkin.handouts import handout
+    from graphkin.handouts.typst import pdf
+
+    compile, pages = typst.compile, []
+
+    def seen(source: bytes, **options: Any) -> bytes:
+        kept = {key: options[key] for key in ("sys_inputs", "font_paths")}
+        pages.extend(compile(source, format="png", ppi=66, **kept))
+        return compile(source, **options)
+
+    with mock.patch.object(typst, "compile", seen):
+        pdf(handout([library.load("ex3-1")], "blank", "en"))
+    first, second = (Image.open(io.BytesIO(page)).convert("L") for page in pages[:2])
+    both = Image.new("L", (first.width * 2 + 8, first.height), 160)
+    both.paste(first, (0, 0))
+    both.paste(second, (first.width + 8, 0))
+    return both.quantize(16)
+
+
+def special(name: str) -> Iterator[tuple[Path, str]]:
+    """What is no mechanism's sheet."""
+    return feedback() if name == FEEDBACK else path()
 
 
 def differences(old: str, new: str) -> Iterator[str]:
@@ -77,11 +122,14 @@ def main(names: list[str]) -> None:
     if not names:
         for folder in (path for path in FIGURES.iterdir() if path.is_dir()):
             shutil.rmtree(folder)
-    for name in names or (*library.names(), FEEDBACK):
-        for path, text in feedback() if name == FEEDBACK else drawings(name):
-            (FIGURES / path).parent.mkdir(parents=True, exist_ok=True)
-            (FIGURES / path).write_text(text, encoding="utf-8", newline="\n")
-            print(path)
+    for name in names or (*library.names(), FEEDBACK, PATH, HANDOUT):
+        if name == HANDOUT:
+            worksheet().save(FIGURES / f"{HANDOUT}.png", optimize=True)
+            continue
+        for file, text in special(name) if name in (FEEDBACK, PATH) else drawings(name):
+            (FIGURES / file).parent.mkdir(parents=True, exist_ok=True)
+            (FIGURES / file).write_text(text, encoding="utf-8", newline="\n")
+            print(file)
 
 
 if __name__ == "__main__":

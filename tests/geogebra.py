@@ -5,6 +5,7 @@ Only the kinds of objects are here that a construction needs; angles in radians.
 
 from __future__ import annotations
 
+import functools
 import io
 import math
 import re
@@ -74,6 +75,8 @@ class Reckoned:
         plain = _LABEL.sub(label, text)
         plain = re.sub(r"\b(If|Invert|Transpose|Element)\[", r"\1(", plain).replace("]", ")").replace("^", "**")
         plain = plain.replace("{", "[").replace("}", "]")
+        if plain.startswith("[") and "[" not in plain[1:]:
+            return _row(plain)
         plain = _pairs_named(plain)
         names |= {key: self.values[key] for key in self.values if re.fullmatch("[A-Za-z]", key)}
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -94,6 +97,16 @@ def _pairs_named(formula: str) -> str:
     return "".join("complex(" if k in points else letter for k, letter in enumerate(formula))
 
 
+class _Row(list):
+    """A list of numbers, counted from 1."""
+
+
+@functools.cache
+def _row(text: str) -> _Row:
+    parts = (part.partition(" * 10**") for part in text[1:-1].split(", "))
+    return _Row(float(digits) * 10 ** int(power.strip("()") or 0) for digits, _, power in parts)
+
+
 class _Matrix:
     """A list of lists: `*` is the product of matrices."""
 
@@ -104,8 +117,14 @@ class _Matrix:
         return _Matrix(self.rows @ other.rows)
 
 
+def _element(held: Any, row: int, *column: int) -> float:
+    if column:
+        return float(held.rows[row - 1, column[0] - 1])
+    return held[row - 1] if 1 <= row <= len(held) else math.nan
+
+
 def _made(value: Any) -> Any:
-    return _Matrix(value) if isinstance(value, list) else value
+    return _Matrix(value) if isinstance(value, list) and not isinstance(value, _Row) else value
 
 
 def _line(through: complex, direction: complex) -> tuple[complex, complex]:
@@ -142,5 +161,5 @@ _FUNCTIONS: dict[str, Any] = {
     "sqrt": lambda number: math.sqrt(number) if number >= 0 else math.nan,
     "If": lambda asked, then, otherwise: then if asked else otherwise,
     "Invert": lambda matrix: _Matrix(np.linalg.inv(matrix.rows)), "Transpose": lambda matrix: _Matrix(matrix.rows.T),
-    "Element": lambda matrix, row, column: matrix.rows[row - 1, column - 1],
+    "Element": lambda held, row, *column: _element(held, int(row), *column), "floor": math.floor,
 }  # fmt: skip

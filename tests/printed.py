@@ -242,6 +242,30 @@ def _tabular(lines: list[str], k: int) -> bool:
     return any(lines[j] in ("Symbols", "符号说明") for j in range(max(0, k - 400), k))
 
 
+VALUE = re.compile(r"(−?[\d.]+(?:e−?\d+)?)(?: ([+−]) ([\d.]+(?:e−?\d+)?) i)?(°| .*)?")
+UNITS = {"°": np.pi / 180, "mm": 1e-3, "mm·rad": 1e-3}
+DIGITS = 6
+
+
+def legend(text: str, share: float) -> dict[str, Quantity]:
+    """The printed values in SI units, each off by half a unit of its last digit; `share`: what an error is counted in."""
+    found: dict[str, Quantity] = {}
+    rows = re.split(r"\n(?:Symbols|符号说明)\n-+\n", plain(text))[1].split("\n")
+    for row in rows[2:]:
+        if row.strip():
+            name, *_, value = re.split(r" {2,}", row.strip())
+            found[name] = _read(value, share)
+    return found
+
+
+def _read(text: str, share: float) -> Quantity:
+    real, sign, imag, unit = VALUE.fullmatch(text).groups()
+    parts = [float(part.replace("−", "-")) for part in (real, imag and (sign + imag).replace("+", "")) if part]
+    off = sum(0.5 * 10.0 ** (np.floor(np.log10(abs(part))) + 1 - DIGITS) for part in parts if part)
+    size = UNITS.get((unit or "").strip(), 1.0)
+    return Quantity(np.asarray(size * (complex(*parts) if sign else parts[0])), np.asarray(size * off / share))
+
+
 def _equations(block: list[str]) -> list[Equation]:
     """Rows of one display: a line each, or as many lines as the matrices in it are high."""
     block[-1] = re.sub(r"\s{3,}\(\d+\)$", "", block[-1])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,8 +12,9 @@ import pytest
 from click.shell_completion import ShellComplete
 from click.testing import CliRunner, Result
 
-from graphkin import library
+from graphkin import api, library
 from graphkin.cli import main, watching
+from graphkin.standing import standing
 
 FILE = library.text("ex3-5")
 
@@ -30,7 +32,7 @@ def run(*words: str, text: str | bytes | None = None) -> Result:
 # --- several mechanisms, other positions -------------------------------------------------------
 
 
-@pytest.mark.parametrize("command", ["explain", "solve", "structure", "equations"])
+@pytest.mark.parametrize("command", ["explain", "solve", "structure", "equations", "linkage"])
 def test_several_mechanisms(command: str) -> None:
     """As one after the other; one that is refused stops none."""
     alone = [run(command, name).stdout for name in ("ex3-1", "fig3-1")]
@@ -54,6 +56,75 @@ def test_solve_at_another_angle() -> None:
     rows = run("sweep", "ex3-5", "--driver", "100:110:10", "--of", "omega 3", "-o", "-").stdout.splitlines()
     assert position["links"]["3"]["omega"] == pytest.approx(float(rows[1].split(",")[1]), rel=1e-9)
     assert run("solve", "ex3-5", "--angle", "100", "--angle", "20").exit_code == 2
+
+
+def test_another_angle_is_another_drawn_position() -> None:
+    """As a file that is drawn there: on the branch on which the drawn one stands, past where a sketch would mislead."""
+    method = api.plan(library.load("ex3-5"))
+    there = standing(method, [math.radians(250)])
+    Path("there.toml").write_text(there.text, encoding="utf-8")
+    for command in ("equations", "structure", "linkage", "explain"):
+        turned, told = run(command, "ex3-5", "--angle", "250"), run(command, "there.toml")
+        assert (turned.exit_code, turned.stderr) == (0, ""), command
+        assert turned.stdout == told.stdout, command
+    assert "250°" in run("equations", "-", "--angle", "250", text=FILE).stdout
+    assert run("structure", "ex3-5", "--angle", "100", "--angle", "20").exit_code == 2
+    assert run("linkage", "--fourbar", "15", "48", "55", "45", "--angle", "20").exit_code == 2
+
+
+ELSEWHERE = [("ex3-3", 0.5), ("p3-17", 0.05), ("p3-22", 0.03), ("s4-ex6", -0.7), ("p3-19", 0.3)]
+
+
+@pytest.mark.parametrize(("name", "aside"), ELSEWHERE)
+def test_a_mechanism_stands_elsewhere(name: str, aside: float) -> None:
+    """Poses, displacements, several drivers: its file has them of there, and moves on as it did."""
+    method = api.plan(library.load(name))
+    values = [float(value) + aside for value in method.facts(None).values]
+    there = standing(method, values)
+    drawn, again = api.replay(method, values), api.replay(api.plan(there))
+    for link in there.moving:
+        assert again.omega[link] == pytest.approx(drawn.omega[link], rel=1e-7, abs=1e-9)
+        assert again.alpha[link] == pytest.approx(drawn.alpha[link], rel=1e-6, abs=1e-7)
+    assert all(abs(again["path " + p].si - drawn["path " + p].si) < 1e-9 * method.size for p in there.points)
+
+
+def test_a_drawing_changed_by_hand_is_kept() -> None:
+    draw = ("draw", "ex3-1", "--only", "velocity", "--tight")
+    assert run(*draw).exit_code == 0
+    fresh = Path("ex3-1.svg").read_text(encoding="utf-8")
+    assert run(*draw, "--lang", "zh").exit_code == 0, "as it was drawn it is drawn anew"
+    moved = re.sub(r'(class="vector"[^>]*x1=")(\d+)', lambda found: found[1] + str(int(found[2]) + 1), fresh, count=1)
+    added = fresh.replace("</svg>", '<text x="20" y="20" font-size="4">mine</text></svg>')
+    for text in (moved, added):
+        assert text != fresh
+        Path("ex3-1.svg").write_text(text, encoding="utf-8")
+        result = run(*draw)
+        assert (result.exit_code, "changed by hand" in result.stderr) == (3, True)
+        assert Path("ex3-1.svg").read_text(encoding="utf-8") == text
+    assert run(*draw, "--force").exit_code == 0
+    assert Path("ex3-1.svg").read_text(encoding="utf-8") == fresh
+
+
+def test_check_as_data() -> None:
+    drawing = run("draw", "fig3-1", "-o", "-").stdout
+    good = json.loads(run("check", "-", "--json", text=drawing).stdout)
+    assert (good["passed"], good["faults"]) == (True, [])
+    assert max(entry["off"] for entry in good["measured"]) < 0.01
+    result = run("check", "-", "--json", text="no drawing")
+    assert (result.exit_code, "error" in json.loads(result.stdout)) == (3, True)
+
+
+def test_solve_has_the_signs_of_tables() -> None:
+    asked = json.loads(run("solve", "fig3-1", "--json").stdout)["positions"][0]["ask"]["a C"]
+    ((_, swept),) = swept_rows("fig3-1", "a C")
+    assert asked["value"] == pytest.approx(swept)
+    assert asked["value"] == -asked["size"] < 0
+    assert run("solve", "fig3-1").stdout.count("a C                   -0.863225") == 1
+
+
+def swept_rows(name: str, of: str) -> list[list[float]]:
+    _, rows = swept(name, "--driver", "60:61:2", "--of", of)
+    return [row[:2] for row in rows]
 
 
 # --- watch -------------------------------------------------------------------------------------
@@ -199,3 +270,26 @@ def test_structure_as_data() -> None:
     assert (first["freedoms"], first["formula"], first["class"], second["class"]) == (1, 1, 2, 3)
     assert [link for group in second["groups"] for link in group["links"]]
     assert "error" in wrong
+
+
+def test_a_slide_may_be_driven_by_the_name_it_is_printed_with() -> None:
+    text = library.text("ex3-1")
+    begin, end = text.index("[[driver]]"), text.index("[sketch]")
+    driven = text[:begin] + '[[driver]]\nslide = "s0"\nat = 58.867\nvelocity = 0.1\n\n' + text[end:]
+    lines = run("solve", "-", text=driven).stdout.splitlines()
+    assert "position: s0 = 58.867 mm" in lines
+    assert any(re.match(r"theta 1 +60\.0", line) for line in lines)
+    assert "no sliding pair" in run("solve", "-", text=driven.replace('"s0"', '"s1"')).stderr
+
+
+def test_values_for_each_driver() -> None:
+    machine = library.load("ex3-1")
+    for act in (lambda: api.motion(machine, [1, 2]), lambda: api.Drawing.of(machine, [1, 2])):
+        with pytest.raises(ValueError, match=r"1 drivers, 2 values. Give one value for each of AB"):
+            act()
+
+
+def test_a_trains_ratios_are_no_trial() -> None:
+    assert "fitted by trial" not in run("draw", "p3-12", "--tight", "--only", "position", "-o", "-").stdout
+    assert "fitted by trial" not in run("draw", "ex3-3", "--only", "position", "-o", "-").stdout
+    assert "fitted by trial" in run("draw", "ex3-2", "--only", "position", "-o", "-").stdout

@@ -28,17 +28,18 @@ from random_mechanisms import (
 )
 
 from graphkin import library
-from graphkin.construction import Fit, Plot, Roll, Simultaneous, replay
+from graphkin.construction import Plot, replay
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.running.compiled.calls import written_out
-from graphkin.running.compiled.lazy_plot import TABLES
+from graphkin.running.compiled.lazy_plot import TABLES, LazyPlot
 from graphkin.running.compiled.operations import CannotRecord
 from graphkin.running.compiled.program import CHUNK, Program, compiled_program
 from graphkin.running.compiled.tape import Tape
-from graphkin.running.many_positions import MANY, program_of, replay_along
+from graphkin.running.many_positions import MANY, by_program, program_of, replay_along
+from graphkin.running.path import Path, along
 from graphkin.running.tracing import trace
 
 COUNT = 721
@@ -82,7 +83,9 @@ def rows(value: Any, count: int) -> np.ndarray:
     return np.broadcast_to(value, (count,))
 
 
-def hold_alike(method: Method, found: Plot, plain: Plot, count: int) -> int:
+def hold_alike(
+    method: Method, found: Plot, plain: Plot, count: int, moved_by: Callable[[float], Plot] | None = None
+) -> int:
     """Every table the same, to twelve digits of the largest of its kind at each position; at how many positions.
 
     Where a crossing is flat, rounding moves it by its inverse sine, and with it the lines of the polygons, whose own
@@ -92,7 +95,8 @@ def hold_alike(method: Method, found: Plot, plain: Plot, count: int) -> int:
     with np.errstate(divide="ignore"):
         flat = np.fmax(1.0, OPEN_SINE / least_sines(plain, count))
     flat[np.isinf(flat)] = 1.0  # replayed plainly
-    sizes, near = sizes_of(method, plain, count), [besides(method, plain, change) for change in (-NUDGE, NUDGE)]
+    moved_by = moved_by or partial(besides, method, plain)
+    sizes, near = sizes_of(method, plain, count), [moved_by(change) for change in (-NUDGE, NUDGE)]
     for table in TABLES:
         assert list(getattr(found, table)) == list(getattr(plain, table)), table
         for name, value in getattr(plain, table).items():
@@ -147,7 +151,7 @@ def sizes_of(method: Method, plain: Plot, count: int) -> dict[str, np.ndarray]:
 def test_library_alike(name: str):
     method = plan(library.load(name))
     if method.moves_on:
-        assert program_of(method) is None
+        assert alike_on_its_way(method)
         return
     values = around(method)
     assert hold_alike(method, records(method).run(values), plainly(method, values), COUNT)
@@ -168,10 +172,35 @@ def test_random_mechanisms_alike(kind: str):
 
 
 @pytest.mark.parametrize("kind", MOVING_ON)
-def test_what_moves_on_is_not_made_into_a_program(kind: str):
-    method = plan(MOVING_ON[kind](3))
-    assert any(isinstance(step, Fit | Roll | Simultaneous) for step in method.position.steps)
-    assert program_of(method) is None
+def test_what_moves_on_alike(kind: str):
+    """Where links are fitted, or wheels roll, along the way from the drawn position; never without one."""
+    tried = 0
+    for seed in range(3, 8):
+        try:
+            method = plan(MOVING_ON[kind](seed))
+        except GraphkinError:
+            continue
+        if not method.moves_on:
+            continue
+        assert by_program(method, around(method)) is None
+        tried += alike_on_its_way(method)
+    assert tried > 1000
+
+
+def alike_on_its_way(method: Method) -> int:
+    """At how many positions of a turn, or of what is reached of it, the first driver moving, and somewhat beyond."""
+    far = 2 * np.pi if method.drivers[0].kind != "slide" else method.size
+    path = trace(method, [1.0, *[0.0] * (len(method.drivers) - 1)], -far, far)
+    t = np.linspace(1.001 * path.first, 1.001 * path.last, COUNT)
+    found, plain = replay_along(method, path, t), along(method, path, t)
+    replay(method.acceleration, replay(method.velocity, plain))
+    assert isinstance(found, LazyPlot)
+    return hold_alike(method, found, plain, COUNT, lambda change: nudged(method, path, t, 10 * change))
+
+
+def nudged(method: Method, path: Path, t: np.ndarray, change: float) -> Plot:
+    """Plain replay a little farther on the way: more than where nothing rolls, for one angle is found from the other."""
+    return replay(method.acceleration, replay(method.velocity, along(method, path, t + change)))
 
 
 @pytest.mark.parametrize("kind", ["RRR", "RPR", "cylinder"])
@@ -337,7 +366,7 @@ def test_plots_are_replaced_and_added_to_as_any_plot():
 
 def carried_out(tape: Tape, places: Sequence[int], *given: np.ndarray) -> list[np.ndarray]:
     """What entries come to."""
-    calls = written_out(tape, len(given), (), places)
+    calls = written_out(tape, len(given), (), places, ())
     block = np.empty((len(calls.rows), given[0].size))
     calls.run(given, block, [np.empty(given[0].size) for _ in range(calls.registers)])
     return [block[calls.rows[place]] for place in places]

@@ -134,7 +134,7 @@ def test_roads_that_differ_give_no_sweep(monkeypatch: pytest.MonkeyPatch):
         module, "moving", lambda method, path, t, by: told(*((other.method, other.path) if by == "analysis" else (method, path)), t, by)
     )
     with pytest.raises(RoadsDiffer):
-        prove(moved)
+        prove(course(plan(folding("parallelogram", "crank", 0)), ["0:360:30"]))
 
 
 def test_positions_without_a_motion_are_left_out(monkeypatch: pytest.MonkeyPatch):

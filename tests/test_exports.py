@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -9,12 +10,15 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from pdf_lines import lines
 
 import graphkin
 from graphkin.cli import main
 from graphkin.outputs import drawings
 from graphkin.sheet.marks import VectorMark
 
+MUCH = "GRAPHKIN_TEX" in os.environ
+"""All that TeX may compile takes a minute."""
 NAMES = ("ex3-1", "ex3-4", "p3-22", "curved-slot")
 
 
@@ -61,13 +65,46 @@ def test_tikz_holds_every_vector(name: str):
     _hold(found, [(a, b) for a, b in _ends(picture) if abs(a - b) > 0.05])
 
 
-def test_tikz_compiles(tmp_path: Path):
-    if shutil.which("pdflatex") is None:
+def _compiled(text: bytes, folder: Path, program: str = "pdflatex") -> Path:
+    if shutil.which(program) is None:
         pytest.skip("no TeX here")
-    (tmp_path / "a.tex").write_bytes(drawings.WRITERS[".tex"](_picture("ex3-1")))
-    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "a.tex"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, check=False)
+    (folder / "a.tex").write_bytes(text)
+    command = [program, "-interaction=nonstopmode", "-halt-on-error", "a.tex"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, check=False)
+    if program == "xelatex" and b"ctex.sty' not found" in done.stdout:
+        pytest.skip("no Chinese TeX here")
     assert done.returncode == 0, done.stdout[-2000:]
+    return folder / "a.pdf"
+
+
+@pytest.mark.parametrize("name", [*NAMES, "ex3-3"] if MUCH else ["ex3-1"])
+def test_tikz_compiles_to_scale(name: str, tmp_path: Path):
+    """Every arrow starts at its place and points along its vector; its head takes as much off it as off the others."""
+    pypdf = pytest.importorskip("pypdf")
+    picture = _picture(name)
+    reader = pypdf.PdfReader(_compiled(drawings.WRITERS[".tex"](picture), tmp_path))
+    (page,) = reader.pages
+    paper = picture.sheet.paper
+    assert [float(length) * 25.4 / 72 for length in page.mediabox[2:]] == pytest.approx([paper.width, paper.height], abs=0.01)
+    drawn, heads = list(lines(reader, page)), []
+    for start, end in _ends(picture):
+        if abs(end - start) > 4:
+            along = (end - start) / abs(end - start)
+            left = [(end - b) / along for a, b in drawn if abs(a - start) < 0.01 and abs(((b - start) / along).imag) < 0.01]
+            heads.append(min((off.real for off in left if off.real > 1), default=99.0))
+    assert len(heads) > 5
+    assert 1.4 < min(heads) <= max(heads) < 1.9
+    assert len({round(off, 1) for off in heads}) <= 2
+
+
+@pytest.mark.parametrize(("lang", "program"), [("en", "pdflatex"), ("zh", "xelatex")] if MUCH else [("en", "pdflatex")])
+@pytest.mark.parametrize("command", ["draw", "explain", "equations"] if MUCH else ["explain"])
+def test_tex_compiles_in_both_languages(command: str, lang: str, program: str, tmp_path: Path):
+    written = tmp_path / "written.tex"
+    done = CliRunner().invoke(main, [command, "p3-22", "--lang", lang, "-o", str(written)])
+    assert done.exit_code == 0, done.output
+    _compiled(written.read_bytes(), tmp_path, program)
+    assert "Overfull" not in (tmp_path / "a.log").read_text(encoding="utf-8", errors="replace")
 
 
 @pytest.mark.parametrize("lang", ["en", "zh"])

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import pytest
-from gallery import FEEDBACK, FIGURES, differences, drawings, feedback
+from gallery import FEEDBACK, FIGURES, HANDOUT, PATH, differences, drawings, special, worksheet
 
 from graphkin import library
 from graphkin.check import measure
 
 
-@pytest.mark.parametrize("name", [*library.names(), FEEDBACK])
+@pytest.mark.parametrize("name", [*library.names(), FEEDBACK, PATH])
 def test_gallery(name: str):
     chinese = name in library.names()[::3]  # the others differ from English ones in their words alone
-    for path, text in feedback() if name == FEEDBACK else drawings(name, chinese):
+    for path, text in special(name) if name in (FEEDBACK, PATH) else drawings(name, chinese):
         old = FIGURES / path
         found = list(differences(old.read_text("utf-8"), text))
         if found:
@@ -30,4 +30,15 @@ def test_gallery_is_good(path):
 
 
 def test_gallery_is_whole():
-    assert {path.name for path in FIGURES.iterdir() if path.is_dir()} == {*library.names(), FEEDBACK}
+    assert {path.name for path in FIGURES.iterdir() if path.is_dir()} == {*library.names(), FEEDBACK, PATH}
+
+
+def test_the_picture_of_a_worksheet_is_of_now():
+    """As far as other letters of the same size leave it alike: in spots of a few millimetres."""
+    image, numpy = pytest.importorskip("PIL.Image"), pytest.importorskip("numpy")
+    pytest.importorskip("typst")
+    now, kept = worksheet(), image.open(FIGURES / f"{HANDOUT}.png")
+    assert now.size == kept.size
+    spots = [numpy.asarray(each.convert("L").resize((90, 64), image.Resampling.BOX), dtype=float) for each in (now, kept)]
+    assert numpy.abs(spots[0] - spots[1]).max() < 60
+    assert numpy.abs(spots[0] - spots[1]).mean() < 1.5

@@ -494,7 +494,7 @@ NAMES = [
     bad("UnknownLink", edit(GEARS, 'vector = "OP"\nangle = 40', 'link = "9"'), 'link = "9"', "driver.0.link", "no link 9", "没有构件 9"),
     bad("UnknownSlide", edit(SLIDER, 'vector = "AB"\nangle = 60\nomega = 10', 'slide = "pisto"'), 'slide = "', "driver.0.slide",
         "Did you mean piston?", "是否为 piston"),
-    bad("UnknownSlide", edit(YOKE, 'vector = "AB"\nangle = 50', 'slide = "s0"'), 'slide = "', "driver.0.slide", "give it one with name", "为其命名"),
+    bad("UnknownSlide", edit(YOKE, 'vector = "AB"\nangle = 50', 'slide = "s7"'), 'slide = "', "driver.0.slide", "give it one with name", "为其命名"),
     bad("FrameNameTaken", edit(FOURBAR, "[links.3]", "[links.4]"), "[links.4]", "links.4", "4 is the name of the frame", "机架的名称"),
     bad("FrameNameTaken", edit(FOURBAR, "[links.3]", "[links.frame]"), "[links.frame]", "links.frame", "the name of the frame", "机架"),
     bad("FrameNameTaken", edit(YOKE, "[links.3]", "[links.0]").replace('"3"', '"0"'), "[links.0]", "links.0", "give [frame] another", "改 name"),

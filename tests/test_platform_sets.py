@@ -520,3 +520,12 @@ def test_a_foreign_file_is_not_replaced(kind, tmp_path: Path):
     write_set(path, SET, kind, force=True)
     write_set(path, SET, kind)
     assert [each.name for each in tmp_path.iterdir()] == [path.name]
+
+
+def test_a_factor_is_told_once():
+    """Of one value, of all of its unit, carried on: for one number these are one."""
+    question = question_of("q", grading.key_from("ex3-5"), {"en": "", "zh": ""})
+    for part in question.parts:
+        for one in alternatives(question, part):
+            told = [text["en"].partition(" of a unit")[0] for text in one.mistakes if "factor" in text["en"]]
+            assert len(told) == len(set(told))

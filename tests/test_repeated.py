@@ -84,9 +84,10 @@ def test_it_is_named_drawn_and_explained(name: str) -> None:
     mechanism = make(name, 6)
     drawing = Drawing.of(mechanism)
     for lang in ("en", "zh"):
-        told, rolled = "\n".join(structure_lines(drawing.method, lang)), structure(drawing.method).rolls
-        if not any(taken == 1 for _, taken in rolled):  # else the formula leaves out a distance that others keep
-            assert ("repeats a constraint: " if lang == "en" else "虚约束：") in told
+        told, found = "\n".join(structure_lines(drawing.method, lang)), structure(drawing.method)
+        rolled = found.rolls
+        assert ("  repeats a constraint: " if lang == "en" else "  虚约束：") in told
+        assert found.formula + found.repeated - found.uncounted == found.mobility.freedoms
         assert all(f"{count}" in told and "–".join(links) in told for links, count in rolled)
         assert any(("Redundant" if lang == "en" else "虚约束") in line for line in drawing.explain(lang))
     assert drawing.sheet().marks

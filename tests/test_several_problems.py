@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import csv
 import json
+import re
 import zipfile
 from pathlib import Path
 
@@ -60,7 +62,7 @@ def homework(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def results(homework: Path) -> Path:
     done = run(homework / "keys", homework / "in", "-o", homework / "out", "--format", "report", "--format", "moodle",
-               "--format", "gradescope", "--lang", "en")  # fmt: skip
+               "--format", "gradescope", "--format", "csv", "--lang", "en")  # fmt: skip
     assert done.exit_code == 0, done.output
     return homework / "out"
 
@@ -90,6 +92,13 @@ def test_the_class_report_tells_habits(results: Path):
     assert {(*each["ids"], each["in_problems"], each["of_problems"], each["count"]) for each in data["habits"]} == {
         ("coriolis-reversed", 3, 4, 1), ("coriolis-reversed", 2, 2, 1), ("normal-outward", 2, 4, 1),
     }  # fmt: skip
+
+
+def test_the_class_table_has_a_column_of_habits(results: Path):
+    with (results / "p0" / "class.csv").open(encoding="utf-8-sig", newline="") as file:
+        rows = {row["student"]: row["in several problems"] for row in csv.DictReader(file)}
+    assert re.fullmatch(r"the Coriolis term points the wrong way \(3 of 4 problems, evidence \d+\.\d\)", rows["habit"])
+    assert rows["once"] == rows["right"] == ""
 
 
 def test_a_hint_tells_only_where_to_look(homework: Path, results: Path):

@@ -195,6 +195,49 @@ def test_letters_on_every_kind_of_polygon(dots: bool):
     assert doubtful <= count / 10
 
 
+def _small(letter: str) -> str:
+    return letter.lower()
+
+
+def _large(letter: str) -> str:
+    return letter if letter[0] == "p" else letter.upper()
+
+
+def _bare(letter: str) -> str:
+    return letter if letter[0] == "p" else letter.rstrip("'")
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "velocity", "acceleration"),
+    [(_small, _small, _small), (str, _large, _large), (str, str, _bare), (_small, str, _bare),
+     (str, _large, lambda letter: _large(_bare(letter)))],
+)  # fmt: skip
+def test_letters_that_recur_in_another_figure(mechanism, velocity, acceleration):  # type: ignore[no-untyped-def]
+    """The mechanism and both polygons on one page, all with points called b and c."""
+    drawing = api.Drawing.of(api.load("ex3-5"))
+    pages = [({n: 40 + 40j + complex(z) * 1000 for n, z in drawing.plot.position.items() if n in "ABCDE"}, mechanism,
+              ["AB", "BC", "CD", "BE", "CE"])]  # fmt: skip
+    for shape, at, mu in zip(polygons(drawing.mechanism, Questions(drawing.mechanism)), (60 + 250j, 150 + 180j), (0.005, 0.05)):
+        values = drawing.plot.points(shape.plane)
+        there = {n: at + complex(values[n]) / mu for n in shape.letters if n in values}
+        lines = [(v.tail, v.head) for v in shape.vectors if v.tail in there and v.head in there]
+        pages.append((there, velocity if shape.plane == "velocity" else acceleration, lines))  # type: ignore[arg-type]
+    marks = []
+    for there, spelt, lines in pages:  # type: ignore[assignment]
+        middle = sum(there.values()) / len(there)
+        for tail, head in lines:
+            a, b = there[tail], there[head]
+            marks.append(f'<path d="M{a.real:.5f} {297 - a.imag:.5f}L{b.real:.5f} {297 - b.imag:.5f}"/>')
+        for name, z in there.items():
+            beside = z + 2.5 * (z - middle) / abs(z - middle) - 1 - 1j
+            marks.append(f'<text x="{beside.real:.3f}" y="{297 - beside.imag:.3f}" font-size="4">{spelt(name)}</text>')
+    page = f'<svg xmlns="http://www.w3.org/2000/svg" width="210mm" height="297mm" viewBox="0 0 210 297">{"".join(marks)}</svg>'
+    found = handed("a.svg", page.encode(), drawing=drawing)
+    misses = off(found, drawing, {"m/s": 0.005, "m/s^2": 0.05})
+    assert len(misses) == 11, (found.reason, found.notes)
+    assert max(misses.values()) < 0.01
+
+
 def test_names_in_place_of_letters():
     names = tuple(letter for plane in LETTERS.values() for letter in plane)
     found = handed("a.svg", re.sub(rb"<text.*?</text>", b"", svg(dots=True)), Limits(names=names))
@@ -229,6 +272,12 @@ def test_no_letters():
     found = handed("a.svg", re.sub(rb"<text.*?</text>", b"", svg()))
     assert isinstance(found.reason, NoLetters)
     assert "b3" in found.reason.message("zh")
+
+
+@pytest.mark.parametrize("path", ["M1e300 1e300L-1e308 1e308", "M0 0L1e12 3"])
+def test_coordinates_beyond_any_page(path: str):
+    found = handed("a.svg", svg(more=f'<path d="{path}"/>'))
+    assert type(found.reason).__name__ == "BrokenSubmission"
 
 
 def test_layers_that_are_hidden_are_not_measured():

@@ -115,7 +115,7 @@ def entries_of(name: str, lang: Lang) -> list[Entry]:
 VELOCITIES_EN = """
 (2) Velocities
   Take the pole p; the fixed points A and D are at rest, so a and d lie on p.
-    v_B2 = v_B1 = ω1 l_AB = 10 × 0.024 = 0.24 m/s (⊥AB in the sense of ω1, at 150°)
+    v_B2 = v_B1 = ω1 l_AB = 10 × 0.024 = 0.24 m/s (⊥AB in the sense of ω1, at 150° to +x)
   ① From p lay off pb2 = v_B2/μ_v = 0.24/0.01 = 24 mm.
   The coincident point is taken at B, where v_B2 is known.
   B3 and B2 are coincident points:
@@ -264,10 +264,10 @@ def test_a_loop_and_a_gear_together() -> None:
         ("p3-15", "en", ["the line through C at right angles to guide ram", "(a_C + aᵗ_S3C)", "B on CD"]),
         ("p3-16", "en", ["v_L3 = v_L7 = 0 at the contact L, the instant centre of link 3", "⊥track"]),
         ("p3-17", "en", ["slide cylinder is driven, ṡ_cylinder = 0.05 m/s", "FD of link 5 at 150° to +x"]),
-        ("p3-8", "en", ["B moves in a slot of link 2, parallel to the face at the distance r = 25 mm", "∥DH"]),
+        ("p3-8", "en", ["B moves in a slot of link 2, parallel to the face at the distance r_B = 25 mm", "∥DH"]),
         ("fig2-32", "zh", ["高副低代", "O1O2 = 35 + 18 = 53 mm", "铰接于 O1、O2 的构件 e"]),
         ("fig3-5", "en", ["the edge K lies on the circle about C, at the distance CK = 35 mm"]),
-        ("s4-ex6", "en", ["On the path of C, ⓡ is the point abreast of O.", "From ⓡ lay off s_along"]),
+        ("s4-ex6", "en", ["On the path of C, W is the point abreast of O: OW = r2.", "From W lay off s_along"]),
     ],
 )
 def test_contacts_and_groups(name: str, lang: Lang, lines: list[str]) -> None:

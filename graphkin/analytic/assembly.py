@@ -19,6 +19,7 @@ from graphkin.analytic.rules import Relation, driven, placing
 from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Complex, Real
 from graphkin.errors import NoAssembly
+from graphkin.kept import kept
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.tolerances import ROUNDED
 from graphkin.value import frozen
@@ -47,6 +48,7 @@ class DrawnPosition:
     values: tuple[float, ...]
 
 
+@kept(8)
 def drawn(mechanism: Mechanism) -> DrawnPosition:
     """Find the drawn position. Raises NoAssembly."""
     loops = loops_of(mechanism)

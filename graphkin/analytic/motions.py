@@ -14,7 +14,7 @@ from graphkin.analytic.newton import EquationSystem, inverse
 from graphkin.analytic.rates import Rates, rates
 from graphkin.analytic.rules import driven
 from graphkin.analytic.vectors import Complex, Real
-from graphkin.errors import SingularPosition
+from graphkin.errors import SingularPosition, ValueForEach
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
 from graphkin.value import frozen
@@ -97,7 +97,8 @@ def _wanted(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLi
     """Driver values as arrays of one shape."""
     given = start.values if values is None else values
     if len(given) != len(mechanism.drivers):
-        raise ValueError(f"{len(mechanism.drivers)} drivers, {len(given)} values")
+        names = tuple(driver.name for driver in mechanism.drivers)
+        raise ValueForEach(mechanism.where("driver"), len(given), names)
     return tuple(np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given)))
 
 

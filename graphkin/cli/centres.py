@@ -201,14 +201,14 @@ def _of_two_velocities(asked: _Asked) -> None:
     if asked.output is None:
         click.echo("\n".join(pole_words(found, asked.lang)))
         return
-    from graphkin.outputs import svg
+    from graphkin.outputs import drawings, svg
     from graphkin.sheet.pole_sheet import pole_sheet
 
     text = svg.svg(pole_sheet(found, asked.lang, paper=asked.paper))
     if str(asked.output) == "-":
         click.echo(text, nl=False)
         return
-    svg.write(asked.output, text, asked.force)
+    drawings.write(asked.output, text, asked.force)
     click.echo(str(asked.output))
 
 
@@ -217,7 +217,8 @@ def _of_two_velocities(asked: _Asked) -> None:
 
 def _write(asked: _Asked, source: str) -> None:
     """The sheet, and one sheet a step; all are made before the first is written."""
-    from graphkin.outputs import svg
+    from graphkin.outputs import drawings
+    from graphkin.outputs.edited import refuse_edited
 
     found = asked.found(source)
     pages = list(_pages(asked, found))
@@ -226,9 +227,11 @@ def _write(asked: _Asked, source: str) -> None:
     if asked.steps is not None:
         asked.steps.mkdir(parents=True, exist_ok=True)
     for path, _ in pages:
-        svg.refuse(path, asked.force)
+        drawings.refuse(path, asked.force)
+    if asked.output is not None:
+        refuse_edited(asked.output, asked.force)
     for path, text in pages:
-        svg.write(path, text, asked.force)
+        drawings.write(path, text, asked.force)
         click.echo(str(path), err=str(asked.output) == "-")
 
 

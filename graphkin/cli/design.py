@@ -96,7 +96,7 @@ def _write(
     found: Design, output: Path | None, steps: Path | None, toml: Path | None, paper: str | None, force: bool,
     lang: Lang,
 ) -> None:  # fmt: skip
-    from graphkin.outputs import files, svg
+    from graphkin.outputs import drawings, files, svg
     from graphkin.say.design import as_toml, error
     from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
 
@@ -110,11 +110,11 @@ def _write(
         pages += [(steps / f"{found.kind}-{k:02d}.svg", svg.svg(page)) for k, page in enumerate(sheets, 1)]
         steps.mkdir(parents=True, exist_ok=True)
     for path, _ in pages:
-        svg.refuse(path, force)
+        drawings.refuse(path, force)
     if toml is not None:
         files.refuse(toml, force, (b"graphkin",))
     for path, text in pages:
-        svg.write(path, text, force)
+        drawings.write(path, text, force)
         click.echo(str(path), err=True)
     if toml is not None and found.best is not None:
         with files.beside(toml, force, (b"graphkin",)) as draft:

@@ -24,6 +24,7 @@ from graphkin.cli.shared import (
     lang_option,
     mechanisms_argument,
     method_option,
+    planned,
     read,
     speaking,
     told_each,
@@ -33,14 +34,16 @@ from graphkin.errors import GraphkinError, Lang
 if TYPE_CHECKING:
     from graphkin.api import Drawing
     from graphkin.construction import Plane
+    from graphkin.mechanism import Mechanism
     from graphkin.outputs.paint import Ink
-    from graphkin.sheet import Style
+    from graphkin.sheet import Sheet, Style
 
 
 @click.command()
 @each_mechanism
 @drawing_option
-@click.option("--dpi", type=click.FloatRange(20, 2400), default=200.0, show_default=True, help="Dots per inch of .png.")
+@click.option("--dpi", type=click.FloatRange(20, 2400), show_default="200, or 100 if it moves",
+              help="Dots per inch of .png.")
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
 @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
 @click.option("--style", type=click.Choice(["construction", "result", "given"]), default="construction",
@@ -48,7 +51,11 @@ if TYPE_CHECKING:
 @click.option("--tight", is_flag=True, help="The figures alone, cut to their size, for Word and LaTeX.")
 @click.option("--ink", type=click.Choice(["accent", "black"]), default="accent", show_default=True,
               help="A colour a plane, or black alone.")
+@click.option("--path", "paths", multiple=True, metavar="POINT",
+              help="The curve that a point draws, with ticks at equal steps of the driver; again for others.")
+@click.option("--arrows", is_flag=True, help="With --path: the point's velocity at each tick.")
 @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
+@click.option("--animate", is_flag=True, help="Moving, as .svg or .png: a turn of the driver, or as far as it gets.")
 @force_option
 @coincident_option
 @method_option
@@ -57,9 +64,10 @@ if TYPE_CHECKING:
 @lang_option
 @speaking
 def draw(
-    mechanism: str, output: Path | None, dpi: float, only: Plane | None, paper: str | None, style: Style, tight: bool,
-    ink: Ink, steps: Path | None, force: bool, coincident: str, method: str, angles: tuple[float, ...],
-    displacements: tuple[float, ...], lang: Lang,
+    mechanism: str, output: Path | None, dpi: float | None, only: Plane | None, paper: str | None, style: Style,
+    tight: bool, ink: Ink, paths: tuple[str, ...], arrows: bool, steps: Path | None, animate: bool, force: bool,
+    coincident: str, method: str,
+    angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Draw the mechanism and its polygons to scale: a sheet, or a construction that moves in GeoGebra (.ggb).
 
@@ -68,18 +76,31 @@ def draw(
       graphkin draw ex3-1 -o sheet.svg --lang zh
       graphkin draw ex3-1 -o sheet.pdf
       graphkin draw ex3-7 --angle 120 --steps steps
+      graphkin draw ex3-7 --animate -o shaper.svg
+      graphkin draw p3-20 --path E --arrows
       graphkin draw mine.toml --watch
     """
     from graphkin.outputs import drawings, svg
+    from graphkin.outputs.edited import refuse_edited
 
     if style == "given" and (steps is not None or only not in (None, "position")):
         raise click.UsageError("--style given draws the mechanism alone: leave out --steps and other planes")
+    _check_paths(paths, arrows, style, only, output)
     machine = read(mechanism)
     output = output or Path(f"{machine.name}.svg")
+    if animate:
+        if steps is not None or tight or style != "construction" or angles or displacements:
+            raise click.UsageError("--animate shows the motion: leave out --steps, --tight, --style, --angle and --at")
+        if output.suffix.lower() not in drawings.MOVING:
+            raise click.UsageError(f"{output}: what moves must end in {' or '.join(drawings.MOVING)}")
+        frames = _frames(machine, coincident, method, paper, only, lang)
+        drawings.write(output, drawings.MOVING[output.suffix.lower()](frames, dpi or 100.0, ink), force)
+        click.echo(str(output))
+        return
     drawing = drawn(machine, coincident, method, angles, displacements)
-    sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight)
+    sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight, paths=paths, arrows=arrows)
     written = drawings.WRITERS[output.suffix.lower() or ".svg"]
-    pages = [(output, written(drawings.Picture(sheet, drawing.method, drawing.plot, lang, dpi, ink)))]
+    pages = [(output, written(drawings.Picture(sheet, drawing.method, drawing.plot, lang, dpi or 200.0, ink)))]
     if steps is not None:
         pages += [
             (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page, ink).encode())
@@ -91,9 +112,26 @@ def draw(
         steps.mkdir(parents=True, exist_ok=True)
     for path, _ in pages:
         drawings.refuse(path, force)
+    refuse_edited(output, force)
     for path, content in pages:
         drawings.write(path, content, force)
         click.echo(str(path), err=str(output) == "-")
+
+
+def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane | None, output: Path | None) -> None:
+    if arrows and not paths:
+        raise click.UsageError("--arrows draws velocities along a path: --path E")
+    if paths and (style == "given" or only not in (None, "position")):
+        raise click.UsageError("--path is drawn with the mechanism, as a result: leave out --style given and --only")
+    if paths and output is not None and output.suffix.lower() == ".ggb":
+        raise click.UsageError("GeoGebra draws paths itself, as Locus(E, slider): leave out --path")
+def _frames(
+    machine: Mechanism, coincident: str, method: str, paper: str | None, only: Plane | None, lang: Lang
+) -> list[Sheet]:
+    """One sheet a position of the whole motion."""
+    from graphkin.sheet.motion_frames import motion_frames
+
+    return motion_frames(planned(machine, coincident, method), paper=paper, lang=lang, only=only)
 
 
 @click.command()
@@ -191,9 +229,10 @@ def _solved(
 @click.argument("drawings", metavar="DRAWING.svg...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--tolerance", type=click.FloatRange(min=0, min_open=True), default=0.01, show_default=True, metavar="MM",
               help="How far a vector or point may be off.")  # fmt: skip
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a drawing: mm on paper, and what is wrong.")
 @lang_option
 @speaking
-def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
+def check(drawings: tuple[Path, ...], tolerance: float, as_json: bool, lang: Lang) -> None:
     """Measure drawings with a ruler and hold them against the analytic solution.
 
     \b
@@ -202,7 +241,7 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
       graphkin draw ex3-1 -o - | graphkin check -
     """
     from graphkin.check import measure
-    from graphkin.say.checks import check_lines
+    from graphkin.say.checks import check_json, check_lines
 
     if not math.isfinite(tolerance):
         raise click.UsageError("--tolerance takes a finite number")
@@ -211,9 +250,11 @@ def check(drawings: tuple[Path, ...], tolerance: float, lang: Lang) -> None:
         try:
             report = measure(drawing, tolerance)
         except GraphkinError as error:
-            click.echo(error.message(lang), err=True)
+            refused = {"format": 1, "file": str(drawing), "error": error.message(lang)}
+            click.echo(json_line(refused) if as_json else error.message(lang), err=not as_json)
             status = 3
             continue
-        click.echo("\n".join(check_lines(report, tolerance, lang)))
+        lines = [json_line(check_json(report, tolerance, lang))] if as_json else check_lines(report, tolerance, lang)
+        click.echo("\n".join(lines))
         status = max(status, 0 if report.passed(tolerance) else 1)
     sys.exit(status)

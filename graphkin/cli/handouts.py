@@ -12,14 +12,14 @@ from graphkin.cli.shared import PAPERS, force_option, lang_option, read, speakin
 from graphkin.errors import Lang
 
 if TYPE_CHECKING:
-    from graphkin.handouts import Stage
+    from graphkin.handouts import Handout, Stage
     from graphkin.mechanism import Mechanism
 
 _KINDS = (".pdf", ".html")
 
 
 @click.command()
-@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1, required=True)
+@click.argument("mechanisms", metavar="MECHANISM|DIR...", nargs=-1, required=True)
 @click.option("-o", "--output", type=click.Path(path_type=Path),
               help=".pdf, .html, or a folder: a file for each mechanism.")  # fmt: skip
 @click.option("--stage", type=click.Choice(["problem", "blank", "half", "solution"]), default="solution",
@@ -30,8 +30,8 @@ _KINDS = (".pdf", ".html")
 @click.option("--both", is_flag=True, help="In both languages, one after the other.")
 @click.option("--paper", type=click.Choice(PAPERS), default="A4", show_default=True, help="Paper.")
 @click.option("--font", type=click.Path(path_type=Path, dir_okay=False), help="A font file with the letters wanted.")
-@click.option("--scan", type=click.IntRange(0, 15), metavar="NUMBER",
-              help="Print markers and dots by which a photograph is set straight, and this sheet number.")  # fmt: skip
+@click.option("--scan", type=click.IntRange(0, 60_000), metavar="NUMBER",
+              help="Print what sets a photograph straight, and sheet numbers from this one on.")  # fmt: skip
 @click.option("--seed", default="", help="The set it belongs to, as every page says it.")
 @force_option
 @lang_option
@@ -42,60 +42,77 @@ def handout(
 ) -> None:  # fmt: skip
     """Make handouts: a problem, a worksheet at true scale, a half-worked or a whole solution; several make a book.
 
+    DIR is a folder that `problems` wrote: each student's own problem, in one file to print; into a folder, a file each.
+
     \b
     Example:
       graphkin handout ex3-1 --stage blank -o worksheet.pdf
       graphkin handout ex3-1 ex3-5 p3-6a --answers -o book.pdf --lang zh
-      graphkin handout homework/*.toml --stage blank -o sheets/
+      graphkin handout homework --stage blank --scan 0 -o sheets/
     """
+    from graphkin.handouts import in_languages
     from graphkin.outputs import files
 
-    machines = [read(source) for source in mechanisms]
-    output = output or Path(f"{machines[0].name}.pdf")
+    problems, seed = _problems(mechanisms, seed)
+    output = output or Path(f"{problems[0][0].name}.pdf")
     folder = output.is_dir() or not output.suffix
-    if not folder and output.suffix.lower() not in _KINDS:
+    kind = ".pdf" if folder else output.suffix.lower()
+    if kind not in _KINDS:
         raise click.UsageError(f"{output}: the file to write must end in {' or '.join(_KINDS)}, or be a folder")
-    if scan is not None and output.suffix.lower() == ".html":
+    if scan is not None and kind == ".html":
         raise click.UsageError("--scan needs a .pdf: a page of a browser has no fixed size")
     langs: tuple[Lang, ...] = ("zh", "en") if both else (lang,)
     if folder:
         output.mkdir(parents=True, exist_ok=True)
-    for path, several in _files(output, machines, folder):
+    for path, several in _files(output, problems, folder):
         files.refuse(path, force, _MARKS)
-        content = _written(path.suffix.lower(), several, stage, langs, upto, answers, seed, paper, font, scan)
+        machines, whose = [machine for machine, _ in several], [who for _, who in several]
+        made = in_languages(machines, stage, langs, upto=upto, answers=answers, seed=seed, whose=whose)
+        content, told = _set_in(kind, made, paper, font, scan)
         with files.beside(path, force, _MARKS) as draft:
             draft.write_bytes(content)
+        if scan is not None:
+            click.echo(f"#{scan}-{scan + told - 1} {path.name}", err=True)
+            scan += told  # sheet numbers go on from file to file
         click.echo(str(path))
 
 
 _MARKS = (b"graphkin handout",)
 
 
-def _files(output: Path, machines: list[Mechanism], folder: bool) -> Iterator[tuple[Path, list[Mechanism]]]:
+def _problems(sources: tuple[str, ...], seed: str) -> tuple[list[tuple[Mechanism, str]], str]:
+    """Each mechanism with the student it is for, those of a problem set in its order; and the set's seed."""
+    from graphkin.platforms import is_set, students_of
+
+    found: list[tuple[Mechanism, str]] = []
+    for source in sources:
+        if source and is_set(Path(source)):
+            own, students = students_of(Path(source))
+            seed = seed or own
+            found += [(read(str(path)), who) for who, path in students.items()]
+        else:
+            found.append((read(source), ""))
+    return found, seed
+
+
+def _files(
+    output: Path, problems: list[tuple[Mechanism, str]], folder: bool
+) -> Iterator[tuple[Path, list[tuple[Mechanism, str]]]]:
     """One file, or one for each in a folder."""
     if not folder:
-        yield output, machines
+        yield output, problems
         return
-    for machine in machines:
-        yield output / f"{machine.name}.pdf", [machine]
+    for machine, who in problems:
+        yield output / f"{machine.name}.pdf", [(machine, who)]
 
 
-def _written(
-    kind: str, machines: list[Mechanism], stage: Stage, langs: tuple[Lang, ...], upto: int, answers: bool, seed: str,
-    paper: str, font: Path | None, scan: int | None,
-) -> bytes:  # fmt: skip
-    from dataclasses import replace
-
-    from graphkin.handouts import handout as made
-    from graphkin.handouts.document import NewPage
-
-    found = [made(machines, stage, lang, upto=upto, answers=answers, seed=seed) for lang in langs]
-    blocks = [block for k, each in enumerate(found) for block in ((NewPage(),) if k else ()) + each.blocks]
-    whole = replace(found[0], blocks=tuple(blocks))
+def _set_in(kind: str, made: Handout, paper: str, font: Path | None, scan: int | None) -> tuple[bytes, int]:
+    """What the file holds, and how many pages of paper that is."""
     if kind == ".html":
         from graphkin.handouts.page import html
 
-        return html(whole, paper).encode()
-    from graphkin.handouts.typst import pdf
+        return html(made, paper).encode(), 0
+    from graphkin.handouts.typst import pages, pdf
 
-    return pdf(whole, paper, font, scan)
+    content = pdf(made, paper, font, scan)
+    return content, pages(content)

@@ -4,23 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from graphkin import library
 from graphkin.cli.shared import (
+    angle_option,
+    at_option,
     force_option,
     json_line,
     lang_option,
     library_names,
     mechanisms_argument,
-    read,
+    read_at,
     speaking,
     svg_option,
     told_each,
 )
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
+
+if TYPE_CHECKING:
+    from graphkin.mechanism import Mechanism
 
 
 @click.command("list")
@@ -61,10 +67,10 @@ def _kinds(output: Path | None, force: bool, lang: Lang) -> None:
 
     click.echo("\n".join(family_lines(lang)))
     if output is not None:
-        from graphkin.outputs import svg
+        from graphkin.outputs import drawings, svg
         from graphkin.sheet.linkage_family import family_sheet
 
-        svg.write(output, svg.svg(family_sheet(lang)), force)
+        drawings.write(output, svg.svg(family_sheet(lang)), force)
         click.echo(str(output), err=True)
 
 
@@ -85,23 +91,29 @@ def show(name: str, lang: Lang) -> None:
 @click.command()
 @mechanisms_argument
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
+@angle_option
+@at_option
 @lang_option
 @speaking
-def structure(mechanisms: tuple[str, ...], as_json: bool, lang: Lang) -> None:
+def structure(
+    mechanisms: tuple[str, ...], as_json: bool, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang
+) -> None:
     """List links, pairs, degrees of freedom and the Assur groups in the order they are solved.
 
     \b
     Example:
       graphkin structure p3-15
     """
-    told_each(mechanisms, lambda source: _structure(source, as_json, lang), as_json, lang)
+    told_each(
+        mechanisms, lambda source: _structure(read_at(source, angles, displacements), as_json, lang), as_json, lang
+    )
 
 
-def _structure(source: str, as_json: bool, lang: Lang) -> Iterator[str]:
+def _structure(machine: Mechanism, as_json: bool, lang: Lang) -> Iterator[str]:
     from graphkin import api, assur
     from graphkin.say.structure import structure_lines
 
-    method = api.plan(read(source))
+    method = api.plan(machine)
     if as_json:
         yield json_line(assur.as_json(method))
     else:

@@ -72,6 +72,9 @@ def grade(
     file of answers or a drawing, a class table, a zip of a whole class, a folder, or a file of marks, whose numbers are
     marked anew. Errors of a pencil count where the key is made of a mechanism.
 
+    A problem that asks for further positions (`also`) is marked at each: "omega 3 #2" is omega 3 at the second, and so
+    is "omega 3 @ 120" where the driver stands at 120; "drawing #2.svg" is its drawing.
+
     With several problems KEY is a folder of them (NAME.key.json, NAME.toml, or a folder NAME), and what was handed in
     for each is called NAME.csv, NAME.zip, or a folder NAME. Reports and feedback then tell, too, which mistakes show in
     several problems of a student.
@@ -87,7 +90,6 @@ def grade(
       graphkin grade keys/ handed-in/ -o results --format report --jobs 4
     """
     from graphkin import grading
-    from graphkin.say.marks import remarks
     from graphkin.submissions import Limits
 
     _check_output(output, kinds)
@@ -100,9 +102,6 @@ def grade(
     told = _Told(kinds, reveal, assignment, force, as_json, lang)
     judges = [grading.judge_from(part.key, pencils) for part in parts]
     for part, judge in zip(parts, judges, strict=True):
-        if isinstance(judge, grading.OneKey):
-            for line in remarks(judge.asked.mechanism, lang):
-                click.echo(line, err=True)
         if output is None:
             told.print(part.name, grading.grade(judge, part.paths, way.limits, workers=jobs))
         else:
@@ -141,14 +140,14 @@ def tolerance(
       graphkin tolerance ex3-1
       graphkin tolerance ex3-1 --pencil 0.1,0.1 --power --lang zh
     """
-    from graphkin import grading
+    from graphkin import api, grading
     from graphkin.marking.marker import Marker
     from graphkin.marking.power import power as told_apart
     from graphkin.marking.tolerances import tolerances
     from graphkin.outputs import tolerance_json as data
     from graphkin.say.tolerances import power_lines, tolerance_lines
 
-    marker = Marker(grading.key_for(read(mechanism), _pencils(pencil, sigmas, relative)))
+    marker = Marker(grading.key_drawn(api.plan(read(mechanism)), _pencils(pencil, sigmas, relative)))
     found = tolerances(marker.key, marker.method)
     texts = [entry.text for entry in marker.key.entries if entry.points] if asked else None
     tried = told_apart(marker, trials, texts) if power else None

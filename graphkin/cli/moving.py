@@ -178,10 +178,10 @@ def find(
 
 
 def _draw_found(output: Path, drawn: tuple[Sheet, int] | None, force: bool) -> None:
-    from graphkin.outputs import svg
+    from graphkin.outputs import drawings, svg
 
     if drawn is None:
         return
     sheet, left_out = drawn
-    svg.write(output, svg.svg(sheet), force)
+    drawings.write(output, svg.svg(sheet), force)
     click.echo(str(output) + (f"  (+{left_out})" if left_out else ""), err=True)

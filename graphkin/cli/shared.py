@@ -85,7 +85,7 @@ def svg_option(
 
 
 drawing_option = svg_option(f"{', '.join(DRAWN_AS)} to write; - for SVG on stdout.", to_stdout=True, kinds=DRAWN_AS)
-force_option = click.option("--force", is_flag=True, help="Replace a file that graphkin did not write.")
+force_option = click.option("--force", is_flag=True, help="Replace a file of another's, or a drawing changed by hand.")
 
 
 def library_names(ctx: click.Context, option: click.Parameter, begun: str) -> list[CompletionItem]:
@@ -141,16 +141,35 @@ def read(source: str) -> Mechanism:
     return machine
 
 
+def read_at(source: str, angles: Sequence[float], displacements: Sequence[float]) -> Mechanism:
+    """The mechanism of a MECHANISM argument, standing where `--angle` and `--at` put it."""
+    machine = read(source)
+    if not angles and not displacements:
+        return machine
+    from graphkin import api
+    from graphkin.standing import standing
+
+    method = api.plan(machine)
+    return standing(method, at_values(method, angles, displacements) or ())
+
+
 def drawn(
     machine: Mechanism, coincident: str, method: str, angles: Sequence[float], displacements: Sequence[float]
 ) -> Drawing:
     """The drawing that the options ask for."""
     from graphkin import api
 
+    found = planned(machine, coincident, method)
+    return api.Drawing.at(found, at_values(found, angles, displacements))
+
+
+def planned(machine: Mechanism, coincident: str, method: str) -> Method:
+    """The method that the options ask for."""
+    from graphkin import api
+
     if coincident and coincident not in machine.points:
         raise click.UsageError(f"--coincident: {machine.name} has no point {coincident}")
-    planned = api.plan(machine, coincident, centres=method == "centre")
-    return api.Drawing.at(planned, at_values(planned, angles, displacements))
+    return api.plan(machine, coincident, centres=method == "centre")
 
 
 def at_values(method: Method, angles: Sequence[float], displacements: Sequence[float]) -> list[float] | None:
@@ -161,7 +180,8 @@ def at_values(method: Method, angles: Sequence[float], displacements: Sequence[f
     given["slide"] = [s / 1000 for s in displacements]
     if not all(math.isfinite(v) for values in given.values() for v in values):
         raise click.UsageError("--angle and --at take finite numbers")
-    values = [given[d.kind].pop(0) if given[d.kind] else (d.value or 0.0) for d in method.drivers]
+    usual = method.facts(None).values
+    values = [given[d.kind].pop(0) if given[d.kind] else float(v) for d, v in zip(method.drivers, usual, strict=True)]
     for option, rest in (("--angle", given["angle"]), ("--at", given["slide"])):
         if rest:
             name = method.mechanism.name

@@ -6,7 +6,8 @@ stands for two.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from operator import attrgetter
 
 import numpy as np
 
@@ -77,8 +78,8 @@ def _turned(link: str, plot: Plot, plane: Plane, beside_base: bool) -> Value:
 
 def fit(step: Fit, plot: Plot) -> None:
     """Newton's method on the closures and contacts of a group, for all positions at once."""
-    x, size = _first_trial(step, plot), _reach(step, plot)
-    units = _units(step, size, x.ndim)
+    x, size = _first_trial(step, plot), reach(step, plot)
+    units = np.expand_dims(units_of(step, size), tuple(range(1, x.ndim)))
     for _ in range(ROUNDS):
         x, moved = _next_trial(step, plot, x, size, units)
         if not np.any((moved > FITTED) & (moved < np.inf)):
@@ -98,7 +99,7 @@ def _first_trial(step: Fit, plot: Plot) -> np.ndarray:
     return np.array([np.broadcast_to(plot.near[name], shape) for name in unknowns_of(step)], dtype=float)
 
 
-def _reach(step: Fit, plot: Plot) -> float:
+def reach(step: Fit, plot: Plot) -> float:
     """The longest arm of a group: what its gaps are measured by [m]."""
     arms = [part for closure in step.closures for part in closure.parts if isinstance(part, Arm)]
     shapes = plot.facts.shapes
@@ -106,15 +107,14 @@ def _reach(step: Fit, plot: Plot) -> float:
     return max([*lengths, *(abs(c) for contact in step.contacts for _, c in contact.angles)]) or 1.0
 
 
-def _units(step: Fit, size: float, dimensions: int) -> np.ndarray:
-    """What each unknown is counted in, 1 rad or the group's size: (n, 1, ..), to go with (n,) over positions."""
-    units = np.array([1.0] * len(step.angles) + [size] * len(step.slides))
-    return np.expand_dims(units, tuple(range(1, dimensions)))
+def units_of(step: Fit, size: float) -> list[float]:
+    """What each unknown is counted in: 1 rad, or the group's size [m]."""
+    return [1.0] * len(step.angles) + [size] * len(step.slides)
 
 
 def _next_trial(step: Fit, plot: Plot, x: np.ndarray, size: float, units: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """One step of Newton's method, of half a unit at most, and how long the whole step would be in units."""
-    _settle_all(step, plot, x)
+    settle_all(step, plot, x)
     gap, slope = _gaps(step, plot, x.shape[1:], size)
     change = _solve(slope * units, gap) * units
     moved = np.max(np.abs(change) / units, axis=0)
@@ -123,31 +123,45 @@ def _next_trial(step: Fit, plot: Plot, x: np.ndarray, size: float, units: np.nda
 
 def _keep_what_fits(step: Fit, plot: Plot, x: np.ndarray, size: float, units: np.ndarray) -> None:
     """The positions at which the group closes; NaN at the others, and by how much it misses there."""
-    _settle_all(step, plot, x)
+    settle_all(step, plot, x)
     gap, slope = _gaps(step, plot, x.shape[1:], size)
     widest = np.max(np.abs(gap), axis=0)
     fits = widest < 1e-10
-    _settle_all(step, plot, np.where(fits, x, np.nan))
+    settle_all(step, plot, np.where(fits, x, np.nan))
     plot.senses[step.name] = _sense(slope)
     plot.sines["position", step.name] = np.where(fits, _least(slope * units), np.nan)[()]
     plot.misses[step.name] = np.where(fits, 0.0, widest * size)[()]
 
 
-def _settle_all(step: Fit, plot: Plot, x: np.ndarray) -> None:
-    for k, base in enumerate(step.angles):
-        plot.settle("theta", base, x[k][()], counted=True)
-    for k, slide in enumerate(step.slides, len(step.angles)):
-        plot.s[slide] = x[k][()]
+def sense_and_sine(step: Fit, plot: Plot) -> tuple[Value, Value]:
+    """The same of a group that is found, where somebody wants to know."""
+    size, shape = reach(step, plot), _shape(plot)
+    slope = _gaps(step, plot, shape, size)[1]
+    units = np.expand_dims(units_of(step, size), tuple(range(1, 1 + len(shape))))
+    return _sense(slope), _least(slope * units)[()]
+
+
+def settle_all(step: Fit, plot: Plot, x: Iterable[Value]) -> None:
+    """The unknowns, in their order, as angles and displacements of the plot."""
+    found = [value[()] if isinstance(value, np.ndarray) else value for value in x]
+    for base, value in zip(step.angles, found):
+        plot.settle("theta", base, value, counted=True)
+    plot.s.update(zip(step.slides, found[len(step.angles) :], strict=True))
 
 
 def _gaps(step: Fit, plot: Plot, shape: tuple[int, ...], size: float) -> tuple[np.ndarray, np.ndarray]:
     """Gaps (m,) and their slopes (m, n), over positions; in units of the group's size."""
+    known, slope = _system(gaps(step, plot), unknowns_of(step), shape)
+    return known / size, slope / size
+
+
+def gaps(step: Fit, plot: Plot) -> list[Row]:
+    """What closures and contacts leave open, and what each unknown does to it."""
     rows = [row for closure in step.closures for row in _two(*_closure(closure, plot))]
     for contact in step.contacts:
         gap, _ = _in_step(contact, plot, "position", set(), set())
         rows.append((gap, _in_step(contact, plot, "position", set(step.angles), set(step.slides))[1]))
-    known, slope = _system(rows, unknowns_of(step), shape)
-    return known / size, slope / size
+    return rows
 
 
 def _closure(closure: Closure, plot: Plot) -> Row:
@@ -178,15 +192,28 @@ def _stretch(part: Arm | Slid, plot: Plot) -> tuple[str, Value]:
 
 def solve_together(step: Simultaneous, plot: Plot, plane: Plane) -> None:
     """The unknown rates of a group, from all its chains of arrows at once."""
-    shape = np.broadcast_shapes(*(np.shape(v) for v in (*plot.position.values(), *plot.theta.values())))
+    known, matrix = _system(chains(step, plot, plane), unknowns_of(step), _shape(plot))
+    settle_rates(step, plot, plane, (value[()] for value in _solve(matrix, -known)))
+
+
+def settle_rates(step: Simultaneous, plot: Plot, plane: Plane, found: Iterable[Value]) -> None:
+    """The unknowns, in their order, as rates of the plot."""
+    rates = [*found]
+    for base, value in zip(step.angles, rates):
+        plot.settle("omega" if plane == "velocity" else "alpha", base, value)
+    _displacements(plot, plane).update(zip(step.slides, rates[len(step.angles) :], strict=True))
+
+
+def chains(step: Simultaneous, plot: Plot, plane: Plane) -> list[Row]:
+    """What the known arrows of each chain add up to, and what each unknown adds."""
     rows = [row for chain in step.chains for row in _two(*_chain(chain, plot, plane))]
     rows += [_in_step(contact, plot, plane, set(step.angles), set(step.slides)) for contact in step.contacts]
-    known, matrix = _system(rows, unknowns_of(step), shape)
-    found = _solve(matrix, -known)
-    for k, base in enumerate(step.angles):
-        plot.settle("omega" if plane == "velocity" else "alpha", base, found[k][()])
-    for k, slide in enumerate(step.slides, len(step.angles)):
-        _displacements(plot, plane)[slide] = found[k][()]
+    return rows
+
+
+def _shape(plot: Plot) -> tuple[int, ...]:
+    """Of the positions."""
+    return np.broadcast_shapes(*(np.shape(value) for value in (*plot.position.values(), *plot.theta.values())))
 
 
 def _chain(chain: Chain, plot: Plot, plane: Plane) -> Row:
@@ -214,7 +241,7 @@ def _unknown(unknown: Unknown, plot: Plot, plane: Plane) -> tuple[str, Value, Va
 
 def _two(known: Value, coefficients: Mapping[str, Value]) -> Iterator[Row]:
     """A complex row along x and along y."""
-    for along in (np.real, np.imag):
+    for along in (attrgetter("real"), attrgetter("imag")):
         yield along(known), {name: along(value) for name, value in coefficients.items()}
 
 

@@ -34,11 +34,14 @@ FIXED = complex(0.0)
 
 @frozen
 class Compass:
-    """What finds crossings with circles: of numbers by `geometry`; where a replay is recorded, what records them."""
+    """What finds crossings with circles, and what is calculated: of numbers by `geometry` and `fitting`; where a replay
+    is recorded, what records them."""
 
     leg: Leg = leg
     line_circle: Callable[..., tuple[Value, Value, Value]] = meet_line_circle
     circles: Callable[..., tuple[Value, Value, Value]] = meet_circles
+    fit: Callable[[Fit, Plot], None] = fit
+    together: Callable[[Simultaneous, Plot, Plane], None] = solve_together
 
 
 COMPASS = Compass()
@@ -82,11 +85,11 @@ def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value], co
             case Roll():
                 roll(step, plot, plane)
             case Fit():
-                fit(step, plot)
+                compass.fit(step, plot)
             case Touch():
                 points[step.point] = touch(step, plot)
             case Simultaneous():
-                solve_together(step, plot, plane)
+                compass.together(step, plot, plane)
             case _:
                 assert_never(step)
 

@@ -208,7 +208,7 @@ class Plot:
     def _counted(self, angle: Value, near: Value) -> Value:
         """An angle with the whole turns that it has close by, or, where positions follow one another, just before."""
         if not self.follows or not np.ndim(angle):
-            return angle + 2 * np.pi * np.round((near - angle) / (2 * np.pi))
+            return angle + 2 * np.pi * np.rint((near - angle) / (2 * np.pi))
         found, there = np.array(angle), np.isfinite(angle)
         found[there] = np.unwrap(np.concatenate([[near], found[there]]))[1:]
         return found

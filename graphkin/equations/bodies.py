@@ -41,6 +41,7 @@ class Bodies:
     angles  of each body
     base    the unknown θ of each body's group; None in the frame's
     drivers the symbol each driver of an angle turns
+    spots   points without a name that have been given a letter: the letter, the point, and the body
     """
 
     structure: Structure
@@ -49,6 +50,7 @@ class Bodies:
     angles: dict[str, Angle] = field(default_factory=dict)
     base: dict[str, Symbol | None] = field(default_factory=dict)
     drivers: dict[int, Symbol] = field(default_factory=dict)
+    spots: dict[str, tuple[str, str]] = field(default_factory=dict)
     _lines: dict[str, Angle] = field(default_factory=dict)
     _named: set[str] = field(default_factory=set)
 
@@ -81,6 +83,8 @@ class Bodies:
                 if at not in found:
                     found[at] = other if other not in unnamed else next(free)
                 if other == point:
+                    if found[at] not in shape:
+                        self.spots.setdefault(found[at], (point, body))
                     return found[at]
         return point
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from graphkin.equations.chains import asked_points, chain, vectors
+from graphkin.equations.driven import listed, say_derived
 from graphkin.equations.dyads import Split
 from graphkin.equations.expressions import Sum, Term
 from graphkin.equations.layout import Letter, Node, Op, Row, Word
@@ -81,7 +82,10 @@ def _derived(page: Page, pretty: Pretty, polygon: Polygon, order: int) -> None:
     if not any(arrow.length.moves for arrow in polygon.arrows):
         derived = derived.over_i
     derived = derived if order == 1 else derived.rate
-    page.say("equations.derived" if order == 1 else "equations.derived again")
+    if order == 1:
+        page.say("equations.derived")
+    else:
+        say_derived(page, [polygon.sum], again=True)
     page.show(complex_sides(pretty, polygon, derived))
 
 
@@ -104,7 +108,7 @@ def _rolled(page: Page, pretty: Pretty, moving: Sum, constant: Node) -> None:
     """The angle relation and its derivatives."""
     page.say("equations.rolling relation")
     page.show((pretty.sum(moving), constant))
-    page.say("equations.derived")
+    say_derived(page, [moving])
     page.show(sides(pretty, moving.rate), sides(pretty, moving.rate.rate))
 
 
@@ -165,14 +169,6 @@ def _group_bodies(model: Model, task: Task) -> list[str]:
     return [body for body in bases if not model.method.structure.is_pin(body)]
 
 
-def listed(symbols: Sequence[Symbol]) -> Node:
-    """θ2, θ3."""
-    items: list[Node] = []
-    for k, symbol in enumerate(symbols):
-        items += [Op(","), Letter(symbol)] if k else [Letter(symbol)]
-    return Row(tuple(items))
-
-
 def _points(model: Model, page: Page, pretty: Pretty) -> None:
     """(3-18) to (3-20) for every point asked for."""
     points = asked_points(model)
@@ -182,7 +178,7 @@ def _points(model: Model, page: Page, pretty: Pretty) -> None:
         page.say("equations.point from", start=model.bodies.spot(found.start), name=point)
         place, velocity, acceleration = (Letter(symbol) for symbol in vectors(model, found))
         page.show((place, pretty.sum(found.sum)))
-        page.say("equations.derived")
+        say_derived(page, [found.sum])
         page.show((velocity, _whole(pretty, found.sum.rate)))
         page.show((acceleration, _whole(pretty, found.sum.rate.rate)))
 

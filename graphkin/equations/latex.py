@@ -1,4 +1,4 @@
-"""Formulas and words as LaTeX."""
+"""Formulas as LaTeX."""
 
 from __future__ import annotations
 
@@ -22,23 +22,13 @@ from graphkin.equations.layout import (
     Word,
 )
 from graphkin.equations.symbols import Symbol
+from graphkin.outputs.tex_words import tex_text
 
 _GREEK = {
     "α": r"\alpha", "β": r"\beta", "γ": r"\gamma", "δ": r"\delta", "θ": r"\theta", "φ": r"\varphi", "ω": r"\omega",
     "μ": r"\mu", "π": r"\pi",
 }  # fmt: skip
 _OPS = {"−": "-", "±": r"\pm", "·": r"\cdot"}
-_SPECIAL = {
-    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
-    "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "−": "$-$", "°": r"$^\circ$", "²": "$^2$", "·": r"$\cdot$",
-    "±": r"$\pm$", "→": r"$\to$", "′": "$'$", "×": r"$\times$", "<": "$<$", ">": "$>$",
-    **{letter: f"${name}$" for letter, name in _GREEK.items()},
-}  # fmt: skip
-
-
-def words(text: str) -> str:
-    """Words with everything special escaped."""
-    return "".join(_SPECIAL.get(c, c) for c in text)
 
 
 def latex(node: Node) -> str:
@@ -85,7 +75,7 @@ def _low(low: str) -> str:
     """Digits and single letters as they are, words upright."""
     if low.isdigit() or len(low) == 1:
         return low
-    return rf"\mathrm{{{low.replace('_', chr(92) + '_')}}}" if low.isascii() else rf"\text{{{words(low)}}}"
+    return rf"\mathrm{{{low.replace('_', chr(92) + '_')}}}" if low.isascii() else rf"\text{{{tex_text(low)}}}"
 
 
 def _power(node: Pow) -> str:

@@ -11,6 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
+from graphkin.equations.driven import say_derived
 from graphkin.equations.expressions import Sum
 from graphkin.equations.layout import Grid, Letter, Minus, Node, Num, Op, Row
 from graphkin.equations.model import Model
@@ -134,6 +135,7 @@ class _Writer:
     def acceleration(self) -> None:
         """(3-24), with the driver's own acceleration where it has one."""
         page, system = self.page, self.system
+        say_derived(page, system.equations, again=True)
         page.show((Row((Letter(A, True), Letter(ALPHA, True))), Row(tuple(self._right()))))
         page.say("equations.derivatives")
         page.show((Letter(A_RATE, True), self.grid(system.rate(system.a))))

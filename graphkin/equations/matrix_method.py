@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from graphkin.equations.chains import Chain, asked_points, chain, vectors
-from graphkin.equations.complex_method import complex_sides, listed, ring
+from graphkin.equations.complex_method import complex_sides, ring
+from graphkin.equations.driven import listed
 from graphkin.equations.expressions import Sum
 from graphkin.equations.layout import Grid, Letter, Node, Op, Row
 from graphkin.equations.legend import Entry, Reader

@@ -5,15 +5,16 @@ from __future__ import annotations
 from typing import assert_never
 
 from graphkin.equations.document import Block, Display, Document, Drawing, Heading, Sentence, Table
-from graphkin.equations.latex import latex, words
+from graphkin.equations.latex import latex
 from graphkin.equations.layout import Grid, Node, Row
-from graphkin.equations.tikz import tikz
+from graphkin.outputs.tex_words import tex_text
+from graphkin.outputs.tikz import LIBRARIES, picture
 
-_PREAMBLE = r"""\usepackage[margin=20mm]{geometry}
+_PREAMBLE = "\n".join(LIBRARIES) + r"""
+\usepackage[margin=20mm]{geometry}
 \usepackage{amsmath}
 \usepackage{graphicx}
 \usepackage{longtable}
-\usepackage{tikz}
 \setlength{\parindent}{0pt}
 \raggedright
 \setlength{\parskip}{0.6ex}
@@ -32,7 +33,7 @@ def write_tex(document: Document) -> str:
     if any("\u2e80" <= c <= "\uffef" for c in document.title + body):
         kind = r"\documentclass[a4paper]{ctexart}"
     return (
-        f"{kind}\n{_PREAMBLE}\\begin{{document}}\n{{\\Large\\bfseries {words(document.title)}\\par}}\n\n"
+        f"{kind}\n{_PREAMBLE}\\begin{{document}}\n{{\\Large\\bfseries {tex_text(document.title)}\\par}}\n\n"
         f"{body}\n\\end{{document}}\n"
     )
 
@@ -40,7 +41,7 @@ def write_tex(document: Document) -> str:
 def _block(block: Block) -> str:
     match block:
         case Heading():
-            return rf"\{'section' if block.level == 2 else 'subsection'}*{{{words(block.text)}}}"
+            return rf"\{'section' if block.level == 2 else 'subsection'}*{{{tex_text(block.text)}}}"
         case Sentence():
             return "".join(_part(part) for part in block.parts)
         case Display():
@@ -49,13 +50,13 @@ def _block(block: Block) -> str:
             return _table(block)
         case Drawing():
             sheet = block.draw()
-            return f"\\begin{{center}}\n{tikz(sheet)}\n\n{words(sheet.title)}\n\\end{{center}}"
+            return f"\\begin{{center}}\n{picture(sheet, 'black')}\n\n{tex_text(sheet.title)}\n\\end{{center}}"
         case _:
             assert_never(block)
 
 
 def _part(part: str | Node) -> str:
-    return words(part) if isinstance(part, str) else f"${latex(part)}$"
+    return tex_text(part) if isinstance(part, str) else f"${latex(part)}$"
 
 
 def _display(block: Display) -> str:
@@ -74,6 +75,6 @@ def _has_grid(row: tuple[Node, ...]) -> bool:
 
 def _table(block: Table) -> str:
     columns = "l" * (len(block.heads) - 2) + r"p{0.55\linewidth}l"
-    heads = " & ".join(words(head) for head in block.heads)
+    heads = " & ".join(tex_text(head) for head in block.heads)
     rows = "".join(" & ".join(_part(cell) for cell in row) + " \\\\\n" for row in block.rows)
     return f"\\begin{{longtable}}{{@{{}}{columns}}}\n{heads} \\\\\n\\hline\n{rows}\\end{{longtable}}"

@@ -6,8 +6,9 @@ from functools import partial
 
 import numpy as np
 
-from graphkin.equations.complex_method import listed, write_complex
-from graphkin.equations.document import By, Document, Drawing
+from graphkin.equations.complex_method import write_complex
+from graphkin.equations.document import Block, By, Document, Drawing
+from graphkin.equations.driven import listed, motion_of
 from graphkin.equations.expressions import Sum, Term
 from graphkin.equations.figure import figure
 from graphkin.equations.layout import Call, Exp, Letter, Node, Op, Row, Word
@@ -19,6 +20,7 @@ from graphkin.equations.pretty import Pretty
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.errors import Lang
 from graphkin.geometry import Value
+from graphkin.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.quantities import EDGE, Unit
 from graphkin.quantities.digits import significant
@@ -39,9 +41,11 @@ def written(model: Model, by: By, lang: Lang) -> Document:
     page.say("equations.every vector", euler=_euler())
     page.add(Drawing(partial(figure, model, say("equations.figure", lang), lang)))
     _given(model, page)
+    before = len(page.blocks)
     if not model.tasks:
         page.say("equations.no loop")
     (write_complex if by == "complex" else write_matrix)(model, page)
+    page.blocks[before:before] = _auxiliary(model, lang)
     page.head("equations.legend")
     page.table((say(f"equations.{head}", lang) for head in ("symbol", "meaning", "value")), _legend(model, lang))
     mechanism = model.method.mechanism
@@ -58,7 +62,7 @@ def _euler() -> Node:
 def _given(model: Model, page: Page) -> None:
     """The drivers, and the angles that follow others at once."""
     if model.drivers:
-        page.say("equations.driver" if len(model.drivers) == 1 else "equations.drivers", drivers=listed(model.drivers))
+        page.say("equations.driver" if len(model.drivers) == 1 else "equations.drivers", drivers=_motions(model))
     if model.alias:
         pretty = Pretty({})
         page.say("equations.fixed angles")
@@ -66,6 +70,26 @@ def _given(model: Model, page: Page) -> None:
         page.say("equations.same rates")
         rates = [_rates(name, angle) for name, angle in model.alias.items()]
         page.show(*((Letter(name), pretty.sum(of)) for order in zip(*rates) for name, of in order))
+
+
+def _motions(model: Model) -> Node:
+    """θ1, ω1, α1 = 0: what is given of every driver."""
+    return listed([node for driver in model.drivers for node in motion_of(driver)])
+
+
+def _auxiliary(model: Model, lang: Lang) -> list[Block]:
+    """The points that have a letter in the equations only: where a line that the file gives by coordinates begins."""
+    page, bodies, shapes = Page(lang), model.bodies, model.method.structure.shapes
+    for letter, (point, body) in bodies.spots.items():
+        if body == FRAME:
+            place = shapes[FRAME][point]
+            x, y = (_digits(1e3 * part) for part in (place.real, place.imag))
+            page.say("equations.auxiliary fixed", letter=letter, x=x, y=y)
+        else:
+            slides = model.method.structure.slides.values()
+            of = next(slide.point for slide in slides if slide.line.origin == point)
+            page.say("equations.auxiliary", letter=letter, link=bodies.called(body), point=of)
+    return page.blocks
 
 
 def _rates(name: Symbol, angle: Angle) -> list[tuple[Symbol, Sum]]:

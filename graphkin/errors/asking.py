@@ -7,8 +7,9 @@ from typing import ClassVar
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
 __all__ = [
-    "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NoPosition", "NoQuestion", "NoRate", "NoSuchDriver",
-    "NoSuchName", "NoSuchValue", "NotSwept", "TooManyRows", "UnknownQuantity",
+    "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NoPosition", "NoQuestion", "NoRate", "NoSpeed",
+    "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotSwept", "StandsStill", "TooManyRows", "UnknownQuantity",
+    "ValueForEach",
 ]  # fmt: skip
 
 
@@ -124,6 +125,44 @@ class NoPosition(GraphkinError):
         "en": "{where}: none of the positions asked for is reached: {driver} moves from {low} to {high} only. "
         "Ask for a range within, or with smaller steps.",
         "zh": "{where}：所要求的位置都不能到达：{driver} 只能在 {low} 至 {high} 之间运动。请改用其中的范围，或减小步长。",
+    }
+
+
+class ValueForEach(GraphkinError, ValueError):
+    """So many values for drivers, of which there are more or fewer."""
+
+    where: Where
+    count: int
+    drivers: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {needed} drivers, {count} values. Give one value for each of {names}, in this order [rad, m].",
+        "zh": "{where}：原动件有 {needed} 个，给了 {count} 个值。请按 {names} 的顺序各给一个 [rad, m]。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "needed": len(self.drivers), "names": ", ".join(self.drivers)}
+
+
+class StandsStill(GraphkinError):
+    """A point whose path is asked for, and that stays where it is."""
+
+    where: Where
+    point: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {point} stays where it is as the mechanism moves, so it has no path. Name a point that moves.",
+        "zh": "{where}：机构运动时点 {point} 静止不动，没有轨迹。请改用运动的点。",
+    }
+
+
+class NoSpeed(GraphkinError):
+    """Velocities are to be drawn along a path, and the driver says nothing of how fast it moves."""
+
+    where: Where
+    driver: str
+    keys: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: driver {driver} has no {keys}, so there are no velocities to draw. Give it one, or leave the arrows out.",
+        "zh": "{where}：原动件 {driver} 未给出 {keys}，没有可画的速度。请补上，或不画箭头。",
     }
 
 

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
-__all__ = ["BadKey", "BadPencil", "NoMarks", "NoSuchProblem", "NothingToMark", "SaidBefore"]
+__all__ = ["BadKey", "BadPencil", "NoKeyAtPosition", "NoMarks", "NoSuchProblem", "NothingToMark", "SaidBefore"]
 
 
 class BadKey(GraphkinError):
@@ -20,6 +20,10 @@ class BadKey(GraphkinError):
     }
 
 
+def _sentence(problem: GraphkinError, lang: Lang) -> str:
+    return problem.message(lang).rstrip(".。")
+
+
 class NothingToMark(GraphkinError):
     """A mechanism that asks for no number, and has none on the way."""
 
@@ -28,6 +32,22 @@ class NothingToMark(GraphkinError):
         "en": "{where}: nothing here can be marked as a number. Write for example ask = [\"omega 3\", \"alpha 3\"].",
         "zh": "{where}：没有可以按数值评阅的量。请写成如 ask = [\"omega 3\", \"alpha 3\"]。",
     }
+
+
+class NoKeyAtPosition(GraphkinError):
+    """A further position (`also`) that cannot be marked: it is not reached, or not told by where points are."""
+
+    where: Where
+    number: int
+    problem: GraphkinError | None = None
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: position #{number} cannot be marked{because}. Take another value in also.",
+        "zh": "{where}：位置 #{number} 无法评阅{because}。请在 also 中换一个值。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        colon = "：" if lang == "zh" else ": "
+        return {**super()._words(lang), "because": "" if self.problem is None else colon + _sentence(self.problem, lang)}
 
 
 class BadPencil(GraphkinError):

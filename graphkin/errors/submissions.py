@@ -18,12 +18,14 @@ __all__ = [
     "NoPaperScale",
     "NoRange",
     "NoScaleDrawn",
+    "NoSenseDrawn",
     "NoStudents",
     "NoVariant",
     "NotAQuestion",
     "NotATemplate",
     "NotAnAnswer",
     "NotMarkable",
+    "OffTheDrawing",
     "OwnFault",
     "SenseDisputed",
     "SeveralStudents",
@@ -98,8 +100,8 @@ class TookTooLong(GraphkinError):
     where: Where
     seconds: float
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: not read within {seconds:g} s. Hand in a simpler file.",
-        "zh": "{where}：{seconds:g} 秒内未能读完，请提交更简单的文件。",
+        "en": "{where}: not done within {seconds:g} s. Hand in a simpler file.",
+        "zh": "{where}：{seconds:g} 秒内未能处理完，请提交更简单的文件。",
     }
 
 
@@ -194,6 +196,38 @@ class NamesNobody(GraphkinError):
         "en": "{where}: this row names no student. Write the id in its column.",
         "zh": "{where}：此行没有学号。请在学号一列填写。",
     }
+
+
+class OffTheDrawing(GraphkinError):
+    """Quantities that nobody wrote down, and that the drawing determines: no fault, but said."""
+
+    where: Where
+    quantities: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: read from the drawing: {listed} (its arrow over the length of the link, with the arrow's sense).",
+        "zh": "{where}：由图量得：{listed}（所画矢量的大小除以杆长，转向由矢量判定）。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "listed": _listed(self.quantities, lang)}
+
+
+class NoSenseDrawn(GraphkinError):
+    """Rotations whose arrow is drawn along the link, where it turns the link neither way."""
+
+    where: Where
+    quantities: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {listed} cannot be read from the drawing: its arrow lies along the link.",
+        "zh": "{where}：无法由图量得 {listed}：所画矢量沿杆的方向。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "listed": _listed(self.quantities, lang)}
+
+
+def _listed(names: tuple[str, ...], lang: Lang) -> str:
+    return ("、" if lang == "zh" else ", ").join(names)
 
 
 class NotAQuestion(Choice):

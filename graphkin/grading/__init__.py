@@ -12,7 +12,7 @@
 from graphkin.grading.again import is_marks
 from graphkin.grading.journal import Journal
 from graphkin.grading.judges import judge_from
-from graphkin.grading.keys import USUAL, Pencils, key_for, key_from, marking_of
+from graphkin.grading.keys import USUAL, Pencils, key_drawn, key_for, key_from, marking_of
 from graphkin.grading.places import Places
 from graphkin.grading.problems import Problem, problems_of
 from graphkin.grading.resuming import resumed
@@ -22,5 +22,5 @@ from graphkin.marking.graded import Graded
 
 __all__ = [
     "USUAL", "Graded", "Journal", "Judge", "KeySet", "OneKey", "Pencils", "Places", "Problem", "Way", "grade",
-    "is_marks", "judge_from", "key_for", "key_from", "marking_of", "problems_of", "resumed", "set_text",
+    "is_marks", "judge_from", "key_drawn", "key_for", "key_from", "marking_of", "problems_of", "resumed", "set_text",
 ]  # fmt: skip

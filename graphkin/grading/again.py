@@ -18,6 +18,8 @@ from graphkin.outputs.marks_json import FORMAT, drawn_of
 from graphkin.value import frozen
 
 _GLANCE = 200
+_POINTS = {"right": True, "wrong": False}
+"""Of a drawn vector; of a number its sign says it again."""
 
 
 def is_marks(path: str | Path) -> bool:
@@ -90,8 +92,13 @@ def _work(student: str, quantities: Mapping[str, Mapping[str, Any]]) -> Work:
     return Work(
         student,
         {
-            text: Number(float(each["given"]), bool(each["unit_right"]))
+            text: _number(each)
             for text, each in quantities.items()
             if each["given"] is not None
         },
     )
+
+
+def _number(each: Mapping[str, Any]) -> Number:
+    points, measured = _POINTS.get(each["sense"]), bool(each.get("measured"))
+    return Number(float(each["given"]), bool(each["unit_right"]), points, measured)

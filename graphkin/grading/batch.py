@@ -8,13 +8,16 @@ from itertools import groupby
 
 from graphkin.errors import GraphkinError, OwnFault, TookTooLong, UnknownStudent, Unreadable, WantsExtra, Where
 from graphkin.grading.again import Again
+from graphkin.grading.drawn import with_drawings
 from graphkin.grading.sets import Judge, OneKey, fingerprint
 from graphkin.marking.graded import Drawn, Graded
 from graphkin.marking.marked import Marked, Number, Work
 from graphkin.marking.marker import Marker
-from graphkin.submissions import Handed, Limits, Submission, read_one
+from graphkin.submissions import Handed, Limits, Submission, limited, read_one
 from graphkin.value import frozen
 
+_EACH = 0.1
+"""A batch is marked at once in the time of one submission and so much more for each [s]."""
 _ONCE_MORE = (OwnFault, TookTooLong, Unreadable, WantsExtra)
 """Reasons that may be gone when it is tried again."""
 
@@ -36,7 +39,7 @@ Item = Handed | Again | Kept
 def marked(some: list[Item], judge: Judge, limits: Limits, reading: str) -> list[Graded | Kept]:
     """What becomes of each, in order."""
     read = [one if isinstance(one, Kept) else _read(one, judge, limits, reading) for one in some]
-    marks = _marked(judge, [one for one in read if isinstance(one, Read) and one.reason is None])
+    marks = _marked(judge, [one for one in read if isinstance(one, Read) and one.reason is None], limits.seconds)
     return [one if isinstance(one, Kept) else _graded(one, one.reason or next(marks)) for one in read]
 
 
@@ -60,9 +63,17 @@ def _read(item: Handed | Again, judge: Judge, limits: Limits, reading: str) -> R
     one = read_one(item, asked, limits)
     prints = (item.digest[:16], reading, asked_print(judge, one.student), judge.key_print(one.student))
     notes = (*one.notes, *(given.fault for given in one.values.values() if given.fault is not None))
-    again = isinstance(one.reason, _ONCE_MORE)
+    work, more, reason = _work(one), list[GraphkinError](), one.reason
+    try:
+        with limited(limits.seconds, Where(one.file)):
+            work, more = with_drawings(work, one, judge)
+    except GraphkinError as problem:
+        reason = problem
+    except Exception as problem:
+        reason = OwnFault(Where(one.file), type(problem).__name__)
+    again = isinstance(reason, _ONCE_MORE)
     drawn = {} if one.drawn is None else one.drawn.in_si()
-    return Read(_work(one), one.file, one.place, one.reason, notes, () if again else prints, drawn)
+    return Read(work, one.file, one.place, reason, (*notes, *more), () if again else prints, drawn)
 
 
 def _again(item: Again, judge: Judge) -> Read:
@@ -85,7 +96,7 @@ def asked_print(judge: Judge, student: str) -> str:
         marker = None
     if marker is None:
         return ""
-    return fingerprint(marker.key.text, *(entry.text for entry in marker.key.entries))
+    return fingerprint(*(text for key in marker.key.positions for text in (key.text, *(e.text for e in key.entries))))
 
 
 def _work(submission: Submission) -> Work:
@@ -93,7 +104,7 @@ def _work(submission: Submission) -> Work:
     return Work(
         submission.student,
         {
-            text: Number(given.value, given.fault is None)
+            text: Number(given.value, given.fault is None, measured=given.ends is not None and not given.text)
             for text, given in submission.values.items()
             if given.value is not None and math.isfinite(given.value)
         },
@@ -103,7 +114,7 @@ def _work(submission: Submission) -> Work:
 def _graded(one: Read, marks: Marked | GraphkinError) -> Graded:
     student, file, place = one.work.student, one.file, one.place
     if isinstance(marks, GraphkinError):
-        prints = () if isinstance(marks, OwnFault) else one.prints
+        prints = () if isinstance(marks, _ONCE_MORE) else one.prints
         return Graded(student, file, place, None, marks, one.notes, prints=prints)
     return Graded(student, file, place, marks, None, one.notes, one.drawn, one.prints)
 
@@ -111,24 +122,27 @@ def _graded(one: Read, marks: Marked | GraphkinError) -> Graded:
 # --- marking ----------------------------------------------------------------------------------
 
 
-def _marked(judge: Judge, batch: Sequence[Read]) -> Iterator[Marked | GraphkinError]:
+def _marked(judge: Judge, batch: Sequence[Read], seconds: float) -> Iterator[Marked | GraphkinError]:
     """In their order; those in a row who have one key are marked at once."""
     for marker, some in groupby(batch, lambda one: judge.marker(one.work.student)):
         assert marker is not None, "who is not of the class was refused before"
-        yield from _marks(marker, list(some))
+        yield from _marks(marker, list(some), seconds)
 
 
-def _marks(marker: Marker, batch: Sequence[Read]) -> list[Marked | GraphkinError]:
-    """All at once; one by one where that fails, so that an error of ours is one student's row."""
+def _marks(marker: Marker, batch: Sequence[Read], seconds: float) -> list[Marked | GraphkinError]:
+    """All at once; one by one, each within its time, where that fails or takes long, so that an error of ours or a
+    hostile submission is one student's row."""
     try:
-        return list(marker.mark([one.work for one in batch]))
+        with limited(seconds + _EACH * len(batch), Where(batch[0].file)):
+            return list(marker.mark([one.work for one in batch]))
     except Exception:
-        return [_alone(marker, one) for one in batch]
+        return [_alone(marker, one, seconds) for one in batch]
 
 
-def _alone(marker: Marker, one: Read) -> Marked | GraphkinError:
+def _alone(marker: Marker, one: Read, seconds: float) -> Marked | GraphkinError:
     try:
-        return marker.mark([one.work])[0]
+        with limited(seconds, Where(one.file)):
+            return marker.mark([one.work])[0]
     except GraphkinError as problem:
         return problem
     except Exception as problem:

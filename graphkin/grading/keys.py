@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from graphkin import api
 from graphkin.agreement import proved
 from graphkin.construction import Plane
 from graphkin.errors import BadKey, NoFile, NothingToMark, Unreadable, Where
+from graphkin.grading.positions import further_methods
 from graphkin.marking.key import Key, Marking
 from graphkin.marking.making import make_key
 from graphkin.mechanism import Mechanism
@@ -51,11 +53,22 @@ def key_for(
     mechanism: Mechanism, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = (),
     points: Mapping[str, float] | None = None,
 ) -> Key:  # fmt: skip
-    """The key of a mechanism at its drawn position, which both roads must give."""
+    """The key of a mechanism, which both roads must give, with one for each further position that it asks for, at the
+    same scales. Raises NothingToMark, NoKeyAtPosition."""
     method = api.plan(mechanism)
+    key = key_drawn(method, pencils, quantities, points)
+    further = (make_key(there, key.marking, quantities, points) for there in further_methods(method))
+    return replace(key, further=tuple(further))
+
+
+def key_drawn(
+    method: Method, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = (),
+    points: Mapping[str, float] | None = None,
+) -> Key:  # fmt: skip
+    """The key of the drawn position alone. Raises NothingToMark."""
     key = make_key(method, marking_of(method, pencils), quantities, points)
     if not any(entry.points for entry in key.entries):
-        raise NothingToMark(mechanism.where("ask"))
+        raise NothingToMark(method.mechanism.where("ask"))
     return key
 
 

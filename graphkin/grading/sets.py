@@ -10,6 +10,7 @@ import hashlib
 import json
 import pickle
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -44,8 +45,11 @@ class Judge:
 
 
 def asked_by(marker: Marker) -> Asked:
-    """What a key asks."""
-    return Asked(marker.method.mechanism, tuple(entry.text for entry in marker.key.entries))
+    """What a key asks, at all its positions."""
+    first, *further = (
+        Asked(each.method.mechanism, tuple(entry.text for entry in each.key.entries)) for each in marker.positions
+    )
+    return replace(first, further=tuple(further))
 
 
 def fingerprint(*parts: bytes | str) -> str:

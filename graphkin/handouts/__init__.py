@@ -7,6 +7,6 @@ it (`proofs`); `typst` sets them as PDF, `page` as HTML. Texts and drawings are 
 from __future__ import annotations
 
 from graphkin.handouts.document import Handout, Stage
-from graphkin.handouts.stages import handout
+from graphkin.handouts.stages import handout, in_languages
 
-__all__ = ["Handout", "Stage", "handout"]
+__all__ = ["Handout", "Stage", "handout", "in_languages"]

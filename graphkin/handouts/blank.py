@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import cmath
+import hashlib
 import math
+from collections.abc import Iterator
 
 from graphkin.construction import Construction, LayOff, Plane
 from graphkin.handouts.document import Room, Rows, Table
@@ -11,42 +13,59 @@ from graphkin.handouts.told import Told
 from graphkin.quantities import EDGE, Centre, Quantity, Rotation
 from graphkin.say.catalogue import say
 from graphkin.say.entry import VectorEquation
+from graphkin.sheet.fit import corners
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import Label, plain, point_label
 
+ROOM = complex(160.0, 120.0)
+"""Of any polygon that is drawn as large as a handout draws it [mm]."""
 _MORE = 1.2
-_LEAST = 60.0
+_EDGE, _GRID = 4.0, 5.0
+"""What the polygon keeps from the edge; the pole stands on a line of the grid [mm]."""
 _STEP = 10.0
 """Rooms are so many millimetres, or a multiple of it."""
-_TERMS = 3
+_EQUATIONS, _TERMS = 3, {"velocity": 3, "acceleration": 5}
 
 
 def room(told: Told, plane: Plane) -> Room:
-    """The hidden polygon's box and a fifth more, in whole centimetres, so that it tells nothing; p where it belongs."""
+    """The same room for every problem, with the pole somewhere, by lot, from where its polygon has room: neither tells
+    anything of the polygon. Where a scale of the file's own makes that larger, the box of the polygon and a fifth more.
+    """
     construction = _construction(told, plane)
-    names = (construction.pole, *construction.nodes)
-    points = told.drawing.plot.points(plane)
-    places = [complex(points[name]) / told.scales[plane] for name in names if name in points]
-    low = complex(min(at.real for at in places), min(at.imag for at in places))
-    high = complex(max(at.real for at in places), max(at.imag for at in places))
-    wide, tall = _whole((high - low).real), _whole((high - low).imag)
-    middle = (low + high) / 2
-    pole = complex(wide / 2 - middle.real, tall / 2 + middle.imag)
+    low, high = corners(_places(told, construction))
+    wide, tall = _whole((high - low).real, ROOM.real), _whole((high - low).imag, ROOM.imag)
+    right, up = _lots(told.drawing.mechanism.text + plane)
+    pole = complex(_stood(low.real, high.real, wide, right), tall - _stood(low.imag, high.imag, tall, up))
     direction, mark = _first_direction(told, construction)
-    return Room(wide, tall, _on_grid(pole), point_label(construction.pole), direction, mark)
+    return Room(wide, tall, pole, point_label(construction.pole), direction, mark)
+
+
+def _places(told: Told, construction: Construction) -> list[complex]:
+    """The corners of a polygon from its pole, on paper [mm, y up]."""
+    points = told.drawing.plot.points(construction.plane)
+    names = (construction.pole, *construction.nodes)
+    return [complex(points[name]) / told.scales[construction.plane] for name in names if name in points]
+
+
+def _lots(text: str) -> tuple[float, float]:
+    """Two numbers from 0 to 1 that hang on the text of the problem alone."""
+    digest = hashlib.sha256(text.encode()).digest()
+    return digest[0] / 255, digest[1] / 255
+
+
+def _stood(low: float, high: float, room: float, lot: float) -> float:
+    """Where in a room the pole may stand so that what reaches from low to high about it keeps off the edge."""
+    first, last = _EDGE - low, room - _EDGE - high
+    least, most = math.ceil(first / _GRID), math.floor(last / _GRID)
+    return _GRID * (least + round(lot * (most - least)))
 
 
 def _construction(told: Told, plane: Plane) -> Construction:
     return told.drawing.method.velocity if plane == "velocity" else told.drawing.method.acceleration
 
 
-def _whole(length: float) -> float:
-    return max(_LEAST, _STEP * math.ceil(_MORE * length / _STEP))
-
-
-def _on_grid(place: complex) -> complex:
-    """The nearest crossing of the grid's lines."""
-    return complex(5 * round(place.real / 5), 5 * round(place.imag / 5))
+def _whole(length: float, usual: float) -> float:
+    return max(usual, _STEP * math.ceil(_MORE * length / _STEP))
 
 
 def _first_direction(told: Told, construction: Construction) -> tuple[float, Label]:
@@ -61,12 +80,19 @@ def _first_direction(told: Told, construction: Construction) -> tuple[float, Lab
     return 0.0, plain("0°")
 
 
-def empty_rows(told: Told, equation: VectorEquation | None = None) -> Rows:
+def equations(told: Told, plane: Plane) -> Iterator[Rows]:
+    """Lines for as many equations as a polygon takes, three at most, each with as many terms as its plane may have."""
+    construction = _construction(told, plane)
+    for _ in construction.equations[:_EQUATIONS]:
+        yield empty_rows(told, terms=_TERMS[plane])
+
+
+def empty_rows(told: Told, equation: VectorEquation | None = None, terms: int = 3) -> Rows:
     """Lines to write an equation on: as many terms as it has, or as any may have."""
     lang = told.lang
     heads = tuple(plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row"))
     columns: list[tuple[Label, Label, Label] | None] = []
-    sides = [len(side) for side in equation.sides] if equation is not None else [1, _TERMS - 1]
+    sides = [len(side) for side in equation.sides] if equation is not None else [1, terms - 1]
     if equation is not None and equation.front:
         sides = [1, *sides]
     for k, count in enumerate(sides):
@@ -76,10 +102,10 @@ def empty_rows(told: Told, equation: VectorEquation | None = None) -> Rows:
     return Rows((heads[0], heads[1]), tuple(columns))
 
 
-def measured(told: Told, count: int = 5) -> Table:
-    """Room for what is read off: a vector, its length on paper, its value."""
+def measured(told: Told, count: int = 3) -> Table:
+    """Room for what is read off: a vector, its length on paper, its value; twice beside each other."""
     heads = tuple(plain(say(f"handouts.{key}", told.lang)) for key in ("vector", "measured", "value"))
-    return Table(heads, tuple(((), (), ()) for _ in range(count)))
+    return Table(heads * 2, (((),) * 6,) * count)
 
 
 def boxes(told: Told) -> Table:

@@ -14,10 +14,11 @@ Stage = Literal["problem", "blank", "half", "solution"]
 
 @frozen
 class Heading:
-    """A heading; level 1 is a problem's title."""
+    """A heading; level 1 is a problem's title. `said`: what the foot of its pages says of this problem alone."""
 
     words: Label
     level: int = 2
+    said: str = ""
 
 
 @frozen
@@ -45,6 +46,12 @@ class Rows:
 
     heads: tuple[Label, Label]
     columns: tuple[tuple[Label, Label, Label] | None, ...]
+
+    @property
+    def lines(self) -> list[list[Label | None]]:
+        """The terms, the directions, the sizes, each behind its head; None where there is to be written."""
+        columns = [((), *self.heads), *self.columns]
+        return [[column[k] if column is not None else None for column in columns] for k in range(3)]
 
 
 @frozen
@@ -90,7 +97,8 @@ Block = Heading | Text | Formula | Rows | Picture | Table | Room | NewPage
 class Foot:
     """What every page says of itself.
 
-    stage   in words; digest: the beginning of the mechanism file's SHA-256; seed: of the set it belongs to
+    stage   in words; digest: the beginning of the mechanism file's SHA-256, where that is one for all pages
+    seed    of the set it belongs to
     """
 
     stage: str
@@ -98,6 +106,10 @@ class Foot:
     digest: str
     seed: str
     bar: str
+
+    @property
+    def words(self) -> str:
+        return " · ".join(filter(None, ("graphkin " + self.version, self.stage, self.seed, self.digest)))
 
 
 @frozen

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from html import escape
-from typing import assert_never
 
-from graphkin.handouts.document import Block, Formula, Handout, Heading, NewPage, Picture, Room, Rows, Table, Text
+from graphkin.handouts.document import Handout, Heading, Picture, Rows, Table, Text
 from graphkin.handouts.grid import room_svg
+from graphkin.handouts.medium import Medium
 from graphkin.handouts.scripted import Sign, signs
 from graphkin.outputs.svg import inline
 from graphkin.sheet.lettering import Label, Run
@@ -20,11 +19,12 @@ font-size:10.5pt;line-height:1.45;max-width:{room}mm;margin:0 auto}}
 h1{{font-size:15pt}}h2{{font-size:12pt;break-after:avoid}}
 math{{font-family:"DejaVu Math TeX Gyre","TeX Gyre Termes Math","XITS Math","STIX Two Math",math}}
 .formula{{margin-left:8mm}}figure{{margin:3mm 0;text-align:center;break-inside:avoid}}svg{{max-width:none}}
-table{{border-collapse:collapse;break-inside:avoid}}.filled td,.filled th{{border:.18mm solid;min-width:28mm;height:7mm;
+table{{border-collapse:collapse;break-inside:avoid}}.filled td,.filled th{{border:.18mm solid;min-width:24mm;height:7mm;
 text-align:center;font-weight:normal}}.rows{{margin-left:8mm}}.rows td{{text-align:center;padding:.6mm 1mm}}
 .rule{{display:inline-block;width:20mm;height:6mm;border-bottom:.18mm solid}}
 footer{{margin-top:8mm;font-size:8pt;display:flex;justify-content:space-between;align-items:flex-end}}
 .bar{{width:100mm;height:2mm;border:solid;border-width:.35mm .18mm 0}}.new{{break-before:page}}
+small{{font-size:8pt;font-weight:normal}}
 .act{{display:inline-block;min-width:3.6mm;line-height:3.6mm;border:.2mm solid;border-radius:2mm;text-align:center;
 font-size:7.5pt}}"""
 
@@ -33,14 +33,13 @@ def html(handout: Handout, paper: str = "A4") -> str:
     """The whole page."""
     size = PAPERS[paper]
     style = _STYLE.format(width=size.width, height=size.height, room=size.width - 40)
-    body = "\n".join(line for block in handout.blocks for line in _block(block))
+    body = _PAGE.written(handout.blocks)
     foot, title = handout.foot, escape(handout.title)
-    said = " · ".join(filter(None, ("graphkin " + foot.version, foot.stage, foot.seed, foot.digest)))
     bar = f'<div><div class="bar"></div>{escape(foot.bar)}</div>'
     return (
         f'<!DOCTYPE html>\n<html lang="{handout.lang}"><head><meta charset="utf-8">'
         f'<meta name="generator" content="{MARK.decode()}"><title>{title}</title>\n<style>{style}</style></head>\n'
-        f"<body>\n{_contents(handout)}{body}\n<footer>{bar}<span>{escape(said)}</span></footer>\n</body></html>\n"
+        f"<body>\n{_contents(handout)}{body}\n<footer>{bar}<span>{escape(foot.words)}</span></footer>\n</body></html>\n"
     )
 
 
@@ -52,42 +51,36 @@ def _contents(handout: Handout) -> str:
     return f'<h1>{escape(handout.contents)}</h1>\n<ol>{items}</ol>\n<div class="new"></div>\n'
 
 
-def _block(block: Block) -> Iterator[str]:
-    match block:
-        case Heading(words, level):
-            yield f"<h{level}>{_words(words)}</h{level}>"
-        case Text(words, act):
-            number = f'<span class="act">{escape(act)}</span> ' if act else ""
-            yield f"<p>{number}{_words(words)}</p>"
-        case Formula(words):
-            yield f'<p class="formula">{_words(words)}</p>'
-        case Rows():
-            yield _rows(block)
-        case Picture(sheet, told):
-            yield f'<figure role="img" aria-label="{escape(told)}">{inline(sheet)}</figure>'
-        case Room():
-            yield f"<figure>{room_svg(block)}</figure>"
-        case Table(heads, rows):
-            yield _table(heads, rows)
-        case NewPage():
-            yield '<div class="new"></div>'
-        case _:
-            assert_never(block)
+def _heading(heading: Heading) -> str:
+    said = f' <small>{escape(heading.said)}</small>' if heading.said else ""
+    return f"<h{heading.level}>{_words(heading.words)}{said}</h{heading.level}>"
+
+
+def _text(text: Text) -> str:
+    number = f'<span class="act">{escape(text.act)}</span> ' if text.act else ""
+    return f"<p>{number}{_words(text.words)}</p>"
 
 
 def _rows(rows: Rows) -> str:
-    columns = [((), *rows.heads), *rows.columns]
     rule = '<span class="rule"></span>'
-    lines = (
-        "".join(f"<td>{_words(column[k]) if column is not None else rule}</td>" for column in columns) for k in range(3)
-    )
+    lines = ("".join(f"<td>{_words(cell) if cell is not None else rule}</td>" for cell in line) for line in rows.lines)
     return '<table class="rows">' + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
 
 
-def _table(heads: tuple[Label, ...], rows: tuple[tuple[Label, ...], ...]) -> str:
-    first = "".join(f"<th>{_words(head)}</th>" for head in heads)
-    lines = ("".join(f"<td>{_words(cell)}</td>" for cell in row) for row in rows)
+def _picture(picture: Picture) -> str:
+    return f'<figure role="img" aria-label="{escape(picture.told)}">{inline(picture.sheet)}</figure>'
+
+
+def _table(table: Table) -> str:
+    first = "".join(f"<th>{_words(head)}</th>" for head in table.heads)
+    lines = ("".join(f"<td>{_words(cell)}</td>" for cell in row) for row in table.rows)
     return f'<table class="filled"><tr>{first}</tr>' + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
+
+
+_PAGE = Medium(
+    _heading, _text, lambda formula: f'<p class="formula">{_words(formula.words)}</p>', _rows, _picture,
+    lambda room: f"<figure>{room_svg(room)}</figure>", _table, lambda _: '<div class="new"></div>',
+)  # fmt: skip
 
 
 def _words(label: Label) -> str:

@@ -77,7 +77,8 @@ def _given_by(told: Told, key: Key, id: str, wanted: list[int], moved: np.ndarra
             unit = EDGE[symbols[entry.text].unit]
             shown.append(f"{told.goal.symbol(symbols[entry.text])} = {number(value * unit.factor)} {unit.sign}".strip())
     name = mistake(key.singles.names[row][0], told.lang)
-    raised = re.sub(r"([va])\^([nktr]+)_", lambda found: names.vector(found[0] + "X")[:-1], name)
+    turns = re.sub(r"\b(?:theta|omega|alpha) \w+", lambda found: names.asked(found[0]), name)
+    raised = re.sub(r"([va])\^([nktr]+)_", lambda found: names.vector(found[0] + "X")[:-1], turns)
     return formula(say("handouts.gives", told.lang, mistake=raised, values=", ".join(shown)))
 
 
@@ -92,9 +93,9 @@ _COMMON = (
 def _key(told: Told) -> Key | None:
     """The key of the problem; None where nothing is asked that is marked."""
     from graphkin.errors import GraphkinError
-    from graphkin.grading.keys import key_for
+    from graphkin.grading.keys import key_drawn
 
     try:
-        return key_for(told.drawing.mechanism)
+        return key_drawn(told.drawing.method)
     except GraphkinError:
         return None

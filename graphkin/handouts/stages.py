@@ -18,37 +18,55 @@ from graphkin.mechanism import Mechanism
 from graphkin.running import replay_all
 from graphkin.say import entry
 from graphkin.say.catalogue import say
+from graphkin.sheet.fit import corners
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_sheet import HEADINGS, Style, mechanism_sheet
+from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.scales import KEYS, finest, written
 
-_ROOM = complex(135.0, 100.0)
+_ROOM = blank.ROOM / 1.2
 """What one figure takes up on a page at most [mm], without its labels."""
 
 
 def handout(
-    mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, *, upto: int = 1, answers: bool = False, seed: str = ""
-) -> Handout:
+    mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, *, upto: int = 1, answers: bool = False, seed: str = "",
+    whose: Sequence[str] = (),
+) -> Handout:  # fmt: skip
     """One or several problems at one stage.
 
     upto     of a half-worked solution: so many whole equations are done
     answers  the answers of all at the end
     seed     of the set the problems belong to, as every page says it
+    whose    the student each problem is for, or "": it stands after the title
 
     Raises what loading, planning and proving raise.
     """
-    problems = [told(mechanism, lang) for mechanism in mechanisms]
+    owners = whose or [""] * len(mechanisms)
+    problems = [replace(told(each, lang), whose=who) for each, who in zip(mechanisms, owners, strict=True)]
     blocks: list[Block] = []
     for k, problem in enumerate(problems):
         blocks += [NewPage()] if k else []
-        blocks += _staged(problem, stage, upto)
+        own = _digest([problem.drawing.mechanism]) if len(problems) > 1 else ""
+        said = " · ".join(filter(None, (problem.whose, own)))
+        blocks += (replace(b, said=said) if isinstance(b, Heading) and b.level == 1 else b
+                   for b in _staged(problem, stage, upto))  # fmt: skip
     if answers:
         blocks += [NewPage(), Heading(plain(say("handouts.answers", lang)), 1)]
         blocks += [block for problem in problems for block in _answers(problem)]
     title = " / ".join(problem.title for problem in problems)
     contents = say("handouts.contents", lang) if len(problems) > 1 else ""
     return Handout(title, lang, tuple(blocks), _foot(mechanisms, stage, lang, seed), contents)
+
+
+def in_languages(
+    mechanisms: Sequence[Mechanism], stage: Stage, langs: Sequence[Lang], *, upto: int = 1, answers: bool = False,
+    seed: str = "", whose: Sequence[str] = (),
+) -> Handout:  # fmt: skip
+    """The handout in each of the languages, one after the other; its feet are in the first."""
+    found = [handout(mechanisms, stage, lang, upto=upto, answers=answers, seed=seed, whose=whose) for lang in langs]
+    blocks = [block for k, each in enumerate(found) for block in ((NewPage(),) if k else ()) + each.blocks]
+    return replace(found[0], blocks=tuple(blocks))
 
 
 def told(mechanism: Mechanism, lang: Lang) -> Told:
@@ -64,16 +82,25 @@ def _scales(drawing: Drawing) -> Iterator[tuple[Plane, float]]:
     """As the file has them; else the finest at which each figure has room on a page."""
     for plane in PLANES:
         given = drawing.mechanism.scales.get(KEYS[plane])
-        places = [complex(at) for at in drawing.plot.points(plane).values()]
-        wide = max(at.real for at in places) - min(at.real for at in places)
-        tall = max(at.imag for at in places) - min(at.imag for at in places)
-        yield plane, given or finest(complex(wide, tall), _ROOM)
+        low, high = corners(_shown(drawing, plane))
+        yield plane, given or finest(high - low, _ROOM)
+
+
+def _shown(drawing: Drawing, plane: Plane) -> list[complex]:
+    """The places of a figure in SI units, wheels' rims among them."""
+    if plane == "position":
+        return shown_places(drawing.method, drawing.plot)
+    return [complex(at) for at in drawing.plot.points(plane).values()]
 
 
 def _foot(mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, seed: str) -> Foot:
-    digest = hashlib.sha256("\0".join(mechanism.text for mechanism in mechanisms).encode()).hexdigest()[:12]
+    digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
     said = say("handouts.seed", lang, seed=seed) if seed else ""
     return Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, said, say("handouts.bar", lang))
+
+
+def _digest(mechanisms: Sequence[Mechanism]) -> str:
+    return hashlib.sha256("\0".join(mechanism.text for mechanism in mechanisms).encode()).hexdigest()[:12]
 
 
 # --- stages -----------------------------------------------------------------------------------
@@ -115,9 +142,9 @@ def _blank(problem: Told) -> Iterator[Block]:
     for plane in problem.polygons:
         yield NewPage()
         yield Heading(plain(HEADINGS[problem.lang][plane]))
-        yield blank.empty_rows(problem)
-        scale = "".join(run.text for run in written(plane, problem.scales[plane]))
-        yield Text(formula(say("handouts.draw here", problem.lang, scale=scale)))
+        yield from blank.equations(problem, plane)
+        before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
+        yield Text((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
         yield blank.room(problem, plane)
         yield blank.measured(problem)
 
@@ -134,7 +161,7 @@ def _half(problem: Told, upto: int) -> Iterator[Block]:
     if waiting is not None:
         yield Text(plain(say("handouts.go on", problem.lang)))
         yield blank.empty_rows(problem, waiting)
-        yield blank.measured(problem, 3)
+        yield blank.measured(problem, 2)
 
 
 def _solution(problem: Told) -> Iterator[Block]:

@@ -28,11 +28,12 @@ class Section:
 
 @frozen
 class Told:
-    """One problem at its scales, by plane."""
+    """One problem at its scales, by plane; `whose`: the student it is for, where it is one's own."""
 
     drawing: Drawing
     scales: Mapping[Plane, float]
     lang: Lang
+    whose: str = ""
 
     @cached_property
     def _sections(self) -> tuple[Section, ...]:
@@ -56,7 +57,7 @@ class Told:
 
     @property
     def title(self) -> str:
-        return self._sections[0].heading
+        return " · ".join(filter(None, (self._sections[0].heading, self.whose)))
 
     @property
     def given(self) -> Section:

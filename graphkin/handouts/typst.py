@@ -3,32 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
-from typing import assert_never
 
 from graphkin.errors import NoLetter
-from graphkin.handouts.document import (
-    Block,
-    Formula,
-    Handout,
-    Heading,
-    NewPage,
-    Picture,
-    Room,
-    Rows,
-    Table,
-    Text,
-)
+from graphkin.handouts.document import Handout, Heading, Rows, Table, Text
 from graphkin.handouts.fonts import Fonts, fonts
-from graphkin.handouts.grid import markers_svg, room_svg
+from graphkin.handouts.grid import room_svg
+from graphkin.handouts.markers import DIGITS, MARKERS, SIZE, digits, edges, markers_svg
+from graphkin.handouts.medium import Medium
 from graphkin.handouts.scripted import Sign, signs
 from graphkin.outputs.extras import needed
 from graphkin.outputs.paged import unscaled
 from graphkin.outputs.spans import mm
 from graphkin.outputs.svg import svg
 from graphkin.sheet.lettering import Label, Run
-from graphkin.sheet.paper import PAPERS
+from graphkin.sheet.paper import PAPERS, Paper
 
 _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 _MISSING = re.compile(r'the text `"(.+?)"` could not be displayed')
@@ -42,7 +31,8 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
 #set heading(outlined: true, bookmarked: true)
 #show heading.where(level: 1): set text(size: 15pt)
 #show heading.where(level: 2): set text(size: 12pt)
-#let act(number) = box(baseline: 0.9mm,
+#let lettered(body) = text(font: ({families}), body)
+#let act(number) = box(
   circle(radius: 1.9mm, inset: 0mm, stroke: 0.2mm, align(center + horizon, text(size: 7.5pt, number))))
 #let bar = {{
   set text(size: 7pt)
@@ -58,8 +48,19 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
   footer: context {{
     set text(size: 8pt)
     grid(columns: (1fr, auto), align: (left + bottom, right + bottom),
-      bar, {foot} + " · " + str(counter(page).get().first()) + "/" + str(counter(page).final().first()))
+      bar, {foot} + state("said", "").get(){number} + " · " +
+        str(counter(page).get().first()) + "/" + str(counter(page).final().first()))
   }})
+"""
+_MARKER = """#let bits = ({bits})
+#let marker(id) = box(width: {size}mm, height: {size}mm, fill: black, {{
+  for k in range(16) {{
+    if calc.odd(bits.at(id).bit-rshift(15 - k)) {{
+      place(top + left, dx: (calc.rem(k, 4) + 1) * {cell}mm, dy: (calc.quo(k, 4) + 1) * {cell}mm,
+        rect(width: {cell}mm, height: {cell}mm, fill: white))
+    }}
+  }}
+}})
 """
 
 
@@ -67,19 +68,20 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
     """The PDF of a handout.
 
     font  a font file to use; else the one the environment names, else the system's
-    scan  the number of a sheet that is to be photographed, 0 to 15: markers and dots are printed with it
+    scan  the number of the first page of those that are to be photographed, each of which has the next one: markers
+          and dots are printed with it
 
     Raises NeedsExtra without typst, NoFont, NoChineseLetters, NoLetter.
     """
     typst = needed("typst", "pdf")
     pictures: dict[str, str] = {}
-    body = "\n".join(line for block in handout.blocks for line in _block(block, pictures))
+    body = _medium(pictures).written(handout.blocks)
     words = handout.title + body + handout.foot.bar
     found = fonts(font, bool(_WIDE.search(words)))
     page = PAPERS[paper]
     if scan is not None:
-        pictures["markers"] = markers_svg(page.width, page.height, scan)
-    text = _head(handout, found, page.width, page.height, scan is not None) + _contents(handout) + body
+        pictures["markers"] = markers_svg(page.width, page.height)
+    text = _head(handout, found, page, scan) + _contents(handout) + body
     try:
         made: bytes = typst.compile(
             text.encode(), format="pdf", sys_inputs=pictures, font_paths=list(found.folders), timestamp=0,
@@ -92,15 +94,34 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
     return unscaled(made)
 
 
-def _head(handout: Handout, found: Fonts, width: float, height: float, scan: bool) -> str:
+def pages(content: bytes) -> int:
+    """How many pages a PDF of this writer has."""
+    return len(re.findall(rb"/Type\s*/Page\b", content))
+
+
+def _head(handout: Handout, found: Fonts, page: Paper, scan: int | None) -> str:
     foot = handout.foot
-    said = " · ".join(filter(None, ("graphkin " + foot.version, foot.stage, foot.seed, foot.digest)))
-    markers = f'pdf.artifact(image(bytes(sys.inputs.markers), format: "svg", width: {mm(width)}mm))'
-    return _HEAD.format(
+    before, number, background = _numbered(page, scan) if scan is not None else ("", "", "none")
+    return before + _HEAD.format(
         title=_string(handout.title), families=", ".join(map(_string, found.families)), lang=_string(handout.lang),
-        width=mm(width), height=mm(height), margin=mm(_MARGIN + (8 if scan else 0)), bar=_string(foot.bar),
-        foot=_string(said), background=markers if scan else "none",
+        width=mm(page.width), height=mm(page.height), margin=mm(_MARGIN + (8 if scan is not None else 0)),
+        bar=_string(foot.bar), foot=_string(foot.words), number=number, background=background,
     )  # fmt: skip
+
+
+def _numbered(page: Paper, first: int) -> tuple[str, str, str]:
+    """What draws a marker, what says a page's number in its foot, and the background that tells it to a camera."""
+    left, right = edges(page.width, page.height)
+    number = f"{first - 1} + counter(page).get().first()"
+    parts = ((left, f"calc.quo({number}, {DIGITS})"), (right, f"calc.rem({number}, {DIGITS})"))
+    placed = (
+        f"place(top + left, dx: {mm(at.real)}mm, dy: {mm(at.imag)}mm, marker({digits(0)[0]} + {part}))"
+        for at, part in parts
+    )
+    shared = f'image(bytes(sys.inputs.markers), format: "svg", width: {mm(page.width)}mm)'
+    background = f"context pdf.artifact({{ place(top + left, {shared}); {'; '.join(placed)} }})"
+    before = _MARKER.format(bits=", ".join(map(str, MARKERS)), size=mm(SIZE), cell=mm(SIZE / 6))
+    return before, f' + " · #" + str({number})', background
 
 
 def _contents(handout: Handout) -> str:
@@ -110,27 +131,29 @@ def _contents(handout: Handout) -> str:
     return f"#{title}\n#outline(title: none, depth: 1)\n#pagebreak()\n"
 
 
-def _block(block: Block, pictures: dict[str, str]) -> Iterator[str]:
-    match block:
-        case Heading(words, level):
-            yield f"#heading(level: {level})[{_words(words)}]\n"
-        case Text(words, act):
-            number = f"#act({_string(act)}) " if act else ""
-            yield f"#par[{number}{_words(words)}]\n"
-        case Formula(words):
-            yield f"#pad(left: 8mm, par[{_words(words)}])\n"
-        case Rows():
-            yield _rows(block)
-        case Picture(sheet, told):
-            yield _image(pictures, svg(sheet), sheet.paper.width, told)
-        case Room():
-            yield _image(pictures, room_svg(block), block.width, "".join(run.text for run in block.name))
-        case Table(heads, rows):
-            yield _table(heads, rows)
-        case NewPage():
-            yield "#pagebreak(weak: true)\n"
-        case _:
-            assert_never(block)
+def _medium(pictures: dict[str, str]) -> Medium:
+    """Typst's markup; drawings are kept under the names by which it asks for them."""
+    return Medium(
+        _heading,
+        _text,
+        lambda formula: f"#pad(left: 8mm, par[{_words(formula.words)}])\n",
+        _rows,
+        lambda picture: _image(pictures, svg(picture.sheet), picture.sheet.paper.width, picture.told),
+        lambda room: _image(pictures, room_svg(room), room.width, "".join(run.text for run in room.name)),
+        _table,
+        lambda _: "#pagebreak(weak: true)\n",
+    )
+
+
+def _heading(heading: Heading) -> str:
+    """With what the feet say from here on: a heading of the first level begins a page."""
+    said = f"#state(\"said\", \"\").update({_string(' · ' + heading.said)})\n" if heading.said else ""
+    return f"{said}#heading(level: {heading.level})[{_words(heading.words)}]\n"
+
+
+def _text(text: Text) -> str:
+    number = f"#act({_string(text.act)}) " if text.act else ""
+    return f"#par[{number}{_words(text.words)}]\n"
 
 
 def _image(pictures: dict[str, str], text: str, width: float, told: str) -> str:
@@ -146,17 +169,17 @@ def _in_own_font(found: re.Match[str]) -> str:
 
 def _rows(rows: Rows) -> str:
     """Three lines: terms, directions, sizes; a blank is a line to write on."""
-    columns = [((), *rows.heads), *rows.columns]
     rule = "#box(width: 20mm, height: 6mm, stroke: (bottom: 0.18mm))"
-    cells = [f"[{_words(column[k]) if column is not None else rule}]" for k in range(3) for column in columns]
-    shape = f"columns: {len(columns)}, align: center + horizon, column-gutter: 2mm, row-gutter: 2mm"
+    cells = [f"[{_words(cell) if cell is not None else rule}]" for line in rows.lines for cell in line]
+    shape = f"columns: {len(rows.lines[0])}, align: center + horizon, column-gutter: 2mm, row-gutter: 2mm"
     return f"#block(breakable: false, pad(left: 8mm, grid({shape}, {', '.join(cells)})))\n"
 
 
-def _table(heads: tuple[Label, ...], rows: tuple[tuple[Label, ...], ...]) -> str:
-    cells = [f"[{_words(cell)}]" for row in rows for cell in row]
-    first = ", ".join(f"[{_words(head)}]" for head in heads)
-    shape = f"columns: (30mm,) * {len(heads)}, rows: 8mm, align: center + horizon, stroke: 0.18mm"
+def _table(table: Table) -> str:
+    cells = [f"[{_words(cell)}]" for row in table.rows for cell in row]
+    first = ", ".join(f"[{_words(head)}]" for head in table.heads)
+    wide = mm(min(30, 152 / len(table.heads)))
+    shape = f"columns: ({wide}mm,) * {len(table.heads)}, rows: 8mm, align: center + horizon, stroke: 0.18mm"
     return f"#block(breakable: false, table({shape}, table.header({first}), {', '.join(cells)}))\n"
 
 
@@ -169,7 +192,7 @@ def _sign(sign: Sign) -> str:
     base = _run(sign.base) if sign.base is not None else ""
     if sign.low and sign.high:
         low, high = ("".join(map(_run, runs)) for runs in (sign.low, sign.high))
-        whole = f"$attach(#[{base}], t: #[{high}], b: #[{low}])$"
+        whole = f"$attach(#lettered[{base}], t: #lettered[{high}], b: #lettered[{low}])$"
         return f"#math.equation(alt: {_string(sign.plain)}, {whole})"
     low, high = ("".join(map(_run, runs)) for runs in (sign.low, sign.high))
     return base + (f"#sub[{low}]" if low else "") + (f"#super[{high}]" if high else "")

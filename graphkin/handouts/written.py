@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterator, Mapping
-from typing import assert_never
+from collections.abc import Callable, Mapping
 
 import graphkin
 from graphkin.api import Drawing
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.handouts.document import Block, Foot, Formula, Handout, Heading, NewPage, Picture, Room, Rows, Table, Text
+from graphkin.handouts.document import Foot, Handout, Rows, Text
+from graphkin.handouts.medium import Medium
 from graphkin.handouts.page import html
 from graphkin.handouts.scripted import Sign, signs
 from graphkin.handouts.stages import blocks_of
@@ -35,32 +35,39 @@ def solution(drawing: Drawing, lang: Lang, *, everything: bool = False, only: Pl
 
 # --- LaTeX ------------------------------------------------------------------------------------
 
+_TEX_PAGE = r"""\usepackage[margin=25mm]{geometry}
+\raggedright
+\newsavebox{\wide}
+% an equation that is wider than the page is made smaller
+\newcommand{\fit}[1]{\sbox{\wide}{#1}%
+  \ifdim\wd\wide>0.95\linewidth\resizebox{0.95\linewidth}{!}{\usebox{\wide}}\else\usebox{\wide}\fi}"""
+
 
 def tex(found: Handout) -> str:
     """A LaTeX file that stands alone; Chinese wants xelatex."""
     chinese = [r"\usepackage[fontset=fandol]{ctex}"] if found.lang == "zh" else []
-    body = "\n\n".join(line for block in found.blocks for line in _tex(block))
-    head = [f"% {MARK}", r"\documentclass[a4paper]{article}", r"\usepackage{amsmath,amssymb}", *chinese]
-    return "\n".join([*head, r"\begin{document}", body, r"\end{document}", ""])
+    body = _TEX.written(found.blocks, "\n\n")
+    head = [f"% {MARK}", r"\documentclass[a4paper]{article}", r"\usepackage{amsmath,amssymb,graphicx}", *chinese]
+    return "\n".join([*head, _TEX_PAGE, r"\begin{document}", body, r"\end{document}", ""])
 
 
-def _tex(block: Block) -> Iterator[str]:
-    match block:
-        case Heading(words):
-            yield rf"\subsection*{{{tex_words(words)}}}"
-        case Text(words, act):
-            number = rf"\textcircled{{\scriptsize {act}}} " if act else ""
-            yield rf"\noindent {number}{tex_words(words)}"
-        case Formula(words):
-            yield rf"\quad {tex_words(words)}"
-        case Rows():
-            columns = [((), *block.heads), *(column or ((), (), ()) for column in block.columns)]
-            lines = (" & ".join(tex_words(column[k]) for column in columns) for k in range(3))
-            yield rf"\quad\begin{{tabular}}{{{'c' * len(columns)}}}" + r" \\ ".join(lines) + r"\end{tabular}"
-        case Table() | Picture() | Room() | NewPage():
-            raise AssertionError("a solution alone has words and equations")
-        case _:
-            assert_never(block)
+def _tex_text(text: Text) -> str:
+    number = rf"\textcircled{{\scriptsize {text.act}}} " if text.act else ""
+    return rf"\noindent {number}{tex_words(text.words)}"
+
+
+def _tex_rows(rows: Rows) -> str:
+    lines = (" & ".join(tex_words(cell or ()) for cell in line) for line in rows.lines)
+    table = rf"\begin{{tabular}}{{{'c' * len(rows.lines[0])}}}" + r" \\ ".join(lines) + r"\end{tabular}"
+    return rf"\quad\fit{{{table}}}"
+
+
+_TEX = Medium(
+    lambda heading: rf"\subsection*{{{tex_words(heading.words)}}}",
+    _tex_text,
+    lambda formula: rf"\quad {tex_words(formula.words)}",
+    _tex_rows,
+)
 
 
 # --- Markdown ---------------------------------------------------------------------------------
@@ -68,26 +75,21 @@ def _tex(block: Block) -> Iterator[str]:
 
 def markdown(found: Handout) -> str:
     """Plain Markdown: subscripts and parts as HTML has them, equations as tables."""
-    body = "\n\n".join(line for block in found.blocks for line in _markdown(block))
+    body = _MARKDOWN.written(found.blocks, "\n\n")
     return f"<!-- {MARK} -->\n\n{body}\n"
 
 
-def _markdown(block: Block) -> Iterator[str]:
-    match block:
-        case Heading(words):
-            yield f"## {_plain_words(words)}"
-        case Text(words, act):
-            yield (f"({act}) " if act else "") + _plain_words(words)
-        case Formula(words):
-            yield f"> {_plain_words(words)}"
-        case Rows():
-            columns = [((), *block.heads), *(column or ((), (), ()) for column in block.columns)]
-            lines = ["| " + " | ".join(_plain_words(column[k]) for column in columns) + " |" for k in range(3)]
-            yield "\n".join([lines[0], "|" + ":-:|" * len(columns), *lines[1:]])
-        case Table() | Picture() | Room() | NewPage():
-            raise AssertionError("a solution alone has words and equations")
-        case _:
-            assert_never(block)
+def _markdown_rows(rows: Rows) -> str:
+    lines = ["| " + " | ".join(_plain_words(cell or ()) for cell in line) + " |" for line in rows.lines]
+    return "\n".join([lines[0], "|" + ":-:|" * len(rows.lines[0]), *lines[1:]])
+
+
+_MARKDOWN = Medium(
+    lambda heading: f"## {_plain_words(heading.words)}",
+    lambda text: (f"({text.act}) " if text.act else "") + _plain_words(text.words),
+    lambda formula: f"> {_plain_words(formula.words)}",
+    _markdown_rows,
+)
 
 
 def _plain_words(label: Label) -> str:

@@ -36,6 +36,8 @@ def read_roll(draft: Draft, table: RollTable, path: Path, before: Sequence[Pair]
     """A wheel on a line if any key of a line is there, on a circle if any of a circle is."""
     own, on_line = f"r{path[1]}", table.on_centre is None and table.on_radius is None
     name = draft.name(table.name, own, *path) if on_line else own
+    if on_line:
+        draft.unnamed.add(name)
     wheel = draft.link(table.wheel, *path, "wheel")
     track = draft.link(table.on, *path, "on")
     if wheel == track:

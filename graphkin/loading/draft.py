@@ -28,6 +28,7 @@ class Draft:
               tables can still be checked
     starts    points that nobody named, where lines begin that are given by coordinates, and where those stand
     problems  what was found wrong; `stop_if_wrong` raises it
+    unnamed   what pairs are called that have a displacement, also those that the file gives no name
     slides    the tables of slides, which say how a link of one point is turned; `tracing`: the links that are asked
     """
 
@@ -39,6 +40,7 @@ class Draft:
     starts: dict[str, Path] = field(default_factory=dict)
     problems: list[GraphkinError] = field(default_factory=list)
     _taken: set[str] = field(default_factory=set)
+    unnamed: set[str] = field(default_factory=set)
     given: set[str] = field(default_factory=set)
     slides: Sequence[SlideTable] = ()
     tracing: list[str] = field(default_factory=list)
@@ -122,7 +124,7 @@ class Draft:
 
     def can_be_driven(self, given: str) -> bool:
         """Whether a sliding or rolling pair has this name."""
-        return given in self._taken
+        return given in self._taken or given in self.unnamed
 
     @property
     def pair_names(self) -> tuple[str, ...]:

@@ -24,8 +24,9 @@ def remarks(mechanism: Mechanism) -> Iterator[NoRate]:
     for number, driver in enumerate(mechanism.drivers):
         said = any(("driver", number, key) in mechanism.lines for key in ("omega", "alpha", "velocity", "acceleration"))
         if not said and mechanism.lines:
-            yield NoRate(mechanism.where("driver", number), driver.name, _rates(driver))
+            yield NoRate(mechanism.where("driver", number), driver.name, rate_keys(driver))
 
 
-def _rates(driver: Driver) -> str:
+def rate_keys(driver: Driver) -> str:
+    """The keys that say how fast a driver moves."""
     return {"slide": "velocity", "spin": "omega"}.get(driver.kind, "omega (velocity)")

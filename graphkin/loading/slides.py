@@ -65,6 +65,7 @@ def _centre(draft: Draft, given: str | Sequence[float], guide: str, path: Path) 
 
 def _on_line(draft: Draft, table: SlideTable, path: Path, before: Sequence[Pair]) -> Slide:
     name = draft.name(table.name, f"s{path[1]}", *path)
+    draft.unnamed.add(name)
     guide = draft.link(table.guide, *path, "guide")
     if table.pin is not None:
         block, point, tilt = None, _pin(draft, table, table.pin, guide, path), 0.0

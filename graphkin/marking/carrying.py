@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -41,6 +42,15 @@ class Carried:
     given: np.ndarray
     unused: np.ndarray
     enters: Mapping[int, np.ndarray]
+
+    def instead(self, other: Carried, where: np.ndarray) -> Carried:
+        """Of some values (students, n) what another says."""
+        nowhere = np.zeros_like(where)
+        return replace(
+            self, values=np.where(where, other.values, self.values), agrees=np.where(where, other.agrees, self.agrees),
+            sense_only=np.where(where, other.sense_only, self.sense_only),
+            enters={j: np.where(where, other.enters.get(j, nowhere), into) for j, into in self.enters.items()},
+        )  # fmt: skip
 
     def own(self, k: int, n: int) -> dict[str, float]:
         """The own values of student k that enter quantity n."""

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from graphkin.marking.diagnosis import MARGIN
+from graphkin.marking.explaining import MARGIN
 from graphkin.value import frozen
 
 _SHOWS = np.log((0.8, 0.2))

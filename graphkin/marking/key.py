@@ -64,11 +64,13 @@ class Hypotheses:
 
     names     of the mistakes of each row: one or two
     values    (m, n), SI; scatters (m, n): their standard deviations
+    together  correlation of each row's scatters (m, n, n); NaN, or None: as right values scatter
     """
 
     names: tuple[tuple[Name, ...], ...]
     values: np.ndarray
     scatters: np.ndarray
+    together: np.ndarray | None = None
 
 
 @frozen
@@ -88,6 +90,7 @@ class Key:
     text        the mechanism file; what follows from a student's own values is drawn anew from it
     given       the numbers that the problem gives, SI: what is equal to one of them is no student's own value
     together    correlation of the quantities' scatters (n, n)
+    further     keys of the further positions that the problem asks for, the second position's first
     """
 
     name: str
@@ -100,6 +103,12 @@ class Key:
     singles: Hypotheses
     title: Mapping[str, str] = field(default_factory=dict)
     steps: tuple[Step, ...] = ()
+    further: tuple[Key, ...] = ()
+
+    @property
+    def positions(self) -> tuple[Key, ...]:
+        """A key for each position, the drawn one first."""
+        return self, *self.further
 
     def number(self, text: str) -> int | None:
         """The column of a quantity."""

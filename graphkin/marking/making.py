@@ -72,13 +72,14 @@ def asked_alone(
     words = {quantity.text: question for question, quantity in asked.items()}
     right = _right(method, plot, every)
     naturals, worth = _naturals(every, right), dict.fromkeys(asked, 1.0)
-    drawn = drawings_of(method, marking, _FEW).values(every)[0]
+    drawings = drawings_of(method, marking, _FEW)
+    drawn = drawings.values(every)[0]
     scatters = spread(drawn, right, [sort_of(quantity) for quantity in every])
     entries = tuple(
         _entry(words[q.text], q, value, deviation, naturals[q.unit], marking, worth)
         for q, value, deviation in zip(every, right, scatters, strict=True)
     )
-    return every, entries, float(np.isnan(drawn).any(axis=1).mean())
+    return every, entries, drawings.failed + (1 - drawings.failed) * float(np.isnan(drawn).any(axis=1).mean())
 
 
 def steps_of(method: Method) -> tuple[Step, ...]:
@@ -194,10 +195,15 @@ def hypotheses_of(
         return Hypotheses((), np.empty((0, len(entries))), np.empty((0, len(entries))))
     values = combined(method, plot, quantities, columns).values
     drawings = drawings_of(method, marking, _FEWER)
-    scatters = spread(drawings.values(quantities, columns), values, [entry.sort for entry in entries])
+    drawn = drawings.values(quantities, columns)
+    scatters = spread(drawn, values, [entry.sort for entry in entries])
     least = np.array([[_least(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
     scatters = np.where(np.isfinite(values), np.hypot(scatters, least.reshape(values.shape)), np.nan)
-    return Hypotheses(tuple(_names(column) for column in columns), values, scatters)
+    sizes = np.array([entry.sort == "size" for entry in entries], dtype=bool)
+    judged = np.isfinite(values)[:, None]
+    drawn = np.where(judged, np.where(sizes, np.abs(drawn), drawn), 0.0)
+    together = np.stack([np.round(_together(each), 2) for each in drawn])
+    return Hypotheses(tuple(_names(column) for column in columns), values, scatters, together)
 
 
 def _least(value: Value, entry: Entry) -> float:

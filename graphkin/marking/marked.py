@@ -14,10 +14,17 @@ Verdict = Literal["right", "carried", "wrong", "missing"]
 
 @frozen
 class Number:
-    """A handed-in value, SI; `unit_right`: its unit is of the quantity's kind, or none stands there."""
+    """A handed-in value, SI.
+
+    unit_right   its unit is of the quantity's kind, or none stands there
+    points       of a vector that was drawn: whether it points as it should, where that is told by itself
+    measured     on a drawing, or read off it, by us
+    """
 
     value: float
     unit_right: bool = True
+    points: bool | None = None
+    measured: bool = False
 
 
 @frozen
@@ -37,6 +44,7 @@ class Judged:
     refused   own values that are not carried on: nought, a number of the problem, far off, or not drawable
     sense     whether it has the sense of the value it is judged by; None where there is none
     credit    from 0 to 1, of its `points`
+    measured  as of the `Number`
     """
 
     text: str
@@ -52,6 +60,7 @@ class Judged:
     refused: tuple[str, ...] = ()
     credit: float = 0.0
     points: float = 0.0
+    measured: bool = False
 
 
 @frozen

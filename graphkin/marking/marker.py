@@ -2,26 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from threading import Lock
+from typing import Literal
 
 import numpy as np
 
 from graphkin import loading, planning
 from graphkin.construction import Plot
+from graphkin.marking.at_positions import joined, parted
 from graphkin.marking.carrying import Carried, Problem
 from graphkin.marking.diagnosis import Diagnosis, diagnoses
+from graphkin.marking.graded import Drawn
 from graphkin.marking.handed import readable
 from graphkin.marking.key import Entry, Hypotheses, Key
 from graphkin.marking.making import make_key
 from graphkin.marking.marked import Judged, Marked, Verdict, Work
 from graphkin.marking.pairing import pairs_of
+from graphkin.marking.read_off import OffDrawing, pointing, read_off
 from graphkin.marking.standing_in import called_as_asked, same_answers
 from graphkin.marking.verdicts import agrees, columns, sense_only
 from graphkin.planning import Method
-from graphkin.quantities import Quantity
+from graphkin.quantities import Moving, Quantity, Rotation
 from graphkin.running import replay_all
 
 _HALF = 0.5
@@ -59,21 +63,53 @@ class Marker:
     def problem(self) -> Problem:
         return Problem(self.key, self.method, self.plot, self.quantities)
 
+    def off_drawing(
+        self, drawn: Drawn, vectors: Mapping[str, complex], written: Mapping[str, float]
+    ) -> tuple[OffDrawing, dict[str, bool]]:
+        """What is asked that a drawing at this position determines, and which of its known arrows point as they should.
+
+        drawn    as in `Graded`; vectors: those that were measured, by quantity; written: numbers beside it
+        """
+        arrows, found = self.problem.arrows, zip(self.key.entries, self.quantities, strict=True)
+        named = {quantity: entry for entry, quantity in found}
+        there = ((q, vectors.get(entry.text)) for q, entry in named.items())
+        moving = {q: vector for q, vector in there if isinstance(q, Moving) and vector is not None}
+        wanted = [quantity for quantity, entry in named.items() if entry.points]
+        off = read_off(self.method, self.plot, arrows, drawn, wanted)
+        texts = {quantity.text: entry.text for quantity, entry in named.items()}
+        turning = {q: written[e.text] for q, e in named.items() if isinstance(q, Rotation) and e.text in written}
+        told = pointing(self.method, self.plot, arrows, drawn, moving, turning)
+        renamed = OffDrawing({texts[q]: x for q, x in off.values.items()}, tuple(texts[q] for q in off.no_sense))
+        return renamed, {texts[quantity]: good for quantity, good in told.items()}
+
     @cached_property
     def pairs(self) -> Hypotheses:
         return pairs_of(self.method, self.plot, self.key, self.quantities)
 
+    @cached_property
+    def positions(self) -> tuple[Marker, ...]:
+        """One for each position that is asked for, this one for the first."""
+        return self, *(Marker(key) for key in self.key.further)
+
     def mark(self, works: Sequence[Work]) -> list[Marked]:
         """The marks of some students, in their order; they hang on nobody else's work."""
+        if self.key.further:
+            parts = zip(*(parted(work, len(self.positions)) for work in works), strict=True)
+            marks = (marker._mark_here(list(part)) for marker, part in zip(self.positions, parts, strict=bool(works)))
+            return [joined(work.student, some) for work, *some in zip(works, *marks, strict=True)]
+        return self._mark_here(works)
+
+    def _mark_here(self, works: Sequence[Work]) -> list[Marked]:
+        """At the drawn position."""
         works = [self._as_asked(work) for work in works]
         asked = {entry.text for entry in self.key.entries}
         further = list(dict.fromkeys(text for work in works for text in work.numbers if text not in asked))
         if len(further) > _FURTHER and len(works) > 1:
             half = len(works) // 2
-            return [*self.mark(works[:half]), *self.mark(works[half:])]
+            return [*self._mark_here(works[:half]), *self._mark_here(works[half:])]
         with self._lock:  # threads that mark at once
             marker = self._widened(further[:_FURTHER])
-        return marker._mark(works)
+        return marker._marks(works)
 
     @cached_property
     def _asked(self) -> tuple[Entry, ...]:
@@ -97,22 +133,33 @@ class Marker:
         new = [text for text in texts if text not in self._further]
         if len(self._further) + len(new) > _FURTHER:
             self._further, new, self._wider = {}, list(texts), None
-        self._further |= {text: readable(self.method.mechanism, text) for text in new}
-        if any(self._further[text] is not None for text in new):
-            further = [quantity for quantity in self._further.values() if quantity is not None]
+        known = self._further | {text: readable(self.method.mechanism, text) for text in new}
+        if any(known[text] is not None for text in new):
+            further = [quantity for quantity in known.values() if quantity is not None]
             self._wider = Marker(_widened(self.key, self.method, further), self.method)
+        self._further = known  # last: an alarm may have ended it before
         return self._wider or self
 
-    def _mark(self, works: Sequence[Work]) -> list[Marked]:
+    def _marks(self, works: Sequence[Work]) -> list[Marked]:
         given = np.array([[_value(work, entry) for entry in self.key.entries] for work in works]).reshape(
             len(works), len(self.key.entries)
         )
         strange = np.array([[_strange(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
         right, wrong = self.judged(given)
         strange = strange.reshape(given.shape)
-        carried = self.problem.carried(given, wrong & ~strange, wrong)
+        carried = self._carried(works, given, wrong & ~strange, wrong)
         found = self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange)
         return [self._marked(work, k, given[k], right[k], carried, found[k]) for k, work in enumerate(works)]
+
+    def _carried(self, works: Sequence[Work], given: np.ndarray, known: np.ndarray, wrong: np.ndarray) -> Carried:
+        """What follows from own values. What is measured on a drawing follows from all that was drawn before it: only
+        own values that are asked for, and so have cost something, are carried on to it."""
+        found = self.problem.carried(given, known, wrong)
+        measured = np.array([[_measured(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
+        if not (known & measured).any():
+            return found
+        asked = np.array([entry.points > 0 for entry in self.key.entries])
+        return found.instead(self.problem.carried(given, known & (asked | ~measured), wrong), measured)
 
     def judged(self, given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Which values (students, n) are right, and which are not; neither where there is none."""
@@ -153,11 +200,12 @@ class Marker:
         """One quantity; the better of both verdicts counts."""
         if not np.isfinite(given):
             return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "missing", points=entry.points)
-        unit_right = work.numbers[entry.text].unit_right
+        unit_right, points = work.numbers[entry.text].unit_right, work.numbers[entry.text].points
+        points = points if entry.sort == "size" else None
         follows = bool(carried.agrees[k, n])
         verdict: Verdict = "right" if right else "carried" if follows else "wrong"
         credit = _HALF if sense_only else 1.0 if verdict != "wrong" else 0.0
-        if not unit_right:
+        if not unit_right or points is False:
             verdict, credit = "wrong", min(credit, _HALF)
         by = carried.values[k, n] if verdict == "carried" else entry.right
         wrong_way = sense_only or np.sign(given) != np.sign(by)
@@ -165,16 +213,26 @@ class Marker:
         judged_by = carried.values[k, n]
         return Judged(
             entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, verdict,
-            None if not signed else "wrong" if wrong_way else "right", unit_right,
+            _sense(wrong_way) if signed else None if points is None else _sense(not points), unit_right,
             float(judged_by) if np.isfinite(judged_by) and not right else None,
             carried.own(k, n) if not right else {}, carried.refused(k, n) if not right else (), credit, entry.points,
+            work.numbers[entry.text].measured,
         )  # fmt: skip
+
+
+def _sense(wrong: bool) -> Literal["right", "wrong"]:
+    return "wrong" if wrong else "right"
 
 
 def _value(work: Work, entry: Entry) -> float:
     """What is judged: numbers beyond all sizes are only large."""
     number = work.numbers.get(entry.text)
     return np.nan if number is None else min(max(number.value, -_LARGE), _LARGE)
+
+
+def _measured(work: Work, entry: Entry) -> bool:
+    number = work.numbers.get(entry.text)
+    return number is not None and number.measured
 
 
 def _strange(work: Work, entry: Entry) -> bool:

@@ -7,20 +7,24 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from graphkin.marking.consequences import rewrites
-from graphkin.marking.diagnosis import Diagnosis
-from graphkin.marking.key import Key, Name
+from graphkin.marking.explaining import Explainer
+from graphkin.marking.key import Name
 from graphkin.marking.making import pencil_of
 from graphkin.marking.marker import Marker
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.scatter import Drawings
 from graphkin.marking.slips import Slips, seed_of
-from graphkin.marking.weights import MOVED, shifts
+from graphkin.marking.tellable import Observed, observed
+from graphkin.marking.weights import MOVED, ONE, shifts
 from graphkin.value import frozen
 
+_Parts = tuple[Observed, float, float, float]
+"""What an observer makes of a mistake; part of its students who have a value judged wrong, are told of it, and of no
+other."""
 _DIGITS = 4
 _RIGHT = 2000
 """Students who work right: a mistake named to one of them is a false alarm."""
-_AT_ONCE = 16
+_AT_ONCE = 64
 """Mistakes whose students are drawn up at once."""
 
 
@@ -30,6 +34,7 @@ class Found:
 
     moved        by how many standard deviations it moves a handed-in value, at most
     applicable   whether that is more than a pencil might
+    observed     what an observer would make of it who knows this mistake alone; None where it is not applicable
     wrong        part of the students who have a value judged wrong
     named        part whose best explanation, or set of explanations, has this mistake; alone: and no other
     """
@@ -37,9 +42,15 @@ class Found:
     name: Name
     moved: float
     applicable: bool
+    observed: Observed | None = None
     wrong: float = np.nan
     named: float = np.nan
     alone: float = np.nan
+
+    @property
+    def tellable(self) -> bool:
+        """Whether paper can tell it: most students who make it hand in what tells them from others."""
+        return self.observed is not None and self.observed.tellable
 
 
 @frozen
@@ -78,33 +89,53 @@ def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[F
     moved[:, ~handed] = np.nan
     most = np.fmax.reduce(moved, axis=1, initial=0.0)
     rows = [row for row, names in enumerate(key.singles.names) if most[row] > MOVED and names[0] in known]
-    tried: dict[int, Found] = {}
+    tried: dict[int, _Parts] = {}
     for start in range(0, len(rows), _AT_ONCE):
-        some = rows[start : start + _AT_ONCE]
+        some = np.array(rows[start : start + _AT_ONCE])
         columns: list[tuple[Rewrite, ...]] = [(known[key.singles.names[row][0]],) for row in some]
-        for row, values in zip(some, drawings.values(marker.quantities, columns), strict=True):
-            judged = handed & np.isfinite(key.singles.values[row])
-            tried[row] = _tried(marker, key, row, float(most[row]), _printed(np.where(judged, values, np.nan)), judged)
+        tried |= _tried(marker, handed, some, _printed(drawings.values(marker.quantities, columns)))
     for row, names in enumerate(key.singles.names):
-        yield tried.get(row) or Found(names[0], float(most[row]), False)
+        yield Found(names[0], float(most[row]), row in tried, *tried.get(row, ()))
 
 
-def _tried(marker: Marker, key: Key, row: int, moved: float, given: np.ndarray, judged: np.ndarray) -> Found:
-    name, count = key.singles.names[row][0], len(given)
-    given = given[np.isfinite(given[:, judged]).all(axis=1)]  # students whose drawing fails hand in nothing
-    if not judged.any() or 2 * len(given) < count:
-        return Found(name, moved, False)
+def _tried(
+    marker: Marker, handed: np.ndarray, rows: np.ndarray, given: np.ndarray
+) -> dict[int, _Parts]:
+    """Of those who make a mistake each (rows,), given (rows, trials, quantities), by row. Nothing where most drawings
+    fail."""
+    found: dict[int, _Parts] = {}
+    judged = handed & np.isfinite(marker.key.singles.values[rows])
+    for there in np.unique(judged, axis=0):
+        some = np.flatnonzero((judged == there).all(axis=1))
+        drawn = np.isfinite(given[some][..., there]).all(axis=2)  # students whose drawing fails hand in nothing
+        most = 2 * drawn.sum(axis=1) >= given.shape[1]
+        if there.any() and most.any():
+            some, drawn = some[most], drawn[most]
+            parts = _parts(marker, there, rows[some], np.where(there, given[some], np.nan), drawn)
+            found |= dict(zip(rows[some].tolist(), parts, strict=True))
+    return found
+
+
+def _parts(
+    marker: Marker, there: np.ndarray, rows: np.ndarray, given: np.ndarray, drawn: np.ndarray
+) -> list[_Parts]:
+    """The same of those who hand in the same quantities; `drawn`: who does at all (rows, trials)."""
+    key, given, of = marker.key, given[drawn], np.nonzero(drawn)[0]
+    explainer = Explainer(key, marker.table, there, key.singles, ONE)
+    ids = np.array([names[0][0] for names in explainer.names], dtype=object)
+    mine = np.array([[names == key.singles.names[row] for names in explainer.names] for row in rows])
+    other = ids != np.array([key.singles.names[row][0][0] for row in rows], dtype=object)[:, None]
     _, wrong = marker.judged(given)
-    found = marker.diagnoses(given, wrong)
-    named = [_names(one, name) for one in found]
-    alone = [hit and len(one.explanations[0].ids) == 1 for hit, one in zip(named, found, strict=True)]
-    return Found(name, moved, True, float(wrong.any(axis=1).mean()), float(np.mean(named)), float(np.mean(alone)))
-
-
-def _names(diagnosis: Diagnosis, name: Name) -> bool:
-    """Whether the best explanation is this mistake, or a set with it; a set counts as one."""
-    best = diagnosis.explanations[:1]
-    return any(names == (name,) or (len(names) == 1 and names[0][0] == name[0]) for one in best for names in one.names)
+    same = np.concatenate([best.same for best in explainer.best(given, wrong)])
+    named = (same & mine[of]).any(axis=1)
+    each = wrong.any(axis=1), named, named & ~(same & other[of]).any(axis=1)
+    count = drawn.sum(axis=1)
+    parts = [(np.bincount(of, one, minlength=len(rows)) / count).tolist() for one in each]
+    ideal = [
+        observed(explainer, int(np.argmax(one)), given[of == k], lambda values: marker.judged(values)[1])
+        for k, one in enumerate(mine)
+    ]
+    return list(zip(ideal, *parts, strict=True))
 
 
 def _handed(marker: Marker, texts: Sequence[str] | None) -> np.ndarray:

@@ -21,24 +21,36 @@ from graphkin.value import frozen
 
 _AT_ONCE = 64
 """Mistakes that are drawn at once, each many times."""
+_HARDLY = 0.05
+"""Where a smaller part of the drawings closes, nobody begins again."""
 _PARTS = ((0.6826894921370859, 1.0), (0.99, 2.5758293035489004))
 """These parts of its values lie within so many standard deviations of a normal quantity."""
 
 
 @frozen
 class Drawings:
-    """One mechanism drawn many times with a pencil, positions (n,)."""
+    """One mechanism drawn many times with a pencil, positions (n,).
+
+    failed  part of the drawings whose links did not meet. Whoever draws one begins again, on another sheet: it is none
+            of the n, unless hardly any closes
+    """
 
     method: Method
     pencil: Pencil
     slips: Slips
     arrows: Arrows
     positions: Plot
+    failed: float = 0.0
 
     @classmethod
     def of(cls, method: Method, pencil: Pencil, slips: Slips) -> Drawings:
         with np.errstate(invalid="ignore", divide="ignore"):
-            return cls(method, pencil, slips, arrows_of(method), drawn_positions(method, pencil, slips))
+            positions = drawn_positions(method, pencil, slips)
+            failed = float(1 - _closed(positions, slips.count).mean())
+            if 0 < failed < 1 - _HARDLY:
+                slips = _begun_again(method, pencil, slips, failed)
+                positions = drawn_positions(method, pencil, slips)
+            return cls(method, pencil, slips, arrows_of(method), positions, failed)
 
     def values(self, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]] = ((),)) -> np.ndarray:
         """What is read off: (columns, n, quantities); each column is drawn with its mistakes."""
@@ -80,6 +92,21 @@ class Drawings:
                 return lengths[plane] * slips.of(Mark(plane, "reading", of))  # type: ignore[index, arg-type]
             case Quotient() | _:
                 return 0.0
+
+
+def _closed(positions: Plot, count: int) -> np.ndarray:
+    """Which drawings have a place for every point (count,)."""
+    found = np.ones(count, dtype=bool)
+    for place in positions.position.values():
+        found &= np.isfinite(place)
+    return found
+
+
+def _begun_again(method: Method, pencil: Pencil, slips: Slips, failed: float) -> Slips:
+    """The first drawings that close, as many as there were."""
+    more = slips.more(int(1.5 * slips.count / (1 - failed)) + 10)
+    kept = np.flatnonzero(_closed(drawn_positions(method, pencil, more), more.count))
+    return more.only(kept[: slips.count])
 
 
 def _written(quantity: Quantity, written: Written, values: np.ndarray) -> np.ndarray:

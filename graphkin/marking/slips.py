@@ -35,6 +35,18 @@ class Slips:
     def __init__(self, seed: int, count: int, allowed: Callable[[Mark], bool] | None = None) -> None:
         self.seed, self.count, self.allowed = seed, count, allowed
         self.seen: dict[Mark, None] = {}
+        self._drawn = count
+        self._kept: np.ndarray | slice = slice(None)
+
+    def more(self, count: int) -> Slips:
+        """The same pencil, which goes on to more drawings."""
+        return Slips(self.seed, count, self.allowed)
+
+    def only(self, kept: np.ndarray) -> Slips:
+        """Some of its drawings (numbers,), the others thrown away."""
+        one = self.more(self.count)
+        one.count, one._kept, one._drawn = len(kept), kept, self._drawn
+        return one
 
     def of(self, mark: Mark, which: int = 0) -> np.ndarray | float:
         """The errors of a mark in units of the pencil's; `which` tells several of one mark apart."""
@@ -42,7 +54,8 @@ class Slips:
         if self.allowed is not None and not self.allowed(mark):
             return 0.0
         number = crc32(repr((mark.plane, mark.what, mark.of, which)).encode())
-        return np.random.default_rng([self.seed, number]).standard_normal(self.count)
+        drawn: np.ndarray = np.random.default_rng([self.seed, number]).standard_normal(self._drawn)[self._kept]
+        return drawn
 
 
 def seed_of(mechanism: Mechanism) -> int:

@@ -65,7 +65,8 @@ def tolerances(key: Key, method: Method) -> Tolerances:
         alone = spread(Drawings.of(method, pencil_of(key.marking), slips).values(quantities)[0], right, sorts)
         costs.append(_cost(mark, names, key, alone, whole))
     told = sorted((cost for cost in costs if max(cost.parts.values()) > _COUNTS), key=lambda cost: -cost.over_all)
-    return Tolerances(key, key.entries, tuple(told), DRAWINGS, float(np.isnan(values).any(axis=1).mean()))
+    failed = every.failed + (1 - every.failed) * float(np.isnan(values).any(axis=1).mean())
+    return Tolerances(key, key.entries, tuple(told), DRAWINGS, failed)
 
 
 def _cost(mark: Mark, names: Mapping[tuple[str, ...], str], key: Key, alone: np.ndarray, whole: np.ndarray) -> Cost:

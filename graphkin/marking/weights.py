@@ -7,13 +7,14 @@ right or anything. Weights are logarithms of likelihoods times how often such wo
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from copy import copy
+from functools import cached_property
 from math import lgamma
 
 import numpy as np
 
 from graphkin.marking.key import Hypotheses, Key, Name
-from graphkin.marking.verdicts import Columns, columns_of, differences
+from graphkin.marking.verdicts import Columns, columns_of, differences, upright
 from graphkin.value import frozen
 
 _RIGHT, ONE, TWO, _NONE = np.log((0.05, 0.35, 0.05, 0.1))
@@ -24,28 +25,23 @@ MOVED = 3.0
 _COMMON = (0.5, 0.9)
 """What part of the scatter of several values may come from what they are all read off, beside none; the rest is each
 value's own."""
-_FAR = 8.0
-"""Explanations in which a value is off by more standard deviations are not looked at closely."""
+FITS = 4.5
+"""A value that is off by more standard deviations is not explained."""
 _REACH = 5.0
-_AT_ONCE = 4_000_000
-"""Differences that are held at once."""
+_TURN = 2 * np.pi
 
 
 @frozen
 class Weighed:
-    """The weights of explanations of some students' values.
+    """The weights of m explanations of some students' values.
 
-    rows    of the hypotheses that can be seen in what is handed in, (m,)
     weights (students, m); `right`, `none`: of right work, and of work that nothing explains (students,)
-    shares  what of the weights is not from the values: how often each row is met, as a logarithm (m,)
     worst   by how many standard deviations the worst value is off (students, m)
     near    sum of the squares of all values' deviations, in standard deviations (students, m)
-    chance  how often random numbers come as near to any of the explanations (students, m)
+    chance  how often random numbers come as near to any of the explanations (students, m); 1 where that is far
     """
 
-    rows: np.ndarray
     weights: np.ndarray
-    shares: np.ndarray
     worst: np.ndarray
     near: np.ndarray
     chance: np.ndarray
@@ -53,31 +49,43 @@ class Weighed:
     none: np.ndarray
 
 
-def weigh(
-    key: Key, table: Columns, given: np.ndarray, hypotheses: Hypotheses, met: float, near_only: bool = False
-) -> Weighed:
-    """For students who have handed in the same quantities: given (students, n), NaN where one is not.
+class Scale:
+    """Explanations made ready to be weighed by those who hand in the same quantities.
 
-    met        logarithm of how often one of the hypotheses is met
-    near_only  those that are far from all students' values have no weight
+    there   which of the key's quantities are handed in (all of them,); n of them
+    rows    of the hypotheses that can be seen in these, (m,)
+    shares  what of the weights is not from the values: how often each row is met, as a logarithm (m,)
     """
-    there = np.isfinite(given).all(axis=0)
-    short, handed, together = columns_of(table, there), given[:, there], key.together[np.ix_(there, there)]
-    rows = np.flatnonzero(visible(short, hypotheses.values[:, there]))
-    values, scatters = hypotheses.values[np.ix_(rows, there)], hypotheses.scatters[np.ix_(rows, there)]
-    nothing = _nothing(short, handed)
-    found = _Found(len(handed), len(rows), near_only)
-    judged = np.isfinite(values) & np.isfinite(scatters)
-    for which, some in _alike(judged):
-        found.put(some, short, handed, values[some], scatters[some], together, nothing, which)
-    right = _Found(len(handed), 1)
-    everything = np.ones(len(short.right), dtype=bool)
-    right.put(np.array([0]), short, handed, short.right[None], short.scatter[None], together, nothing, everything)
-    shares = met + _shares([hypotheses.names[k] for k in rows])
-    return Weighed(
-        rows, found.weights + shares, shares, found.worst, found.near, found.chance(),
-        right.weights[:, 0] + _RIGHT, nothing.sum(axis=1) + _NONE,
-    )  # fmt: skip
+
+    def __init__(self, key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, met: float) -> None:
+        """met: logarithm of how often one of the hypotheses is met."""
+        self.table = columns_of(table, there)
+        self.rows = np.flatnonzero(visible(self.table, hypotheses.values[:, there]))
+        self.shares = met + _shares([hypotheses.names[k] for k in self.rows])
+        chosen = np.ix_(self.rows, there)
+        together = _hanging(key, self.table, there, hypotheses, self.rows)
+        self._one = _Rows(self.table, hypotheses.values[chosen], hypotheses.scatters[chosen], together)
+        right = key.together[np.ix_(there, there)][None]
+        self._right = _Rows(self.table, self.table.right[None], self.table.scatter[None], right)
+
+    def only(self, k: int) -> Scale:
+        """Of explanation k alone, met as often as here, and hit by chance as often as all are."""
+        one = copy(self)
+        one.rows, one.shares, one._one = self.rows[[k]], self.shares[[k]], self._one.only(k)
+        return one
+
+    def drawn(self, k: int, errors: np.ndarray) -> np.ndarray:
+        """Values of those who make mistake k (students, n), normal about what it gives; errors: standard normal."""
+        return self._one.drawn(k, errors)
+
+    def weigh(self, given: np.ndarray) -> Weighed:
+        """For students' values (students, n)."""
+        nothing = _nothing(self.table, given)
+        weights, worst, near, chance = self._one.weigh(given, nothing)
+        right = self._right.weigh(given, nothing)[0]
+        return Weighed(
+            weights + self.shares, worst, near, chance, right[:, 0] + _RIGHT, nothing.sum(axis=1) + _NONE
+        )
 
 
 def visible(table: Columns, values: np.ndarray) -> np.ndarray:
@@ -98,13 +106,6 @@ def _shares(names: list[tuple[Name, ...]]) -> np.ndarray:
     kinds = [tuple(name[0] for name in row) for row in names]
     count = Counter(kinds)
     return -np.log([len(count) * count[kind] for kind in kinds])
-
-
-def _alike(judged: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Rows that judge the same quantities: which quantities, and which rows."""
-    patterns, number = np.unique(judged, axis=0, return_inverse=True)
-    for k, which in enumerate(patterns):
-        yield which, np.flatnonzero(number.reshape(-1) == k)
 
 
 # --- densities --------------------------------------------------------------------------------
@@ -136,86 +137,147 @@ def _nothing(table: Columns, given: np.ndarray) -> np.ndarray:
     return found
 
 
-def _normal(together: np.ndarray, part: float) -> tuple[np.ndarray, float]:
-    """A normal density of deviations of which a part is common: inverse of their correlation, half its log size."""
-    common = part * together + (1 - part) * np.eye(len(together))
-    return np.linalg.inv(common), 0.5 * float(np.linalg.slogdet(common)[1])
+def _hanging(key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, rows: np.ndarray) -> np.ndarray:
+    """How the values of rows scatter together (m, n, n): as is known of each, or as right ones do; a larger value errs
+    as the right one does, whichever way it points."""
+    values = upright(table, hypotheses.values[np.ix_(rows, there)])
+    with np.errstate(invalid="ignore"):
+        turned = ~table.angle & (np.sign(values) * np.sign(upright(table, table.right)) < 0)
+    outward = np.where(turned, -1.0, 1.0)
+    found: np.ndarray = key.together[np.ix_(there, there)] * outward[:, :, None] * outward[:, None, :]
+    if hypotheses.together is not None:
+        own = hypotheses.together[np.ix_(rows, there, there)]
+        found = np.where(np.isnan(own), found, own)
+    return found
 
 
-def _mixed(
-    z: np.ndarray, near: np.ndarray, worst: np.ndarray, kinds: list[tuple[np.ndarray, float]]
-) -> np.ndarray:
-    """Logarithm of the mean of densities of deviations (students, m, n): (students, m).
+def _turned(angles: np.ndarray) -> np.ndarray:
+    """Modulo a turn."""
+    found: np.ndarray = angles - _TURN * np.round(angles / _TURN)
+    return found
 
-    near, worst   sum of squares and largest of them; far off, the density of deviations without a common part will do
+
+class _Rows:
+    """Explanations: normal in the quantities that they judge, "none" in the others.
+
+    values, scatters (m, n), NaN where one says nothing; together: how values of each scatter together (m, n, n)
     """
-    found: np.ndarray = -0.5 * (near + z.shape[2] * np.log(2 * np.pi))
-    rows = np.flatnonzero((worst < _FAR).any(axis=0))
-    close = z[:, rows]
-    each = [found[:, rows]]
-    for inverse, log_size in kinds:
-        square = np.einsum("smi,smi->sm", close @ inverse, close)
-        each.append(-0.5 * (square + z.shape[2] * np.log(2 * np.pi)) - log_size)
-    found[:, rows] = np.logaddexp.reduce(each, axis=0) - np.log(len(each))
-    return found
 
-
-def _near_any(table: Columns, given: np.ndarray, values: np.ndarray, scatters: np.ndarray) -> np.ndarray:
-    """Which rows of values (m, n) have a student (students, n) all of whose values are near, (m,)."""
-    near: np.ndarray = np.ones((len(given), len(values)), dtype=bool)
-    for k in range(values.shape[1]):
-        one = np.arange(values.shape[1]) == k
-        off = differences(columns_of(table, one), given[:, None, one], values[:, one])[..., 0]
-        near[np.abs(off) > _FAR * scatters[:, k]] = False
-    found: np.ndarray = np.logical_or.reduce(near, axis=0)
-    return found
-
-
-class _Found:
-    """Weights and fits of rows, filled in group by group."""
-
-    def __init__(self, students: int, rows: int, near_only: bool = False) -> None:
-        self.near_only = near_only
-        self.weights = np.full((students, rows), -np.inf)
-        self.worst = np.full((students, rows), np.inf)
-        self.near = np.full((students, rows), np.inf)
-        self._cells: dict[int, float] = {}
-
-    def put(
-        self, some: np.ndarray, table: Columns, given: np.ndarray, values: np.ndarray, scatters: np.ndarray,
-        together: np.ndarray, nothing: np.ndarray, which: np.ndarray,
+    def __init__(
+        self, table: Columns, values: np.ndarray, scatters: np.ndarray, together: np.ndarray,
+        cells: dict[int, float] | None = None,
     ) -> None:  # fmt: skip
-        """Rows that judge `which` quantities: normal in these, "none" in the others."""
-        short, size = columns_of(table, which), int(which.sum())
-        values, scatters, handed = values[:, which], scatters[:, which], given[:, which]
-        # a larger value errs as the right one does, whichever way it points
-        outward = np.where(short.angle | (values == 0), 1.0, np.sign(values))
-        alike = np.where(short.angle | (short.right == 0), 1.0, np.sign(short.right))
-        kinds = [_normal(together[np.ix_(which, which)] * np.outer(alike, alike), part) for part in _COMMON]
-        own = np.log(scatters).sum(axis=1)
-        cells = own + _crowded(short, values).sum(axis=1)
-        self._cells[size] = np.logaddexp.reduce([self._cells.get(size, -np.inf), *cells])
-        if self.near_only:
-            rows = np.flatnonzero(_near_any(short, handed, values, scatters))
-            values, scatters, outward, own, some = values[rows], scatters[rows], outward[rows], own[rows], some[rows]
-        step = max(_AT_ONCE // max(values.size, 1), 1)
-        for k in range(0, len(handed), step):
-            z = differences(short, handed[k : k + step, None, :], values) / scatters
-            worst, near = np.abs(z).max(axis=2, initial=0.0), np.einsum("smi,smi->sm", z, z)
-            rest = nothing[k : k + step][:, ~which].sum(axis=1)[:, None]
-            self.weights[k : k + step, some] = _mixed(z * outward, near, worst, kinds) - own + rest
-            self.worst[k : k + step, some] = worst
-            self.near[k : k + step, some] = near
+        """cells: of all that chance may hit, where that is more than these rows."""
+        self.table, self.given, self.together = table, (values, scatters), together
+        self.judged = np.isfinite(values) & np.isfinite(scatters)
+        self.middle, self.size = upright(table, table.right), np.where(self.judged, upright(table, values), 0.0)
+        self.values = np.where(self.judged, self.size - self.middle, 0.0)
+        self.sharp = 1 / np.where(self.judged, scatters, np.inf)
+        self.count = self.judged.sum(axis=1)
+        self.own = np.where(self.judged, np.log(scatters), 0.0).sum(axis=1)
+        self._axes: dict[int, tuple[np.ndarray, ...]] = {}
+        self._cells = self._crowds() if cells is None else cells
 
-    def chance(self) -> np.ndarray:
+    def only(self, k: int) -> _Rows:
+        values, scatters = (some[[k]] for some in self.given)
+        one = _Rows(self.table, values, scatters, self.together[[k]], self._cells)
+        one._axes[0] = self._apart(k)
+        return one
+
+    def drawn(self, k: int, errors: np.ndarray) -> np.ndarray:
+        """Values (students, n) that scatter as those of a row; errors: standard normal (students, n)."""
+        axes, along = self._apart(k)[:2]
+        off = errors[:, : len(along)] * along @ axes.T / np.where(self.judged[k], self.sharp[k], 1.0)
+        found: np.ndarray = upright(self.table, self.size[k] + off)
+        return found
+
+    def weigh(self, given: np.ndarray, nothing: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Weights, worst deviations, sums of their squares, chance: (students, m) each. Where some value must be off by
+        more than fits, the worst is infinite, and the density without a common part will do."""
+        given = upright(self.table, given) - self.middle
+        near = self._near(given)
+        worst, chance = np.full_like(near, np.inf), np.ones_like(near)
+        row, who = np.nonzero((near < FITS**2 * self.count).T)  # row by row
+        z = self._off(given[who], row)
+        near[who, row], worst[who, row] = np.einsum("pn,pn->p", z, z), np.abs(z).max(axis=1, initial=0.0)
+        weights = -0.5 * (near + self.count * np.log(2 * np.pi)) - np.log(1 + len(_COMMON))
+        weights[who, row] = self._closely(z, row, near[who, row])
+        chance[who, row] = self._chance(near[who, row])
+        return weights - self.own + self._rest(nothing), worst, near, chance
+
+    @cached_property
+    def _patterns(self) -> tuple[np.ndarray, np.ndarray]:
+        """Which quantities are judged together, and which of these patterns each row has."""
+        patterns, number = np.unique(self.judged, axis=0, return_inverse=True)
+        return patterns, number.reshape(-1)
+
+    def _rest(self, nothing: np.ndarray) -> np.ndarray:
+        """What is said of the quantities that are not judged (students, m)."""
+        patterns, number = self._patterns
+        found: np.ndarray = np.einsum("sn,pn->sp", nothing, (~patterns).astype(float))[:, number]
+        return found
+
+    @cached_property
+    def _squared(self) -> tuple[np.ndarray, np.ndarray]:
+        """What students' values, squared and plain, are multiplied by, and what is added, for (a - b)^2."""
+        weight = np.where(self.table.angle, 0.0, self.sharp**2)
+        return np.concatenate([weight.T, (-2 * self.values * weight).T]), (self.values**2 * weight).sum(axis=1)
+
+    def _near(self, given: np.ndarray) -> np.ndarray:
+        """Sums of the squares of the deviations (students, m), multiplied out: near enough for those far off."""
+        factors, rest = self._squared
+        # no matrix product: on matrices as small its threads cost more than they give
+        near = np.einsum("ks,km->sm", np.concatenate([given.T**2, given.T]), factors) + rest
+        for k in np.flatnonzero(self.table.angle):
+            near += (_turned(given[:, k, None] - self.values[:, k]) * self.sharp[:, k]) ** 2
+        found: np.ndarray = np.maximum(near, 0.0)
+        return found
+
+    def _off(self, given: np.ndarray, row: np.ndarray) -> np.ndarray:
+        """Deviations of values (pairs, n) from rows (pairs,)."""
+        off = given - self.values[row]
+        if self.table.angle.any():
+            off[:, self.table.angle] = _turned(off[:, self.table.angle])
+        found: np.ndarray = off * self.sharp[row]
+        return found
+
+    def _closely(self, z: np.ndarray, row: np.ndarray, near: np.ndarray) -> np.ndarray:
+        """Logarithm of the mean of densities of deviations (pairs, n) from rows (pairs,), in their order: with and
+        without a common part; near: sum of squares."""
+        squares = np.empty((len(near), 1 + len(_COMMON)))
+        squares[:, 0] = near
+        ends = np.flatnonzero(np.diff(row, append=-1)) + 1
+        for start, end in zip((0, *ends), ends, strict=False):
+            axes, _, sharp, sizes = self._apart(int(row[start]))
+            squares[start:end, 1:] = (z[start:end] @ axes) ** 2 @ sharp + sizes
+        mean: np.ndarray = np.logaddexp.reduce(-0.5 * squares, axis=1) - np.log(1 + len(_COMMON))
+        found: np.ndarray = mean - 0.5 * self.count[row] * np.log(2 * np.pi)
+        return found
+
+    def _apart(self, row: int) -> tuple[np.ndarray, ...]:
+        """Of a row: deviations along these axes (n, ..) do not hang together, and how far they go (..,); by what their
+        squares are multiplied, and what is added, for each part that is common (.., parts), (parts,)."""
+        if row not in self._axes:
+            judged = self.judged[row]
+            sizes, axes = np.linalg.eigh(self.together[row][np.ix_(judged, judged)])
+            parts = np.array(_COMMON)
+            variances = np.maximum(parts * sizes[:, None] + 1 - parts, 1 - parts)  # smaller ones are rounding
+            axes = np.eye(len(judged))[:, judged] @ axes
+            along = np.sqrt(np.maximum(sizes, 0.0))
+            self._axes[row] = axes, along, 1 / variances, np.log(variances).sum(axis=0)
+        return self._axes[row]
+
+    def _crowds(self) -> dict[int, float]:
+        """By how many quantities are judged: how many of such rows random numbers meet, for a cell of size 1 about each
+        (a logarithm)."""
+        crowded = self.own + np.where(self.judged, _crowded(self.table, self.size), 0.0).sum(axis=1)
+        return {int(size): float(np.logaddexp.reduce(crowded[self.count == size])) for size in np.unique(self.count)}
+
+    def _chance(self, near: np.ndarray) -> np.ndarray:
         """How many explanations random numbers come as near to, on average: cells of that size about all of them."""
-        total = np.ones_like(self.weights)
-        rows = np.flatnonzero(np.isfinite(self.near).any(axis=0))
-        near = self.near[:, rows]
         found = np.zeros_like(near)
         with np.errstate(divide="ignore"):
             for size, cells in self._cells.items():
                 ball = 0.5 * size * np.log(np.pi * near) - lgamma(size / 2 + 1) if size else 0.0
                 found += np.exp(np.minimum(ball + cells, 0.0))
-        total[:, rows] = found
-        return total
+        return found

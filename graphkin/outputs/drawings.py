@@ -1,8 +1,8 @@
-"""A drawing of one position as a file, by the ending of its name."""
+"""A drawing as a file, by the ending of its name; any drawing is written here, and replaces only one of graphkin's."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from graphkin.construction import Plot
@@ -10,6 +10,7 @@ from graphkin.errors import Lang
 from graphkin.outputs.files import beside
 from graphkin.outputs.files import refuse as refuse_file
 from graphkin.outputs.paint import Ink
+from graphkin.outputs.svg import NAMESPACE
 from graphkin.planning import Method
 from graphkin.sheet import Sheet
 from graphkin.value import frozen
@@ -63,19 +64,37 @@ def _ggb(picture: Picture) -> bytes:
     return ggb(picture.method, picture.plot, picture.sheet.scales, picture.lang)
 
 
+def _moving_svg(sheets: Sequence[Sheet], dpi: float, ink: Ink) -> bytes:
+    from graphkin.outputs.animation import animation
+
+    return animation(sheets, ink=ink).encode()
+
+
+def _moving_png(sheets: Sequence[Sheet], dpi: float, ink: Ink) -> bytes:
+    from graphkin.outputs.animation import SECONDS
+    from graphkin.outputs.paged import moving_png
+
+    return moving_png(sheets, dpi, SECONDS, ink)
+
+
 WRITERS: Mapping[str, Callable[[Picture], bytes]] = {
     ".svg": _svg, ".pdf": _pdf, ".png": _png, ".dxf": _dxf, ".ggb": _ggb, ".tex": _tikz,
 }  # fmt: skip
 """By the file's ending."""
-_MARKS = (b"https://graphkin.invalid/sheet/1", b"graphkin sheet")
+MOVING: Mapping[str, Callable[[Sequence[Sheet], float, Ink], bytes]] = {".svg": _moving_svg, ".png": _moving_png}
+"""Sheets of several positions as one file, by its ending."""
+_MARKS = (NAMESPACE.encode(), b"graphkin sheet")
 
 
 def refuse(path: Path, force: bool) -> None:
-    """Whether a drawing may be written there; several are all asked before the first is written."""
+    """Whether a drawing may be written there; several are all asked before the first is written.
+
+    Raises FileInTheWay, NoFolder, CannotWrite.
+    """
     refuse_file(path, force, _MARKS)
 
 
-def write(path: Path, content: bytes, force: bool) -> None:
-    """Beside, then renamed. Raises FileInTheWay, NoFolder, CannotWrite."""
+def write(path: Path, content: bytes | str, force: bool) -> None:
+    """Beside, then renamed; a text as UTF-8. Raises FileInTheWay, NoFolder, CannotWrite."""
     with beside(path, force, _MARKS) as draft:
-        draft.write_bytes(content)
+        draft.write_bytes(content.encode() if isinstance(content, str) else content)

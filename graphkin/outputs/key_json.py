@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import math
 from collections.abc import Iterable
@@ -54,12 +55,23 @@ def key_data(key: Key) -> Json:
             for step in key.steps
         ],
         "mistakes": [
-            {"names": [list(name) for name in names], "values": _numbers(values), "scatters": _numbers(scatters)}
-            for names, values, scatters in zip(
-                key.singles.names, key.singles.values, key.singles.scatters, strict=True
+            {"names": [list(name) for name in names], "values": _numbers(values), "scatters": _numbers(scatters), **own}
+            for names, values, scatters, own in zip(
+                key.singles.names, key.singles.values, key.singles.scatters, _hanging(key.singles), strict=True
             )
         ],
+        **({"positions": [key_data(one) for one in key.further]} if key.further else {}),
     }  # fmt: skip
+
+
+def _hanging(mistakes: Hypotheses) -> list[dict[str, str]]:
+    """How each mistake's values scatter together: the part of the table above its diagonal, row by row, in hundredths,
+    a byte each, as base64. A mistake without it scatters as right values do."""
+    if mistakes.together is None:
+        return [{} for _ in mistakes.names]
+    above = np.triu_indices(mistakes.values.shape[1], 1)
+    rows = np.round(100 * mistakes.together[:, *above]).astype(np.int8)
+    return [{"together": base64.b64encode(row.tobytes()).decode()} for row in rows]
 
 
 def _line(value: object) -> str:
@@ -112,6 +124,7 @@ class _Reader:
             tuple(self._number(x, "given") for x in data["given"]), together, self._mistakes(data["mistakes"], count),
             {str(lang): str(title) for lang, title in data["title"].items()},
             tuple(self._step(item) for item in data["steps"]),
+            tuple(self.key(item) for item in data.get("positions", ())),
         )  # fmt: skip
 
     def _entry(self, item: Json) -> Entry:
@@ -132,16 +145,28 @@ class _Reader:
         return Marking(lengths, angle, scales, sigmas, relative)
 
     def _mistakes(self, items: Iterable[Json], count: int) -> Hypotheses:
-        names, values, scatters = [], [], []
+        names, values, scatters, together = [], [], [], []
         for item in items:
             name = tuple(cast(Name, tuple(str(part) for part in one)) for one in item["names"])
             self._require(bool(name) and all(len(one) == 4 for one in name), "mistakes")
             names.append(name)
             values.append(item["values"])
             scatters.append(item["scatters"])
+            together.append(self._hanging(item.get("together"), count))
         tables = self._table(values, count), self._table(scatters, count)
         self._require(not np.any(tables[1] <= 0), "mistakes")
-        return Hypotheses(tuple(names), *tables)
+        return Hypotheses(tuple(names), *tables, np.array(together).reshape(-1, count, count))
+
+    def _hanging(self, text: str | None, count: int) -> np.ndarray:
+        """A table of correlations; NaN where nothing is said."""
+        table = np.full((count, count), np.nan)
+        if text is not None:
+            rows, columns = np.triu_indices(count, 1)
+            values = np.frombuffer(base64.b64decode(text, validate=True), dtype=np.int8) / 100
+            self._require(len(values) == len(rows) and bool(np.all(np.abs(values) <= 1)), "together")
+            np.fill_diagonal(table, 1.0)
+            table[rows, columns] = table[columns, rows] = values
+        return table
 
     def _step(self, item: Json) -> Step:
         return Step(str(item["plane"]), *(tuple(map(str, item[name])) for name in ("left", "right", "gives")))

@@ -40,7 +40,7 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
     for one in graded.marked.judged:
         whole["quantities"][one.text] |= {
             "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
-            "points": one.points, "credit": one.credit,
+            "points": one.points, "credit": one.credit, **({"measured": True} if one.measured else {}),
         }  # fmt: skip
     for data, explanation in zip(whole["mistakes"], graded.marked.diagnosis.explanations, strict=True):
         data["names"] = [[_name(name) for name in names] for names in explanation.names]

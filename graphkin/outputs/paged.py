@@ -5,9 +5,11 @@ The PDF says how it is to be read aloud, and asks for no scaling when printed; t
 
 from __future__ import annotations
 
+import io
 import re
 import struct
 import zlib
+from collections.abc import Sequence
 
 from graphkin.errors import Lang
 from graphkin.outputs.extras import needed
@@ -16,6 +18,8 @@ from graphkin.outputs.svg import svg
 from graphkin.sheet import Sheet
 
 MARK = b"graphkin sheet"
+_COLOURS = 64
+"""Of a moving picture."""
 _PAGE = """#set document(title: sys.inputs.title, author: "graphkin sheet", date: none)
 #set text(lang: sys.inputs.lang)
 #set page(width: {width}mm, height: {height}mm, margin: 0mm)
@@ -60,6 +64,26 @@ def png(sheet: Sheet, dpi: float, ink: Ink = "accent") -> bytes:
     resvg = needed("resvg_py", "png")
     made = bytes(resvg.svg_to_bytes(svg_string=svg(sheet, ink), dpi=dpi, background="#ffffff"))
     return _signed(made, dpi)
+
+
+def moving_png(sheets: Sequence[Sheet], dpi: float, seconds: float, ink: Ink = "accent") -> bytes:
+    """The sheets one after the other, again and again (APNG): few colours, and of each only what is new.
+
+    Raises NeedsExtra without resvg-py.
+    """
+    from PIL import Image, PngImagePlugin
+
+    pictures = [Image.open(io.BytesIO(png(sheet, dpi, ink))).convert("RGB") for sheet in sheets]
+    known = pictures[0].quantize(_COLOURS, dither=Image.Dither.NONE)
+    few = [picture.quantize(palette=known, dither=Image.Dither.NONE) for picture in pictures]
+    told = PngImagePlugin.PngInfo()
+    told.add_text("Software", MARK.decode())
+    made = io.BytesIO()
+    few[0].save(
+        made, "PNG", save_all=True, append_images=few[1:], duration=1000 * seconds / len(few), loop=0,
+        dpi=(dpi, dpi), pnginfo=told, optimize=True,
+    )  # fmt: skip
+    return made.getvalue()
 
 
 def _signed(content: bytes, dpi: float) -> bytes:

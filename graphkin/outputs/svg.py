@@ -9,7 +9,6 @@ from __future__ import annotations
 import cmath
 import json
 import math
-import os
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping, Sequence
@@ -20,8 +19,6 @@ from typing import Any, ClassVar, assert_never
 
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, Lang
-from graphkin.outputs import files
-from graphkin.outputs.files import beside
 from graphkin.outputs.paint import Colours, Ink
 from graphkin.outputs.spans import LATIN, mm, runs, short
 from graphkin.outputs.svgwriting import svgwrite
@@ -34,7 +31,6 @@ from graphkin.sheet.page import Layer
 from graphkin.sheet.scales import KEYS, written
 
 NAMESPACE = "https://graphkin.invalid/sheet/1"
-MARKS = (NAMESPACE.encode(),)
 _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 _CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 _TIP = 2.8
@@ -66,24 +62,10 @@ def inline(sheet: Sheet) -> str:
 
 def _drawn(sheet: Sheet, ink: Ink, metadata: bool) -> str:
     _refuse_control(sheet.title, sheet.mechanism.file)
-    pen = _Pen(sheet, ink, metadata)
+    pen = Pen(sheet, ink, metadata)
     for layer in sheet.layers:
         pen.layer(layer)
     return ET.tostring(pen.drawing.get_xml(), encoding="unicode")
-
-
-def write(path: str | os.PathLike[str], text: str, force: bool = False) -> None:
-    """Write beside, then rename. A file that graphkin did not write is replaced only with `force`.
-
-    Raises FileInTheWay.
-    """
-    with beside(Path(path), force, MARKS) as draft:
-        draft.write_text(text, encoding="utf-8", newline="\n")
-
-
-def refuse(path: Path, force: bool) -> None:
-    """Whether a drawing may be written there; several are all asked before the first is written."""
-    files.refuse(path, force, MARKS)
 
 
 def _refuse_control(text: str, where: str) -> None:
@@ -99,7 +81,7 @@ def _xy(place: Place) -> tuple[str, str]:
 # --- elements ---------------------------------------------------------------------------------
 
 
-class _Pen:
+class Pen:
     """One drawing in the making. Marks of one layer that follow one another in one paint share it in a group."""
 
     def __init__(self, sheet: Sheet, ink: Ink, metadata: bool) -> None:

@@ -1,4 +1,4 @@
-"""Labels as LaTeX sets them: letters in italics, subscripts, and parts above these."""
+"""Words and labels as LaTeX sets them: letters in italics, subscripts, and parts above these."""
 
 from __future__ import annotations
 
@@ -6,11 +6,17 @@ from graphkin.sheet.lettering import Label, Run
 
 _SIGNS = {
     "μ": r"$\mu$", "ω": r"$\omega$", "α": r"$\alpha$", "θ": r"$\theta$", "φ": r"$\varphi$", "ψ": r"$\psi$",
-    "γ": r"$\gamma$", "°": r"$^\circ$", "·": r"$\cdot$", "→": r"$\to$", "×": r"$\times$", "²": r"$^2$", "³": r"$^3$",
+    "γ": r"$\gamma$", "β": r"$\beta$", "δ": r"$\delta$", "π": r"$\pi$", "±": r"$\pm$", "<": "$<$", ">": "$>$",
+    "|": "$|$", "°": r"$^\circ$", "·": r"$\cdot$", "→": r"$\to$", "×": r"$\times$", "²": r"$^2$", "³": r"$^3$",
     "′": r"$'$", "″": r"$''$", "−": r"$-$", "⊥": r"$\perp$", "∥": r"$\parallel$", "∠": r"$\angle$", "√": r"$\surd$",
     "△": r"$\triangle$", "∽": r"$\sim$", "ṡ": r"$\dot{s}$", "\0": r"$\ddot{s}$",
     "\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
 } | {sign: f"\\{sign}" for sign in "#$%&_{}"}  # fmt: skip
+
+
+def tex_text(text: str) -> str:
+    """Words with everything special escaped."""
+    return "".join(_SIGNS.get(letter, letter) for letter in text.replace("s\u0308", "\0"))
 
 
 def tex_words(label: Label) -> str:
@@ -28,7 +34,7 @@ def tex_words(label: Label) -> str:
 
 
 def _run(run: Run) -> str:
-    letters = "".join(_SIGNS.get(letter, letter) for letter in run.text.replace("s\u0308", "\0"))
+    letters = tex_text(run.text)
     return rf"\textit{{{letters}}}" if run.italic else letters
 
 

@@ -16,6 +16,8 @@ from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke
 from graphkin.sheet.paper import PENS, PenName
 
 MARK = b"% graphkin sheet"
+LIBRARIES = (r"\usepackage{xcolor}", r"\usepackage{tikz}", r"\usetikzlibrary{arrows.meta}")
+"""What a document needs that holds a picture."""
 _POINT = 72.27 / 25.4
 """TeX's points in a millimetre."""
 _FILLS: dict[Fill, str] = {
@@ -26,33 +28,46 @@ _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 
 def tikz(sheet: Sheet, ink: Ink = "accent") -> str:
     """The LaTeX text of a sheet."""
+    drawn = picture(sheet, ink)
+    paper = sheet.paper
+    chinese = [r"\usepackage[fontset=fandol]{ctex}"] if _WIDE.search(drawn) else []
+    newer = "newtxmath" if chinese else "newtxtext,newtxmath"
+    return "\n".join(
+        [
+            MARK.decode() + ": one unit is a millimetre of the sheet" + ("; compile with xelatex" if chinese else ""),
+            r"\documentclass{article}",
+            rf"\usepackage[paperwidth={_mm(paper.width)}mm, paperheight={_mm(paper.height)}mm, margin=0pt]{{geometry}}",
+            *LIBRARIES,
+            r"\usepackage{amsmath}",
+            *chinese,
+            rf"\IfFileExists{{newtxmath.sty}}{{\usepackage{{{newer}}}}}{{\usepackage{{fix-cm}}}}",
+            r"\pagestyle{empty}",
+            r"\begin{document}",
+            r"\noindent%",
+            drawn,
+            r"\end{document}",
+            "",
+        ]
+    )
+
+
+def picture(sheet: Sheet, ink: Ink = "accent") -> str:
+    """Its picture alone, for a document that has `LIBRARIES`."""
     colours = Colours.of(sheet, ink)
-    drawn = [
+    drawn = (
         line
         for layer in sheet.layers
         for colour, marks in groupby(layer.marks, partial(colours.of_mark, layer=layer))
         for line in (rf"\color[HTML]{{{colour.strip('#').upper()}}}", *(line for mark in marks for line in _mark(mark)))
-    ]
-    chinese = [r"\usepackage[fontset=fandol]{ctex}"] if any(map(_WIDE.search, drawn)) else []
-    paper = sheet.paper
+    )
     return "\n".join(
         [
-            MARK.decode() + ": one unit is a millimetre of the sheet" + ("; compile with xelatex" if chinese else ""),
-            r"\documentclass{standalone}",
-            r"\usepackage{xcolor}",
-            r"\usepackage{tikz}",
-            r"\usetikzlibrary{arrows.meta}",
-            r"\usepackage{newtxtext,newtxmath}" if not chinese else r"\usepackage{newtxmath}",
-            *chinese,
-            r"\begin{document}",
             r"\begin{tikzpicture}[x=1mm, y=-1mm, line cap=round, line join=round,",
             r"  letters/.style={anchor=base west, inner sep=0pt, outer sep=0pt},",
             r"  arrow/.style={-{Stealth[length=2.8mm, width=0.9mm]}}]",
-            rf"\useasboundingbox (0, 0) rectangle ({_mm(paper.width)}, {_mm(paper.height)});",
+            rf"\useasboundingbox (0, 0) rectangle ({_mm(sheet.paper.width)}, {_mm(sheet.paper.height)});",
             *drawn,
             r"\end{tikzpicture}",
-            r"\end{document}",
-            "",
         ]
     )
 

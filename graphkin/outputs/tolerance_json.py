@@ -52,7 +52,8 @@ def power_data(power: Power) -> Json:
         "mistakes": [
             {
                 **dict(zip(("id", "way", "of", "form"), one.name, strict=True)), "moved": one.moved,
-                "applicable": one.applicable, "wrong": _part(one.wrong), "named": _part(one.named),
+                "applicable": one.applicable, "tellable": one.tellable,
+                "wrong": _part(one.wrong), "named": _part(one.named),
                 "alone": _part(one.alone),
             }
             for one in power.found

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from graphkin.construction import Construction, Meet, Plot, Swing, replay
 from graphkin.errors import HigherClass
+from graphkin.kept import kept
 from graphkin.mechanism import Mechanism
 from graphkin.planning.assembly import assemble
 from graphkin.planning.candidates import SetAside
@@ -24,6 +25,7 @@ from graphkin.planning.starting_facts import facts_of, refuse_contacts_apart, wi
 from graphkin.planning.structure import Structure
 
 
+@kept(8)
 def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> Method:
     """Plan the constructions of a mechanism, and pick its assembly by the sketch.
 

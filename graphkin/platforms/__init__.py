@@ -24,7 +24,7 @@ from graphkin.platforms.from_key import question_of
 from graphkin.platforms.from_problems import file_of, problem_set
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.polygon_pictures import PolygonPictures
-from graphkin.platforms.problem_folder import told_of, write_problems
+from graphkin.platforms.problem_folder import is_set, students_of, told_of, write_problems
 from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record
 from graphkin.platforms.several import Several
@@ -34,7 +34,7 @@ from graphkin.platforms.writing import RESULTS, SETS, Written, prepared, write_r
 __all__ = [
     "RESULTS", "SETS", "Alternative", "ClassReport", "Feedback", "Line", "Overrides", "Part", "Picture",
     "PolygonPictures", "ProblemSet", "Question", "Result", "Reveal", "Several", "Stored", "Suspicion", "Written",
-    "Wrong", "alternatives", "class_report", "file_of", "from_record", "overridden", "prepared", "problem_set",
-    "question_of", "read_overrides", "report_record", "report_text", "told_of", "write_class_figure", "write_problems",
-    "write_results", "write_set",
+    "Wrong", "alternatives", "class_report", "file_of", "from_record", "is_set", "overridden", "prepared",
+    "problem_set", "question_of", "read_overrides", "report_record", "report_text", "students_of", "told_of",
+    "write_class_figure", "write_problems", "write_results", "write_set",
 ]  # fmt: skip

@@ -75,13 +75,24 @@ def _alternative(number: float, tolerance: float, percent: int) -> Alternative:
 
 
 def _mistakes(wrongs: Iterable[Wrong]) -> list[Alternative]:
-    """Mistakes as alternatives, by rising tolerance; those that give no number are not there."""
-    found = []
-    for wrong in wrongs:
+    """Mistakes as alternatives, by rising tolerance; those that give no number are not there.
+
+    A factor that one value is off by, that is carried on, and that all values of its unit are off by, is one and the
+    same for one number: it is told once, in the fewest words.
+    """
+    found: dict[tuple[object, ...], Alternative] = {}
+    for k, wrong in enumerate(wrongs):
         if math.isfinite(wrong.number) and math.isfinite(wrong.tolerance) and wrong.tolerance >= 0:
             plain = _alternative(wrong.number, wrong.tolerance, wrong.percent)
-            found.append(Alternative(plain.number, plain.tolerance, wrong.percent, wrong.ids, (wrong.mistake,)))
-    return sorted(found, key=lambda one: one.tolerance)
+            one = Alternative(plain.number, plain.tolerance, wrong.percent, wrong.ids, (wrong.mistake,))
+            same = (wrong.ids, wrong.form, f"{wrong.number:.9g}") if wrong.form else (k,)
+            if same not in found or _length(one) < _length(found[same]):
+                found[same] = one
+    return sorted(found.values(), key=lambda one: one.tolerance)
+
+
+def _length(one: Alternative) -> int:
+    return sum(len(words) for text in one.mistakes for words in text.values())
 
 
 def _told_apart(right: Sequence[Alternative], mistakes: Sequence[Alternative]) -> tuple[Alternative, ...]:

@@ -103,14 +103,16 @@ class _Count:
     def _suspicions(self, result: Result) -> None:
         if result.suspicions:
             best = result.suspicions[0]
-            kept, count = self.mistakes.get(best.ids, (best, 0))
-            self.mistakes[best.ids] = kept, count + 1
+            same = tuple(sorted(best.ids))  # a set is one, whichever of it is likelier to one student
+            kept, count = self.mistakes.get(same, (best, 0))
+            self.mistakes[same] = kept, count + 1
         elif any(line.verdict == "wrong" and line.unit_right for line in result.lines):
             self.status["unexplained"] += 1
 
     def report(self) -> ClassReport:
         counts = self.verdicts.items()
-        steps = tuple(Step(name, dict(each), self.first[name], *self.points[name]) for name, each in counts)
+        every = (Step(name, dict(each), self.first[name], *self.points[name]) for name, each in counts)
+        steps = tuple(step for step in every if step.most or any(step.verdicts.get(verdict) for verdict in _FAILED))
         mistakes = sorted(self.mistakes.values(), key=lambda pair: (-pair[1], pair[0].ids))
         told = self.status
         return ClassReport(

@@ -7,7 +7,7 @@ from decimal import Decimal
 
 from graphkin.errors import Lang
 from graphkin.platforms.cells import Cell
-from graphkin.platforms.feedback import suspected
+from graphkin.platforms.feedback import habit, suspected
 from graphkin.platforms.overrides import Overrides
 from graphkin.platforms.result import Line, Result, texts_in
 from graphkin.say.catalogue import say
@@ -18,15 +18,20 @@ _BACK = ("diagnosis", "reason")
 
 
 def quantities(results: Iterable[Result]) -> tuple[str, ...]:
-    """All that is asked anywhere, as it is met first."""
-    return tuple(dict.fromkeys(line.name for result in results for line in result.lines))
+    """All that is asked anywhere, as it is met first, and what is wrong on the way."""
+    met: dict[str, bool] = {}
+    for line in (line for result in results for line in result.lines):
+        met[line.name] = met.get(line.name, False) or bool(line.most) or line.verdict == "wrong"
+    return tuple(name for name, told in met.items() if told)
 
 
-def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang) -> Iterator[list[Cell]]:
-    """The table with its head."""
-    yield _head(names, lang)
+def rows(
+    results: Iterable[Result], names: tuple[str, ...], lang: Lang, several: bool = False
+) -> Iterator[list[Cell]]:
+    """The table with its head; with a last column, where this is one of several problems, for what shows in them."""
+    yield [*_head(names, lang), *([say("platforms.column habits", lang)] if several else [])]
     for result in results:
-        yield _row(result, names, lang)
+        yield [*_row(result, names, lang), *([_habits(result, lang)] if several else [])]
 
 
 def absent(overrides: Overrides, names: tuple[str, ...]) -> Iterator[list[Cell]]:
@@ -58,6 +63,15 @@ def _percent(score: Decimal | None) -> Decimal | None:
 
 def _cells(line: Line | None, lang: Lang) -> tuple[Cell, Cell]:
     return ("", None) if line is None else (verdict(line, lang), line.points)
+
+
+def _habits(result: Result, lang: Lang) -> str:
+    """With the evidence of all problems together."""
+    told = (
+        say("platforms.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), evidence=f"{one.weight:.1f}")
+        for one in result.habits
+    )
+    return say("common.semicolon", lang).join(told)
 
 
 def _diagnosis(result: Result, lang: Lang) -> str:

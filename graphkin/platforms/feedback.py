@@ -13,7 +13,7 @@ from graphkin.platforms.numbers import exponentless
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, texts_in
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import hint, kind, together
+from graphkin.say.mistakes import hint, kind, once, together
 from graphkin.say.numbers import number
 from graphkin.say.verdicts import verdict
 from graphkin.value import frozen
@@ -176,7 +176,7 @@ def suspected(one: Suspicion, lang: Lang) -> str:
 
 def joined(told: list[str], lang: Lang) -> str:
     """What cannot be told apart, as one."""
-    each = list(dict.fromkeys(text.strip().rstrip(".。") for text in told))
+    each = once(text.strip().rstrip(".。") for text in told)
     if len(each) == 1:
         return each[0]
     more = [say("marks.more", lang, count=len(each) - SETS)] if len(each) > SETS else []

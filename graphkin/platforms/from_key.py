@@ -9,7 +9,7 @@ import numpy as np
 
 from graphkin.marking.key import Entry, Key
 from graphkin.platforms.question import Part, Question, Text, Wrong
-from graphkin.quantities import EDGE
+from graphkin.quantities import EDGE, at_position
 from graphkin.say.catalogue import LANGUAGES
 from graphkin.say.mistakes import mistake
 
@@ -18,13 +18,16 @@ _TURN = 2 * math.pi
 
 def question_of(id: str, key: Key, text: Text) -> Question:
     """What a key asks for. id: the student's or the variant's; text: the problem as it is told."""
-    return Question(id, text, tuple(_part(key, n, entry) for n, entry in enumerate(key.entries) if entry.points))
+    parts = (_part(each, at, n) for at, each in enumerate(key.positions, 1) for n in range(len(each.entries)))
+    return Question(id, text, tuple(part for part in parts if part.points))
 
 
-def _part(key: Key, column: int, entry: Entry) -> Part:
+def _part(key: Key, at: int, column: int) -> Part:
+    """A quantity at a position."""
+    entry = key.entries[column]
     unit = EDGE[entry.unit]
     return Part(
-        entry.text, entry.right * unit.factor, entry.tolerance * unit.factor, unit.sign, entry.points,
+        at_position(entry.text, at), entry.right * unit.factor, entry.tolerance * unit.factor, unit.sign, entry.points,
         tuple(_wrongs(key, column, entry)), tuple(number * unit.factor for number in _also(entry)),
     )  # fmt: skip
 
@@ -45,4 +48,5 @@ def _wrongs(key: Key, column: int, entry: Entry) -> Iterator[Wrong]:
         if np.isfinite(value) and np.isfinite(scatter):
             number = abs(float(value)) if entry.sort == "size" else float(value)
             words = {lang: mistake(names[0], lang) for lang in LANGUAGES}
-            yield Wrong((names[0][0],), number * factor, key.marking.sigmas * float(scatter) * factor, words)
+            yield Wrong((names[0][0],), number * factor, key.marking.sigmas * float(scatter) * factor, words,
+                        form=names[0][3])  # fmt: skip

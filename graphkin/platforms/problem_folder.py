@@ -8,9 +8,10 @@ import json
 import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import ClassVar
 
 from graphkin.api import plan
-from graphkin.errors import CannotWrite, Lang
+from graphkin.errors import CannotWrite, GraphkinError, Lang
 from graphkin.grading import key_for, set_text
 from graphkin.grading.keys import USUAL
 from graphkin.marking.key import Key
@@ -34,6 +35,7 @@ MARK = "graphkin problems"
 KEY = ".key.json"
 FIGURE = ".svg"
 TOLD = "set.mistakes.txt"
+LIST = "set.json"
 """No student's file has two dots in its name but a key."""
 _TRIED = 3
 """Problems whose false alarms are counted."""
@@ -57,7 +59,7 @@ def write_problems(
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise CannotWrite(str(folder), error.strerror or str(error)) from None
-    for path in (*paths, folder / "set.json"):
+    for path in (*paths, folder / LIST):
         refuse(path, force, _MARKS)
     rates: list[tuple[float, float]] = []
     for variant in found:
@@ -73,7 +75,37 @@ def write_problems(
         yield _written(folder / TOLD, "\n".join((*told_lines(told, lang), "", MADE, "")), force)
         index = {student: f"{name}{KEY}" for student, name in names.items()}
         yield _written(folder / "key.json", set_text(index), force)
-    yield _written(folder / "set.json", _listed(template, found, names, seed, told), force)
+    yield _written(folder / LIST, _listed(template, found, names, seed, told), force)
+
+
+class NotASet(GraphkinError):
+    """A folder whose list of students is not one of graphkin's, or names a file that is not there."""
+
+    path: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{path}: this is no list of a problem set that graphkin wrote. Write the set again with "
+        "`graphkin problems`, or name the mechanism files.",
+        "zh": "{path}：这不是 graphkin 生成的题组清单。请用 `graphkin problems` 重新生成题组，或直接给出机构文件。",
+    }
+
+
+def is_set(folder: Path) -> bool:
+    """Whether a problem set was written there."""
+    return (folder / LIST).is_file()
+
+
+def students_of(folder: Path) -> tuple[str, dict[str, Path]]:
+    """The seed of a written set, and each student's mechanism file by id, in the order of the list. Raises NotASet."""
+    listed = folder / LIST
+    try:
+        whole = json.loads(listed.read_text("utf-8"))
+        seed, entries = str(whole["seed"]), {str(id): str(each["file"]) for id, each in whole["students"].items()}
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        raise NotASet(str(listed)) from None
+    if any(Path(name).name != name or not (folder / name).is_file() for name in entries.values()):
+        raise NotASet(str(listed))
+    return seed, {id: folder / name for id, name in entries.items()}
 
 
 def told_of(folder: Path) -> str:

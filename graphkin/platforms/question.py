@@ -17,6 +17,7 @@ class Wrong:
 
     ids      of mistakes that all give it; mistake: in words, to stand after `is consistent with`
     percent  of the points that it is still worth
+    form     what was taken instead: mistakes of one id and form that give one number cannot be told apart by it
     """
 
     ids: tuple[str, ...]
@@ -24,6 +25,7 @@ class Wrong:
     tolerance: float
     mistake: Text
     percent: int = 0
+    form: str = ""
 
 
 @frozen

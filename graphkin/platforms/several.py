@@ -28,6 +28,11 @@ class Several:
         for marks in self._files:
             marks.close()
 
+    @property
+    def count(self) -> int:
+        """Of the problems."""
+        return len(self._files)
+
     def habits(self, student: str) -> tuple[Habit, ...]:
         """The mistakes that show in more than one problem of a student."""
         found = (file.trace(student) for file in self._files)

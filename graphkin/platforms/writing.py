@@ -201,7 +201,8 @@ def _made(folder: Path) -> Path:
 def _table(order: Order) -> Iterator[Sequence[Cell]]:
     """The class table; those with an override who are not here come last, known when all others are through."""
     names = class_table.quantities(order.results)
-    return chain(class_table.rows(order, names, order.lang), class_table.absent(order.overrides, names))
+    several = order.several is not None and order.several.count > 1
+    return chain(class_table.rows(order, names, order.lang, several), class_table.absent(order.overrides, names))
 
 
 def _csv(order: Order) -> Written:

@@ -4,6 +4,7 @@ A `Quantity` knows its unit, its letters and its sign rule, and what it is in an
 from. To add one: a class in `kinds`, its word in `reading`. Units at the edge are one table, in `units`.
 """
 
+from graphkin.quantities.at_position import at_position, position_of
 from graphkin.quantities.kinds import (
     Answer,
     Centre,
@@ -23,7 +24,6 @@ from graphkin.quantities.units import EDGE, GRAVITY, IN_GRAVITY, Unit, driven
 
 __all__ = [
     "EDGE", "GRAVITY", "IN_GRAVITY", "SHAPE", "WORDS", "Answer", "Centre", "Component", "Displacement", "Moving",
-    "Place", "Quantity", "Quotient", "Rotation", "Track", "Unit", "centre_of", "driven", "formed", "meant", "named",
-    "on_axis",
-    "parts", "read", "relative", "split",
+    "Place", "Quantity", "Quotient", "Rotation", "Track", "Unit", "at_position", "centre_of", "driven", "formed",
+    "meant", "named", "on_axis", "parts", "position_of", "read", "relative", "split",
 ]  # fmt: skip

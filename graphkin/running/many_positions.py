@@ -24,28 +24,38 @@ _PROGRAMS: dict[int, Program | None] = {}
 
 
 def program_of(method: Method) -> Program | None:
-    """The program, made once; None where positions hang on one another, or where a step can't be written down."""
+    """The program, made once; None where a step can't be written down."""
     key = id(method)
     if key not in _PROGRAMS:
-        _PROGRAMS[key] = None if method.moves_on else _made(method)
+        _PROGRAMS[key] = _made(method)
         finalize(method, _PROGRAMS.pop, key, None)
     return _PROGRAMS[key]
 
 
 def _made(method: Method) -> Program | None:
     try:
-        return compiled_program(method.constructions, method.facts(None))
+        return compiled_program(method.constructions, method.facts(None), method.near if method.moves_on else ())
     except CannotRecord:
         return None
 
 
-def by_program(method: Method, values: Sequence[Value], sides: Mapping[int, Value] | None = None) -> Plot | None:
-    """All three constructions at driver values, scalar or (n,) each; None where they are few, or no program does it."""
+def by_program(
+    method: Method,
+    values: Sequence[Value],
+    sides: Mapping[int, Value] | None = None,
+    near: Mapping[str, Value] | None = None,
+) -> Plot | None:
+    """All three constructions at driver values, scalar or (n,) each; None where they are few, or no program does it.
+
+    near  angles and displacements close by, without which no program does positions that hang on how they are reached
+    """
+    if method.moves_on and not near:
+        return None
     shapes = {np.shape(value) for value in values} - {()}
     if len(shapes) != 1 or len(shape := shapes.pop()) != 1 or shape[0] < MANY:
         return None
     made = program_of(method)
-    return None if made is None else made.run(values, sides)
+    return None if made is None else made.run(values, sides, near)
 
 
 def along_in_parts(method: Method, path: Path, t: Value) -> Plot:
@@ -53,7 +63,7 @@ def along_in_parts(method: Method, path: Path, t: Value) -> Plot:
     if np.ndim(t) != 1 or t.size <= PART:
         return along(method, path, t)
     plots = [along(method, path, part) for part in np.array_split(t, -(-t.size // PART))]
-    whole = Plot(method.facts(path.values(t)), path.near(t))
+    whole = Plot(method.facts(path.values(t)), dict(path.near(t)))
     for table in TABLES:
         for name in getattr(plots[0], table):
             getattr(whole, table)[name] = _joined([getattr(plot, table)[name] for plot in plots])
@@ -67,5 +77,5 @@ def _joined(values: Sequence[Value]) -> Value:
 
 def replay_along(method: Method, path: Path, t: np.ndarray) -> Plot:
     """All three constructions at t (n,) on the path, each choice on the side that is right there."""
-    found = by_program(method, path.values(t), path.crossings(t)) if path.nodes is None else None
+    found = by_program(method, path.values(t), path.crossings(t), path.near(t))
     return found or replay(method.acceleration, replay(method.velocity, along_in_parts(method, path, t)))

@@ -15,7 +15,7 @@ import numpy as np
 from graphkin.construction import Plot, replay, slide_key
 from graphkin.geometry import Value
 from graphkin.planning.method import Method
-from graphkin.value import frozen
+from graphkin.value import Lazy, frozen
 
 STEP_DEG, STEP_PART = 3.0, 0.02
 """The longest step from one position to the next that is found from it [deg, of the mechanism's size]."""
@@ -86,12 +86,12 @@ class Path:
                 found[choice] = np.where(beyond, -1, 1) * found[choice]
         return found
 
-    def near(self, t: Value) -> dict[str, Value]:
+    def near(self, t: Value) -> Mapping[str, Value]:
         """Angles and displacements close by, where fitting starts and from where angles count."""
         if self.nodes is None:
             return {}
         at, tables = self.nodes
-        return {name: np.interp(t, at, table)[()] for name, table in tables.items()}
+        return Lazy(tables, lambda name: np.interp(t, at, tables[name])[()])
 
 
 def with_nodes(path: Path, t: np.ndarray, tables: Mapping[str, np.ndarray]) -> Path:
@@ -106,7 +106,7 @@ def with_nodes(path: Path, t: np.ndarray, tables: Mapping[str, np.ndarray]) -> P
 
 def along(method: Method, path: Path, t: Value) -> Plot:
     """The positions at t, scalar or (n,), on the path."""
-    plot = Plot(method.facts(path.values(t)), path.near(t))
+    plot = Plot(method.facts(path.values(t)), dict(path.near(t)))
     return replay(method.position, plot, path.crossings(t))
 
 

@@ -74,24 +74,28 @@ def moved_to(method: Method, values: Sequence[Value]) -> Plot:
         return along(method, *reached(method, values))
     if not method.moves_on:
         return replay(method.position, Plot(method.facts(values)))
-    return _moved_on(method, values)
+    way = on_one_way(method, values)
+    return _fanned(method, values) if way is None else along_in_parts(method, *way)
 
 
-def _moved_on(method: Method, values: Sequence[Value]) -> Plot:
-    """Positions each on its own path, or on one: step by step, each foretold from the two before."""
+def on_one_way(method: Method, values: Sequence[Value]) -> tuple[Path, np.ndarray] | None:
+    """Many positions on one path, where each hangs on the one before; nan where it does not lead. None: on no one."""
+    if not method.moves_on or not any(np.ndim(value) for value in values):
+        return None
     start = np.array(method.facts(None).values)
     change = np.array([value - begin for value, begin in zip(np.broadcast_arrays(*values), start, strict=True)])
     far = change.reshape(len(start), -1)
     line = far[:, int(np.argmax(np.abs(far).sum(axis=0)))]
     along_it = np.tensordot(line, change, 1) / max(float(line @ line), np.finfo(float).tiny)
-    if np.allclose(np.multiply.outer(line, along_it), change, rtol=0, atol=1e-12):
-        path = trace(method, tuple(line), float(min(along_it.min(), 0.0)), float(max(along_it.max(), 0.0)))
-        return along_in_parts(method, path, np.where(path.leads_to(along_it), along_it, np.nan)[()])
-    return _fanned(method, values)
+    if not np.allclose(np.multiply.outer(line, along_it), change, rtol=0, atol=1e-12):
+        return None
+    path = trace(method, tuple(line), float(min(along_it.min(), 0.0)), float(max(along_it.max(), 0.0)))
+    return path, np.where(path.leads_to(along_it), along_it, np.nan)[()]
 
 
 def _fanned(method: Method, values: Sequence[Value]) -> Plot:
-    """Every position on its own straight path; a step that surprises one of them is halved for all."""
+    """Every position on its own straight path, step by step, each foretold from the two before; a step that surprises
+    one of them is halved for all."""
     facts = method.facts(values)
     start = method.facts(None).values
     changes = [np.asarray(end) - begin for begin, end in zip(start, facts.values, strict=True)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from graphkin.construction import Plot, replay
+from graphkin.errors import ValueForEach
 from graphkin.geometry import Value
 from graphkin.planning.assembly import refuse_bad_positions
 from graphkin.planning.method import Method
@@ -20,11 +21,17 @@ def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
     """
     if values is None:
         return _finished(method, replay(method.position, Plot(method.facts(), method.near)))
+    drivers = method.drivers
+    if len(values) != len(drivers):
+        raise ValueForEach(method.mechanism.where("driver"), len(values), tuple(driver.name for driver in drivers))
     # loaded where a mechanism is moved: the sheet of the drawn position starts sooner without
-    from graphkin.running.many_positions import by_program
-    from graphkin.running.reaching import moved_to
+    from graphkin.running.many_positions import by_program, replay_along
+    from graphkin.running.reaching import moved_to, on_one_way
 
-    return by_program(method, values) or _finished(method, moved_to(method, values))
+    if (found := by_program(method, values)) is not None:
+        return found
+    way = on_one_way(method, values)
+    return _finished(method, moved_to(method, values)) if way is None else replay_along(method, *way)
 
 
 def _finished(method: Method, plot: Plot) -> Plot:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from graphkin.construction import Meet, Swing
+from graphkin.kept import kept
 from graphkin.planning.method import Method
 from graphkin.running.continuation import continued
 from graphkin.running.path import Path
@@ -22,11 +23,24 @@ def trace(
 
     after   a place on another path, to start from there instead of from the drawn position
     """
-    path = _setting_out(method, tuple(float(p) for p in pace), (float(low), float(high)), after)
+    ends, pace = (float(low), float(high)), tuple(float(p) for p in pace)
+    return _from_drawn(method, pace, ends) if after is None else _traced(method, pace, ends, after)
+
+
+@kept(16)
+def _from_drawn(method: Method, pace: tuple[float, ...], ends: tuple[float, float]) -> Path:
+    """The same walk serves many sweeps."""
+    return _traced(method, pace, ends, None)
+
+
+def _traced(
+    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[Path, float] | None
+) -> Path:
+    path = _setting_out(method, pace, ends, after)
     refuse_far(method, path, LOOK_DEG, LOOK_PART)
     if method.fits:
         return continued(method, path)
-    for end in (high, low):
+    for end in reversed(ends):
         path = scanned(method, path, end)
     return path
 
@@ -41,7 +55,7 @@ def _setting_out(
     else:
         before, t = after
         start = tuple(float(value) for value in before.values(t))
-        near = before.near(t)
+        near = dict(before.near(t))
         sides = {choice: int(side) for choice, side in before.crossings(t).items()}
     nodes = (np.zeros(1), {name: np.full(1, value) for name, value in near.items()})
     return Path(start, pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)

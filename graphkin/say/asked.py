@@ -7,12 +7,24 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.construction import Plane
+from graphkin.construction import Given, Plane
 from graphkin.mechanism import FRAME
 from graphkin.motions import Motions
 from graphkin.planning.held_still import standing
 from graphkin.planning.needed import Fact, Part, arms, needed, turning
-from graphkin.quantities import EDGE, Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, read
+from graphkin.quantities import (
+    EDGE,
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+    read,
+)
 from graphkin.readings import readings
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence
@@ -78,6 +90,8 @@ class Asked:
                 return self.reading.rate(quantity.letter, link)
             case Displacement(_, _, slide):
                 return names.of_slide("s", slide)
+            case Track():
+                return self.reading.say("solution.place", point=names.point(quantity.of))
             case Place():
                 return f"{quantity.word}_{names.point(quantity.of)}"
             case Moving():
@@ -104,6 +118,9 @@ class Asked:
         unit = EDGE[found.unit]
         if isinstance(quantity, Centre):
             return Sentence(self._place(quantity, complex(quantity.place(self._motions))))
+        if isinstance(quantity, Track):
+            place = self._mm(complex(self._motions.position[quantity.site.point]))
+            return Sentence(reading.say("solution.place at", point=names.point(quantity.of), place=place))
         if found.vector is not None:
             size = float(abs(found.vector)) if abs(found.vector) > self._noise(quantity) else 0.0
             note = reading.say("derivation.at direction", angle=degrees(complex(found.vector))) if size else ""
@@ -129,9 +146,12 @@ class Asked:
         say, name = self.reading.say, names.point(centre.text)
         if not np.isfinite(place):
             return say("solution.centre far", name=name)
+        return say("solution.centre at", name=name, place=self._mm(place))
+
+    def _mm(self, place: complex) -> str:
         noise = self.reading.noise * 1000
         x, y = (number(value * 1000, noise) for value in (place.real, place.imag))
-        return say("solution.centre at", name=name, place=f"({x}, {y})")
+        return f"({x}, {y})"
 
 
 def asked(reading: Reading, everything: bool = False, only: Plane = "acceleration") -> Asked:
@@ -144,12 +164,13 @@ def asked(reading: Reading, everything: bool = False, only: Plane = "acceleratio
     texts = {text: one for text, one in texts.items() if one is None or _plane(one) in ("position", *planes)}
     facts = {fact for one in texts.values() if one is not None for fact in _facts(reading, one)}
     if everything or not facts:
-        wanted = tuple(_all(reading, planes))
+        placed = (one for one in texts.values() if one is not None and _plane(one) == "position")
+        wanted = (*placed, *_all(reading, planes))
         constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
         parts = {plane: constructions[plane].parts for plane in planes}
         return Asked(reading, wanted, tuple(one.text for one in wanted), parts, False)
-    led = needed(reading.method, facts)
-    shown = {plane: led[plane] for plane in planes if len(led[plane]) > 1 or _direct(facts, plane)}
+    led = needed(reading.method, {*facts})
+    shown = {plane: led[plane] for plane in planes if _finds(led[plane]) or _direct(facts, plane)}
     return Asked(reading, (*texts.values(),), (*texts,), shown, True)
 
 
@@ -173,6 +194,11 @@ def _plane(quantity: Quantity) -> Plane:
     return {"rad/s": "velocity", "m/s": "velocity", "rad/s^2": "acceleration", "m/s^2": "acceleration"}.get(
         max(quantity.halves, key=lambda half: half.unit.endswith("^2")).unit, "position"
     )  # type: ignore[return-value]
+
+
+def _finds(parts: tuple[Part, ...]) -> bool:
+    """Whether anything is drawn from what is there at the start."""
+    return any(not isinstance(part, Given) for part in parts)
 
 
 def _direct(facts: set[Fact], plane: Plane) -> bool:

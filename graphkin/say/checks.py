@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from graphkin.check import Measured, RulerReport
@@ -25,6 +26,26 @@ def check_lines(report: RulerReport, tolerance_mm: float, lang: Lang) -> Iterato
         yield f"{say('checks.note', lang)}: {say(f'checks.note {note.kind}', lang, what=note.what)}"
     wrong = report.wrong(tolerance_mm)
     yield say("checks.bad" if wrong else "checks.good", lang, count=wrong, tolerance=tolerance_mm)
+
+
+def check_json(report: RulerReport, tolerance_mm: float, lang: Lang) -> dict[str, object]:
+    """The same for programs: drawn and exact in mm on paper, [x, y]; faults and notes in words."""
+    return {
+        "format": 1,
+        "file": report.file,
+        "passed": report.passed(tolerance_mm),
+        "tolerance": tolerance_mm,
+        "measured": [_entry(entry) for entry in report.measured],
+        "faults": [say(f"checks.fault {fault.kind}", lang, what=fault.what) for fault in report.faults],
+        "notes": [say(f"checks.note {note.kind}", lang, what=note.what) for note in report.notes],
+    }
+
+
+def _entry(entry: Measured) -> dict[str, object]:
+    drawn, exact = ([place.real, place.imag] for place in (entry.drawn, entry.exact))
+    said = {"plane": entry.plane, "kind": entry.kind, "name": entry.name, "drawn": drawn, "exact": exact}
+    off = entry.off_mm if math.isfinite(entry.off_mm) else None
+    return said | {"off": off, "unit_per_mm": entry.unit_per_mm, "unit": entry.unit}
 
 
 def _measured(entry: Measured) -> list[str]:

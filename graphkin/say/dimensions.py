@@ -12,7 +12,7 @@ from graphkin.mechanism import FRAME
 from graphkin.pairs import Gear, Roll, Slide
 from graphkin.say import names
 from graphkin.say.given_places import driven_slides, face_offsets, fixed_points, guide_angles
-from graphkin.say.numbers import number
+from graphkin.say.numbers import given, number
 from graphkin.say.reading import Reading
 
 
@@ -61,7 +61,7 @@ def _lengths(reading: Reading) -> Iterator[str]:
         points = [point for point in reading.mechanism.named(link) if point in reading.plot.position]
         for k, point in enumerate(points[1:], start=1):
             for other in points[max(0, k - 2) : k] if not _in_line(reading, points) else points[k - 1 : k]:
-                yield f"{names.pair(other, point)} = {number(reading.distance(other, point) * 1000)} mm"
+                yield f"{names.pair(other, point)} = {given(reading.distance(other, point) * 1000)} mm"
 
 
 def _in_line(reading: Reading, points: list[str]) -> bool:
@@ -77,7 +77,7 @@ def _offsets(reading: Reading) -> Iterator[str]:
             off = abs(float(cross(reading.plot.guide_direction(slide.name), reading.plot.arm(points[0], slide.point))))
             if off > reading.noise:
                 called = names.point(points[0])
-                yield f"{'e' if slide.guide == FRAME else 'h'}_{called} = {number(off * 1000)} mm"
+                yield f"{'e' if slide.guide == FRAME else 'h'}_{called} = {given(off * 1000)} mm"
 
 
 def _radii(reading: Reading) -> Iterator[str]:
@@ -86,10 +86,12 @@ def _radii(reading: Reading) -> Iterator[str]:
             yield _radius(reading, link, radius)
     for roll in reading.mechanism.of(Roll):
         yield _radius(reading, roll.wheel, roll.radius)
+    for centre, radius in reading.circles:
+        yield f"{reading.circle(centre, radius)} = {given(radius * 1000)} mm"
 
 
 def _radius(reading: Reading, link: str, radius: float) -> str:
-    return f"{names.of_link('r', reading.mechanism.called(link))} = {number(radius * 1000)} mm"
+    return f"{reading.radius(link, radius)} = {given(radius * 1000)} mm"
 
 
 def _rates(reading: Reading) -> Iterator[str]:
@@ -98,10 +100,10 @@ def _rates(reading: Reading) -> Iterator[str]:
     for driver, value, rate, more in table:
         turning = driver.kind != "slide"
         if driver.kind == "angle" and driver.value is not None:
-            yield f"{reading.against(driver, 'φ')} = {number(degrees(float(value)))}°"
+            yield f"{reading.against(driver, 'φ')} = {given(degrees(float(value)))}°"
         units = ("rad/s", "rad/s²") if turning else ("m/s", "m/s²")
         symbols = ("ω", "α") if turning else ("ṡ", "s̈")
         for symbol, size, unit in zip(symbols, (float(rate), float(more)), units, strict=True):
             if size:
                 name = reading.against(driver, symbol) if turning else names.of_slide(symbol, driver.link)
-                yield f"{name} = {number(abs(size) if turning else size)} {unit}"
+                yield f"{name} = {given(abs(size) if turning else size)} {unit}"

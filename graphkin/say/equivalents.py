@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from itertools import combinations
 from typing import Any, assert_never
-
-import numpy as np
 
 from graphkin.construction import (
     Arc,
@@ -22,13 +21,14 @@ from graphkin.construction import (
     Swing,
     Touch,
 )
+from graphkin.geometry import cross, dot
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, Slot, rod_name
 from graphkin.pairs import Roll as RollingPair
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import figures
-from graphkin.say.numbers import degrees, number
+from graphkin.say.numbers import degrees, given, number
 from graphkin.say.reading import Reading
 
 
@@ -65,12 +65,14 @@ def _circles_touch(reading: Reading, cam: Cam, rod: Rod) -> str:
 def _flat_touches(reading: Reading, slot: Slot) -> str:
     words = {
         "centre": names.point(slot.point),
-        "face": _face(reading, slot.line),
+        "face": face_of(reading, slot.line),
         "link": reading.link(slot.line.link),
     }
     if not slot.offset:
         return reading.say("contacts.edge touches", **words)
-    return reading.say("contacts.flat touches", length=_radius(abs(slot.offset)), **words)
+    size = abs(slot.offset)
+    length = f"{reading.circle(slot.point, size)} = {given(size * 1000)} mm"
+    return reading.say("contacts.flat touches", length=length, **words)
 
 
 def _circular_slot(reading: Reading, slot: CircularSlot) -> Iterator[Entry]:
@@ -94,10 +96,10 @@ def _on_line(reading: Reading, roll: RollingPair, line: Line) -> str:
     return reading.say(
         "contacts.wheel held at line" if held else "contacts.wheel on line",
         wheel=reading.link(roll.wheel),
-        face=_face(reading, line),
+        face=face_of(reading, line),
         link=reading.link(line.link),
         centre=names.point(roll.centre),
-        length=_radius(roll.radius),
+        length=f"{reading.radius(roll.wheel, roll.radius)} = {given(roll.radius * 1000)} mm",
     )
 
 
@@ -138,15 +140,22 @@ def _distance(centres: tuple[str, str], radii: tuple[float, float], internal: bo
     return Calculation(names.pair(*centres), (), numbers, length, "mm").text
 
 
-def _radius(radius: float) -> str:
-    return f"r = {number(radius * 1000)} mm"
-
-
-def _face(reading: Reading, line: Line) -> str:
+def face_of(reading: Reading, line: Line) -> str:
     """Two points of a moving line where such are named."""
-    along = line.direction * np.exp(1j * reading.plot.theta[line.link])
-    on_it = reading.points_parallel(line.link, along) if line.link != FRAME else None
-    return f" {names.pair(*on_it)}" if on_it else ""
+    ends = points_of(reading, line)
+    return f" {names.pair(*ends)}" if ends else ""
+
+
+def points_of(reading: Reading, line: Line) -> tuple[str, str] | None:
+    """Two named points of a moving line, in its direction."""
+    link = reading.mechanism.links[line.link]
+    off = {p: abs(float(cross(line.direction, link.arm(line.origin, p)))) for p in reading.mechanism.named(line.link)}
+    on_it = sorted((p for p in off if off[p] <= reading.noise and line.link != FRAME), key=lambda p: p != line.origin)
+    for first, second in combinations(on_it, 2):
+        ahead = float(dot(line.direction, link.arm(first, second)))
+        if abs(ahead) > reading.noise:
+            return (first, second) if ahead > 0 else (second, first)
+    return None
 
 
 def _path(reading: Reading, name: str) -> Iterator[Entry]:
@@ -161,7 +170,9 @@ def _path(reading: Reading, name: str) -> Iterator[Entry]:
     elif any(_uses(step, origin) for step in reading.method.position.steps):
         (beside,), mark = reading.mechanism.pair(name).lines, names.point(origin)
         if beside.named:
-            yield Sentence(reading.say("contacts.abreast", path=path, mark=mark, origin=names.point(beside.origin)))
+            length = f"{names.pair(beside.origin, origin)} = {reading.rim(reading.mechanism.pair(name))}"
+            words = {"path": path, "mark": mark, "origin": names.point(beside.origin), "length": length}
+            yield Sentence(reading.say("contacts.abreast", **words))
         else:
             yield Sentence(reading.say("contacts.marked start", path=path, mark=mark))
 

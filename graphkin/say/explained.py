@@ -54,9 +54,9 @@ def derivation(
 ) -> Iterator[Entry]:
     """The solution as data: what is given and asked, the planes in the order of their constructions, the answers.
 
-    as_planned  the position as the method draws it, though a pose may make it easier
+    as_planned  every act of the method's own plan, though a pose or a driver at rest may make it easier
     """
-    reading = Reading(method, plot, scales, lang, ruler)
+    reading = Reading(method, plot, scales, lang, ruler, apart=as_planned)
     goal = asked(reading, everything, only)
     yield from given(reading)
     yield from goal.question()

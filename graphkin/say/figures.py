@@ -7,7 +7,7 @@ and whoever puts the figures into a calculator gets it.
 
 from __future__ import annotations
 
-from math import floor, log10
+from math import floor, log10, radians, sin
 
 from graphkin.say.numbers import DIGITS, number
 from graphkin.value import frozen
@@ -70,6 +70,20 @@ class Operand(Formula):
     def worth(self, digits: int) -> float:
         read = as_read(number(self.value, digits=digits))
         return read * read if self.square else read
+
+
+@frozen
+class Sine(Formula):
+    """`sin 100°`."""
+
+    angle: float
+    """[deg]"""
+
+    def text(self, digits: int = DIGITS) -> str:
+        return f"sin {number(self.angle, digits=digits)}°"
+
+    def worth(self, digits: int) -> float:
+        return sin(radians(as_read(number(self.angle, digits=digits))))
 
 
 @frozen

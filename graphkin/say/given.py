@@ -9,6 +9,7 @@ from graphkin.mechanism import Driver, Pose
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.given_dimensions import dimensions
+from graphkin.say.numbers import given as given_figure
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
 from graphkin.say.redundancy import redundant_constraints
@@ -49,10 +50,10 @@ def _scales(reading: Reading) -> Iterator[str]:
 def _pose(reading: Reading, pose: Pose) -> str:
     """What held when the mechanism was drawn."""
     if pose.vector is None:
-        place = f"{names.of_slide('s', pose.link)} = {number(pose.value * 1000)} mm"
+        place = f"{names.of_slide('s', pose.link)} = {given_figure(pose.value * 1000)} mm"
         kind, slide = _kind(reading, pose.link), reading.slide_name(pose.link)
         return reading.say(f"derivation.driven {kind}", slide=slide, place=place)
-    angle, line = f"{number(degrees(pose.value))}°", "".join(names.point(p) for p in pose.vector)
+    angle, line = f"{given_figure(degrees(pose.value))}°", "".join(names.point(p) for p in pose.vector)
     link = reading.link(pose.link)
     if pose.from_vector is None:
         return reading.say("derivation.pose line", line=line, link=link, angle=angle)
@@ -86,13 +87,13 @@ def _slide(reading: Reading, driver: Driver, value: float | None, rate: float, m
     if value is None:
         start = reading.say(f"derivation.driven {kind} free", slide=reading.slide_name(driver.link))
     else:
-        place = f"{position} = {number(value * 1000)} mm"
+        place = f"{position} = {given_figure(value * 1000)} mm"
         start = reading.say(f"derivation.driven {kind}", slide=reading.slide_name(driver.link), place=place)
     return reading.say("common.and").join(
         [
             start,
-            f"{speed} = {number(rate)} m/s" if rate else f"{speed} = 0",
-            f"{change} = {number(more)} m/s²" if more else f"{change} = 0",
+            f"{speed} = {given_figure(rate)} m/s" if rate else f"{speed} = 0",
+            f"{change} = {given_figure(more)} m/s²" if more else f"{change} = 0",
         ]
     )
 
@@ -105,7 +106,7 @@ def _angle(reading: Reading, driver: Driver, value: float | None) -> str:
     line = "".join(names.point(p) for p in driver.vector)
     if value is None:
         return reading.say("derivation.driven line free", line=line, link=link)
-    angle = f"{reading.against(driver, 'φ')} = {number(degrees(value))}°"
+    angle = f"{reading.against(driver, 'φ')} = {given_figure(degrees(value))}°"
     if driver.from_vector is None:
         return reading.say("derivation.driven link", line=line, link=link, angle=angle)
     other = "".join(names.point(p) for p in driver.from_vector)

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from cmath import phase
 from collections.abc import Callable, Iterator, Mapping
 from itertools import combinations
 from math import degrees as in_degrees
+from math import remainder
 from typing import Any
 
 from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Roll, Slide
 from graphkin.say import names
+from graphkin.say.equivalents import points_of
 from graphkin.say.guide_angle import guide_angle
-from graphkin.say.numbers import degrees, number
+from graphkin.say.numbers import degrees, given
 from graphkin.say.reading import Reading
 
 
@@ -62,20 +65,37 @@ def _slide(reading: Reading, pair: Slide) -> str:
     link = reading.link(pair.block) if pair.block is not None else ""
     words = {"block": link, "point": names.point(pair.point), "guide": _guide(reading, pair)}
     kind = "pin" if pair.block is None else "block"
+    words["tilt"] = _tilt(reading, pair)
     if pair.guide == FRAME:
         return reading.say(f"solution.{kind} on frame", line=_line(reading, pair.line), **words)
     where = _on_link(reading, pair)
     return reading.say(f"solution.{kind} on link", link=reading.link(pair.guide), where=where, **words)
 
 
+def _tilt(reading: Reading, pair: Slide) -> str:
+    """`; AB makes 30 deg with the guide` of a block of more points than one."""
+    points = reading.mechanism.named(pair.block) if pair.block is not None else ()
+    if len(points) < 2:
+        return ""
+    line, turned = names.arrow(*points[:2]), remainder(round(in_degrees(pair.tilt), 9), 360)
+    sense = reading.say("common.ccw" if turned > 0 else "common.cw")
+    words = {"line": line, "angle": f"{given(abs(turned))}°", "sense": sense}
+    return reading.say("solution.tilt" if turned else "solution.tilt none", **words)
+
+
 def _guide(reading: Reading, pair: Slide) -> str:
-    """` (ram)`: what the file calls the pair."""
-    return reading.say("common.note", note=reading.slide_name(pair.name)) if pair.named else ""
+    """` (ram, displacement s_ram)`: what the file calls the pair, where its block is not called so."""
+    if not pair.named:
+        return ""
+    own = pair.block is not None and reading.link(pair.block) == reading.slide_name(pair.name)
+    note = reading.say("solution.displacement", s=names.of_slide("s", pair.name))
+    name = [] if own else [reading.slide_name(pair.name)]
+    return reading.say("common.note", note=reading.say("common.and").join([*name, note]))
 
 
 def _on_link(reading: Reading, pair: Slide) -> str:
     if (angle := guide_angle(reading, pair)) is not None:
-        size = f"{angle.symbol} = {number(abs(in_degrees(angle.angle)))}°"
+        size = f"{angle.symbol} = {given(abs(in_degrees(angle.angle)))}°"
         sense = reading.say("common.ccw" if angle.angle > 0 else "common.cw")
         through = names.point(angle.through)
         return reading.say("solution.at angle", through=through, arrow=angle.arrow, angle=size, sense=sense)
@@ -93,7 +113,7 @@ def _line(reading: Reading, line: Line) -> str:
 
 def _circular(reading: Reading, pair: CircularSlot) -> str:
     words = {"pin": names.point(pair.point), "centre": names.point(pair.centre), "link": reading.link(pair.guide)}
-    return reading.say("solution.circular slot", radius=_mm(reading, pair.radius), **words)
+    return reading.say("solution.circular slot", radius=_circle(reading, pair.centre, pair.radius), **words)
 
 
 def _gear(reading: Reading, pair: Gear) -> str:
@@ -109,9 +129,28 @@ def _roll(reading: Reading, pair: Roll) -> str:
     words["radius"] = f"{reading.radius(pair.wheel, pair.radius)} = {_mm(reading, pair.radius)}"
     if pair.line is None:
         about = names.point(pair.track_centre or "")
-        return reading.say("solution.rolls on circle", about=about, other=_mm(reading, pair.track_radius), **words)
-    line = reading.say("solution.of line", line=_line(reading, pair.line)) if pair.track == FRAME else ""
-    return reading.say("solution.rolls on line", line=line, **words)
+        other = f"{reading.radius(pair.track, pair.track_radius)} = {_mm(reading, pair.track_radius)}"
+        where = reading.say("solution.inside" if pair.internal else "solution.outside")
+        return reading.say("solution.rolls on circle", about=about, other=other, where=where, **words)
+    side = reading.say("solution.wheel left" if pair.left else "solution.wheel right", centre=words["centre"])
+    return reading.say("solution.rolls on line", line=_track(reading, pair.line), side=side, **words)
+
+
+def _track(reading: Reading, line: Line) -> str:
+    """` B→Q`, ` (through D at 30° to E→F)`: where a line lies in its link, and which way it points."""
+    if line.link == FRAME:
+        return reading.say("common.note", note=_line(reading, line))
+    if ends := points_of(reading, line):
+        return f" {names.arrow(*ends)}"
+    link, points = reading.mechanism.links[line.link], reading.mechanism.named(line.link)
+    arms = ((one, p) for one in points[:1] for p in points[1:] if abs(link.arm(one, p)) > reading.noise)
+    through = names.point(line.origin) if line.named else ""
+    for first, second in arms:
+        turned = float(in_degrees(phase(line.direction / link.arm(first, second))))
+        size, sense = f"{given(abs(turned))}°", reading.say("common.ccw" if turned > 0 else "common.cw")
+        words = {"through": through, "arrow": names.arrow(first, second), "angle": size, "sense": sense}
+        return reading.say("common.note", note=reading.say("solution.at angle", **words))
+    return reading.say("common.note", note=reading.say("solution.own axis", through=through)) if through else ""
 
 
 def _cam(reading: Reading, pair: Cam) -> str:
@@ -123,12 +162,14 @@ def _cam(reading: Reading, pair: Cam) -> str:
 def _profile(reading: Reading, pair: Cam, k: int) -> str:
     profile, link = pair.profiles[k], reading.link(pair.links[k])
     if profile.line is not None:
-        start = names.point(profile.line.origin)
-        return reading.say("solution.flat face", link=link, through=start)
+        centre = names.point(pair.profiles[1 - k].centre or "")
+        side = reading.say("solution.wheel left" if profile.left else "solution.wheel right", centre=centre)
+        return reading.say("solution.flat face", link=link, line=_track(reading, profile.line), side=side)
     centre = names.point(profile.centre or "")
     if not profile.radius:
         return reading.say("solution.knife edge", link=link, point=centre)
-    return reading.say("solution.circle", link=link, centre=centre, radius=_mm(reading, profile.radius))
+    return reading.say("solution.circle", link=link, centre=centre,
+                       radius=_circle(reading, profile.centre or "", profile.radius))  # fmt: skip
 
 
 GIVEN: Mapping[type[Pair], Callable[[Reading, Any], str]] = {
@@ -143,9 +184,14 @@ GIVEN: Mapping[type[Pair], Callable[[Reading, Any], str]] = {
 
 def _place(reading: Reading, place: complex) -> str:
     """Coordinates of the mechanism itself, in mm."""
-    x, y = (number(value * 1000, reading.noise * 1000) for value in (place.real, place.imag))
+    x, y = (given(value * 1000, reading.noise * 1000) for value in (place.real, place.imag))
     return f"({x}, {y})"
 
 
+def _circle(reading: Reading, centre: str, radius: float) -> str:
+    """`r_P = 142.3 mm`."""
+    return f"{reading.circle(centre, radius)} = {_mm(reading, radius)}"
+
+
 def _mm(reading: Reading, length: float) -> str:
-    return f"{number(length * 1000, reading.noise * 1000)} mm"
+    return f"{given(length * 1000, reading.noise * 1000)} mm"

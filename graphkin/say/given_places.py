@@ -10,7 +10,7 @@ from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Cam
 from graphkin.say import names
-from graphkin.say.numbers import number
+from graphkin.say.numbers import given
 from graphkin.say.reading import Reading
 
 
@@ -24,10 +24,10 @@ def fixed_points(reading: Reading) -> Iterator[str]:
     for other in others:
         away = complex(shape[other] - shape[first])
         if min(abs(away.real), abs(away.imag)) <= reading.noise:
-            yield f"{names.pair(first, other)} = {number(abs(away) * 1000)} mm"
+            yield f"{names.pair(first, other)} = {given(abs(away) * 1000)} mm"
         else:
             called = names.pair(first, other) if shape[first] else names.point(other)
-            yield from (f"{sign}_{called} = {number(v * 1000)} mm" for sign, v in (("x", away.real), ("y", away.imag)))
+            yield from (f"{sign}_{called} = {given(v * 1000)} mm" for sign, v in (("x", away.real), ("y", away.imag)))
 
 
 def guide_angles(reading: Reading) -> Iterator[str]:
@@ -36,7 +36,7 @@ def guide_angles(reading: Reading) -> Iterator[str]:
         if slide.guide == FRAME and slide.stands_for is None:
             angle = round(math.degrees(cmath.phase(slide.line.direction)), 9) % 180
             if angle % 90:
-                yield f"β_{names.point(slide.point)} = {number(angle)}°"
+                yield f"β_{names.point(slide.point)} = {given(angle)}°"
 
 
 def face_offsets(reading: Reading) -> Iterator[str]:
@@ -47,11 +47,11 @@ def face_offsets(reading: Reading) -> Iterator[str]:
             along = line.direction * cmath.rect(1, float(reading.plot.theta.get(line.link, 0.0)))
             off = abs(float(cross(along, reading.plot.arm(points[0], line.origin))))
             if off > reading.noise:
-                yield f"h_{names.point(points[0])} = {number(off * 1000)} mm"
+                yield f"h_{names.point(points[0])} = {given(off * 1000)} mm"
 
 
 def driven_slides(reading: Reading) -> Iterator[str]:
     """`s_ram = 90 mm`: where a driven slide stands."""
     for driver, value in zip(reading.mechanism.drivers, reading.plot.facts.values, strict=True):
         if driver.kind == "slide":
-            yield f"{names.of_slide('s', driver.link)} = {number(float(value) * 1000)} mm"
+            yield f"{names.of_slide('s', driver.link)} = {given(float(value) * 1000)} mm"

@@ -9,10 +9,9 @@ from graphkin.errors import Lang
 from graphkin.marking.diagnosis import Explanation
 from graphkin.marking.graded import Graded
 from graphkin.marking.marked import Judged, Marked
-from graphkin.mechanism import Mechanism
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import together
+from graphkin.say.mistakes import once, together
 from graphkin.say.numbers import number
 from graphkin.say.text_table import aligned
 from graphkin.say.verdicts import verdict
@@ -38,12 +37,6 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
 def interrupted(path: Path, lang: Lang) -> str:
     """That a marking that was broken off can be gone on with."""
     return say("marks.interrupted", lang, path=path)
-
-
-def remarks(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
-    """What of a problem is not marked."""
-    if any(driver.also for driver in mechanism.drivers):
-        yield say("marks.drawn position", lang, name=mechanism.name)
 
 
 def table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
@@ -99,6 +92,6 @@ def _mistakes(marked: Marked, lang: Lang) -> Iterator[str]:
 
 
 def _set(explanation: Explanation, lang: Lang) -> str:
-    texts = list(dict.fromkeys(together(names, lang) for names in explanation.names))
+    texts = once(together(names, lang) for names in explanation.names)
     more = [say("marks.more", lang, count=len(texts) - _SETS)] if len(texts) > _SETS else []
     return say("marks.or", lang).join([*texts[:_SETS], *more])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from graphkin.errors import Lang
 from graphkin.marking.key import Name
 from graphkin.say.catalogue import is_phrase, say
@@ -19,6 +21,12 @@ def mistake(name: Name, lang: Lang) -> str:
 def together(names: tuple[Name, ...], lang: Lang) -> str:
     """Mistakes that were made together."""
     return say("marks.together", lang).join(mistake(name, lang) for name in names)
+
+
+def once(texts: Iterable[str]) -> list[str]:
+    """Each once, and not again with more behind it, as `.., and carried on`: these cannot be told apart."""
+    each = list(dict.fromkeys(texts))
+    return [text for text in each if not any(text.startswith((f"{other}, ", f"{other}，")) for other in each)]
 
 
 def kind(id: str, lang: Lang) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from graphkin.construction import Plane
 from graphkin.errors import Lang
@@ -21,15 +22,14 @@ _RAISED = {"n": "ⁿ", "t": "ᵗ", "k": "ᵏ", "r": "ʳ"}
 def point(name: str) -> str:
     """A point of the mechanism or of a polygon (`B_guide` on a link called by a word), or a link.
 
-    Auxiliary points (`*1`) are numbered ①, ②, ..
+    Auxiliary points (`*1`), and where the line of a contact starts (`c0 origin`), have no letter of their own: the
+    marks that stand for them here are given letters by `lettered`.
 
-    The links of lower-pair equivalents are called e, e2, ..; those that hold a rolling wheel after its contact. The
-    line on which a contact moves starts at ⓒ or ⓡ.
+    The links of lower-pair equivalents are called e, e2, ..; those that hold a rolling wheel f, the lines of centres
+    of gears g.
     """
-    if name.startswith("*"):
-        count = int(name[1:])
-        return chr(0x2460 + count - 1) if count <= 20 else f"({count})"
-    name = _ORIGIN.sub(_origin, name)
+    if name.startswith("*") or name.endswith(_STARTS):
+        return f"{_OPEN}{name}{_CLOSE}"
     return _primed(_COUNTED.sub(r"\1,\2", spelled(name))).replace("@", "_")
 
 
@@ -39,20 +39,29 @@ def _primed(name: str) -> str:
 
 _COUNTED = re.compile(r"(?<=[a-z])(\w*\d)_(\d+)(?=')")
 """The second corner of one letter and link: n4,1'."""
-_ORIGIN = re.compile(r"(?:([cr])(\d+)|\w+) origin")
+_STARTS = " origin"
+_OPEN, _CLOSE = "\ue000", "\ue001"
+_MARKED = re.compile(f"{_OPEN}(.*?){_CLOSE}")
 
 
-def _origin(found: re.Match[str]) -> str:
-    """The start of a line that a contact moves on: ⓒ of a cam's slot, ⓡ of a wheel's path."""
-    kind, number = found.groups()
-    mark = "ⓒ" if kind == "c" else "ⓡ"
-    return mark + (str(int(number) + 1) if number and int(number) else "")
+def lettered(text: str, letters: dict[str, str], free: Iterator[str]) -> str:
+    """Points without a letter take the next that is free, and keep it."""
+
+    def letter(found: re.Match[str]) -> str:
+        return letters[found[1]] if found[1] in letters else letters.setdefault(found[1], next(free))
+
+    return _MARKED.sub(letter, text)
 
 
 def stretch(tail: str, head: str) -> str:
     """The line between two points: `pb3`, `n3′b3′`; longer names stand apart."""
-    between = " " if "@" in tail + head or len(point(tail) + point(head)) > 8 else ""
+    between = " " if "@" in tail + head or len(_MARKED.sub("O", point(tail) + point(head))) > 8 else ""
     return point(tail) + between + point(head)
+
+
+def triangle(*corners: str) -> str:
+    """`△b2cd`; longer names stand apart."""
+    return "△" + (" " if any("@" in corner for corner in corners) else "").join(map(point, corners))
 
 
 def arrow(tail: str, head: str) -> str:

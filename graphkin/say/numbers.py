@@ -3,6 +3,7 @@
 One rule for all: zeros at the end are kept, so that a figure of fewer digits is exact. 9.1 is 9.1; 9.1002 is 9.100.
 
     number, degrees             in a construction and about instant centres
+    given                       what a problem gives
     exact, quantity, at_edge    in tables and answers, in the units of the edge
     millimetres, angle          of a linkage
     Figure                      in a sentence that says itself how its figures are written: `{theta:deg}`, `{a:mm}`
@@ -39,6 +40,12 @@ def number(value: float, zero: float = 0.0, digits: int = DIGITS) -> str:
         written_out = int(exponent) in _PLAIN
         text = format(Decimal(text), "f") if written_out else f"{mantissa}e{int(exponent)}"
     return text.replace("-", "−")
+
+
+def given(value: float, zero: float = 0.0) -> str:
+    """A figure of the problem itself: in full where six digits are all it has, `113.72`; else with four."""
+    whole = math.isclose(float(f"{value:.{_COMPUTED}g}"), value, rel_tol=1e-9)
+    return number(value, zero, _COMPUTED if whole else DIGITS)
 
 
 def degrees(vector: complex, read: Callable[[float], float] = float) -> str:

@@ -104,7 +104,8 @@ class PaperLengths:
     def _given(self, first: str, second: str) -> bool:
         """Whether one link, or a contact, holds two points apart."""
         links = self.reading.mechanism.links.values()
-        contact = {letter for letter, _ in touching(self.reading.method.structure)}
+        contact = {(letter, c) for letter, found in touching(self.reading.method.structure) for c in found.centres}
         apart = any(first in link.points and second in link.points for link in links)
         rods = self.reading.method.structure.bodies.values()
-        return apart or bool({first, second} & contact) or any(first in rod and second in rod for rod in rods)
+        beside = (first, second) in contact or (second, first) in contact
+        return apart or beside or any(first in rod and second in rod for rod in rods)

@@ -76,6 +76,22 @@ def _renamed(drawn: Polygon) -> Iterator[Entry]:
     pole = drawn.construction.pole
     if drawn.plane == "velocity" and pole != "p":
         yield Sentence(drawn.reading.say("derivation.renamed pole", letter="P", pole=names.point(pole)))
+    taken = {point[0] for point in drawn.reading.mechanism.points}
+    for part, tip in _tips(drawn).items():
+        if part.upper() in taken and not tip.startswith(part):
+            what = drawn.reading.say(f"derivation.tips {part}")
+            words = {"letter": part.upper(), "part": what, "tip": tip[0]}
+            yield Sentence(drawn.reading.say("derivation.renamed tips", **words))
+
+
+def _tips(drawn: Polygon) -> dict[str, str]:
+    """Where normal and Coriolis components end: the first of each that ends at a corner of its own."""
+    found, nodes = dict[str, str](), drawn.construction.nodes
+    for part in drawn.parts:
+        for step in part.steps if isinstance(part, Equation) else (part,):
+            if isinstance(step, LayOff) and step.term.part in ("n", "k") and nodes[step.tip].site is None:
+                found.setdefault(step.term.part, step.tip)
+    return found
 
 
 def _held(drawn: Polygon) -> Iterator[Entry]:
@@ -85,9 +101,11 @@ def _held(drawn: Polygon) -> Iterator[Entry]:
     if links:
         held = held_points(reading.method, drawn.plane, reading.rested)
         owners = reading.mechanism.owners
-        points = reading.listed([names.point(p) for p in held if not all(map(reading.stands, owners.get(p, ())))])
-        words = {"links": reading.listed(links), "points": points, "pole": names.point(drawn.construction.pole)}
-        yield Sentence(reading.say("derivation.held still", **words))
+        points = [names.point(p) for p in held if not all(map(reading.stands, owners.get(p, ())))]
+        key = "derivation.as fixed" if len(points) == 1 else "derivation.as fixed, several"
+        fixed = reading.say(key, points=reading.listed(points), pole=names.point(drawn.construction.pole))
+        key = "derivation.held still" if len(links) == 1 else "derivation.held still, several"
+        yield Sentence(reading.say(key, links=reading.listed(links), fixed=fixed))
 
 
 def _pole(drawn: Polygon, step: Given) -> str:

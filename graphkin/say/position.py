@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from itertools import count
 from typing import assert_never
 
 from graphkin.construction import (
@@ -41,6 +42,9 @@ from graphkin.say.rolling import rolled, touched
 from graphkin.say.tangents import Tangents
 from graphkin.say.together import fitted, special_point
 
+_SPARE = "WXYHJ"
+"""For points that nobody named."""
+
 
 @dataclass
 class PositionReader(Tangents):
@@ -62,6 +66,18 @@ class PositionReader(Tangents):
     ends: dict[str, tuple[str, str]] = field(default_factory=dict)
 
     def entries(self) -> Iterator[Entry]:
+        """What is told, with letters for the points that have none."""
+        letters, free = dict[str, str](), self._free()
+        for entry in self._told():
+            text = names.lettered(entry.text, letters, free) if isinstance(entry, Sentence) else ""
+            yield replace(entry, text=text) if isinstance(entry, Sentence) else entry
+
+    def _free(self) -> Iterator[str]:
+        """Letters that nothing in the drawing has."""
+        taken = {*self.reading.mechanism.points, *self.reading.method.position.nodes, self._foot_name}
+        return (mark for k in count() for letter in _SPARE if (mark := letter + "′" * k) not in taken)
+
+    def _told(self) -> Iterator[Entry]:
         construction = self.reading.method.position
         yield Heading(self.reading.say("derivation.plane position"))
         yield from self._fixed()

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from graphkin.errors import Lang
+from graphkin.loading.names import split_points
 from graphkin.marking.handed import asked_of
-from graphkin.mechanism import Mechanism
-from graphkin.quantities import EDGE, Centre, Component, Quantity, Quotient, Rotation, read
+from graphkin.mechanism import Driver, Mechanism
+from graphkin.quantities import EDGE, Centre, Component, Quantity, Quotient, Rotation, at_position, read
 from graphkin.running.assembled import Assembled
 from graphkin.say import names
 from graphkin.say.assembly import assembly
@@ -35,7 +37,9 @@ def problem(
         quantity = read(mechanism, question)
         lines.append(f"  {_asked(question, quantity)}{worth}{_measured(mechanism, quantity, lang)}")
     lines += ["", say("problems.hand in", lang), "", f"  student = {_quoted(student)}", "  [answers]"]
-    lines += [f'  "{question}" = ' for question in marked]
+    count = 1 + positions(mechanism)
+    lines += [f"  {_quoted(at_position(question, at))} = " for at in range(1, count + 1) for question in marked]
+    lines += ["", say("problems.drawing of position", lang)] if count > 1 else []
     return "\n".join(lines) + f"\n\n{MADE}\n"
 
 
@@ -45,6 +49,34 @@ def statement(mechanism: Mechanism, lang: Lang, drawn: Assembled | None = None) 
     yield from (f"  {line}" for line in _given(tomllib.loads(mechanism.text), lang))
     if drawn is not None and (told := assembly(drawn, lang)):
         yield f"  {told}"
+    yield from _positions(mechanism, lang)
+
+
+def positions(mechanism: Mechanism) -> int:
+    """How many further ones are asked for."""
+    return max((len(driver.also) for driver in mechanism.drivers), default=0)
+
+
+def _positions(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
+    """Where the drivers stand at each, by its number."""
+    if not positions(mechanism):
+        return
+    yield ""
+    yield say("problems.positions", lang)
+    for at in range(positions(mechanism) + 1):
+        values = ((driver, _value_at(driver, at)) for driver in mechanism.drivers)
+        told = [f"{names.point(driver.name)} = {_driven(driver, x)}" for driver, x in values if x is not None]
+        told = told or [say("problems.as given", lang)]
+        yield f"  #{at + 1}{say('common.colon', lang)}{say('common.list', lang).join(told)}"
+
+
+def _value_at(driver: Driver, at: int) -> float | None:
+    return driver.also[at - 1] if 0 < at <= len(driver.also) else driver.value
+
+
+def _driven(driver: Driver, value: float) -> str:
+    """`120°`, `25 mm`."""
+    return f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{math.degrees(value):.6g}°"
 
 
 def remark(shared: Sequence[str], lang: Lang) -> str:
@@ -118,8 +150,17 @@ def _given(document: dict[str, Any], lang: Lang) -> Iterator[str]:
         rows = content.items() if table == "links" else [("", row) for row in _rows(content)]
         for name, row in rows:
             head = say(f"problems.table {table}", lang) + (f" {name}" if name else "")
-            told = say("common.and", lang).join(_told(key, value, lang) for key, value in row.items())
+            told = say("common.and", lang).join(_told(key, value, lang) for key, value in _named(row, lang).items())
             yield f"{head}{say('common.colon', lang)}{told}"
+
+
+def _named(row: dict[str, Any], lang: Lang) -> dict[str, Any]:
+    """With what a sliding pair is called behind its name, in this language."""
+    title, rest = row.get("title"), {key: value for key, value in row.items() if key != "title"}
+    called = title.get(lang) or next(iter(title.values()), "") if isinstance(title, dict) else title
+    if not called or called == row.get("name"):
+        return rest
+    return {**rest, "name": f"{row['name']} ({called})"} if "name" in row else {"name": called, **rest}
 
 
 def _rows(content: Any) -> list[Any]:
@@ -127,8 +168,10 @@ def _rows(content: Any) -> list[Any]:
 
 
 def _told(key: str, value: object, lang: Lang) -> str:
-    known = say(f"problems.key {key}", lang) if is_phrase(f"problems.key {key}") else names.point(key)
-    return f"{known} = {_shown(value, lang)}"
+    if is_phrase(f"problems.key {key}"):
+        return f"{say(f'problems.key {key}', lang)} = {_shown(value, lang)}"
+    angle = "∠" if len(split_points(key)) == len(("tail", "corner", "head")) else ""
+    return f"{angle}{names.point(key)} = {_shown(value, lang)}"
 
 
 def _shown(value: object, lang: Lang) -> str:
@@ -139,5 +182,7 @@ def _shown(value: object, lang: Lang) -> str:
             return "(" + say("common.and", lang).join(_told(key, inner, lang) for key, inner in value.items()) + ")"
         case list():
             return "(" + ", ".join(_shown(inner, lang) for inner in value) + ")"
+        case "frame":
+            return say("problems.the frame", lang)
         case _:
             return str(value)

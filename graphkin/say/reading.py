@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING
@@ -11,12 +11,13 @@ from graphkin.construction import Plane, Plot, Step
 from graphkin.errors import Lang, listed
 from graphkin.geometry import Value, cross, dot
 from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.pairs import Cam, CircularSlot, Pair
 from graphkin.planning import Method
 from graphkin.planning.acts import Act, made
 from graphkin.planning.labels import Labels
 from graphkin.planning.needed import Fact, at_rest, turning
 from graphkin.say import names
-from graphkin.say.catalogue import close, say
+from graphkin.say.catalogue import say, set_close
 from graphkin.say.noise import ROUNDING, Usual
 from graphkin.say.numbers import degrees, number
 from graphkin.value import frozen
@@ -35,6 +36,7 @@ class Reading:
 
     scales  "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s²)/mm]
     ruler   reads what is measured; exactly where there is none
+    apart   every act is told by itself, though a driver at rest holds its points still
     """
 
     method: Method
@@ -42,10 +44,10 @@ class Reading:
     scales: Mapping[str, float]
     lang: Lang
     ruler: Ruler | None = None
+    apart: bool = False
 
     def say(self, key: str, /, **words: object) -> str:
-        text = say(key, self.lang, **words)
-        return close(text) if self.lang == "zh" else text
+        return set_close(key, **words) if self.lang == "zh" else say(key, self.lang, **words)
 
     def too_short(self, length_mm: float) -> str:
         """A note on a length that no pencil draws."""
@@ -69,7 +71,7 @@ class Reading:
     @cached_property
     def rested(self) -> frozenset[Fact]:
         """What drivers at rest hold still in both polygons."""
-        return at_rest(self.method, self.plot.facts)
+        return frozenset() if self.apart else at_rest(self.method, self.plot.facts)
 
     # --- links --------------------------------------------------------------------------------
 
@@ -126,6 +128,21 @@ class Reading:
             sizes |= {round(abs(radius), 12): None for wheel, radius in pairs if wheel == link and radius}
         primes = "′" * [*sizes, round(size, 12)].index(round(size, 12)) if size else ""
         return names.of_link("r", self.mechanism.called(link)) + primes
+
+    @property
+    def circles(self) -> tuple[tuple[str, float], ...]:
+        """The centre and the radius of each round profile, and of each circular slot."""
+        return tuple(_circles(self.mechanism))
+
+    def rim(self, pair: Pair) -> str:
+        """The radius of the circle that touches a line: of a wheel, or of a profile."""
+        link, centre, size = pair.circles[-1]
+        return self.circle(centre, size) if pair.rolling is None else self.radius(link, size)
+
+    def circle(self, centre: str, size: float) -> str:
+        """`r_P` of a profile or a circular slot about a point; `r_P′` of the next size there."""
+        sizes = dict.fromkeys(round(radius, 12) for about, radius in self.circles if about == centre)
+        return f"r_{names.point(centre)}" + "′" * [*sizes].index(round(size, 12))
 
     def way_round(self, points: tuple[str, ...], ccw: bool) -> str:
         """`B→C→E counter-clockwise`: the sense in which corners follow one another."""
@@ -204,6 +221,8 @@ class Reading:
         pair = self.method.structure.slides[slide]
         if slide in self.contact_slides:
             return self.say("contacts.path of", name=names.point(pair.point))
+        if pair.guide != FRAME and not pair.named:
+            return self.say("derivation.guide of link", link=self.link(pair.guide))
         return self.say("derivation.guide of", name=self.slide_name(slide) if pair.named else names.point(pair.point))
 
     def points_along(self, slide: str) -> tuple[str, str] | None:
@@ -249,3 +268,10 @@ class Reading:
     def named(self, point: str) -> bool:
         """Whether a point has a letter: it is not merely where a line begins."""
         return point not in self.mechanism.unnamed
+
+
+def _circles(mechanism: Mechanism) -> Iterator[tuple[str, float]]:
+    for cam in mechanism.of(Cam):
+        yield from ((p.centre, p.radius) for p in cam.profiles if p.centre is not None and p.radius)
+    for slot in mechanism.of(CircularSlot):
+        yield slot.centre, slot.radius

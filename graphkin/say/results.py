@@ -7,8 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from graphkin.errors import Lang
+from graphkin.geometry import dot
 from graphkin.mechanism import Mechanism
-from graphkin.quantities import EDGE, Unit, driven
+from graphkin.quantities import EDGE, Unit, driven, read
 from graphkin.say.catalogue import say
 from graphkin.say.centre_explained import place
 from graphkin.say.names import in_signs
@@ -35,14 +36,14 @@ def solve_lines(mechanism: Mechanism, found: Json, lang: Lang) -> Iterator[str]:
         colon = say("common.colon", lang)
         yield f"{say('results.position', lang)}{colon}{given_values(mechanism, position['drivers'], lang)}"
         heads = ("quantity", "graphical", "analytic", "difference", "unit")
-        rows = [[say(f"results.{head}", lang) for head in heads], *_rows(position)]
+        rows = [[say(f"results.{head}", lang) for head in heads], *_rows(mechanism, position)]
         rows = [[in_signs(cell, lang) for cell in row] for row in rows]
         yield from table(rows)
         yield from _answers(position["ask"], lang)
         yield f"{say('results.worst', lang)}{colon}{position['worst']:.1e}"
 
 
-def _rows(position: Json) -> Iterator[list[str]]:
+def _rows(mechanism: Mechanism, position: Json) -> Iterator[list[str]]:
     exact = position["analytic"]
     for link, motion in position["links"].items():
         theta, right = math.degrees(motion["theta"]), math.degrees(exact["links"][link]["theta"])
@@ -53,10 +54,18 @@ def _rows(position: Json) -> Iterator[list[str]]:
     for point, motion in position["points"].items():
         for key, unit in (("v", "m/s"), ("a", "m/s^2")):
             arrow, other = complex(*motion[key]), complex(*exact["points"][point][key])
-            yield _row(f"{key} {point}", abs(arrow), abs(other), EDGE[unit], abs(arrow - other))
+            along = _along(mechanism, f"{key} {point}")
+            drawn, right = (abs(each) if along is None else float(dot(along, each)) for each in (arrow, other))
+            yield _row(f"{key} {point}", drawn, right, EDGE[unit], abs(arrow - other))
     for slide, motion in position["slides"].items():
         for key, shown in (("s", EDGE["m"]), ("v", EDGE["m/s"]), ("a", EDGE["m/s^2"])):
             yield _row(f"{key} {slide}", motion[key] * shown.factor, exact["slides"][slide][key] * shown.factor, shown)
+
+
+def _along(mechanism: Mechanism, question: str) -> complex | None:
+    """Along which direction a size has a sign: of a point that a guide of the frame leads."""
+    quantity = read(mechanism, question)
+    return None if quantity is None else quantity.along
 
 
 def _row(name: str, drawn: float, right: float, unit: Unit, off: float | None = None) -> list[str]:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import degrees
 
-from graphkin.construction import InStep, Measure, Roll, Touch, slide_key
+from graphkin.construction import InStep, Measure, Roll, Simultaneous, Touch, slide_key
 from graphkin.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import touching
@@ -46,7 +46,7 @@ class Relation:
             return f"{second}{turning} {way} {self.slid} = 0"
         halves = [self._half(k) for k in self._order]
         still = [link for link in self.contact.wheels if link == FRAME != self.contact.arm]
-        noted = "".join(f" ({self.symbol(link)} = 0)" for link in still)
+        noted = "".join(self.reading.say("common.note", note=f"{self.symbol(link)} = 0") for link in still)
         return f"{halves[0]} {self._sign} {halves[1]} = 0{noted}"
 
     @property
@@ -246,11 +246,31 @@ def rolling(polygon: Polygon, step: Roll) -> Iterator[Entry]:
 
 
 def checked(polygon: Polygon, contact: Contact) -> str:
-    """The rolling relation of two wheels with the figures found; "" of a wheel on a line, where it says nothing new."""
-    if contact.slide:
+    """The rolling relation of two wheels with the figures found.
+
+    "" of a wheel on a line, where it says nothing new, and where some rotation in it is not told.
+    """
+    turning = [link for link, _ in contact.angles if not _rate_told(polygon, link)]
+    if contact.slide or turning:
         return ""
     relation = relation_of(polygon, InStep(contact.name, contact.angles))
     return polygon.reading.say("contacts.check relation", relation=relation.text, figures=relation.figures)
+
+
+def _rate_told(polygon: Polygon, link: str) -> bool:
+    """Whether a link's rotation is told, or given."""
+    turns = polygon.reading.plot.facts.turns
+    if turns[link].base == FRAME:
+        return True
+    found: set[str] = set()
+    for part in polygon.parts:
+        if isinstance(part, Measure) and part.quantity in ("omega", "alpha"):
+            found.add(turns[part.of].base)
+        elif isinstance(part, Roll) and part.angle:
+            found.add(part.angle)
+        elif isinstance(part, Simultaneous):
+            found.update(part.angles)
+    return turns[link].base in found
 
 
 @dataclass(frozen=True)

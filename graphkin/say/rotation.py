@@ -208,8 +208,7 @@ def image(polygon: Polygon, step: Image) -> Iterator[Entry]:
     elif abs(cross(one, other)) <= reading.noise * max(abs(one), abs(other)):
         yield polygon.told(step, reading.say("derivation.image line", ratio=_ratio(polygon, step, corners), **words))
     else:
-        small = "△" + "".join(names.point(p) for p in (*corners, step.point))
-        large = "△" + "".join(names.point(p) for p in step.corners)
+        small, large = names.triangle(*corners, step.point), names.triangle(*step.corners)
         ccw = float(cross(reading.plot.arm(first, second), reading.plot.arm(first, third))) > 0
         words |= {"small": small, "large": large, "sense": reading.say("common.ccw" if ccw else "common.cw")}
         yield polygon.told(step, reading.say("derivation.image triangle", **words))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
-from graphkin.say.numbers import number
+from graphkin.say.numbers import given
 
 
 def sense(value: float, lang: Lang) -> str:
@@ -16,4 +16,4 @@ def sensed(name: str, value: float, unit: str, lang: Lang) -> str:
     if value == 0:
         return f"{name} = 0"
     note = say("common.note", lang, note=sense(value, lang))
-    return f"{name} = {number(abs(value))} {unit}{note}"
+    return f"{name} = {given(abs(value))} {unit}{note}"

@@ -69,7 +69,8 @@ def _freedoms(method: Method, found: Structure, lang: Lang) -> Iterator[str]:
     if found.mobility.idle:
         yield "  " + say("structure.idle", lang, links=say("common.list", lang).join(found.mobility.idle))
     if found.repeated:
-        yield "  " + say("structure.redundant", lang, count=found.repeated)
+        left_out = say("structure.left out", lang, count=found.uncounted) if found.uncounted else ""
+        yield "  " + say("structure.redundant", lang, count=found.repeated) + left_out
         yield from ("  " + say("structure.repeats", lang, what=what) for what in redundant_constraints(method, lang))
 
 

@@ -9,9 +9,10 @@ import numpy as np
 
 from graphkin.construction import Arm, LayOff, Span, Swing
 from graphkin.geometry import cross, dot
-from graphkin.pairs import Slot
+from graphkin.pairs import Pair, Slot
 from graphkin.say import names
 from graphkin.say.entry import Calculation
+from graphkin.say.figures import Formula, Operand, Sine
 from graphkin.say.guide_angle import guide_angle
 from graphkin.say.numbers import degrees, number
 from graphkin.say.paper_lengths import PaperLengths
@@ -61,16 +62,36 @@ class Tangents(PaperLengths):
         reading = self.reading
         pair = reading.method.structure.slides[step.slide]
         angle = None if pair.stands_for is not None else guide_angle(reading, pair)
-        formula, figures = "", ""
+        formula = ""
+        figures: Formula | str = ""
         if angle is not None and angle.corner == step.pivot and not self._beside(step):
             formula = angle.distance
             length, turned = reading.distance(angle.corner, angle.through), abs(in_degrees(angle.angle))
-            figures = f"{number(length)} × sin {number(turned)}°"
+            figures = Operand(length) * Sine(turned)
         slot = None if pair.stands_for is None else pair.stands_for.equivalent
-        if isinstance(slot, Slot) and abs(offset - abs(slot.offset)) <= reading.noise:
-            formula = "r"
+        if pair.stands_for is not None and isinstance(slot, Slot) and abs(offset - abs(slot.offset)) <= reading.noise:
+            formula = reading.rim(pair.stands_for)
+        elif pair.stands_for is not None and isinstance(slot, Slot) and slot.line.named:
+            formula, figures = self._beside_face(step, pair.stands_for, slot, offset)
         chain = Calculation("h", (formula,) if formula else (), figures, offset, "m").text
         return f"{chain}{reading.say('derivation.on paper', length=self._length('', 'h', offset))}"
+
+    def _beside_face(self, step: Swing, pair: Pair, slot: Slot, offset: float) -> tuple[str, Formula | str]:
+        """`l_DM sin 20° + r_C` where the face passes the pivot at a distance."""
+        reading, link = self.reading, self.reading.mechanism.links[slot.line.link]
+        if step.pivot not in link.points:
+            return "", ""
+        arm = link.arm(step.pivot, slot.line.origin)
+        aside, radius = abs(float(cross(slot.line.direction, arm))), abs(slot.offset)
+        turned = abs(in_degrees(float(np.angle(slot.line.direction / arm))))
+        length, sine, rim = Operand(abs(arm)), Sine(min(turned, 180 - turned)), Operand(radius)
+        name, symbol = f"l_{names.pair(step.pivot, slot.line.origin)} {sine.text()}", reading.rim(pair)
+        ways = {
+            aside + radius: (f"{name} + {symbol}", length * sine + rim),
+            aside - radius: (f"{name} − {symbol}", length * sine - rim),
+            radius - aside: (f"{symbol} − {name}", rim - length * sine),
+        }
+        return next((way for size, way in ways.items() if abs(size - offset) <= reading.noise), ("", ""))
 
     def _beside_guide(self, step: LayOff) -> str:
         """A further point of a link whose guide line has just been drawn, by how it lies to that line; "" of others."""

@@ -40,7 +40,9 @@ def fitted(reading: Reading, step: Fit) -> Iterator[Entry]:
     links = reading.listed([reading.link(link) for link in members])
     turns = [turned(reading, contact) for contact in step.contacts]
     if not step.closures and all(turn.nothing for turn in turns):
-        return  # the drawn position: as given
+        values = reading.say("common.and").join(value for link in members if (value := _angle(reading, link)))
+        yield Sentence(reading.say("contacts.fit given", links=links, values=values))
+        return
     relations = reading.listed([turn.text for turn in turns])
     if step.closures:
         lengths = reading.listed(_arms(reading, step))

@@ -10,6 +10,7 @@ import numpy as np
 from graphkin.errors import Lang
 from graphkin.marking.key import Marking
 from graphkin.marking.power import Found, Power
+from graphkin.marking.tellable import WELL
 from graphkin.marking.tolerances import Cost, Tolerances
 from graphkin.quantities import EDGE
 from graphkin.say.catalogue import is_phrase, say
@@ -19,8 +20,6 @@ from graphkin.say.numbers import number
 
 _TOLD = 10
 """Steps that are told."""
-_WELL = 0.95
-"""A mistake that is named for so many of its students is told well."""
 _SCALES = {"length": "μ_l = {} m/mm", "velocity": "μ_v = {} (m/s)/mm", "acceleration": "μ_a = {} (m/s²)/mm"}
 
 
@@ -80,15 +79,12 @@ def _step(cost: Cost, lang: Lang) -> str:
 def power_lines(power: Power, lang: Lang) -> Iterator[str]:
     """A row a mistake: at how many places it can be made, and what came of those who make it."""
     yield say("tolerances.power", lang, trials=power.trials)
-    heads = ("mistake", "places", "applicable", "seen", "named", "alone", "least")
+    heads = ("mistake", "places", "applicable", "tellable", "seen", "named", "alone", "least")
     ids = list(dict.fromkeys(one.name[0] for one in power.found))
     rows = [_power_row(id, [one for one in power.found if one.name[0] == id]) for id in ids]
     head = [*(say(f"tolerances.column {key}", lang) for key in heads), ""]
     yield from table([head, *rows, _power_row(say("tolerances.all", lang), power.found)])
-    some = [one for one in power.found if one.applicable]
-    if some:
-        well, hidden = sum(one.named >= _WELL for one in some), sum(one.wrong < _WELL for one in some)
-        yield say("tolerances.well named", lang, count=well, all=len(some), part=f"{_WELL:.0%}", hidden=hidden)
+    yield from _told(power, lang)
     out = [one for one in power.found if not one.applicable]
     names = dict.fromkeys(one.name[0] for one in out)
     share = f"{len(out) / max(len(power.found), 1):.0%}"
@@ -99,10 +95,30 @@ def power_lines(power: Power, lang: Lang) -> Iterator[str]:
     yield say("tolerances.random", lang, named=f"{power.random:.2%}")
 
 
+def _told(power: Power, lang: Lang) -> Iterator[str]:
+    """How many mistakes are named as they should be; and those that paper cannot tell."""
+    some = [one for one in power.found if one.applicable]
+    told, rest = ([one for one in some if one.tellable is tellable] for tellable in (True, False))
+    part, missed = f"{WELL:.0%}", f"{1 - WELL:.0%}"
+    if told:
+        yield say("tolerances.well named", lang, count=_well(told), all=len(told), part=part)
+    if rest:
+        hidden = sum(one.observed is not None and one.observed.beyond < WELL for one in rest)
+        yield say(
+            "tolerances.not tellable", lang, count=len(rest), all=len(some), share=f"{len(rest) / len(some):.0%}",
+            missed=missed, hidden=hidden, named=_well(rest), part=part,
+        )  # fmt: skip
+
+
+def _well(found: Sequence[Found]) -> int:
+    return sum(one.named >= WELL for one in found)
+
+
 def _power_row(name: str, found: Sequence[Found]) -> list[str]:
-    some = [one for one in found if one.applicable]
-    if not some:
-        return [name, str(len(found)), "0", "", "", "", "", ""]
-    parts = [float(np.mean([getattr(one, what) for one in some])) for what in ("wrong", "named", "alone")]
-    least = min(one.named for one in some)
-    return [name, str(len(found)), str(len(some)), *(f"{part:.1%}" for part in parts), number(least), ""]
+    """Parts and the least of those that paper can tell."""
+    some, told = [one for one in found if one.applicable], [one for one in found if one.tellable]
+    counts = [str(len(one)) for one in (found, some, told)]
+    if not told:
+        return [name, *counts, "", "", "", "", ""]
+    parts = [float(np.mean([getattr(one, what) for one in told])) for what in ("wrong", "named", "alone")]
+    return [name, *counts, *(f"{part:.1%}" for part in parts), number(min(one.named for one in told)), ""]

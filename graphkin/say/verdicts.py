@@ -16,6 +16,8 @@ class Judged(Protocol):
     @property
     def sense(self) -> Literal["right", "wrong"] | None: ...
     @property
+    def unit(self) -> str: ...
+    @property
     def unit_right(self) -> bool: ...
     @property
     def credit(self) -> float: ...
@@ -27,5 +29,6 @@ def verdict(one: Judged, lang: Lang) -> str:
         return say(f"verdicts.verdict {one.verdict}", lang)
     if not one.unit_right:
         return say("verdicts.verdict wrong unit", lang)
-    sense_alone = one.credit > 0 and one.sense == "wrong"
-    return say("verdicts.verdict wrong sense" if sense_alone else "verdicts.verdict wrong", lang)
+    if not (one.credit > 0 and one.sense == "wrong"):
+        return say("verdicts.verdict wrong", lang)
+    return say(f"verdicts.verdict wrong {'direction' if one.unit in ('m/s', 'm/s^2') else 'sense'}", lang)

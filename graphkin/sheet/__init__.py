@@ -25,8 +25,10 @@ from graphkin.sheet.mechanism_sheet import mechanism_sheet as sheet
 from graphkin.sheet.mechanism_sheet import mechanism_step_sheets as step_sheets
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PAPERS, Paper
+from graphkin.sheet.path_figure import Paths
 from graphkin.sheet.scales import TooLargeForPaper, UnknownPaper
 
 __all__ = [
-    "PAPERS", "Paper", "Sheet", "Style", "TooLargeForPaper", "UnknownPaper", "scales_of", "sheet", "step_sheets",
+    "PAPERS", "Paper", "Paths", "Sheet", "Style", "TooLargeForPaper", "UnknownPaper", "scales_of", "sheet",
+    "step_sheets",
 ]  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -31,17 +31,24 @@ def mechanism_figure(skeleton: Skeleton, method: Method, drawn: list[complex]) -
 
     drawn  the places that the figure has room for [m]
     """
+    return _figure(skeleton, method, specials(method, skeleton, drawn), grounds(skeleton), drives(skeleton))
+
+
+def moving_figure(skeleton: Skeleton, method: Method, others: Sequence[Skeleton], driving: Figure) -> Figure:
+    """One position of many that are shown in turn: its ground suits the others, its drivers' arrows are given."""
+    return _figure(skeleton, method, Figure(), grounds(skeleton, *others), driving)
+
+
+def _figure(skeleton: Skeleton, method: Method, special: Figure, ground: Figure, driving: Figure) -> Figure:
     figure = Figure()
-    turning, special, touching = wheels(skeleton), specials(method, skeleton, drawn), contacts(method, skeleton)
+    turning, touching = wheels(skeleton), contacts(method, skeleton)
     figure.marks += special.marks + turning.marks
-    ground = grounds(skeleton)
     figure.marks += ground.marks
     bodies = _bodies(skeleton)
     figure.marks += bodies.marks + _hinges(skeleton) + touching.marks
     figure.wanted += bodies.wanted
     figure.marks += _through_bars(skeleton)
     figure.marks += equivalents(skeleton)
-    driving = drives(skeleton)
     figure.marks += driving.marks
     figure.wanted += _names(skeleton)
     for part in (driving, ground, turning, special, touching):

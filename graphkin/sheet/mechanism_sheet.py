@@ -32,6 +32,7 @@ from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.page import Last, Lettered, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import LARGE, Paper
+from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.pencil import pencil_lines
 from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places, shown_places
 from graphkin.sheet.polygons import Polygon, polygon_figure
@@ -47,7 +48,7 @@ _CROWDED, _EASED = 8, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
 _COARSER = 1.34
 """So much coarser a figure may be drawn to have room for its equations over it."""
-_TRIALS = 3
+_TRIALS = 4
 """How often equations are moved into the strip, whose height leaves figures less room."""
 _MORE = (2, 4)
 """So many times its labels count for a plane where some found no place."""
@@ -70,6 +71,7 @@ def mechanism_sheet(
     style: Style = "construction",
     upto: int | None = None,
     tight: bool = False,
+    paths: Paths = NONE,
 ) -> Sheet:
     """Draw a mechanism and its polygons to scale.
 
@@ -79,13 +81,14 @@ def mechanism_sheet(
     only   the plane or planes to draw; all three where left out
     style  "construction": how the polygons are drawn, too; "result": what comes of it; "given": the mechanism with
            what is known of it, and nothing that would have to be found
+    paths  of points, drawn under the mechanism
     upto   draw the construction as far as this act of those planes, counted from 1, its newest marks emphasised
 
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
     if style == "given":
         return _given(_Planes(method, plot, ("position",), style, lang), paper, tight)
-    drawing = _Planes(method, plot, _planes(only), style, lang)
+    drawing = _Planes(method, plot, _planes(only), style, lang, paths)
     work = _Work(drawing, [] if tight else tables(method, plot, lang), tight)
     if upto is not None:
         return next(_staged(work, paper, [upto]))
@@ -100,13 +103,15 @@ def _given(drawing: _Planes, paper: str | None, tight: bool) -> Sheet:
 
 def _whole(work: _Work, paper: str | None) -> _Composed:
     """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
-    for _ in range(_TRIALS):
-        best = _cut(work, paper)
-        whole = work.on(best.layout, far=True) if best.lettered.lost else best
-        if not whole.lettered.left_out or work.tight:
-            break
+    trials = 1 if work.tight else _TRIALS
+    while True:
+        trials -= 1
+        whole = _cut(work, paper)
+        if whole.lettered.lost and not (trials and whole.lettered.left_out):
+            whole = work.on(whole.layout, far=True)
+        if not (trials and whole.lettered.left_out):
+            return whole
         work = replace(work, apart=[*work.apart, *whole.lettered.left_out])
-    return whole
 
 
 def mechanism_step_sheets(
@@ -143,6 +148,7 @@ class _Planes:
     planes: tuple[Plane, ...]
     style: Style
     lang: Lang
+    paths: Paths = NONE
 
     def construction(self, plane: Plane) -> Construction:
         return constructions(self.method)[plane]
@@ -151,7 +157,7 @@ class _Planes:
         """The points a plane shows, in SI units."""
         if plane == "position":
             places = mechanism_places if self.style == "given" else shown_places
-            return places(self.method, self.plot)
+            return [*places(self.method, self.plot), *self.paths.places]
         points = self.plot.points(plane)
         names = {self.construction(plane).pole, *self.construction(plane).nodes}
         found = [complex(v) for name, v in points.items() if name in names]
@@ -164,7 +170,9 @@ class _Planes:
         if plane == "position" and self.style == "given":
             return bare_figure(self.method, self.skeleton(window))
         if plane == "position":
-            return mechanism_figure(self.skeleton(window), self.method, self.values(plane))
+            return self.paths.figure(window) + mechanism_figure(
+                self.skeleton(window), self.method, self.values(plane)
+            )
         return heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
 
     def skeleton(self, window: Window) -> Skeleton:
@@ -184,8 +192,12 @@ class _Planes:
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
         """How large each plane's points are, and how far its signs reach beyond them."""
-        given = self.method.mechanism.scales
-        return {p: Extent.of(self.values(p), partial(self.figure, p), given.get(KEYS[p])) for p in self.planes}
+        return {plane: self._extent(plane) for plane in self.planes}
+
+    def _extent(self, plane: Plane) -> Extent:
+        given = self.method.mechanism.scales.get(KEYS[plane])
+        extent = Extent.of(self.values(plane), partial(self.figure, plane), given)
+        return replace(extent, top=extent.top + self.paths.height) if plane == "position" else extent
 
     @cached_property
     def equations(self) -> dict[Plane, list[EquationBlock]]:
@@ -285,10 +297,10 @@ class _Work:
         """Planes that hold what ruler and compass do not give, and how it was found."""
         found: dict[Plane, Label] = {}
         for plane in self.planes if self.drawing.style != "given" else ():
-            kinds = {type(step) for step in self.drawing.construction(plane).steps}
-            if Fit in kinds:
+            steps = self.drawing.construction(plane).steps
+            if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
                 found[plane] = plain(FITTED[self.lang])
-            elif Simultaneous in kinds:
+            elif any(isinstance(step, Simultaneous) for step in steps):
                 found[plane] = plain(TOGETHER[self.lang])
         return found
 
@@ -332,8 +344,10 @@ class _Work:
         drawing, room = self.drawing, layout.rooms[plane]
         window = layout.window(plane, self.extent(layout, plane))
         before = [*heading(HEADINGS[self.lang][plane], plane, window.scale, room)]
+        corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
+        if plane == "position":
+            before += drawing.paths.written(corner)
         if plane in layout.headed:
-            corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
             before += laid_out(self.blocks[plane], corner, room.size.real - 2 * HEAD_LEFT)
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))

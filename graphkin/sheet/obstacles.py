@@ -53,8 +53,10 @@ class Tree:
     def crossed(self, start: NDArray[np.float64], end: NDArray[np.float64]) -> NDArray[np.intp]:
         """Rows of the lines start..end that touch something, once for each thing touched."""
         lines = self._shapely.linestrings(np.stack([start, end], axis=1))
-        found = [tree.query(lines, predicate="intersects")[0] for tree in (self._lines, self._areas)]
-        return np.concatenate(found)
+        rows, numbers = self._lines.query(lines)
+        hit = _meet(start[rows], end[rows], self._segments[numbers, 0], self._segments[numbers, 1])
+        areas: NDArray[np.intp] = self._areas.query(lines, predicate="intersects")[0]
+        return np.concatenate([rows[hit], areas])
 
 
 def tree(drawn: Iterable[Mark]) -> Tree:
@@ -80,6 +82,19 @@ def _through(way: NDArray[np.float64], off: NDArray[np.float64], half: NDArray[n
     (x, y), (across, down), (wide, high) = way.T, off.T, half.T
     found: NDArray[np.bool_] = np.abs(x * down - y * across) <= np.abs(x) * high + np.abs(y) * wide
     found |= (x == 0) | (y == 0)
+    return found
+
+
+def _meet(start: Any, end: Any, other: Any, other_end: Any) -> NDArray[np.bool_]:
+    """Whether segments, whose surroundings overlap, meet others: each has its ends on both sides of the other."""
+
+    def apart(a: Any, way: Any, b: Any, c: Any) -> Any:
+        one = way[:, 0] * (b - a)[:, 1] - way[:, 1] * (b - a)[:, 0]
+        two = way[:, 0] * (c - a)[:, 1] - way[:, 1] * (c - a)[:, 0]
+        return one * two > 0
+
+    found: NDArray[np.bool_] = ~apart(start, end - start, other, other_end)
+    found &= ~apart(other, other_end - other, start, end)
     return found
 
 

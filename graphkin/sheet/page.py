@@ -206,9 +206,9 @@ class Lettered:
     def _finished(self, panel: Panel, settled: Settled) -> tuple[Settled, Added]:
         if panel.more is None:
             return settled, Added()
-        off = panel.lettered(self.far, panel.more.lines())
-        if _worth(off) <= _worth(settled):
-            settled = off
+        if not settled.crowd:
+            off = panel.lettered(False, panel.more.lines())
+            settled = off if _worth(off) <= _worth(settled) else settled
         return settled, panel.more([*panel.drawn, *settled.marks, *panel.after], panel.room)
 
     @property

@@ -8,8 +8,10 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
+from graphkin.construction import Plane
 from graphkin.sheet.marks import Arc, Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName
 
@@ -186,8 +188,18 @@ def push(start: Place, along: complex, step: int | None = None) -> list[Mark]:
     return [Stroke((start, tip - 0.8 * _HEAD * along), "vector", step=step), arrow_head(tip, along, step)]
 
 
-def arrow_head(tip: Place, along: complex, step: int | None) -> Mark:
+def arrow(start: Place, tip: Place, accent: Plane) -> list[Mark]:
+    """An arrow of any length in the colour of a plane; nothing for one that could not be seen."""
+    length = abs(tip - start)
+    if length < 0.3:
+        return []
+    along, head = (tip - start) / length, min(0.7 * _HEAD, 0.5 * length)
+    shaft = Stroke((start, tip - 0.8 * head * along), "vector", accent=accent)
+    return [shaft, replace(arrow_head(tip, along, None, head), accent=accent)]
+
+
+def arrow_head(tip: Place, along: complex, step: int | None, length: float = _HEAD) -> Stroke:
     """A filled arrow head."""
-    back = tip - _HEAD * along
-    side = 0.55j * along
+    back = tip - length * along
+    side = 0.55j * along * length / _HEAD
     return Stroke((tip, back + side, back - side), "hatch", closed=True, fill="ink", step=step)

@@ -53,6 +53,10 @@ class Candidates(NamedTuple):
         """Which of them have a leader."""
         return ~np.isnan(self.anchor)
 
+    def taken(self, rows: Any) -> Candidates:
+        """Some of them."""
+        return Candidates(self.middle[rows], self.cost[rows], self.anchor[rows])
+
     @classmethod
     def joined(cls, parts: Iterable[Candidates]) -> Candidates:
         return cls(*map(np.concatenate, zip(*parts, strict=True)))

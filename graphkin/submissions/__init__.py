@@ -13,6 +13,7 @@ answers is a reader that gives a `Document`, of drawings one that gives a `Pictu
 """
 
 from graphkin.submissions.class_names import safe_name
+from graphkin.submissions.deadline import limited
 from graphkin.submissions.handed import Handed, handed_in
 from graphkin.submissions.pool import guarded
 from graphkin.submissions.reading import read, read_one
@@ -20,6 +21,6 @@ from graphkin.submissions.submission import Asked, Drawn, Given, Limits, Sense, 
 from graphkin.submissions.twice import FirstOnes
 
 __all__ = [
-    "Asked", "Drawn", "FirstOnes", "Given", "Handed", "Limits", "Sense", "Submission", "guarded", "handed_in", "read",
-    "read_one", "safe_name",
+    "Asked", "Drawn", "FirstOnes", "Given", "Handed", "Limits", "Sense", "Submission", "guarded", "handed_in",
+    "limited", "read", "read_one", "safe_name",
 ]  # fmt: skip

@@ -7,12 +7,15 @@ import re
 from pathlib import PurePosixPath
 
 from graphkin.errors import steers
+from graphkin.quantities import position_of
 from graphkin.value import frozen
 
 _MOODLE = re.compile(r"(?P<name>[^/]+)_(?P<id>[0-9]+)_assignsubmission_[a-z]+(?:_|/|$)")
 _CANVAS = re.compile(r"(?P<name>[^_/]+)(?:_LATE)?_(?P<id>[0-9]+)_(?P<sub>[0-9]+)_(?P<file>[^/]+)$")
 _RESERVED = {"con", "prn", "aux", "nul", *(f"{port}{k}" for port in ("com", "lpt") for k in range(10))}
 LONGEST_ID = 200
+DRAWINGS = (".svg", ".ggb", ".dxf")
+"""Kinds of files that may show one position of several, whose number ends their name."""
 
 
 @frozen
@@ -40,7 +43,8 @@ def owner(path: str, root: str = "", alone: bool = False) -> Owner:
         return Owner(tidy_id(canvas["id"]), (tidy_id(canvas["name"]),), inner[: canvas.start("sub")])
     whole = PurePosixPath(inner)
     if alone or "/" not in inner:
-        return Owner(tidy_id(whole.stem), (), str(whole.with_suffix("")))
+        stem = position_of(whole.stem)[0].rstrip() if whole.suffix.lower() in DRAWINGS else whole.stem
+        return Owner(tidy_id(stem), (), str(whole.with_name(stem or whole.stem)))
     return Owner(tidy_id(whole.parent.name), (), str(whole.parent))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import PurePosixPath
@@ -21,6 +22,9 @@ from graphkin.submissions.submission import Asked, Drawn, Given, Limits
 _SHORTEST = 1.0
 """A known vector shorter than this gives no scale [mm]."""
 _KEYS: Mapping[Plane, str] = {"position": "mu_l", "velocity": "mu_v", "acceleration": "mu_a"}
+
+_SEVERAL = re.compile(r"[,;，；]\s+(?=[^,;=，；]+=)")
+"""Between `ω3 = 3.92 rad/s, α3 = 62 rad/s²`."""
 
 Points = Mapping[tuple[Plane, str], complex]
 Measured = tuple[dict[str, Given], Drawn, list[GraphkinError]]
@@ -61,7 +65,7 @@ def measured(
     notes += [NoScaleDrawn(where, plane, _KEYS[plane]) for plane in sorted(drawn) if plane not in known]
     own = {plane for plane in known if plane not in {**picture.scales, **written, **stated}}
     calibrated = tuple(sorted(own & set(_calibrated(found.points, shapes))))
-    return _with_told(values, told), Drawn(found.points, known, calibrated, turned), notes
+    return _with_told(values, told), Drawn(found.points, known, calibrated, turned, where), notes
 
 
 def _with_told(values: dict[str, Given], told: Mapping[str, Given]) -> dict[str, Given]:
@@ -75,13 +79,20 @@ def _with_told(values: dict[str, Given], told: Mapping[str, Given]) -> dict[str,
 def _told(
     picture: Picture, where: Where, questions: Questions, limits: Limits
 ) -> tuple[dict[str, Given], Mapping[Plane, float]]:
-    """Answers and scales that are written on a drawing, as `ω3 = 3.92 rad/s`; its other texts are none."""
-    lines = "\n".join(text.text.replace("\n", " ") for text in picture.texts if "=" in text.text)
+    """Answers and scales that are written on a drawing, as `ω3 = 3.92 rad/s`; its other texts are none, and what is
+    given is no answer."""
+    texts = (text.text.replace("\n", " ") for text in picture.texts if "=" in text.text)
+    lines = "\n".join(line for text in texts for line in _SEVERAL.split(text))
     try:
         found = answers(read_lines(lines, where, limits).entries, questions, limits)
     except GraphkinError:
         return {}, {}
-    told = {question: given for question, given in found.values.items() if given.value is not None}
+    words = ("theta", "omega", "alpha")
+    given_by_problem = {f"{word} {driver.link}" for driver in questions.mechanism.drivers for word in words}
+    told = {
+        question: given for question, given in found.values.items()
+        if given.value is not None and question not in given_by_problem
+    }  # fmt: skip
     return told, found.scales
 
 

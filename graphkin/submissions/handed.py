@@ -15,6 +15,7 @@ from pathlib import Path, PurePosixPath
 import numpy as np
 
 from graphkin.errors import BrokenSubmission, GraphkinError, NamesNobody, NoAnswers, NoFile, TooMuch, Unreadable, Where
+from graphkin.quantities import position_of
 from graphkin.submissions import archives
 from graphkin.submissions.class_names import Owner, owner, tidy_id
 from graphkin.submissions.deadline import limited
@@ -231,7 +232,8 @@ def _shared_folders(names: list[str]) -> set[int]:
     seen: set[int] = set()
     found: set[int] = set()
     for name in names:
-        kind = hash((_folder(name), PurePosixPath(name).suffix.lower()))
+        path = PurePosixPath(name)
+        kind = hash((_folder(name), path.suffix.lower(), position_of(path.stem)[1]))
         if kind in seen:
             found.add(hash(_folder(name)))
         seen.add(kind)

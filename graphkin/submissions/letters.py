@@ -1,7 +1,9 @@
 """Which point of a drawing bears which letter.
 
 A letter stands beside its point, and points that a vector joins are joined by a line: among the line ends, dots and
-crossings near a letter the one counts that is nearest, a drawn vector making up for some millimetres.
+crossings near a letter the one counts that is nearest, a drawn vector making up for some millimetres. Of a letter that
+stands at several places, as b does where the mechanism or the other polygon has its points called so, the one counts
+that hangs together with the pole; there a capital letter and one without its prime mean the polygon's point, too.
 """
 
 from __future__ import annotations
@@ -12,7 +14,10 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import combinations, permutations
 
+import numpy as np
+
 from graphkin.construction import Plane
+from graphkin.submissions.figures import Figures, distances
 from graphkin.submissions.picture import Dot, Picture, Text
 from graphkin.submissions.polygons import Polygon
 from graphkin.submissions.spelling import plain
@@ -61,11 +66,13 @@ def find_letters(
     spelled = {name: key for name, key in _spelled(polygons).items() if name not in others}
     sure = _by_name(picture.dots, names, spelled)
     written = _written(picture.texts, spelled)
+    figures = Figures(picture.lines)
     points, doubtful = dict(sure), []
     for polygon in polygons:
         wanted = {key: texts for key, texts in written.items() if key[0] == polygon.plane and key not in sure}
         choices = {key[1]: _candidates(picture, texts) for key, texts in wanted.items()}
         fixed = {letter: place for (plane, letter), place in sure.items() if plane == polygon.plane}
+        choices = _own_figure(choices, fixed, polygon, picture, figures)
         chosen = _settled({k: v for k, v in choices.items() if v}, fixed, polygon, picture)
         for letter, place in chosen.items():
             if place is None:
@@ -73,6 +80,35 @@ def find_letters(
             else:
                 points[polygon.plane, letter] = place
     return Found(points, tuple(doubtful))
+
+
+def _own_figure(
+    choices: dict[str, list[Place]], fixed: Mapping[str, complex], polygon: Polygon, picture: Picture, figures: Figures
+) -> dict[str, list[Place]]:
+    """The choices that hang together with the pole, for letters that have such; further letters by looser spellings."""
+    pole = next(iter(polygon.letters))
+    places = [fixed[pole]] if pole in fixed else [place for _, place in choices.get(pole, ())[:1]]
+    lines = figures.about(places[0]) if places else ()
+    if not lines:
+        return choices
+    ends = np.array(lines)
+
+    def here(some: Sequence[Place]) -> list[Place]:
+        return [one for one in some if np.min(distances(np.array([one[1]]), ends[:, 0], ends[:, 1])) < _SAME]
+
+    found = {letter: here(some) or some for letter, some in choices.items()}
+    alike = Counter(map(_loosely, polygon.letters))
+    for letter in polygon.letters:
+        if letter not in fixed and alike[_loosely(letter)] == 1 and not here(found.get(letter, ())):
+            loose = [text for text in picture.texts if _loosely(letter) in map(_loosely, _pieces(text.text))]
+            if some := here(_candidates(picture, loose)):
+                found[letter] = some
+    return found
+
+
+def _loosely(letter: str) -> str:
+    """However large it is written, and without its prime."""
+    return letter.lower().rstrip("'")
 
 
 # --- what letters are written -----------------------------------------------------------------
@@ -112,15 +148,17 @@ def _spelled(polygons: Sequence[Polygon]) -> dict[str, tuple[Plane, str]]:
             more.setdefault(short, (polygon.plane, letter))
     found = more | found
     large = {name[0].upper() + name[1:]: key for name, key in found.items() if len(name) > 1 or name in ("p", "o")}
-    return large | found
+    every = large | found
+    # subscripts are read without their mark; of numbers only words stay apart so: n3_1 is not n31
+    return {re.sub(r"_(?=[^\W\d])", "", name): key for name, key in every.items()} | every
 
 
 def _without_numbers(polygon: Polygon) -> dict[str, str]:
-    """`n'` for `n3'`, where there is one n in this polygon."""
+    """`n'` for `n3'` and for `n_rod'`, where there is one n in this polygon."""
     short: dict[str, list[str]] = {}
     for letter in polygon.letters:
-        if re.fullmatch(r"[nk][0-9]+'+", letter):
-            short.setdefault(re.sub("[0-9]", "", letter), []).append(letter)
+        if (numbered := re.fullmatch(r"([nk])(?:[0-9]+|_[^']+)('+)", letter)) is not None:
+            short.setdefault("".join(numbered.groups()), []).append(letter)
     return {name: letters[0] for name, letters in short.items() if len(letters) == 1}
 
 
@@ -140,7 +178,7 @@ def _pieces(text: str) -> list[str]:
 
 def _key(piece: str, spelled: Mapping[str, tuple[Plane, str]]) -> tuple[Plane, str] | None:
     """With the primes last, which GeoGebra has before a number: `b'_{3}`."""
-    return spelled.get(re.sub(r"^([A-Za-z]+)('+)([0-9]+)$", r"\1\3\2", piece.replace('"', "''")))
+    return spelled.get(re.sub(r"^([A-Za-z]+)('+)(\w+)$", r"\1\3\2", piece.replace('"', "''")))
 
 
 def _by_name(

@@ -1,6 +1,7 @@
 """Worker processes that may hang or die: what one of them was given is tried again alone, then given up with a word.
 
-An alarm ends a reader that is too slow; this is for what no alarm reaches, and for what takes its process with it.
+An alarm ends a reader that is too slow, a watchdog a process that hears no alarm (`deadline`); this is for what takes
+its process with it, and for what neither reaches.
 """
 
 from __future__ import annotations
@@ -10,9 +11,11 @@ import signal
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+from multiprocessing.process import BaseProcess
 from typing import TypeVar
 
 from graphkin.sending import Sent
+from graphkin.submissions.deadline import ENDED, watch
 
 _Item = TypeVar("_Item")
 _Found = TypeVar("_Found")
@@ -68,12 +71,14 @@ def _alone(
     """Each in a process of its own, so that it is known which of them it was."""
     for item in items:
         pool = _pool(1)
+        future = pool.submit(work, [item])
+        processes = _processes(pool)
         try:
-            yield pool.submit(work, [item]).result(timeout=seconds + _GRACE)[0]
+            yield future.result(timeout=seconds + _GRACE)[0]
         except TimeoutError:
             yield failed(item, "hung")
         except BrokenProcessPool:
-            yield failed(item, "died")
+            yield failed(item, "hung" if any(_was_ended(process) for process in processes) else "died")
         finally:
             _end(pool)
 
@@ -81,15 +86,27 @@ def _alone(
 def _pool(workers: int) -> ProcessPoolExecutor:
     """Of processes that leave an interruption to the one that has sent them the work."""
     spawn = multiprocessing.get_context("spawn")
-    return ProcessPoolExecutor(workers, mp_context=spawn, initializer=signal.signal, initargs=_DEAF)
+    return ProcessPoolExecutor(workers, mp_context=spawn, initializer=_begin)
 
 
-_DEAF = (signal.SIGINT, signal.SIG_IGN)
+def _begin() -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    watch()
+
+
+def _was_ended(process: BaseProcess) -> bool:
+    """By its watchdog."""
+    process.join(1.0)
+    return process.exitcode == ENDED
+
+
+def _processes(pool: ProcessPoolExecutor) -> list[BaseProcess]:
+    return list((getattr(pool, "_processes", None) or {}).values())
 
 
 def _end(pool: ProcessPoolExecutor) -> None:
     """Now, not when a hanging worker is done."""
-    processes = list((getattr(pool, "_processes", None) or {}).values())
+    processes = _processes(pool)
     pool.shutdown(wait=False, cancel_futures=True)
     for process in processes:
         process.kill()

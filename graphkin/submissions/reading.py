@@ -19,8 +19,9 @@ from graphkin.errors import (
 )
 from graphkin.mechanism import Mechanism
 from graphkin.submissions import archives
-from graphkin.submissions.answers import Answers, answers
-from graphkin.submissions.class_names import tidy_id
+from graphkin.submissions.answers import Answers
+from graphkin.submissions.at_positions import answers_at, named_at, of_file
+from graphkin.submissions.class_names import DRAWINGS, tidy_id
 from graphkin.submissions.deadline import limited
 from graphkin.submissions.documents import Document, read_json, read_lines, read_toml
 from graphkin.submissions.handed import Handed, handed_in
@@ -36,7 +37,6 @@ Key = Asked | Callable[[str], Asked | None]
 
 USUAL = Limits()
 _DOCUMENTS = {".toml": read_toml, ".json": read_json, ".txt": read_lines, ".md": read_lines}
-_DRAWINGS = (".svg", ".ggb", ".dxf")
 _INNER = 50
 """Files in an archive that a student hands in."""
 
@@ -100,7 +100,7 @@ def _sorted_out(handed: Handed, limits: Limits) -> _Sorted:
     for name, content in _unpacked(handed, limits, notes):
         where = _where(handed, name)
         try:
-            if PurePosixPath(name).suffix.lower() in _DRAWINGS:
+            if PurePosixPath(name).suffix.lower() in DRAWINGS:
                 drawings.append((name, content))
             else:
                 documents.append(_document(name, content, where, limits))
@@ -176,13 +176,13 @@ def _read(
     notes: list[GraphkinError],
     limits: Limits,
 ) -> Submission:
-    questions = _questions(key)
-    told = answers((entry for document in documents for entry in document.entries), questions, limits)
-    values, drawn, more = dict(told.values), None, [*notes, *told.notes]
+    told = answers_at((entry for document in documents for entry in document.entries), key, _questions, limits)
+    values, drawn, more = dict(told.values), dict[int, Drawn](), [*notes, *told.notes]
     for name, content in drawings:
         try:
-            measured, drawn, others = _measured(name, content, _where(handed, name), key, told, questions, limits)
-            values = {**measured, **values}
+            asked, at = of_file(name, key)
+            measured, drawn[at], others = _measured(name, content, _where(handed, name), asked, told, limits)
+            values = {**named_at(measured, at), **values}
             more += others
         except GraphkinError as problem:
             more.append(problem)
@@ -200,11 +200,11 @@ def _worst(notes: list[GraphkinError], handed: Handed) -> GraphkinError:
 
 
 def _measured(
-    name: str, content: bytes, where: Where, key: Asked, told: Answers, questions: Questions, limits: Limits
+    name: str, content: bytes, where: Where, asked: Asked, told: Answers, limits: Limits
 ) -> tuple[dict[str, Given], Drawn, list[GraphkinError]]:
     from graphkin.submissions.drawings import measured
 
-    return measured(name, content, where, key, told.scales, questions, limits)
+    return measured(name, content, where, asked, told.scales, _questions(asked), limits)
 
 
 _REMEMBERED: list[tuple[Asked, Questions]] = []

@@ -21,10 +21,17 @@ class Asked:
 
     questions  as the key writes them (`omega 3`, `a_k B3B2`): what a student calls one of them comes out in these
                words; any other quantity of the mechanism comes out as `quantities` writes it
+    further    what is asked at further positions: the same mechanism drawn there
     """
 
     mechanism: Mechanism
     questions: tuple[str, ...] = ()
+    further: tuple[Asked, ...] = ()
+
+    @property
+    def positions(self) -> tuple[Asked, ...]:
+        """What is asked at each position, the drawn one first."""
+        return self, *self.further
 
 
 @frozen
@@ -62,12 +69,14 @@ class Drawn:
     scales      by plane: SI unit per mm, as used; None where none is known
     calibrated  the planes whose scale was taken from their known first vector
     turned      by plane: by how much the drawn polygon stands turned, where it may [rad]
+    where       the file
     """
 
     points: Mapping[tuple[Plane, str], complex]
     scales: Mapping[Plane, float]
     calibrated: tuple[Plane, ...] = ()
     turned: Mapping[Plane, float] = field(default_factory=dict)
+    where: Where = NOWHERE
 
     def in_si(self) -> dict[Plane, dict[str, complex]]:
         """Points from the first of their plane on, SI, turned back; of planes whose scale is known."""
@@ -92,6 +101,7 @@ class Submission:
     reason   why nothing of it can be marked; `values` is empty then
     notes    what was passed over: a question that is none, a second answer to one, a letter that was not found
     place    line of a class table, or name of the member of an archive: under which results go back to the platform
+    drawings  what was measured on the drawing of each position, by its number
     """
 
     student: str
@@ -100,7 +110,12 @@ class Submission:
     reason: GraphkinError | None = None
     notes: tuple[GraphkinError, ...] = ()
     place: str = ""
-    drawn: Drawn | None = None
+    drawings: Mapping[int, Drawn] = field(default_factory=dict)
+
+    @property
+    def drawn(self) -> Drawn | None:
+        """Of the first position."""
+        return self.drawings.get(1)
 
 
 @frozen

@@ -66,7 +66,14 @@ def read_svg(content: bytes, where: Where, limits: Limits) -> Picture:
     lines = tuple(line for mark in found if isinstance(mark, list) for line in mark)
     dots = tuple(mark for mark in found if isinstance(mark, Dot))
     texts = tuple(mark for mark in found if isinstance(mark, Text))
+    places = [*(end for line in lines for end in line), *(dot.place for dot in dots), *(text.corner for text in texts)]
+    if not all(abs(place.real) + abs(place.imag) < _FAR for place in places):  # NaN is no place either
+        raise BrokenSubmission(where, "SVG", "numbers")
     return Picture(lines, dots, texts, tuple(reader.arrows), _stated(root))
+
+
+_FAR = 1e9
+"""No page is so large [mm]."""
 
 
 @frozen

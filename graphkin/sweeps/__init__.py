@@ -2,12 +2,13 @@
 
 from graphkin.quantities import split
 from graphkin.sweeps.course import Course, Ranges, course
+from graphkin.sweeps.point_path import PointPath, point_path
 from graphkin.sweeps.proof import prove
 from graphkin.sweeps.quantities import Series, asked, drawable
 from graphkin.sweeps.roads import Road
 from graphkin.sweeps.sweep import Sweep, in_parts, quantities_at, sweep, sweep_over
 
 __all__ = [
-    "Course", "Ranges", "Road", "Series", "Sweep", "asked", "course", "drawable", "in_parts", "prove", "quantities_at",
-    "split", "sweep", "sweep_over",
+    "Course", "PointPath", "Ranges", "Road", "Series", "Sweep", "asked", "course", "drawable", "in_parts", "point_path",
+    "prove", "quantities_at", "split", "sweep", "sweep_over",
 ]  # fmt: skip

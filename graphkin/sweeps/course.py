@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -120,6 +121,14 @@ def course(method: Method, ranges: Ranges = ()) -> Course:
     return _over(method, swept, pace, given[swept] if moving else None, before)
 
 
+def course_from(method: Method, values: Sequence[float] | None = None) -> Course:
+    """The usual course, on through other driver values than the drawn ones [rad, m]. Raises NotReached."""
+    if values is None or not method.drivers:
+        return course(method)
+    swept = _first_moving(method, {}, ())
+    return _over(method, swept, _pace(method, swept, ()), None, reached(method, list(values)))
+
+
 def _first_moving(method: Method, given: dict[int, Wanted], ranges: Ranges) -> int:
     free = [k for k in range(len(method.drivers)) if k not in given]
     if not free:
@@ -147,7 +156,14 @@ def _over(
     path = trace(method, pace, low - start, high - start, before)
     values = wanted.values if wanted else _usual(method, driver, path, swept)
     t, there = _turned_back(method, path, driver, values - start)
-    found = Course(method, path, swept, t[there], values[there], values[~there])
+    return _of_those(Course(method, path, swept, t, values, values[:0]), there)
+
+
+def _of_those(whole: Course, there: np.ndarray) -> Course:
+    """The course without the positions that are not reached; most often all are, and no array is copied."""
+    if there.all():
+        return whole
+    found = replace(whole, t=whole.t[there], values=whole.values[there], dropped=whole.values[~there])
     if not there.any():
         raise _none(found)
     return found
@@ -237,10 +253,7 @@ def _together(method: Method, given: dict[int, Wanted], moving: list[int]) -> Co
     path = trace(method, paces, *ends, before)
     there = np.broadcast_to(path.leads_to(wanted), wanted.shape)
     values = wanted + begin[swept]
-    found = Course(method, path, swept, wanted[there], values[there], values[~there])
-    if not there.any():
-        raise _none(found)
-    return found
+    return _of_those(Course(method, path, swept, wanted, values, values[:0]), there)
 
 
 # --- reading ----------------------------------------------------------------------------------
@@ -283,24 +296,32 @@ def _in_proportion(method: Method, given: dict[int, Wanted], moving: list[int]) 
 def _given(method: Method, ranges: Ranges) -> dict[int, Wanted]:
     """By driver, what is asked of it."""
     found: dict[int, Wanted] = {}
-    for name, span, text in _named(ranges):
-        number = _number(method, name) if name else _unnamed(method, found, text)
+    for name, span, written in _named(ranges):
+        number = _number(method, name) if name else _unnamed(method, found, written)
         if number in found:
             raise GivenTwice(WHERE, method.drivers[number].name)
-        found[number] = _wanted(method, number, span, text)
+        found[number] = _wanted(method, number, span, written)
     return found
 
 
-def _named(ranges: Ranges) -> Iterator[tuple[str, object, str]]:
+Written = Callable[[], str]
+"""A range as it was written: long arrays are only told where something is wrong with them."""
+
+
+def _named(ranges: Ranges) -> Iterator[tuple[str, object, Written]]:
     """Each range with its driver's name, "" where none is given, and as it was written."""
     if isinstance(ranges, Mapping):
-        yield from ((name, span, f"{name}={span}"[:60]) for name, span in ranges.items())
+        yield from ((name, span, partial(_told, span, f"{name}=")) for name, span in ranges.items())
     elif not isinstance(ranges, str) and any(not isinstance(each, str) for each in ranges):
-        yield "", ranges, str(ranges)[:60]
+        yield "", ranges, partial(_told, ranges)
     else:
         for text in [ranges] if isinstance(ranges, str) else ranges:
             name, _, span = str(text).rpartition("=")
-            yield name.strip(), span, str(text)
+            yield name.strip(), span, partial(str, text)
+
+
+def _told(span: object, name: str = "") -> str:
+    return f"{name}{span}"[:60]
 
 
 def _number(method: Method, name: str) -> int:
@@ -310,36 +331,36 @@ def _number(method: Method, name: str) -> int:
     return number
 
 
-def _unnamed(method: Method, found: dict[int, Wanted], text: str) -> int:
+def _unnamed(method: Method, found: dict[int, Wanted], written: Written) -> int:
     """The first driver that moves and has no range yet."""
     free = [k for k in range(len(method.drivers)) if k not in found]
     if not free:
-        raise NoSuchDriver(WHERE, text, ())
+        raise NoSuchDriver(WHERE, written(), ())
     return next((k for k in free if method.drivers[k].rate), free[0])
 
 
-def _wanted(method: Method, number: int, span: object, text: str) -> Wanted:
+def _wanted(method: Method, number: int, span: object, written: Written) -> Wanted:
     dimension: Dimension = "length" if method.drivers[number].kind == "slide" else "angle"
-    return _read(dimension, span, text) if isinstance(span, str) else _listed(dimension, span, text)
+    return _read(dimension, span, written) if isinstance(span, str) else _listed(dimension, span, written)
 
 
-def _listed(dimension: Dimension, span: object, text: str) -> Wanted:
+def _listed(dimension: Dimension, span: object, written: Written) -> Wanted:
     """Of a number, or of numbers, in the units of plain numbers."""
     try:
         numbers = np.asarray(span, dtype=float)
     except (TypeError, ValueError):
-        raise BadValues(WHERE, text) from None
+        raise BadValues(WHERE, written()) from None
     times, divided = next(iter(UNITS[dimension].values()))
     values = numbers * times / divided
     far = MOST_TURNS * TURN if dimension == "angle" else LARGEST
     if values.ndim > 1 or not values.size or values.size > MOST_STEPS or not np.all(np.abs(values) <= far):
-        raise BadValues(WHERE, text)
+        raise BadValues(WHERE, written())
     if not values.ndim:
         return Wanted.held(float(values.flat[0]))
     return Wanted(values, float(values.min()), float(values.max()), True, True)
 
 
-def _read(dimension: Dimension, span: str, text: str) -> Wanted:
+def _read(dimension: Dimension, span: str, written: Written) -> Wanted:
     try:
         numbers = [read_quantity(_plain(part), dimension) for part in span.split(":")]
     except GraphkinError as error:
@@ -351,10 +372,10 @@ def _read(dimension: Dimension, span: str, text: str) -> Wanted:
     if len(numbers) == 3 and numbers[1] < numbers[0]:
         numbers[2] = abs(numbers[2])
     if len(numbers) != 3 or numbers[0] == numbers[1] or not numbers[2] > 0:
-        raise BadRange(WHERE, text)
+        raise BadRange(WHERE, written())
     far = MOST_TURNS * TURN if dimension == "angle" else math.inf
     if abs(numbers[1] - numbers[0]) > min(far, MOST_STEPS * numbers[2]) or max(map(abs, numbers)) > far:
-        raise BadRange(WHERE, text)
+        raise BadRange(WHERE, written())
     return Wanted(_steps(*numbers), numbers[0], numbers[1], True)
 
 

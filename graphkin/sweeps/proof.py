@@ -6,7 +6,9 @@ import numpy as np
 
 from graphkin.agreement import AGREE, apart
 from graphkin.errors import RoadsDiffer
-from graphkin.running.path import stride
+from graphkin.kept import kept
+from graphkin.planning import Method
+from graphkin.running.path import Path, stride
 from graphkin.sweeps.course import Course
 from graphkin.sweeps.roads import moving
 
@@ -20,28 +22,33 @@ BESIDE = 4
 
 def prove(course: Course) -> float:
     """The worst relative difference of the two roads at twelve places of a course. Raises RoadsDiffer."""
-    t = _places(course)
-    if not t.size:
-        return 0.0
-    drawn, exact = (moving(course.method, course.path, t, by) for by in ("construction", "analysis"))
-    worst = apart(course.method.mechanism, drawn, exact)
+    worst = _apart(course.path, course.method, float(course.t.min()), float(course.t.max()))
     if not worst < AGREE:
         where = course.method.mechanism.where("driver", course.swept)
         raise RoadsDiffer(where, worst if np.isfinite(worst) else 1.0)  # one road does not lead there: wholly
     return worst
 
 
-def _places(course: Course) -> np.ndarray:
+@kept(16, objects=2)
+def _apart(path: Path, method: Method, low: float, high: float) -> float:
+    """How far they differ at places from low to high on a path; 0 where all of it is right beside its stops."""
+    t = _places(path, method, low, high)
+    if not t.size:
+        return 0.0
+    drawn, exact = (moving(method, path, t, by) for by in ("construction", "analysis"))
+    return apart(method.mechanism, drawn, exact)
+
+
+def _places(path: Path, method: Method, low: float, high: float) -> np.ndarray:
     """Twelve places, evenly over what is asked for, none right beside a stop or a change point."""
-    low, high = float(course.t.min()), float(course.t.max())
-    aside = stride(course.method, course.path.pace, ASIDE_DEG, ASIDE_PART)
-    aside = min(aside, (course.path.last - course.path.first) / 4)
-    for stop in course.path.stops:
+    aside = stride(method, path.pace, ASIDE_DEG, ASIDE_PART)
+    aside = min(aside, (path.last - path.first) / 4)
+    for stop in path.stops:
         low, high = (low, min(high, stop.at - aside)) if stop.at > 0 else (max(low, stop.at + aside), high)
     if low > high:
         return np.empty(0)
     t = np.linspace(low, high, PLACES)
-    for change in course.path.changes:
+    for change in path.changes:
         near = np.abs(t - change.at) < BESIDE * aside
         t[near] = change.at + BESIDE * aside * np.where(t[near] < change.at, -1.0, 1.0)
     return np.unique(np.clip(t, low, high))

@@ -11,6 +11,7 @@ from typing import ClassVar
 from graphkin.construction import Construction, Fit, Plane, Plot
 from graphkin.errors import GraphkinError, Lang
 from graphkin.mechanism import FRAME, Driver
+from graphkin.outputs.geogebra.fitted import Nearly
 from graphkin.outputs.geogebra.formulas import grouped
 from graphkin.outputs.geogebra.protocol import BLACK, Colour, Protocol
 from graphkin.outputs.geogebra.state import Drives, State
@@ -31,32 +32,34 @@ _MADE = (1980, 1, 1, 0, 0, 0)
 
 
 class TriedOut(GraphkinError):
-    """A mechanism whose positions are found by trial: no chain of dependent objects leads to them."""
+    """A mechanism of several drivers whose positions are found by trial: no list tells where its links lie nearly."""
 
     name: str
 
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{name}: its position is found by trial (links are fitted), which no GeoGebra construction can follow. "
-        "Write .svg, .pdf or .dxf instead.",
-        "zh": "{name}：该机构的位置需用样板法试凑，GeoGebra 作图无法随原动件联动。请改用 .svg、.pdf 或 .dxf。",
+        "en": "{name}: its links are fitted by trial and have several drivers, which a GeoGebra construction cannot "
+        "follow. Write .svg, .pdf or .dxf instead.",
+        "zh": "{name}：该机构的位置需用样板法试凑，且有多个原动件，GeoGebra 作图无法联动。请改用 .svg、.pdf 或 .dxf。",
     }
 
 
 def ggb(method: Method, plot: Plot, scales: Mapping[Plane, float], lang: Lang) -> bytes:
     """The drawing as a .ggb file; one of its units is a millimetre of the sheet with these scales.
 
-    Raises TriedOut where links are fitted.
+    Raises TriedOut where links are fitted and several drivers move them.
     """
-    if any(isinstance(step, Fit) for construction in method.constructions for step in construction.steps):
+    fitted = any(isinstance(step, Fit) for step in method.position.steps)
+    if fitted and len(method.drivers) > 1:
         raise TriedOut(method.mechanism.headline(lang))
     protocol = Protocol()
     origins = _origins(method, plot, scales)
     drives = _drives(method, protocol, _below(method, plot, scales))
     state = State(protocol, plot.facts, drives, scales, {link: float(angle) for link, angle in plot.theta.items()})
+    nearly = Nearly.of(method, protocol, drives.values[0]) if fitted else None
     for construction in method.constructions:
         plane = construction.plane
         captions = dict(_captions(method, construction))
-        Draughtsman(construction, plot, state, captions, _COLOURS[plane], origins[plane]).draw()
+        Draughtsman(construction, plot, state, captions, _COLOURS[plane], origins[plane], nearly).draw()
         if plane == "position":
             _links(method, state, plot)
         else:

@@ -7,8 +7,10 @@ how it is shown. Labels are plain ones, so that formulas can name them; what a r
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from xml.sax.saxutils import quoteattr
+
+from graphkin.outputs.geogebra.formulas import value
 
 Colour = tuple[int, int, int]
 BLACK: Colour = (0, 0, 0)
@@ -35,18 +37,18 @@ class Protocol:
         """A number that is only counted with."""
         return self._formula(self._label("q"), formula, "numeric", _unseen())
 
-    def constant(self, name: str, value: float, unit: str) -> str:
+    def constant(self, name: str, now: float, unit: str) -> str:
         """A number that a reader may change in the list of objects."""
-        shown = f'<value val="{value!r}"/>' + "".join(_seen(f"{name} [{unit}]", BLACK, drawn=False))
+        shown = f'<value val="{now!r}"/>' + "".join(_seen(f"{name} [{unit}]", BLACK, drawn=False))
         return self._element(self._label("g"), "numeric", shown)
 
-    def slider(self, name: str, value: float, least: float, most: float, step: float, at: complex) -> str:
+    def slider(self, name: str, now: float, least: float, most: float, step: float, at: complex) -> str:
         """A slider, `at` in units of the drawing."""
         bounds = f'<slider min="{least!r}" max="{most!r}" absoluteScreenLocation="false" width="60" ' + (
             f'x="{at.real!r}" y="{at.imag!r}" fixed="true" horizontal="true" showAlgebra="true"/>'
         )
         shown = "".join(_seen(name, BLACK)) + f'<animation step="{step!r}" speed="1" type="0" playing="false"/>'
-        return self._element(self._label("d"), "numeric", f'<value val="{value!r}"/>{bounds}{shown}')
+        return self._element(self._label("d"), "numeric", f'<value val="{now!r}"/>{bounds}{shown}')
 
     def free_point(self, name: str, at: complex, colour: Colour) -> str:
         """A point that can be dragged."""
@@ -88,6 +90,10 @@ class Protocol:
     def matrix(self, formula: str) -> str:
         """A list of lists."""
         return self._formula(self._label("m"), formula, "list", _unseen())
+
+    def list_of(self, numbers: Iterable[float]) -> str:
+        """Numbers one after the other, to nine digits."""
+        return self.matrix("{" + ", ".join(value(float(f"{number:.9g}")) for number in numbers) + "}")
 
     def note(self, formula: str, at: complex) -> str:
         """A line of text; `formula` as GeoGebra joins texts and numbers."""

@@ -105,6 +105,10 @@ class State:
         points = self.points["position"]
         return between(points[tail], points[head]).times(value(self.scales["position"]))
 
+    def direction_of(self, link: str) -> Pair:
+        """The unit vector along a link's own x axis."""
+        return self.bound(along(self.turn(link, 0)))
+
     def guide(self, slide: str) -> Pair:
         """Unit vector of a slide's line."""
         link, _, direction = self.facts.lines[slide]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import assert_never
 
 from graphkin.construction import (
@@ -25,18 +25,20 @@ from graphkin.construction import (
     Touch,
     slide_key,
 )
+from graphkin.outputs.geogebra.fitted import ROUNDS, Nearly, Row, closure_rows, settle, unknowns_of
 from graphkin.outputs.geogebra.formulas import NOTHING, Pair, between, grouped, minus, plus, product, value
 from graphkin.outputs.geogebra.protocol import Colour, Protocol
 from graphkin.outputs.geogebra.state import ORDERS, State
 from graphkin.value import frozen
 
-Row = tuple[str, Mapping[str, str]]
-"""known + sum of coefficient * unknown = 0, as formulas."""
-
 
 @frozen
 class Draughtsman:
-    """Draws one plane. `captions`: what is written at its points; `origin` in units of the drawing."""
+    """Draws one plane.
+
+    captions  what is written at its points; origin: in units of the drawing
+    nearly    where links that are fitted lie
+    """
 
     construction: Construction
     plot: Plot
@@ -44,6 +46,7 @@ class Draughtsman:
     captions: Mapping[str, str]
     colour: Colour
     origin: complex
+    nearly: Nearly | None = None
 
     @property
     def plane(self) -> Plane:
@@ -94,7 +97,7 @@ class Draughtsman:
                 case Simultaneous():
                     self._together(step)
                 case Fit():
-                    raise AssertionError("links that are fitted are refused before")
+                    self._fit(step)
                 case _:
                     assert_never(step)
 
@@ -228,16 +231,34 @@ class Draughtsman:
         names = (*step.angles, *map(slide_key, step.slides))
         rows = [row for chain in step.chains for row in self._chain(chain)]
         rows += [self._in_step(contact, set(names)) for contact in step.contacts]
+        found = self._solved(rows, names)
+        for k, base in enumerate(step.angles, 1):
+            self.state.settle(self.order, base, f"Element[{found}, {k}, 1]")
+        for k, slide in enumerate(step.slides, len(step.angles) + 1):
+            self.state.displace(self.order, slide, f"Element[{found}, {k}, 1]")
+
+    def _solved(self, rows: Sequence[Row], names: Sequence[str]) -> str:
+        """The unknowns as a column."""
         matrix = "{" + ", ".join("{" + ", ".join(row.get(n, "0") for n in names) + "}" for _, row in rows) + "}"
         right = "{" + ", ".join("{" + minus("0", rest) + "}" for rest, _ in rows) + "}"
         left, known = self.protocol.matrix(matrix), self.protocol.matrix(right)
         if len(rows) != len(names):
             left, known = (self.protocol.matrix(f"Transpose[{left}] * {side}") for side in (left, known))
-        found = self.protocol.matrix(f"Invert[{left}] * {known}")
-        for k, base in enumerate(step.angles, 1):
-            self.state.settle(self.order, base, f"Element[{found}, {k}, 1]")
-        for k, slide in enumerate(step.slides, len(step.angles) + 1):
-            self.state.displace(self.order, slide, f"Element[{found}, {k}, 1]")
+        return self.protocol.matrix(f"Invert[{left}] * {known}")
+
+    def _fit(self, step: Fit) -> None:
+        """From where the links lie nearly, by Newton's steps."""
+        assert self.nearly is not None
+        names = unknowns_of(step)
+        trial = {name: self.nearly.value(name) for name in names}
+        settle(step, self.state, trial)
+        for _ in range(ROUNDS):
+            rows = [row for closure in step.closures for row in closure_rows(closure, self.state)]
+            gaps = ((self._in_step(contact, set())[0], contact) for contact in step.contacts)
+            rows += [(gap, self._in_step(contact, set(names))[1]) for gap, contact in gaps]
+            found = self._solved(rows, names)
+            trial = {n: self.protocol.number(f"{trial[n]} + Element[{found}, {k}, 1]") for k, n in enumerate(names, 1)}
+            settle(step, self.state, trial)
 
     def _chain(self, chain: Chain) -> Iterator[Row]:
         """A closed chain of arrows along x and along y."""

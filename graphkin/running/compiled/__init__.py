@@ -1,7 +1,8 @@
 """Constructions recorded once, as a flat program for many positions.
 
 `recorder` replays them with quantities that only write down, on a `tape` of `operations`, how they come about; `calls`
-makes NumPy calls of these, and `program` carries the calls out; `lazy_plot` is the plot that it gives.
+makes NumPy calls of these, `columns` says where the results lie, `program` carries the calls out, and `lazy_plot` is
+the plot that it gives. `calculated` writes down what is found by trial.
 """
 
 from __future__ import annotations

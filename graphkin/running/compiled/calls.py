@@ -32,7 +32,8 @@ class Calls:
 
     lines      calls in their order
     constants  numbers by their names in the calls
-    rows       which row of the result an operation is, by its place; the first `sines` of them are sines
+    rows       which row of the result an operation is, by its place; the first `sines` of them are sines, the first
+               `kept` are shown as they are, the rest are only parts of vectors
     given, registers  how many there are
     """
 
@@ -40,6 +41,7 @@ class Calls:
     constants: Mapping[str, np.ndarray]
     rows: Mapping[int, int]
     sines: int
+    kept: int
     given: int
     registers: int
 
@@ -68,15 +70,22 @@ def _unpacked(letter: str, count: int, name: str) -> str:
     return "".join(f"{letter}{k}," for k in range(count)) + f" = {name}" if count else "pass"
 
 
-def written_out(tape: Tape, given: int, sines: Iterable[int], shown: Iterable[int]) -> Calls:
-    """Of the operations those that are shown, those they are made of, and those that may fail; the rest is left out."""
-    sines = [place for place in dict.fromkeys(sines) if _works(tape.operations[place])]
-    results = dict.fromkeys([*sines, *(place for place in shown if _works(tape.operations[place]))])
+def written_out(tape: Tape, given: int, sines: Iterable[int], shown: Iterable[int], parts: Iterable[int]) -> Calls:
+    """Of the operations those that are shown, or parts of vectors, those they are made of, and those that may fail; the
+    rest is left out."""
+    sines = _at_work(tape, sines)
+    kept = _at_work(tape, [*sines, *shown])
+    results = _at_work(tape, [*kept, *parts])
     rows = {place: row for row, place in enumerate(results)}
     writer = _Writer(tape, rows)
     for place in _needed(tape, rows):
         writer.write(place)
-    return Calls(tuple(writer.lines), writer.constants, rows, len(sines), given, writer.registers)
+    return Calls(tuple(writer.lines), writer.constants, rows, len(sines), len(kept), given, writer.registers)
+
+
+def _at_work(tape: Tape, places: Iterable[int]) -> list[int]:
+    """Places at which something is done, each once."""
+    return [place for place in dict.fromkeys(places) if _works(tape.operations[place])]
 
 
 def _works(operation: Operation) -> bool:

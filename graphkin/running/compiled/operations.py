@@ -18,6 +18,7 @@ WITH_NUMBERS: Mapping[str, Callable[..., float]] = {
     "arctan2": math.atan2,
     "negative": lambda a: -a,
     "absolute": abs,
+    "rint": lambda a: float(round(a)),
     "sign": lambda a: float((a > 0) - (a < 0)),
     "reciprocal": lambda a: 1 / a,
     "sqrt": math.sqrt,

@@ -12,9 +12,10 @@ notes that something failed somewhere; then the program is run again to see at w
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 
@@ -23,7 +24,8 @@ from graphkin.construction.pencil import replay
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.running.compiled.calls import Calls, written_out
-from graphkin.running.compiled.lazy_plot import TABLES, Column, LazyPlot, Numbers, Vector
+from graphkin.running.compiled.columns import Column, Columns, Judged, Pair, Place, Vector
+from graphkin.running.compiled.lazy_plot import TABLES, LazyPlot, Numbers, Patch, Told
 from graphkin.running.compiled.operations import NUMBER
 from graphkin.running.compiled.recorder import Written, record
 from graphkin.running.compiled.tape import Tape
@@ -40,19 +42,27 @@ PLANES = ("position", "velocity", "acceleration")
 Registers = list[np.ndarray]
 
 
-def compiled_program(constructions: Sequence[Construction], facts: Facts) -> Program:
-    """The program of a method's three constructions. Raises CannotRecord where they can't be written down."""
-    recording = record(constructions, facts)
+def compiled_program(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> Program:
+    """The program of a method's three constructions. Raises CannotRecord where they can't be written down.
+
+    near  what a position close by can tell: angles by base link, displacements by `slide_key`
+    """
+    recording = record(constructions, facts, near)
     tape = recording.tape
     tables: dict[str, Mapping[Any, Value]] = {name: getattr(recording.plot, name) for name in TABLES}
-    sines = [value.real_at for value in tables["sines"].values() if isinstance(value, Written)]
-    shown = [place for table in tables.values() for value in table.values() for place in _places(value, tape)]
-    calls = written_out(tape, len(facts.values) + len(recording.sides), sines, shown)
-    columns = {
-        name: {key: _found(value, tape, calls, name in PLANES) for key, value in table.items()}
+    sines = [value.real_at for value in (*tables["sines"].values(), *recording.sound) if isinstance(value, Written)]
+    vectors = [value for name in PLANES for value in tables[name].values()]
+    numbers = [value for name in tables if name not in PLANES for value in tables[name].values()]
+    shown, parts = ([place for value in of for place in _places(value, tape)] for of in (numbers, vectors))
+    given = len(facts.values) + len(recording.sides) + len(recording.near)
+    calls = written_out(tape, given, sines, shown, parts)
+    pairs: dict[Vector, Pair] = {}
+    columns: Mapping[str, Mapping[Any, Place]] = {
+        name: {key: _found(value, tape, calls, pairs if name in PLANES else None) for key, value in table.items()}
         for name, table in tables.items()
     }
-    return Program(tuple(constructions), facts, recording.sides, calls, columns, [])
+    told = {name: Columns.of(table) for name, table in _told_apart(columns).items()}
+    return Program(tuple(constructions), facts, recording.sides, recording.near, calls, told, (*pairs,), [])
 
 
 def _places(value: Value, tape: Tape) -> tuple[int, ...]:
@@ -62,13 +72,40 @@ def _places(value: Value, tape: Tape) -> tuple[int, ...]:
     return tuple(tape.unsigned(place)[0] for place in (value.real_at, value.imag_at))
 
 
-def _found(value: Value, tape: Tape, calls: Calls, vector: bool) -> Column | Vector:
-    """Where a quantity of the plot is found after a run."""
+def _found(value: Value, tape: Tape, calls: Calls, pairs: dict[Vector, Pair] | None) -> Place:
+    """Where a quantity of the plot is found after a run; a vector that takes work is entered among the pairs."""
+    if isinstance(value, Judged):
+        return value
     if isinstance(value, Written):
         x, y = (_column(*tape.unsigned(place), tape, calls) for place in (value.real_at, value.imag_at))
     else:
         x, y = (Column(number=float(part)) for part in (np.real(value), np.imag(value)))
-    return Vector(x, y) if vector else x
+    if pairs is None:
+        return x
+    vector = Vector(x, y)
+    return vector if x.row is None and y.row is None else pairs.setdefault(vector, Pair(len(pairs)))
+
+
+def _told_apart(columns: Mapping[str, Mapping[Any, Place]]) -> dict[str, dict[Any, Place]]:
+    """The same, with those marked that are alone in their row."""
+    used = Counter(_row(place) for table in columns.values() for place in table.values())
+    return {
+        name: {
+            key: replace(place, alone=True) if _as_it_is(place) and used[_row(place)] == 1 else place
+            for key, place in table.items()
+        }
+        for name, table in columns.items()
+    }
+
+
+def _as_it_is(place: Place) -> TypeGuard[Column | Pair]:
+    """Whether it is what lies there, and nothing is to be done with it."""
+    return isinstance(place, Pair) or (isinstance(place, Column) and place.row is not None and place.sign == 1)
+
+
+def _row(place: Place) -> object:
+    """What a quantity lies in: a row of numbers, a pair; else nothing that could be shared."""
+    return (Pair, place.number) if isinstance(place, Pair) else (Column, getattr(place, "row", None))
 
 
 def _column(place: int, sign: int, tape: Tape, calls: Calls) -> Column:
@@ -86,67 +123,88 @@ class Program:
 
     facts    with the drivers at any values
     sides    the side of each choice that the steps have
+    near     what a run must be given of positions close by, where links are fitted or roll
     columns  where each quantity of a plot is found, by table and name
+    pairs    vectors whose parts are laid side by side, in the order of their numbers
     spare    registers that no run has in hand: a run takes a set from here, or new ones, so runs never share any
     """
 
     constructions: tuple[Construction, ...]
     facts: Facts
     sides: Mapping[int, int]
+    near: tuple[str, ...]
     calls: Calls
-    columns: Mapping[str, Mapping[Any, Column | Vector]]
+    columns: Mapping[str, Columns]
+    pairs: tuple[Vector, ...]
     spare: list[Registers]
 
-    def run(self, values: Sequence[Value], sides: Mapping[int, Value] | None = None) -> Plot:
-        """The plot at driver values, and crossings taken on given sides: each scalar or (n,), one at least (n,)."""
-        taken = self.sides if sides is None else {**self.sides, **sides}
-        given = tuple(np.array(value, dtype=float) for value in (*values, *taken.values()))
-        block = np.empty((len(self.calls.rows), max(value.size for value in given)))
-        failed = self._filled(block, given)
-        plot = LazyPlot.of(self.facts, self.columns, Numbers(block, given))
+    def run(
+        self, values: Sequence[Value], sides: Mapping[int, Value] | None = None, near: Mapping[str, Value] | None = None
+    ) -> Plot:
+        """The plot at driver values, crossings taken on given sides, from positions close by: each scalar or (n,), one
+        at least (n,)."""
+        taken, near = self.sides if sides is None else {**self.sides, **sides}, near or {}
+        given = tuple(
+            np.array(value, dtype=float) for value in (*values, *taken.values(), *(near[name] for name in self.near))
+        )
+        count = max(value.size for value in given)
+        block, vectors = np.empty((self.calls.kept, count)), np.empty((len(self.pairs), count), dtype=complex)
+        failed = self._filled(block, vectors, given)
+        told = Told(self.facts, self.columns, Numbers(block, vectors, given))
         # not least > .. : NaN, too
         if failed or not np.minimum.reduce(block[: self.calls.sines], axis=None, initial=1.0) > FLAT_SINE:
-            return self._mended(plot, self._doubtful(block, given, failed), taken)
-        return plot
+            doubtful = self._doubtful(block, given, failed)
+            parts = np.array_split(doubtful, -(-doubtful.size // CHUNK)) if doubtful.size else []
+            patches = [Patch(part, self._replayed(part, told.facts.values, taken, near)) for part in parts]
+            told = replace(told, patches=patches)
+        return LazyPlot.of(told)
 
     # --- running ------------------------------------------------------------------------------
 
-    def _filled(self, block: np.ndarray, given: Sequence[np.ndarray]) -> bool:
-        """Fill the block; whether a division or a root failed anywhere."""
+    def _filled(self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray]) -> bool:
+        """Fill the block, and the vectors; whether a division or a root failed anywhere."""
         failures: list[str] = []
 
         def note(failure: str, _: int) -> None:
             failures.append(failure)
 
         with np.errstate(call=note, divide="call", invalid="call", over="ignore", under="ignore"):
-            for _, parts, rows, registers in self._chunks(block, given):
+            for here, parts, rows, registers in self._chunks(block, given):
                 self.calls.run(parts, rows, registers)
+                self._side_by_side(vectors[:, here], rows, parts)
         return bool(failures)
+
+    def _side_by_side(self, vectors: np.ndarray, rows: Sequence[np.ndarray], given: Sequence[np.ndarray]) -> None:
+        """The parts of each vector laid where they are read, while they are still in the cache."""
+        for vector, pair in zip(vectors, self.pairs):
+            for part, column in ((vector.real, pair.x), (vector.imag, pair.y)):
+                if column.sign == 1:
+                    part[:] = column.of(rows, given)
+                else:
+                    np.negative(column.of(rows, given), out=part)
 
     def _chunks(
         self, block: np.ndarray, given: Sequence[np.ndarray]
-    ) -> Iterator[tuple[slice, Sequence[np.ndarray], np.ndarray, Registers]]:
+    ) -> Iterator[tuple[slice, Sequence[np.ndarray], Sequence[np.ndarray], Registers]]:
         """Where a chunk lies, and what it is done with: what is given, rows of the result, registers."""
-        count = block.shape[1]
-        registers = self._borrowed(min(count, CHUNK))
-        if count <= CHUNK:
-            yield slice(0, count), given, block, registers
-        else:
-            for begin in range(0, count, CHUNK):
-                here = slice(begin, min(begin + CHUNK, count))
-                size = here.stop - begin
-                parts = [value[here] if value.ndim else value for value in given]
-                yield here, parts, block[:, here], registers if size == CHUNK else [r[:size] for r in registers]
-        self.spare.append(registers)
+        count, parts = block.shape[1], len(self.calls.rows) - self.calls.kept
+        borrowed = self._borrowed(min(count, CHUNK))
+        for begin in range(0, count, CHUNK):
+            here = slice(begin, min(begin + CHUNK, count))
+            size = here.stop - begin
+            values = given if size == count else [value[here] if value.ndim else value for value in given]
+            work = borrowed if size == borrowed[0].size else [register[:size] for register in borrowed]
+            yield here, values, [*block[:, here], *work[:parts]], work[parts : parts + self.calls.registers]
+        self.spare.append(borrowed)
 
     def _borrowed(self, size: int) -> Registers:
         try:
             registers = self.spare.pop()
         except IndexError:
             registers = []
-        if len(registers) and registers[0].size == size:
+        if registers and registers[0].size == size:
             return registers
-        return list(np.empty((max(self.calls.registers, 1), size)))[: self.calls.registers]
+        return list(np.empty((max(len(self.calls.rows) - self.calls.kept + self.calls.registers, 1), size)))
 
     # --- positions that fail ------------------------------------------------------------------
 
@@ -159,25 +217,14 @@ class Program:
                     self.calls.run_watched(parts, rows, registers, _Watched(sound[here]))
         return np.flatnonzero(~sound)
 
-    def _mended(self, plot: Plot, doubtful: np.ndarray, sides: Mapping[int, Value]) -> Plot:
-        """The plot with doubtful positions replayed plainly."""
-        if not doubtful.size:
-            return plot
-        parts = np.array_split(doubtful, -(-doubtful.size // CHUNK))
-        plain = [self._replayed(part, plot.facts.values, sides) for part in parts]
-        count = max(np.size(value) for value in (*plot.facts.values, *sides.values()))
-        whole = Plot(plot.facts)
-        for name in TABLES:
-            table: dict[Any, Value] = getattr(whole, name)
-            for key, value in getattr(plot, name).items():
-                table[key] = _patched(value, count, parts, [getattr(found, name)[key] for found in plain])
-        return whole
-
-    def _replayed(self, here: np.ndarray, values: Sequence[Value], sides: Mapping[int, Value]) -> Plot:
+    def _replayed(
+        self, here: np.ndarray, values: Sequence[Value], sides: Mapping[int, Value], near: Mapping[str, Value]
+    ) -> Plot:
         """Plain replay at some positions."""
         values = tuple(value[here] if np.ndim(value) else value for value in values)
         sides = {choice: side[here] if np.ndim(side) else side for choice, side in sides.items()}
-        plot = Plot(replace(self.facts, values=values))
+        close = {name: value[here] if np.ndim(value) else value for name, value in near.items()}
+        plot = Plot(replace(self.facts, values=values), close)
         for construction in self.constructions:
             replay(construction, plot, sides if construction.plane == "position" else None)
         return plot
@@ -191,14 +238,3 @@ class _Watched:
 
     def __call__(self, found: np.ndarray) -> None:
         np.logical_and(self.sound, np.isfinite(found), out=self.sound)
-
-
-def _patched(value: Value, count: int, parts: Sequence[np.ndarray], plain: Sequence[Value]) -> Value:
-    """A quantity with other values at some positions; a scalar remains one where they are no other."""
-    if not np.ndim(value):
-        if all(np.all(np.equal(found, value)) for found in plain):
-            return value
-        value = np.full(count, value)
-    for here, found in zip(parts, plain, strict=True):
-        value[here] = found
-    return value

@@ -7,7 +7,7 @@ steps stay the one place that says how a mechanism is drawn; `program` reads the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, ClassVar
 
@@ -18,9 +18,10 @@ from graphkin.construction.kinds import Meet, Swing
 from graphkin.construction.pencil import Compass, replay
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value, leg, meet_circles, meet_line_circle
+from graphkin.running.compiled.calculated import fitted, together
 from graphkin.running.compiled.operations import CannotRecord
 from graphkin.running.compiled.tape import Tape
-from graphkin.value import frozen
+from graphkin.value import Lazy, frozen
 
 
 @frozen
@@ -30,17 +31,22 @@ class Recording:
     plot   its plot: every value a number, or `Written`
     sides  of the crossings that may be taken either way, as the steps have them, by number of the choice; the tape is
            given the drivers' values, then a side of each of these
+    near   what is asked of a position close by, given last: angles by base link, displacements by `slide_key`
+    sound  what is above 0 where links that are fitted are found
     """
 
     tape: Tape
     plot: Plot
     sides: Mapping[int, int]
+    near: tuple[str, ...]
+    sound: tuple[Written, ...]
 
 
-def record(constructions: Sequence[Construction], facts: Facts) -> Recording:
+def record(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> Recording:
     """Replay position, velocity and acceleration once, for all values of the drivers and all sides of the crossings.
 
-    The drivers' rates and accelerations are numbers: what stands still costs nothing. Raises CannotRecord.
+    The drivers' rates and accelerations are numbers: what stands still costs nothing. `near` has what a position close
+    by can tell. Raises CannotRecord.
     """
     tape = Tape()
     count = len(facts.values)
@@ -51,10 +57,18 @@ def record(constructions: Sequence[Construction], facts: Facts) -> Recording:
         if isinstance(step, Meet | Swing) and step.choice is not None
     }
     sides = {choice: Written(tape, tape.side(count + k)) for k, choice in enumerate(meant)}
-    plot = Plot(replace(facts, values=values))
+    read: list[str] = []
+    sound: list[Written] = []
+
+    def close_by(name: str) -> Value:
+        read.append(name)
+        return Written(tape, tape.given(count + len(meant) + len(read) - 1))
+
+    plot = Plot(replace(facts, values=values), Lazy(near, close_by))
+    compass = replace(WRITING, fit=lambda step, plot: sound.append(fitted(step, plot)))
     for construction in constructions:
-        replay(construction, plot, sides if construction.plane == "position" else None, WRITING)
-    return Recording(tape, plot, meant)
+        replay(construction, plot, sides if construction.plane == "position" else None, compass)
+    return Recording(tape, plot, meant, tuple(read), tuple(sound))
 
 
 # --- a quantity that keeps a tape -----------------------------------------------------------
@@ -86,6 +100,12 @@ class Written:
     @property
     def imag(self) -> Written:
         return Written(self.tape, self.imag_at)
+
+    @property
+    def number(self) -> complex | None:
+        """The number that it is, at all positions; None where it is none."""
+        x, y = self.tape.number_at(self.real_at), self.tape.number_at(self.imag_at)
+        return None if x is None or y is None else complex(x, y)
 
     @property
     def _is_real(self) -> bool:
@@ -186,6 +206,9 @@ class Written:
     def _sign(self) -> Written:
         return Written(self.tape, self.tape.sign(self._real_only()))
 
+    def _whole(self) -> Written:
+        return Written(self.tape, self.tape.whole(self._real_only()))
+
     def _maximum(self, other: Written) -> Written:
         return Written(self.tape, self.tape.maximum(self._real_only(), other._real_only()))
 
@@ -200,6 +223,7 @@ class Written:
         "exp": _exponential,
         "sqrt": _sqrt,
         "sign": _sign,
+        "rint": _whole,
         "maximum": _maximum,
     }
 
@@ -237,4 +261,4 @@ def _know_length(arm: Value, length: Value) -> None:
         arm.know_length(length)
 
 
-WRITING = Compass(_leg, _meet_line_circle, _meet_circles)
+WRITING = Compass(_leg, _meet_line_circle, _meet_circles, together=together)

@@ -159,6 +159,10 @@ class Tape(Operations):
     def sign(self, a: int) -> int:
         return self._done("sign", a)
 
+    def whole(self, a: int) -> int:
+        """The nearest whole number."""
+        return self._done("rint", a)
+
     def maximum(self, a: int, b: int) -> int:
         return self._done("maximum", min(a, b), max(a, b))
 

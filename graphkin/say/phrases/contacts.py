@@ -41,7 +41,7 @@ PHRASES: Phrases = {
         "轮 {wheels} 啮合，中心距 {length} 由其他构件保持。其连心线也在转动，记为 {link}。",
     ),
     "path of": ("the path of {name}", "点 {name} 的轨迹线"),
-    "abreast": ("On {path}, {mark} is the point abreast of {origin}.", "{path}上正对 {origin} 的点记为 {mark}。"),
+    "abreast": ("On {path}, {mark} is the point abreast of {origin}: {length}.", "{path}上正对 {origin} 的点记为 {mark}，{length}。"),
     "marked start": ("{mark} is the start of {path}.", "{path}的起点记为 {mark}。"),
     "path start": ("the start of {path}", "{path} 的起点"),
     "track": ("track", "轨道"),
@@ -97,13 +97,17 @@ PHRASES: Phrases = {
         "The turns of links {links} since the drawn position (Δθ) are coupled; the rolling relations {relations} are solved together:",
         "构件 {links} 自给定位置起的转角 Δθ 互相关联，须联立求解纯滚动关系 {relations}：",
     ),
+    "fit given": (
+        "Links {links} stand as the drawn position gives them: {values}.",
+        "构件 {links} 按给定位置取：{values}。",
+    ),
     "lies on": ("{point} on {guide}", "{point} 在 {guide} 上"),
     "fitted": ("This gives {values}.", "得 {values}。"),
     "special point": (
         "Special point: {first} and {second} meet at {point}, taken as a point of link {link}.",
         "特殊点：{first}与{second}交于 {point}，将 {point} 视为构件 {link} 上的点。",
     ),
-    "leg line": ("the line of leg {line}", "支路 {line} 的延长线"),
+    "leg line": ("the line of leg {line}", "支路 {line} 所在直线"),
     "leg normal": ("the line through {through} at right angles to {guide}", "过 {through} 所作{guide} 的垂线"),
     # --- groups: polygons
     "special": (

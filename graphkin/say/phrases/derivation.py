@@ -23,12 +23,13 @@ PHRASES: Phrases = {
     # --- drivers
     "driven link": ("{line} of link {link} makes {angle} with +x", "构件 {link} 的 {line} 与 x 轴正向成 {angle}"),
     "driven joint": (
-        "{line} of link {link} makes {angle} with {other} of link {seen_from}",
+        "{line} of link {link} is turned by {angle} from {other} of link {seen_from}",
         "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}",
     ),
     "driven slide": ("slide {slide} is at {place}", "移动副 {slide} 的位移 {place}"),
     # --- places and lines
     "guide of": ("guide {name}", "{name} 导路"),
+    "guide of link": ("the guide of link {link}", "构件 {link} 的导路"),
     "origin of": ("the start of guide {name}", "{name} 导路的起点"),
     # --- position
     "fixed points": ("Fixed points, in mm on paper: {points}.", "定出固定点（图上 mm）：{points}。"),
@@ -46,8 +47,8 @@ PHRASES: Phrases = {
     ),
     "composed": ("from {parts} at their known angle", "由 {parts} 及其已知夹角作出"),
     "lay off slide": (
-        "From {start} lay off {length} along {guide} ({angle}): {tip}.",
-        "由 {start} 沿{guide}（{angle}）取 {length}，得 {tip}。",
+        "From {start} lay off {length} along {guide} (at {angle} to +x): {tip}.",
+        "由 {start} 沿{guide}（与 x 轴正向成 {angle}）取 {length}，得 {tip}。",
     ),
     "circle": ("draw the circle about {about} with radius {length}", "以 {about} 为圆心、{length} 为半径作弧"),
     "take guide": ("take {guide}", "取{guide}"),
@@ -138,9 +139,24 @@ PHRASES: Phrases = {
         "{letter} is a point of the mechanism here, so the pole is called {pole}.",
         "本题中 {letter} 为机构上的点，故极点记为 {pole}。",
     ),
+    "renamed tips": (
+        "{letter} is a point of the mechanism here, so the ends of {part} are called {tip}.",
+        "本题中 {letter} 为机构上的点，故{part}的终点记为 {tip}。",
+    ),
+    "tips n": ("normal components", "法向分量"),
+    "tips k": ("Coriolis components", "哥氏分量"),
     "held still": (
-        "The drive of links {links} is at rest, so they stand still: {points} are fixed points and lie on {pole}.",
-        "构件 {links} 的驱动此时静止，故它们不动，{points} 相当于固定点，其影像与 {pole} 重合。",
+        "The driver of link {links} is at rest, so the link stands still: {fixed}.",
+        "构件 {links} 的原动件此时静止，故该构件不动：{fixed}。",
+    ),
+    "held still, several": (
+        "The drivers of links {links} are at rest, so these links stand still: {fixed}.",
+        "构件 {links} 的原动件此时静止，故这些构件不动：{fixed}。",
+    ),
+    "as fixed": ("{points} is like a fixed point, and its image lies on {pole}", "{points} 相当于固定点，其影像与 {pole} 重合"),
+    "as fixed, several": (
+        "{points} are like fixed points, and their images lie on {pole}",
+        "{points} 相当于固定点，其影像均与 {pole} 重合",
     ),
     "never turn": (
         "Link {links} can only translate: {rates}, and all its points move alike.",
@@ -186,7 +202,7 @@ PHRASES: Phrases = {
     ),
     "slide grows": ("{direction}, the way {s} grows", "{direction}，指向 {s} 增大的方向"),
     "slide shrinks": ("{direction}, the way {s} shrinks", "{direction}，指向 {s} 减小的方向"),
-    "at angle": ("{direction}, at {angle}", "{direction}，与 x 轴正向成 {angle}"),
+    "at angle": ("{direction}, at {angle} to +x", "{direction}，与 x 轴正向成 {angle}"),
     # --- polygons: the pencil
     "lay off": ("From {start} lay off {length}.", "由 {start} 作矢量 {length}。"),
     "lay off backwards": (
@@ -260,7 +276,7 @@ PHRASES: Phrases = {
     "redundant": ("Redundant constraint, set aside: {line}.", "虚约束，求解时除去不计：{line}。"),
     "pose line": ("{line} of link {link} at {angle} to +x", "构件 {link} 的 {line} 与 x 轴正向成 {angle}"),
     "pose joint": (
-        "{line} of link {link} at {angle} to {other} of link {seen_from}",
-        "构件 {link} 的 {line} 与构件 {seen_from} 的 {other} 成 {angle}",
+        "{line} of link {link} turned by {angle} from {other} of link {seen_from}",
+        "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}",
     ),
 }

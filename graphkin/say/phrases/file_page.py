@@ -76,7 +76,10 @@ PHRASES: Phrases = {
         "v C, a C: of point C; v_x C, v_y C, a_x C, a_y C: their components",
         "v C、a C：点 C 的速度、加速度；v_x C、v_y C、a_x C、a_y C：其分量",
     ),
-    "ask place": ("x C, y C: where point C is", "x C、y C：点 C 的坐标"),
+    "ask place": (
+        "x C, y C: where point C is; path C: both, over a motion its path",
+        "x C、y C：点 C 的坐标；path C：两者，运动中即其轨迹",
+    ),
     "ask relative": (
         "v CB, a CB, a_n CB, a_t CB: of C relative to B, two points of one link",
         "v CB、a CB、a_n CB、a_t CB：同一构件上 C 相对 B",

@@ -36,9 +36,4 @@ PHRASES: Phrases = {
         "Broken off. What was marked is kept beside {path}; the same command goes on from there.",
         "已中断。已批改的部分保存在 {path} 旁；再次运行同一命令即可继续。",
     ),
-    "drawn position": (
-        "{name} asks for more than one position (also); the drawn one is marked. To mark others, write a mechanism "
-        "file for each, and grade them as several problems.",
-        "{name} 要求多个位置（also），这里只批改所画位置。其余位置请各写一个机构文件，作为多道题一起批改。",
-    ),
 }

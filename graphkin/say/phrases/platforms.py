@@ -24,6 +24,10 @@ PHRASES: Phrases = {
     "column part earned": ("{name} points", "{name} 得分"),
     "column diagnosis": ("consistent with", "与之相符的错误"),
     "column reason": ("reason", "原因"),
+    "column habits": ("in several problems", "多题中出现的错误"),
+    "habit": (
+        "{mistake} ({shown} of {of} problems, evidence {evidence})", "{mistake}（{of} 题中 {shown} 题，证据 {evidence}）",
+    ),
     "no platform name": (
         "{count} submissions are not named as {platform} names its downloads (the first: {file}): nothing goes "
         "back for them. Mark the archive as it was downloaded.",

@@ -27,6 +27,15 @@ PHRASES: Phrases = {
         "Hand in a text file with these lines, a number behind each; senses as signs or as ccw, cw:",
         "请提交含下列各行的文本文件，在每行后填写数值；转向用正负号或“逆时针”“顺时针”表示：",
     ),
+    "positions": (
+        "Positions, each to be solved; behind a quantity #2 says at which (the first needs no number):",
+        "下列各位置均须求解；量后的 #2 表示所在位置（第一个位置不必注明）：",
+    ),
+    "as given": ("as given", "所给位置"),
+    "drawing of position": (
+        "A drawing of a position has its number at the end of its file's name: drawing #2.svg.",
+        "某一位置的图，文件名末尾注明位置编号，如 drawing #2.svg。",
+    ),
     "shared": (
         "note: {count} students have a problem whose answers are another's, within 2 %: {students}. Widen the "
         "ranges.",
@@ -34,6 +43,7 @@ PHRASES: Phrases = {
     ),
     # tables of the mechanism file
     "table frame": ("Frame", "机架"),
+    "the frame": ("the frame", "机架"),
     "table links": ("Link", "构件"),
     "table slide": ("Sliding pair", "移动副"),
     "table gear": ("Gear pair", "齿轮副"),

@@ -14,21 +14,26 @@ PHRASES: Phrases = {
     "frame points": ("Link {link} is the frame; fixed points, in mm: {points}.", "构件 {link} 为机架，固定点（mm）：{points}。"),
     "frame": ("Link {link} is the frame.", "构件 {link} 为机架。"),
     "block on frame": (
-        "Slider {block}{guide} moves its point {point} along a fixed guide {line}.",
-        "滑块 {block}{guide} 上的 {point} 点沿固定导路移动，导路{line}。",
+        "Slider {block}{guide} moves its point {point} along a fixed guide {line}{tilt}.",
+        "滑块 {block}{guide} 上的 {point} 点沿固定导路移动，导路{line}{tilt}。",
     ),
     "pin on frame": (
         "Pin {point}{guide} moves in a fixed slot {line}.",
         "销 {point}{guide} 在固定槽中移动，槽{line}。",
     ),
     "block on link": (
-        "Links {block} and {link}{guide} form a sliding pair: point {point} of link {block} stays on a line of link {link} {where}.",
-        "构件 {block} 与构件 {link}{guide} 组成移动副：构件 {block} 上的 {point} 点在构件 {link} 的导路上，导路{where}。",
+        "Links {block} and {link}{guide} form a sliding pair: point {point} of link {block} stays on a line of link {link} {where}{tilt}.",
+        "构件 {block} 与构件 {link}{guide} 组成移动副：构件 {block} 上的 {point} 点在构件 {link} 的导路上，导路{where}{tilt}。",
     ),
     "pin on link": (
         "Pin {point}{guide} moves in a slot of link {link} {where}.",
         "销 {point}{guide} 在构件 {link} 的槽中移动，槽{where}。",
     ),
+    "tilt": (
+        "; the direction of {line} is the guide's turned by {angle} {sense}",
+        "；将导路方向{sense}转过 {angle} 即为 {line} 的方向",
+    ),
+    "tilt none": ("; {line} points along the guide", "；{line} 沿导路方向"),
     "at angle": (
         "through {through} that makes {angle} with {arrow} ({sense})",
         "过 {through} 点，与 {arrow} 成 {angle}（{sense}）",
@@ -36,7 +41,6 @@ PHRASES: Phrases = {
     "along": ("along {line}", "沿 {line}"),
     "own axis": ("through {through}", "过 {through} 点"),
     "line": ("through {start} at {angle} to +x", "过 {start}，与 x 轴正向成 {angle}"),
-    "of line": (" {line}", "（{line}）"),
     "circular slot": (
         "Pin {pin} moves in a circular slot of link {link} about {centre} with radius {radius}.",
         "销 {pin} 在构件 {link} 的圆弧槽中移动，圆心为 {centre}，半径为 {radius}。",
@@ -44,15 +48,20 @@ PHRASES: Phrases = {
     "gears": ("Gears {wheels} are in external mesh: {radii}.", "齿轮 {wheels} 外啮合：{radii}。"),
     "internal gears": ("Gears {wheels} are in internal mesh: {radii}.", "齿轮 {wheels} 内啮合：{radii}。"),
     "rolls on circle": (
-        "Wheel {wheel} about {centre}, {radius}, rolls without slip on the circle of link {track} about {about} with radius {other}.",
-        "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 上以 {about} 为圆心、{other} 为半径的圆上作纯滚动。",
+        "Wheel {wheel} about {centre}, {radius}, rolls without slip on the circle of link {track} about {about} with radius {other} ({where}).",
+        "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 上以 {about} 为圆心、半径为 {other} 的圆上作纯滚动（{where}）。",
     ),
+    "inside": ("one inside the other", "内切"),
+    "outside": ("side by side", "外切"),
     "rolls on line": (
-        "Wheel {wheel} about {centre}, {radius}, rolls without slip on a line of link {track}{line}.",
-        "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 的直线{line}上作纯滚动。",
+        "Wheel {wheel} about {centre}, {radius}, rolls without slip on the line{line} of link {track}{side}.",
+        "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 的直线{line} 上作纯滚动{side}。",
     ),
-    "cam": ("{first} and {second} touch and slide on each other.", "{first}与{second}相接触，组成高副。"),
-    "flat face": ("the flat face of link {link} through {through}", "构件 {link} 过 {through} 的平底"),
+    "wheel left": (", {centre} to its left", "，沿此方向看 {centre} 在其左侧"),
+    "wheel right": (", {centre} to its right", "，沿此方向看 {centre} 在其右侧"),
+    "displacement": ("displacement {s}", "位移 {s}"),
+    "cam": ("{first} and {second} touch and slide on each other.", "{first}与{second}；两者相接触，组成高副。"),
+    "flat face": ("the flat face{line} of link {link}{side}", "构件 {link} 的平底{line}{side}"),
     "knife edge": ("the knife edge {point} of link {link}", "构件 {link} 的尖顶 {point}"),
     "circle": (
         "the circle of link {link} about {centre} with radius {radius}",
@@ -65,6 +74,8 @@ PHRASES: Phrases = {
         "各点的速度和加速度，各构件的角速度和角加速度。",
     ),
     "find velocities": ("the velocities of all points, ω of all links.", "各点的速度，各构件的角速度。"),
+    "place": ("the place of {point}", "点 {point} 的位置"),
+    "place at": ("{point} is at {place} mm.", "{point} 位于 {place} mm。"),
     "centre": ("instant centre {name}", "瞬心 {name}"),
     "centre at": (
         "{name} lies at {place} mm (the point at which both links have one velocity).",

@@ -29,6 +29,10 @@ PHRASES: Phrases = {
     "rank": ("Degrees of freedom by rank: {f}", "由方程的秩得自由度：{f}"),
     "idle": ("idle freedom (turning of): {links}", "局部自由度：构件 {links} 的转动"),
     "redundant": ("redundant constraints: {count}", "虚约束：{count} 个"),
+    "left out": (
+        " (the formula leaves out {count}, the distance of a wheel from its track that other pairs keep)",
+        "（其中 {count} 个为已由其他运动副保证的轮心到轨道的距离，自由度公式中未计入）",
+    ),
     "repeats": ("repeats a constraint: {what}", "虚约束：{what}"),
     "drivers": ("Drivers", "原动件"),
     "groups": ("Groups, in the order they are solved", "杆组（按求解顺序）"),

@@ -50,10 +50,17 @@ PHRASES: Phrases = {
     "column alone": ("named alone", "单独命中"),
     "column least": ("least", "最低"),
     "all": ("all", "合计"),
+    "column tellable": ("tellable", "可判"),
     "well named": (
-        "Named first for at least {part} of the students: at {count} of {all} places. At {hidden} places fewer than {part} "
-        "have a value judged wrong at all: the mistake stays near the tolerance.",
-        "至少 {part} 的学生首位命中：{all} 处中有 {count} 处。有 {hidden} 处判为有错的学生不足 {part}：该错误的影响接近允差。",
+        "Named first for at least {part} of the students: at {count} of the {all} places that paper can tell.",
+        "至少 {part} 的学生首位命中：图上可判的 {all} 处中有 {count} 处。",
+    ),
+    "not tellable": (
+        "Not tellable on this paper: {count} of {all} places ({share}). Who knows this mistake alone, and the pencil, would "
+        "still miss it in more than {missed} of the students; at {hidden} of them since all values stay within tolerance. "
+        "{named} of them are named first for at least {part} all the same.",
+        "本图无法判定：{all} 处中有 {count} 处（{share}）。即使只考虑该错误并已知作图误差，仍有超过 {missed} 的学生会漏判；其中 {hidden} 处是因为"
+        "各量都在允差之内。其中仍有 {named} 处至少 {part} 首位命中。",
     ),
     "false alarms": (
         "Right work with a pencil: a value judged wrong in {wrong}, a mistake named in {named}.",

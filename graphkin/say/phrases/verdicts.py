@@ -8,6 +8,7 @@ PHRASES: Phrases = {
     "verdict wrong": ("wrong", "错误"),
     "verdict missing": ("missing", "未答"),
     "verdict wrong sense": ("wrong sense", "转向（符号）相反"),
+    "verdict wrong direction": ("wrong direction", "方向错误"),
     "verdict wrong unit": ("wrong unit", "单位不符"),
     "status marked": ("marked", "已评阅"),
     "status not marked": ("not marked", "未评阅"),

@@ -1,0 +1,108 @@
+"""What is found by calculation, written down: links tried until they fit, and chains of arrows closed at once.
+
+From close by, two steps of Newton's method come to the last digit. Where the second is not as short as that asks for,
+a position is stubborn: whoever carries the tape out does it by plain replay, as where a division fails.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from graphkin.construction.fitting import (
+    Row,
+    chains,
+    gaps,
+    reach,
+    settle_all,
+    settle_rates,
+    units_of,
+    unknowns_of,
+)
+from graphkin.construction.kinds import Fit, Simultaneous
+from graphkin.construction.plot import Plot
+from graphkin.construction.terms import Plane
+from graphkin.geometry import Value
+from graphkin.running.compiled.columns import Judged
+from graphkin.running.compiled.operations import CannotRecord
+
+STEPS = 2
+SHORT = 1e-7
+"""The last step at most [rad, of the group's size]; what it leaves is of the order of its square."""
+
+
+def fitted(step: Fit, plot: Plot) -> Value:
+    """Settle a group's unknowns; gives what is above 0 where they are found, 1 at best."""
+    x: list[Value] = [plot.near[name] for name in unknowns_of(step)]
+    units = units_of(step, reach(step, plot))
+    for _ in range(STEPS):
+        settle_all(step, plot, x)
+        change = solved(gaps(step, plot), dict(zip(unknowns_of(step), units)))
+        x = [value - part * unit for value, part, unit in zip(x, change, units)]
+    settle_all(step, plot, x)
+    plot.senses[step.name], plot.sines["position", step.name] = Judged(step, 0), Judged(step, 1)
+    plot.misses[step.name] = 0.0
+    longest = np.abs(change[0])
+    for part in change[1:]:
+        longest = np.maximum(longest, np.abs(part))
+    return 1.0 - longest / SHORT
+
+
+def together(step: Simultaneous, plot: Plot, plane: Plane) -> None:
+    """The unknown rates of a group."""
+    rows = [(-known, coefficients) for known, coefficients in chains(step, plot, plane)]
+    settle_rates(step, plot, plane, solved(rows, dict.fromkeys(unknowns_of(step), 1.0)))
+
+
+# --- linear equations -------------------------------------------------------------------------
+
+
+def solved(rows: Sequence[Row], units: Mapping[str, float]) -> list[Value]:
+    """x, in units, of which each row's coefficients times x give what the row knows.
+
+    Rows are turned in pairs, each time so that a coefficient becomes 0: nothing grows, and none has to be chosen by its
+    size, which a tape does not know.
+    """
+    if len(rows) != len(units):
+        raise CannotRecord("more equations than unknowns")
+    lines = [[*(of.get(name, 0.0) * unit for name, unit in units.items()), known] for known, of in rows]
+    for column in range(len(lines)):
+        for upper, lower in [*pairwise(range(column, len(lines)))][::-1]:
+            lines[upper], lines[lower] = _turned(lines[upper], lines[lower], column)
+    return _upwards(lines)
+
+
+def _turned(upper: list[Value], lower: list[Value], column: int) -> tuple[list[Value], list[Value]]:
+    """Two rows turned so that the lower one has nothing in a column."""
+    a, b = upper[column], lower[column]
+    if _nothing(b):
+        return upper, lower
+    if _nothing(a):
+        return lower, upper
+    length = np.abs(a + 1j * b)
+    cos, sin = a / length, b / length
+    pairs = [*zip(upper, lower)][column + 1 :]
+    done: list[Value] = [0.0] * column
+    return (
+        [*done, length, *(cos * one + sin * other for one, other in pairs)],
+        [*done, 0.0, *(cos * other - sin * one for one, other in pairs)],
+    )
+
+
+def _nothing(value: Value) -> bool:
+    """Whether a coefficient is 0 at all positions."""
+    known = value if isinstance(value, int | float) else value.number
+    return known == 0
+
+
+def _upwards(lines: Sequence[Sequence[Value]]) -> list[Value]:
+    """The unknowns of rows that have nothing before the diagonal, from the last one on."""
+    found: dict[int, Value] = {}
+    for k in reversed(range(len(lines))):
+        rest = lines[k][-1]
+        for other, value in found.items():
+            rest = rest - lines[k][other] * value
+        found[k] = rest / lines[k][k]
+    return [found[k] for k in range(len(lines))]

@@ -1,0 +1,116 @@
+"""`draw --animate`: a whole motion as one moving file, played moment by moment and measured."""
+
+from __future__ import annotations
+
+import io
+import xml.etree.ElementTree as ET
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from PIL import Image
+from playing import still
+
+import graphkin
+from graphkin import analytic
+from graphkin.cli import main
+from graphkin.outputs import drawings
+from graphkin.outputs.animation import animation
+from graphkin.sheet import Sheet
+from graphkin.sheet.marks import PointMark, Text
+from graphkin.sheet.motion_frames import motion_frames
+from graphkin.sheet.obstacles import bounds
+
+SVG = "{http://www.w3.org/2000/svg}"
+NAMES = ("ex3-7", "ex3-2")
+"""A full turn; fitted, between dead points."""
+COUNT = 12
+
+
+@cache
+def _frames(name: str) -> list[Sheet]:
+    return motion_frames(graphkin.plan(graphkin.load(name)), COUNT)
+
+
+def _absolute(root: ET.Element) -> list[ET.Element]:
+    """The arrows of absolute motions."""
+    seen = [line for line in root.iter(f"{SVG}line") if "data-plane" in line.attrib and "data-of" in line.attrib]
+    return [line for line in seen if not {"data-seen-from", "data-part", "data-over"} & set(line.attrib)]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_plays_as_the_analysis_has_it(name: str):
+    """Arrows read off the drawing at moments of its turn are those of the analysis there."""
+    machine, frames = graphkin.load(name), _frames(name)
+    text, held = animation(frames), 0
+    for number in (0, 2, 5, 11):
+        sheet = frames[number]
+        exact = analytic.motion(machine, sheet.drivers)
+        for line in _absolute(ET.fromstring(still(text, number / COUNT))):
+            x1, y1, x2, y2 = (float(line.attrib[key]) for key in ("x1", "y1", "x2", "y2"))
+            point, _, link = line.attrib["data-of"].partition("@")
+            plane = line.attrib["data-plane"]
+            if point not in machine.points:
+                continue
+            wanted = (exact.velocity_at if plane == "velocity" else exact.acceleration_at)(point, link)
+            assert abs(complex(x2 - x1, y1 - y2) - complex(wanted) / sheet.scales[plane]) < 0.03, (number, line.attrib)
+            held += 1
+    assert held > 8
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_scales_stand_and_all_fits(name: str):
+    frames = _frames(name)
+    assert len({tuple(frame.scales.items()) for frame in frames}) == 1
+    for frame in frames:
+        left, top, right, bottom = bounds(frame.marks)
+        assert min(left, top, frame.paper.width - right, frame.paper.height - bottom) > 0
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_letters_do_not_hop(name: str):
+    """The letter of a hinge stands from one moment to the next where the hinge takes it."""
+    sheets = _frames(name)
+    for letter in graphkin.load(name).points:
+        drawn = [sheet.layers[1].marks for sheet in sheets]
+        letters = [[m.at for m in marks if isinstance(m, Text) and _said(m) == letter] for marks in drawn]
+        points = [[m.at for m in marks if isinstance(m, PointMark) and m.name == letter] for marks in drawn]
+        if all(len(found) == 1 for found in letters + points):
+            assert np.ptp(np.abs(np.array(letters) - np.array(points))) < 5, letter
+
+
+def _said(text: Text) -> str:
+    return "".join(run.text for run in text.label)
+
+
+def test_first_moment_is_a_right_sheet(tmp_path: Path):
+    """Without what moves it, a file's drawing passes the ruler."""
+    text = still(animation(_frames("ex3-7")), 0.0)
+    (tmp_path / "first.svg").write_text(text, encoding="utf-8")
+    report = graphkin.measure(tmp_path / "first.svg")
+    assert report.passed(0.02)
+
+
+def test_moving_svg_is_written_and_small(tmp_path: Path):
+    path = tmp_path / "turn.svg"
+    done = CliRunner().invoke(main, ["draw", "s2-2", "--animate", "--only", "position", "-o", str(path)])
+    assert done.exit_code == 0, done.output
+    assert path.stat().st_size < 60_000
+    assert len(ET.fromstring(path.read_text(encoding="utf-8")).findall(f".//{SVG}animate")) > 20
+
+
+@pytest.mark.parametrize("kind", drawings.MOVING)
+def test_same_sheets_give_the_same_bytes(kind: str):
+    """And a PNG has them all, over and over."""
+    one, two = (drawings.MOVING[kind](_frames("ex3-7")[:3], 30, "accent") for _ in "12")
+    assert one == two
+    if kind == ".png":
+        with Image.open(io.BytesIO(one)) as picture:
+            assert (picture.n_frames, picture.info["loop"]) == (3, 0)
+
+
+@pytest.mark.parametrize("more", [["-o", "a.pdf"], ["--steps", "x"], ["--angle", "3"], ["--tight"]])
+def test_what_does_not_go_together_is_said(more: list[str]):
+    assert CliRunner().invoke(main, ["draw", "s2-2", "--animate", *more]).exit_code == 2

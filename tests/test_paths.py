@@ -1,0 +1,124 @@
+"""Paths of points on the sheet: where the analysis has the point, at true scale, within the figure."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import graphkin
+from graphkin import library
+from graphkin.cli import main
+from graphkin.errors import GraphkinError
+from graphkin.outputs.svg import svg
+from graphkin.sheet.marks import Stroke
+from graphkin.sweeps import PointPath, point_path
+
+TURNING_WITHOUT_RATE = '''[frame]
+A = [0, 0]
+D = [80, 0]
+[links.1]
+AB = 30
+[links.2]
+BC = 70
+[links.3]
+CD = 60
+[[driver]]
+vector = "AB"
+angle = 60
+[sketch]
+C = [80, 60]
+'''
+
+
+def exact(path: PointPath, t: np.ndarray) -> graphkin.State:
+    """The analysis at t on the way."""
+    return graphkin.motion(path.course.method.mechanism, [np.broadcast_to(v, t.shape) for v in path.course.path.values(t)])
+
+
+@pytest.mark.parametrize(
+    ("name", "point", "values", "closed", "step"),
+    [
+        ("ex3-5", "E", None, True, "30°"),
+        ("ex3-5", "E", (math.radians(200),), True, "30°"),
+        ("p3-7", "D", None, False, "10°"),
+        ("p3-14", "E", None, False, "5 mm"),
+        ("s4-ex5", "B", None, False, "30°"),
+    ],
+)
+def test_a_path_is_where_the_analysis_has_the_point(
+    name: str, point: str, values: tuple[float, ...] | None, closed: bool, step: str
+) -> None:
+    path = point_path(graphkin.plan(graphkin.load(name)), point, values)
+    assert path.closed == closed
+    assert path.shown(path.step) == step
+    t = np.array([path.course.at(tick.value) for tick in path.ticks])
+    found, size = exact(path, t), float(np.ptp(path.places.real) + np.ptp(path.places.imag))
+    assert np.abs(found[f"path {point}"].si - [tick.place for tick in path.ticks]).max() < 1e-7 * size
+    assert np.abs(found.v[point].si - [tick.velocity for tick in path.ticks]).max() < 1e-7 * path.fastest
+    ways = [tick.way for tick in path.ticks if abs(tick.velocity) > 1e-3 * path.fastest]
+    moving = [tick.velocity / abs(tick.velocity) for tick in path.ticks if abs(tick.velocity) > 1e-3 * path.fastest]
+    assert np.abs(np.abs((np.array(ways) * np.conj(moving)).real) - 1).max() < 1e-4
+    assert np.abs(np.diff(path.places)).max() < 0.05 * size
+
+
+def test_a_sheet_shows_the_path_to_scale_and_is_still_measured() -> None:
+    drawing = graphkin.Drawing.of(graphkin.load("ex3-5"))
+    sheet = drawing.sheet(paths=["E"], arrows=True, only="position")
+    curve = max((mark for mark in sheet.marks if isinstance(mark, Stroke)), key=lambda mark: len(mark.places))
+    scale, origin = sheet.scales["position"], sheet.origins["position"]
+    places = np.conj(np.array([*curve.places, curve.places[0]]) - origin) * scale
+    there = exact(point_path(drawing.method, "E"), np.linspace(0, 2 * np.pi, 720))["path E"].si
+    near = np.array([_nearest(place, places) for place in there])
+    assert near.max() < 0.03 * scale, "0.03 mm on paper"
+    frame = sheet.paper.frame
+    assert all(frame.holds(place) for place in curve.places)
+    arrows = [m for m in sheet.marks if isinstance(m, Stroke) and m.accent == "velocity" and m.pen == "hatch"]
+    assert len(arrows) == 12
+    assert "path of " in svg(sheet)
+
+
+def _nearest(place: complex, line: np.ndarray) -> float:
+    """How far a place is from a line through places."""
+    start, way = line[:-1], np.diff(line)
+    share = np.clip(((place - start) * np.conj(way)).real / np.abs(way) ** 2, 0, 1)
+    return float(np.abs(start + share * way - place).min())
+
+
+@pytest.mark.parametrize(
+    ("options", "status", "said"),
+    [
+        (["ex3-5", "--path", "Q"], 3, "path Q: there is no point Q"),
+        (["ex3-5", "--path", "A"], 3, "A stays where it is"),
+        (["-", "--path", "C", "--arrows"], 3, "driver AB has no omega"),
+        (["ex3-5", "--arrows"], 2, "--path E"),
+        (["ex3-5", "--path", "E", "--style", "given"], 2, "leave out --style given"),
+        (["ex3-5", "--path", "E", "--only", "velocity"], 2, "leave out --style given and --only"),
+        (["ex3-5", "--path", "E", "-o", "x.ggb"], 2, "Locus"),
+    ],
+)
+def test_what_cannot_be_drawn_is_said(options: list[str], status: int, said: str) -> None:
+    result = CliRunner().invoke(main, ["draw", *options, *(() if "-o" in options else ("-o", "-"))], input=TURNING_WITHOUT_RATE)
+    assert result.exit_code == status
+    assert said in result.output.replace("\n", " ")
+
+
+def test_a_path_of_a_point_in_python_names_it() -> None:
+    with pytest.raises(GraphkinError, match="no point Q"):
+        graphkin.Drawing.of(graphkin.load("ex3-5")).sheet(paths=["Q"])
+
+
+@pytest.mark.parametrize(
+    ("ask", "answers"),
+    [
+        ('["path C"]', ["C is at (65.08, 46.23) mm.", "ω3 = 3.919 rad/s (clockwise)"]),
+        ('["x C", "path C", "omega 3"]', ["x_C, the place of C and ω3.", "x_C = 65.08 mm", "C is at (65.08, 46.23) mm."]),
+    ],
+)
+def test_a_solution_answers_where_a_point_is(ask: str, answers: list[str]) -> None:
+    text = re.sub("(?m)^ask *= .*", f"ask = {ask}", library.text("ex3-1"))
+    said = CliRunner().invoke(main, ["explain", "-", "--lang", "en"], input=text).stdout
+    assert all(answer in said for answer in answers)
