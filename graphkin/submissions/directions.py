@@ -24,7 +24,7 @@ from graphkin.submissions.submission import Given, Limits
 _OFF = 0.03
 """A drawn length that is off by a larger part is of other points."""
 _LENGTHS, _AGREE = 3, 2 / 3
-"""So many lengths must agree, and so large a part of all: with two letters exchanged half of them may."""
+"""So many lengths must agree, and more than this part of all: with two letters exchanged half of them may."""
 
 Pair = tuple[str, str]
 
@@ -43,7 +43,7 @@ def directions(picture: Picture, questions: Questions, where: Where, limits: Lim
         return {}
     scale = float(np.median(list(lengths.values())))
     good = {pair for pair, each in lengths.items() if abs(each - scale) <= _OFF * scale}
-    if len(good) < max(_LENGTHS, _AGREE * len(lengths)):
+    if len(good) < _LENGTHS or len(good) <= _AGREE * len(lengths):
         return {}
     turned = _turned(mechanism, places, good) if limits.turned else 0.0
     return {
