@@ -27,7 +27,7 @@ from graphkin.platforms.result import from_record
 from graphkin.results import driver_values, results
 from graphkin.say.problems import problem
 
-NAMES = ("ex3-1", "ex3-4", "ex3-7", "scotch-yoke", "curved-slot")
+NAMES = ("ex3-1", "scotch-yoke", "curved-slot")
 
 
 def moved(name: str) -> Mechanism:
@@ -54,7 +54,7 @@ def test_each_position_is_the_mechanism_moved_on(name: str):
                 assert one["links"][link][rate] == pytest.approx(motion[rate], rel=1e-9, abs=1e-9)
 
 
-@pytest.mark.parametrize(("name", "value"), [("s4-ex6", 30), ("ex3-3", 12), ("p3-19", 60), ("p3-17", 785)])
+@pytest.mark.parametrize(("name", "value"), [("s4-ex6", 30), ("p3-19", 60), ("p3-17", 785)])
 def test_poses_move_on_too(name: str, value: float):
     """Wheels, and a cylinder, whose place at the drawn position a pose gives."""
     document = tomllib.loads(library.load(name).text)
