@@ -207,13 +207,8 @@ def _bare(letter: str) -> str:
     return letter if letter[0] == "p" else letter.rstrip("'")
 
 
-@pytest.mark.parametrize(
-    ("mechanism", "velocity", "acceleration"),
-    [(_small, _small, _small), (str, _large, _large), (str, str, _bare), (_small, str, _bare),
-     (str, _large, lambda letter: _large(_bare(letter)))],
-)  # fmt: skip
-def test_letters_that_recur_in_another_figure(mechanism, velocity, acceleration):  # type: ignore[no-untyped-def]
-    """The mechanism and both polygons on one page, all with points called b and c."""
+def three_figures(mechanism, velocity, acceleration) -> tuple[api.Drawing, bytes]:  # type: ignore[no-untyped-def]
+    """The mechanism and both polygons on one page, all with points called b and c, spelt so."""
     drawing = api.Drawing.of(api.load("ex3-5"))
     pages = [({n: 40 + 40j + complex(z) * 1000 for n, z in drawing.plot.position.items() if n in "ABCDE"}, mechanism,
               ["AB", "BC", "CD", "BE", "CE"])]  # fmt: skip
@@ -232,10 +227,35 @@ def test_letters_that_recur_in_another_figure(mechanism, velocity, acceleration)
             beside = z + 2.5 * (z - middle) / abs(z - middle) - 1 - 1j
             marks.append(f'<text x="{beside.real:.3f}" y="{297 - beside.imag:.3f}" font-size="4">{spelt(name)}</text>')
     page = f'<svg xmlns="http://www.w3.org/2000/svg" width="210mm" height="297mm" viewBox="0 0 210 297">{"".join(marks)}</svg>'
-    found = handed("a.svg", page.encode(), drawing=drawing)
+    return drawing, page.encode()
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "velocity", "acceleration"),
+    [(_small, _small, _small), (str, _large, _large), (str, str, _bare), (_small, str, _bare),
+     (str, _large, lambda letter: _large(_bare(letter)))],
+)  # fmt: skip
+def test_letters_that_recur_in_another_figure(mechanism, velocity, acceleration):  # type: ignore[no-untyped-def]
+    drawing, page = three_figures(mechanism, velocity, acceleration)
+    found = handed("a.svg", page, drawing=drawing)
     misses = off(found, drawing, {"m/s": 0.005, "m/s^2": 0.05})
     assert len(misses) == 11, (found.reason, found.notes)
     assert max(misses.values()) < 0.01
+
+
+@pytest.mark.parametrize("turn", [0, 40])
+def test_directions_of_links_are_measured_on_the_mechanism(turn: int):
+    drawing, page = three_figures(str, str, str)
+    turned = page.replace(b'297">', f'297"><g transform="rotate({turn} 90 150)">'.encode()).replace(b"</svg>", b"</g></svg>")
+    found = handed("a.svg", turned, Limits(turned=True), drawing)
+    for link in ("2", "3"):
+        assert math.remainder(found.values[f"theta {link}"].value - drawing.plot.theta[link], math.tau) == pytest.approx(0, abs=1e-4)
+
+
+def test_directions_are_not_taken_off_other_points():
+    """C and D exchanged: no link is as long as it is given, and nothing is said rather than something wrong."""
+    drawing, page = three_figures(lambda name: {"C": "D", "D": "C"}.get(name, name), str, str)
+    assert not {"theta 2", "theta 3"} & set(handed("a.svg", page, drawing=drawing).values)
 
 
 def test_names_in_place_of_letters():

@@ -155,9 +155,9 @@ class Marker:
         """What follows from own values. What is measured on a drawing follows from all that was drawn before it: only
         own values that are asked for, and so have cost something, are carried on to it."""
         found = self.problem.carried(given, known, wrong)
-        measured = np.array([[_measured(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
-        if not (known & measured).any():
+        if not any(number.measured for work in works for number in work.numbers.values()):
             return found
+        measured = np.array([[_measured(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
         asked = np.array([entry.points > 0 for entry in self.key.entries])
         return found.instead(self.problem.carried(given, known & (asked | ~measured), wrong), measured)
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 
+from graphkin.construction import Plot
 from graphkin.errors import Lang, OwnFault, Where
 from graphkin.grading import Judge
 from graphkin.marking import Rewrite, rewrites
@@ -17,8 +18,10 @@ from graphkin.marking.beside import Beside, beside
 from graphkin.marking.key import Name
 from graphkin.marking.marker import Marker
 from graphkin.outputs.svg import inline
+from graphkin.planning import Method
 from graphkin.platforms.feedback import Reveal
-from graphkin.platforms.result import Picture, Result
+from graphkin.platforms.result import Picture, Result, Suspicion
+from graphkin.quantities import position_of
 from graphkin.say.catalogue import say
 from graphkin.say.mistakes import together
 from graphkin.sheet.mistake_sheet import mistake_sheet
@@ -44,10 +47,11 @@ class PolygonPictures:
         if marker is None:
             return ()
         if marker is not self._marker:
-            self._marker, self._ready, self._problem = marker, {}, _Problem(marker)
+            self._marker, self._ready = marker, {}
+            self._problem = _Problem([_Position(each, at) for at, each in enumerate(marker.positions, 1)])
         if result.drawn:
             return self._drawn(result, lang, reveal)
-        asked = (lang, reveal, *(one.names[:_SAME] for one in result.suspicions))
+        asked = (lang, reveal, *((one.names[:_SAME], _position(one)) for one in result.suspicions))
         if asked not in self._ready:
             if len(self._ready) >= _KEPT:
                 self._ready.pop(next(iter(self._ready)))
@@ -63,33 +67,55 @@ class PolygonPictures:
             return [Picture(say("pictures.none", lang, reason=reason), "", b"")]
 
 
+def _position(one: Suspicion) -> int:
+    """The first at which it explains something."""
+    return position_of(one.explains[0])[1] if one.explains else 1
+
+
 class _Problem:
-    """One key, and what can go wrong in it."""
+    """One key's positions; what a student has drawn is of the first."""
 
-    def __init__(self, marker: Marker) -> None:
-        self.method, self.plot = marker.method, marker.plot
-        self.quantities, self.scales = marker.quantities, marker.key.marking.scales
-
-    @cached_property
-    def rewrites(self) -> Mapping[Name, Rewrite]:
-        return {one.name: one for one in rewrites(self.method, self.plot, self.quantities, self.scales)}
+    def __init__(self, positions: Sequence[_Position]) -> None:
+        self.positions = positions
 
     def pictures(self, result: Result, lang: Lang, reveal: Reveal) -> list[Picture]:
         """One for each explanation; where there is none, the student's drawing over the right one."""
-        names = [one.names for one in result.suspicions] or [()]
-        found = (self._picture(each, result, lang, reveal) for each in names)
+        told = [(one.names, _position(one)) for one in result.suspicions] or [((), 1)]
+        found = (self.positions[at - 1].picture(names, result, lang, reveal) for names, at in told)
         return [picture for picture in found if picture is not None]
 
-    def _picture(
+
+class _Position:
+    """One position, and what can go wrong at it."""
+
+    def __init__(self, marker: Marker, at: int) -> None:
+        self.marker, self.at = marker, at
+
+    @property
+    def method(self) -> Method:
+        return self.marker.method
+
+    @property
+    def plot(self) -> Plot:
+        return self.marker.plot
+
+    @cached_property
+    def rewrites(self) -> Mapping[Name, Rewrite]:
+        marker = self.marker
+        every = rewrites(self.method, self.plot, marker.quantities, marker.key.marking.scales)
+        return {one.name: one for one in every}
+
+    def picture(
         self, names: Sequence[tuple[Name, ...]], result: Result, lang: Lang, reveal: Reveal
     ) -> Picture | None:
         made, found = self._otherwise(names)
-        answer = reveal == "answer"
-        sheet = mistake_sheet(self.method, self.plot, found=found, own=result.drawn, answer=answer, lang=lang)
+        answer, own = reveal == "answer", result.drawn if self.at == 1 else {}
+        sheet = mistake_sheet(self.method, self.plot, found=found, own=own, answer=answer, lang=lang)
         if sheet is None:
             return Picture(say("pictures.nothing", lang), "", b"") if made else None
-        told = [] if found is None else _of_mistake(made, found, answer, lang)
-        told += [say("pictures.dashed", lang)] if result.drawn else []
+        told = [say("pictures.position", lang, at=self.at)] if self.at > 1 else []
+        told += [] if found is None else _of_mistake(made, found, answer, lang)
+        told += [say("pictures.dashed", lang)] if own else []
         return Picture(say("pictures.between", lang).join(told), "image/svg+xml", inline(sheet).encode())
 
     def _otherwise(self, names: Sequence[tuple[Name, ...]]) -> tuple[tuple[Name, ...], Beside | None]:

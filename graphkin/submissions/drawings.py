@@ -12,6 +12,7 @@ from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, LetterTwice, NoLetters, NoScaleDrawn, Where
 from graphkin.submissions import scales
 from graphkin.submissions.answers import answers
+from graphkin.submissions.directions import directions
 from graphkin.submissions.documents import read_lines
 from graphkin.submissions.letters import find_letters
 from graphkin.submissions.picture import Picture
@@ -58,6 +59,7 @@ def measured(
     turned = _turned(found.points, shapes) if limits.turned else {}
     values = _named(picture, known, turned, questions, where)
     values |= _vectors(found.points, shapes, known, turned, where)
+    values |= directions(picture, questions, where, limits)
     if not values and not told and not found.points:
         raise NoLetters(where, tuple(letter for shape in shapes for letter in shape.letters))
     notes: list[GraphkinError] = [LetterTwice(where, letter) for letter in found.doubtful]

@@ -3,6 +3,7 @@
 from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
+    "position": ("At position #{at}.", "位置 #{at}。"),
     "title": ("The right drawing, and the one with the mistake", "正确的图与含错误的图"),
     "under right": ("right", "正确"),
     "under mistake": ("with the mistake", "含此错误"),
