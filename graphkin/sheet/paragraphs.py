@@ -46,7 +46,7 @@ class Paragraphs:
         """Sentences in a width [mm]; a blank at a text's beginning sets all of it in."""
         found: list[tuple[str, float]] = []
         for text in texts:
-            own = _INDENT if text.startswith(" ") else 0.0
+            own = _INDENT if text != text.lstrip() else 0.0
             pieces = broken(text.strip(), room - own - _INDENT, letters)
             found += [(line, own + (_INDENT if k else 0.0)) for k, line in enumerate(pieces)]
         kept = found if len(found) <= _MOST else [*found[: _MOST - 1], ("…", 0.0)]
