@@ -12,6 +12,9 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import count
+from typing import Any
+
+import numpy as np
 
 from graphkin.sheet.marks import Half, Mark, PointMark, VectorMark
 from graphkin.sheet.wanted import Wanted
@@ -56,28 +59,31 @@ def _with_arrow(want: Wanted, asides: dict[str, complex]) -> Wanted:
 
 def _asides(vectors: Sequence[VectorMark]) -> Iterator[complex]:
     """How far each is moved: by the least that keeps it off those before it."""
-    placed: list[VectorMark] = []
-    for vector in vectors:
+    start, end = (np.array([getattr(v, side) for v in vectors], dtype=complex) for side in ("start", "end"))
+    planes = np.array([vector.plane for vector in vectors])
+    long = np.abs(end - start) >= _SHORT
+    for k, vector in enumerate(vectors):
+        others = np.flatnonzero(long[:k] & (planes[:k] == vector.plane) & long[k])
         normal = 1j * (vector.end - vector.start) / vector.length if vector.length > _SHORT else 0j
         if (normal.imag, normal.real) > (0, 0):
             normal = -normal
         for turn in count():
             aside = normal * ASIDE * ((turn + 1) // 2) * (1 if turn % 2 else -1)
-            there = replace(vector, start=vector.start + aside, end=vector.end + aside)
-            if not normal or not any(_lie_on_one_another(there, other) for other in placed):
+            begin, tip = vector.start + aside, vector.end + aside
+            if not normal or not _runs_along(begin, tip, start[others], end[others]):
                 break
-        placed.append(there)
+        start[k], end[k] = begin, tip
         yield aside
 
 
-def _lie_on_one_another(one: VectorMark, other: VectorMark) -> bool:
-    """Whether one runs along the other."""
-    if one.plane != other.plane or min(one.length, other.length) < _SHORT:
-        return False
-    along = (one.end - one.start) / one.length
-    ends = [(end - one.start) * along.conjugate() for end in (other.start, other.end)]
-    low, high = sorted(end.real for end in ends)
-    return max(abs(end.imag) for end in ends) < _ON and min(one.length, high) - max(0.0, low) > _ALONG
+def _runs_along(start: complex, end: complex, starts: Any, ends: Any) -> bool:
+    """Whether an arrow runs along one of others."""
+    length = abs(end - start)
+    along = ((end - start) / length).conjugate()
+    one, other = (starts - start) * along, (ends - start) * along
+    near = np.maximum(np.abs(one.imag), np.abs(other.imag)) < _ON
+    low, high = np.minimum(one.real, other.real), np.maximum(one.real, other.real)
+    return bool(np.any(near & (np.minimum(length, high) - np.maximum(0.0, low) > _ALONG)))
 
 
 # --- heads ------------------------------------------------------------------------------------
@@ -87,14 +93,16 @@ def heads_apart(figure: Figure) -> Figure:
     """The figure with its arrow heads at the rims of the dots they point to, and off one another."""
     vectors = [mark for mark in figure.marks if isinstance(mark, VectorMark) and mark.length > _SHORT]
     dots = [mark for mark in figure.marks if isinstance(mark, PointMark) and mark.fill == "ink"]
-    changed = {id(vector): _headed(vector, vectors, dots) for vector in vectors}
+    ends = np.array([vector.end for vector in vectors], dtype=complex)
+    near = ([vectors[k] for k in np.flatnonzero(np.abs(ends - vector.end) < _SAME)] for vector in vectors)
+    changed = {id(vector): _headed(vector, others, dots) for vector, others in zip(vectors, near)}
     return Figure([changed.get(id(mark), mark) for mark in figure.marks], figure.wanted)
 
 
-def _headed(vector: VectorMark, vectors: Sequence[VectorMark], dots: Sequence[PointMark]) -> VectorMark:
-    """With the head that its neighbours leave it."""
+def _headed(vector: VectorMark, near: Sequence[VectorMark], dots: Sequence[PointMark]) -> VectorMark:
+    """With the head that leaves those near it their own."""
     rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)
-    turns = {id(v): _turn(vector, v) for v in vectors if v is not vector and abs(v.end - vector.end) < _SAME}
+    turns = {id(v): _turn(vector, v) for v in near if v is not vector}
     left = [turn for turn in turns.values() if -_MELT < turn <= 0]
     right = [turn for turn in turns.values() if 0 < turn < _MELT]
     half: Half = "" if left and right else "right" if left else "left" if right else ""

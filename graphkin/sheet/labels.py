@@ -22,6 +22,10 @@ from graphkin.sheet.wanted import Wanted
 
 _DOT = 0.3
 """Where a leader meets an arrow is a dot of this radius, so that it is plain which of two it means [mm]."""
+_MANY = 150
+"""More labels than this are a crowd that far places do not relieve."""
+_ROUNDS = 12
+"""How often some are left out, to give others a place."""
 _NEIGHBOUR = 15.0
 """So near to a label without a place, others that say nothing new are left out [mm]."""
 
@@ -44,12 +48,15 @@ def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: boo
     known, arrows = tree(drawn), Arrows(drawn)
     table = Table.of(wanted, known, arrows, room)
     clashing = table.clashing(chosen := table.chosen())
-    if far and clashing:
+    crowd = far and bool(clashing)
+    if crowd and len(wanted) <= _MANY:
         table = Table.of(wanted, known, arrows, room, far)
         clashing = table.clashing(chosen := table.chosen())
-        while out := _left_out(table.wanted, clashing):
-            table = table.without(out)
-            clashing = table.clashing(chosen := table.chosen())
+    for _ in range(_ROUNDS if crowd else 0):
+        if not (out := _left_out(table.wanted, clashing)):
+            break
+        table = table.without(out)
+        clashing = table.clashing(chosen := table.chosen())
     marks: list[Mark] = []
     for want, row in zip(table.wanted, chosen, strict=True):
         wide, up, down = box(want.label, want.size)
@@ -59,7 +66,7 @@ def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: boo
             marks.append(_leader(middle, anchor, complex(wide, up + down) / 2, want))
             if want.of:
                 marks.append(Disc(anchor, _DOT, "leader", "ink", step=want.step))
-    return Settled(marks, len(clashing), table.far)
+    return Settled(marks, len(clashing), crowd)
 
 
 def _left_out(wanted: Sequence[Wanted], clashing: Sequence[int]) -> set[int]:

@@ -103,15 +103,18 @@ def _given(drawing: _Planes, paper: str | None, tight: bool) -> Sheet:
 
 def _whole(work: _Work, paper: str | None) -> _Composed:
     """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
-    trials = 1 if work.tight else _TRIALS
+    trials, large = 1 if work.tight else _TRIALS, False
     while True:
         trials -= 1
-        whole = _cut(work, paper)
-        if whole.lettered.lost and not (trials and whole.lettered.left_out):
+        whole = _cut(work, paper, large)
+        crowded, out = bool(whole.lettered.lost), whole.lettered.left_out
+        if crowded and not (trials and out):
             whole = work.on(whole.layout, far=True)
-        if not (trials and whole.lettered.left_out):
+            out = whole.lettered.left_out
+        if not (trials and out):
             return whole
-        work = replace(work, apart=[*work.apart, *whole.lettered.left_out])
+        large = paper is None and whole.layout.paper in LARGE
+        work = replace(work, apart=[*work.apart, *(work.loose(whole.layout) if crowded else out)])
 
 
 def mechanism_step_sheets(
@@ -238,21 +241,25 @@ def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iter
     return (captions.sheet(whole, number, strip) for number in numbers or range(1, len(captions.acts) + 1))
 
 
-def _cut(work: _Work, paper: str | None) -> _Composed:
+def _cut(work: _Work, paper: str | None, large: bool) -> _Composed:
     """On the paper divided; cut to a single figure, where the paper was not asked for."""
-    best = _divided(work, paper)
+    best = _divided(work, paper, large)
     if len(work.planes) > 1 or not (work.tight or paper is None):
         return best
     return work.on(cut_to(best.layout, work.planes[0], work.extent(best.layout, work.planes[0])))
 
 
-def _divided(work: _Work, paper: str | None) -> _Composed:
-    """Lettered near by, on the paper divided best: the smallest that holds all and leaves its letters room."""
+def _divided(work: _Work, paper: str | None, large: bool) -> _Composed:
+    """Lettered near by, on the paper divided best: the smallest that holds all and leaves its letters room.
+
+    large  a smaller one has been tried before
+    """
+    papers = LARGE if large else papers_for(paper)
     try:
-        layout = work.layout(papers_for(paper))
+        layout = work.layout(papers)
     except TooLargeForPaper as error:
         raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
-    best = work.roomier(work.on(layout), papers_for(paper))
+    best = work.roomier(work.on(layout), papers)
     now = best.lettered
     if paper is None and layout.paper not in LARGE and (now.crowded > _CROWDED or now.lost):
         larger = work.roomier(work.on(work.layout(LARGE)), LARGE)
@@ -291,6 +298,10 @@ class _Work:
         """The equations that stand with their polygons."""
         every = self.drawing.equations.items()
         return {plane: [block for block in blocks if block not in self.apart] for plane, blocks in every}
+
+    def loose(self, layout: Layout) -> list[EquationBlock]:
+        """Equations that have no place of their own over a figure."""
+        return [block for plane, blocks in self.blocks.items() if plane not in layout.headed for block in blocks]
 
     @cached_property
     def notes(self) -> dict[Plane, Label]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import field
+from itertools import accumulate
 
 from graphkin.construction import Plane
 from graphkin.errors import Lang
@@ -20,6 +21,8 @@ from graphkin.value import frozen
 _WIDE = 64.0
 """Width of the title block [mm]."""
 _LEAST_HEIGHT = 33.0
+_SHARE = 0.3
+"""So much of a paper's height equations may take at most."""
 _BAR = 9.0
 """Room for the check bar under the tables [mm]."""
 _SENTENCE = 2.8
@@ -31,9 +34,16 @@ def strip_height(
     paper: Paper, found: Sequence[Table] = (), equations: Sequence[EquationBlock] = (), told: Sequence[str] = ()
 ) -> float:
     """What the strip needs on a paper [mm]."""
-    lines = sum(head_of(line)[0].imag for line in flowed(equations, tables_room(paper)))
+    lines = sum(head_of(line)[0].imag for line in _lines(equations, paper))
     words = _written(told, paper).height
     return max(_LEAST_HEIGHT, height_of(arranged([*found], tables_room(paper))) + words + lines + 1 + _BAR)
+
+
+def _lines(equations: Sequence[EquationBlock], paper: Paper) -> list[list[EquationBlock]]:
+    """Line by line the equations for which there is room; the others are in the written solution alone."""
+    lines = flowed(equations, tables_room(paper))
+    reach = accumulate(head_of(line)[0].imag for line in lines)
+    return [line for line, end in zip(lines, reach, strict=True) if end <= _SHARE * paper.height]
 
 
 def _written(told: Sequence[str], paper: Paper) -> Paragraphs:
@@ -76,7 +86,7 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
     words = _written(asked.told, paper)
     marks += words.marks(corner)
     corner += 1j * words.height
-    for line in flowed(asked.equations, tables_room(paper)):
+    for line in _lines(asked.equations, paper):
         marks += laid_out(line, corner, tables_room(paper))
         corner += 1j * head_of(line)[0].imag
     marks += _check_bar(complex(room.left + 3, room.bottom - 3.2), lang)
