@@ -103,6 +103,14 @@ def drawings_of(method: Method, marking: Marking, count: int) -> Drawings:
     return Drawings.of(method, pencil_of(marking), Slips(seed_of(method.mechanism), count))
 
 
+def drawn_by(method: Method, key: Key, quantities: Sequence[Quantity]) -> tuple[np.ndarray, np.ndarray]:
+    """What a pencil gives for a key's quantities by a method (drawings, n), and how these scatter together (n, n)."""
+    drawn = drawings_of(method, key.marking, _FEW).values(quantities)[0]
+    sizes = np.array([entry.sort == "size" for entry in key.entries], dtype=bool)
+    drawn = np.where(sizes, np.abs(drawn), drawn)
+    return drawn, _together(drawn)
+
+
 # --- right values -----------------------------------------------------------------------------
 
 
@@ -197,7 +205,7 @@ def hypotheses_of(
     drawings = drawings_of(method, marking, _FEWER)
     drawn = drawings.values(quantities, columns)
     scatters = spread(drawn, values, [entry.sort for entry in entries])
-    least = np.array([[_least(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
+    least = np.array([[least_of(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
     scatters = np.where(np.isfinite(values), np.hypot(scatters, least.reshape(values.shape)), np.nan)
     sizes = np.array([entry.sort == "size" for entry in entries], dtype=bool)
     judged = np.isfinite(values)[:, None]
@@ -206,7 +214,7 @@ def hypotheses_of(
     return Hypotheses(tuple(_names(column) for column in columns), values, scatters, together)
 
 
-def _least(value: Value, entry: Entry) -> float:
+def least_of(value: Value, entry: Entry) -> float:
     """Rounding in print: of the mistaken value, or what the right one has where that is 0."""
     if not np.isfinite(value):
         return math.nan

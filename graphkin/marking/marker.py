@@ -20,6 +20,7 @@ from graphkin.marking.handed import readable
 from graphkin.marking.key import Entry, Hypotheses, Key
 from graphkin.marking.making import make_key
 from graphkin.marking.marked import Judged, Marked, Verdict, Work
+from graphkin.marking.own_scatter import ways_of
 from graphkin.marking.pairing import pairs_of
 from graphkin.marking.read_off import OffDrawing, pointing, read_off
 from graphkin.marking.standing_in import called_as_asked, same_answers
@@ -85,6 +86,10 @@ class Marker:
     @cached_property
     def pairs(self) -> Hypotheses:
         return pairs_of(self.method, self.plot, self.key, self.quantities)
+
+    @cached_property
+    def ways(self) -> Hypotheses:
+        return ways_of(self.method, self.key, self.quantities)
 
     @cached_property
     def positions(self) -> tuple[Marker, ...]:
@@ -175,7 +180,8 @@ class Marker:
         patterns, number = np.unique(np.isfinite(given[off]), axis=0, return_inverse=True)
         for k in range(len(patterns)):
             some = off[number.reshape(-1) == k]
-            for row, one in zip(some, diagnoses(self.key, self.table, given[some], wrong[some], lambda: self.pairs)):
+            each = diagnoses(self.key, self.table, given[some], wrong[some], lambda: self.pairs, lambda: self.ways)
+            for row, one in zip(some, each, strict=True):
                 found[row] = one
         return found
 
