@@ -1,4 +1,4 @@
-"""Mistakes of units and scales: exact factors of one value, of a kind, of all lengths, of what is given, or carried on."""
+"""Mistakes of units and scales: factors of one value, of a kind, of all lengths, of what is given, or carried on."""
 
 from __future__ import annotations
 
