@@ -107,6 +107,16 @@ def test_a_key_without_what_scatters_together_is_read():
         assert "coriolis-reversed" in found.diagnosis.explanations[0].ids
 
 
+def test_what_a_mistake_leaves_as_it_is_scatters_as_it_does():
+    """However few drawings of the mistake there are."""
+    key = problem("ex3-1").key
+    omitted = next(k for k, names in enumerate(key.singles.names) if names[0][0] == "coriolis-omitted")
+    for text in ("omega 3", "omega 2", "v B3B2"):
+        number = key.number(text)
+        assert number is not None
+        assert key.singles.scatters[omitted, number] == key.entries[number].scatter
+
+
 # --- right work -------------------------------------------------------------------------------
 
 

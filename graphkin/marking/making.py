@@ -203,15 +203,26 @@ def hypotheses_of(
         return Hypotheses((), np.empty((0, len(entries))), np.empty((0, len(entries))))
     values = combined(method, plot, quantities, columns).values
     drawings = drawings_of(method, marking, _FEWER)
-    drawn = drawings.values(quantities, columns)
+    every = drawings.values(quantities, [(), *columns])
+    right, drawn = every[0], every[1:]
     scatters = spread(drawn, values, [entry.sort for entry in entries])
     least = np.array([[least_of(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
-    scatters = np.where(np.isfinite(values), np.hypot(scatters, least.reshape(values.shape)), np.nan)
+    scatters = np.hypot(scatters, least.reshape(values.shape))
+    # what a mistake leaves as it is scatters as it does: few drawings say little of that near a dead point
+    scatters = np.where(_untouched(drawn, right), [entry.scatter for entry in entries], scatters)
+    scatters = np.where(np.isfinite(values), scatters, np.nan)
     sizes = np.array([entry.sort == "size" for entry in entries], dtype=bool)
     judged = np.isfinite(values)[:, None]
     drawn = np.where(judged, np.where(sizes, np.abs(drawn), drawn), 0.0)
     together = np.stack([np.round(_together(each), 2) for each in drawn])
     return Hypotheses(tuple(_names(column) for column in columns), values, scatters, together)
+
+
+def _untouched(drawn: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """Which quantities come out of every drawing (m, drawings, n) as they do of the right ones (drawings, n)."""
+    close = np.abs(drawn - right) <= _NOTHING * np.abs(right)
+    found: np.ndarray = np.all(close | np.isnan(right), axis=1)
+    return found
 
 
 def least_of(value: Value, entry: Entry) -> float:
