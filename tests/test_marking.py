@@ -222,6 +222,8 @@ def test_points_of_questions():
     ({"omega 3": -3.92, "a_k B3B2": 2.51, "alpha 3": 91.0}, "normal-outward"),
     ({"omega 3": -3.92, "a_k B3B2": 2.51, "alpha 3": 76.6}, "normal-omitted"),
     ({"omega 3": -37.4, "a_k B3B2": 2.51, "alpha 3": 62.2}, "conversion"),
+    ({"omega 3": -3.92, "alpha 3": 62.2, "v B3B2": 321.0, "a_k B3B2": 2515.0, "a_r B3B2": 185.0}, "conversion"),
+    ({"omega 3": -3.92, "v B3B2": 321.0, "a_k B3B2": 2515.0}, "conversion"),
 ])  # fmt: skip
 def test_the_mistake_behind_a_wrong_number(values: dict[str, float], expected: str):
     assert expected in ids(values)

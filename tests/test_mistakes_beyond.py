@@ -209,6 +209,8 @@ def test_factors_of_units_and_scales():
     for words, factors in {
         ("conversion", "", "omega 2", "30/π"): (30 / np.pi, 1, 1, 1, 1),
         ("conversion", "kind", "rad/s", "60"): (60, 60, 1, 1, 1),
+        ("conversion", "lengths", "m/s, m/s^2", "10³"): (1, 1, 1, 1e3, 1e3),
+        ("conversion", "paper", "m/s, m/s^2", "1/μ_v, 1/μ_a"): (1, 1, 1, 200, 20),
         ("conversion", "sense", "alpha 3"): (1, 1, -1, 1, 1),
         ("conversion", "", "v C", "10³"): (1, 1, 1, 1e3, 1),
         ("conversion", "", "v C", "1/μ_v"): (1, 1, 1, 200, 1),

@@ -16,6 +16,7 @@ from graphkin.grading import grade, key_drawn
 from graphkin.grading.again import again
 from graphkin.marking.consequences import rewrites, rewritten
 from graphkin.marking.graded import Drawn
+from graphkin.marking.marked import Number, Work
 from graphkin.marking.marker import Marker
 from graphkin.marking.rewrite import Rewrite
 from graphkin.outputs.marks_json import record
@@ -136,6 +137,20 @@ def test_a_drawing_alone_is_marked_whole(tmp_path: Path):
         assert judged["alpha 3"].verdict == "wrong"
         assert (judged["a_k B3B2"].verdict, judged["a_k B3B2"].sense) == (best, best)
         assert any(id in each.ids for each in found.marked.diagnosis.explanations)
+
+
+def test_an_arrow_astray_tells_mistakes_apart():
+    """By sizes and rotations alone the driver reversed goes with omega misread, which turns no arrow."""
+    one = marker("ex3-1")
+    points = next(points for rewrite, points in made("ex3-1") if rewrite.name[0] == "driver-reversed")
+    arrows = {text: vector for text, vector in vectors(one, points).items() if text.startswith("v")}
+    found, told = one.off_drawing({"velocity": points["velocity"]}, arrows, {})
+    assert told == {"v B2": False}
+    for pointing, expected in ((told, {"driver-reversed"}), ({}, {"driver-reversed", "omega-sense"})):
+        numbers = {text: Number(abs(vector), points=pointing.get(text)) for text, vector in arrows.items()}
+        numbers |= {text: Number(value) for text, value in found.values.items()}
+        (marked,) = one.mark([Work("s", numbers)])
+        assert {id for each in marked.diagnosis.explanations for id in each.ids} == expected
 
 
 def test_directions_stay_when_marks_are_made_anew(tmp_path: Path):

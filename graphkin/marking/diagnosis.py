@@ -12,7 +12,7 @@ from dataclasses import field
 
 import numpy as np
 
-from graphkin.marking.explaining import Best, Explainer
+from graphkin.marking.explaining import Best, Explainer, Ways
 from graphkin.marking.key import Hypotheses, Key, Name
 from graphkin.marking.verdicts import Columns
 from graphkin.marking.weights import ONE, TWO
@@ -55,22 +55,22 @@ class Diagnosis:
 
 
 def diagnoses(
-    key: Key, table: Columns, given: np.ndarray, wrong: np.ndarray, pairs: Callable[[], Hypotheses | None]
+    key: Key, table: Columns, given: np.ndarray, wrong: np.ndarray, pairs: Callable[[], Hypotheses | None], ways: Ways
 ) -> list[Diagnosis]:
     """For students who have handed in the same quantities: given, wrong (students, n).
 
-    pairs  makes what two mistakes give; called where it is needed
+    pairs  makes what two mistakes give, ways what right work gives by other ways; called where they are needed
     """
     there = np.isfinite(given).all(axis=0)
     if not len(given) or not there.any():
         return [Diagnosis() for _ in given]
-    one, found = Explainer(key, table, there, key.singles, ONE), []
+    one, found = Explainer(key, table, there, key.singles, ONE, ways), []
     for best in one.best(given, wrong):
         evidence = _evidence(best, one)
         found += [Diagnosis(each, evidence[k]) for k, each in enumerate(_explanations(one, best))]
     rest = np.array([k for k, one in enumerate(found) if not one.explanations], dtype=int)
     if rest.size and independent(key, there) >= _PAIRS_FROM and (two := pairs()) is not None:
-        both = Explainer(key, table, there, two, TWO)
+        both = Explainer(key, table, there, two, TWO, ways)
         each = (some for best in both.best(given[rest], wrong[rest]) for some in _explanations(both, best))
         for k, explanations in zip(rest, each, strict=True):
             found[k] = Diagnosis(explanations, found[k].evidence)

@@ -6,7 +6,7 @@ that the values cannot tell from it are given with it, as one set.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from copy import copy
 
 import numpy as np
@@ -25,6 +25,10 @@ _CHANCE = 0.008
 """A hit that random numbers make more often is no hint."""
 _AT_ONCE = 1 << 16
 """Weights that are held at once."""
+
+
+Ways = Callable[[], Hypotheses]
+"""Makes what right work gives that takes other right ways; called where it is needed."""
 
 
 @frozen
@@ -54,9 +58,11 @@ class Explainer:
     texts  of these; names: of the m explanations that can be seen in them
     """
 
-    def __init__(self, key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, met: float) -> None:
+    def __init__(
+        self, key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, met: float, ways: Ways
+    ) -> None:
         """met: logarithm of how often one of the hypotheses is met."""
-        self.there, self._scale = there, Scale(key, table, there, hypotheses, met)
+        self.there, self._scale, self._ways = there, Scale(key, table, there, hypotheses, met), ways
         rows, self._hypotheses = self._scale.rows, hypotheses
         self.texts = tuple(entry.text for entry, handed in zip(key.entries, there, strict=True) if handed)
         self._table = columns_of(table, there)
@@ -92,12 +98,15 @@ class Explainer:
         weighed = self._scale.weigh(given)
         same = self._sets(weighed)
         together, every = _sums(weighed.weights, same)
-        others = np.maximum(weighed.right, weighed.none)
+        right = weighed.right
+        if np.any(together > right + MARGIN):
+            right = np.maximum(right, self._scale.right_by(given, self._ways()))
+        others = np.maximum(right, weighed.none)
         rest = np.where(same, -np.inf, weighed.weights).max(axis=1, initial=-np.inf)
         with np.errstate(invalid="ignore"):
-            total = np.logaddexp(every, np.logaddexp(weighed.right, weighed.none))
+            total = np.logaddexp(every, np.logaddexp(right, weighed.none))
             margin, probability = together - np.maximum(others, rest), np.exp(together - total)
-        same[(probability < _LIKELY) | (together < weighed.right + MARGIN)] = False
+        same[(probability < _LIKELY) | (together < right + MARGIN)] = False
         who, row = np.nonzero(same)
         follows = self._follow(given[who], wrong[who], row)
         # some of a set may say nothing of what is wrong

@@ -103,6 +103,14 @@ def drawings_of(method: Method, marking: Marking, count: int) -> Drawings:
     return Drawings.of(method, pencil_of(marking), Slips(seed_of(method.mechanism), count))
 
 
+def drawn_by(method: Method, key: Key, quantities: Sequence[Quantity]) -> tuple[np.ndarray, np.ndarray]:
+    """What a pencil gives for a key's quantities by a method (drawings, n), and how these scatter together (n, n)."""
+    drawn = drawings_of(method, key.marking, _FEW).values(quantities)[0]
+    sizes = np.array([entry.sort == "size" for entry in key.entries], dtype=bool)
+    drawn = np.where(sizes, np.abs(drawn), drawn)
+    return drawn, _together(drawn)
+
+
 # --- right values -----------------------------------------------------------------------------
 
 
@@ -195,10 +203,14 @@ def hypotheses_of(
         return Hypotheses((), np.empty((0, len(entries))), np.empty((0, len(entries))))
     values = combined(method, plot, quantities, columns).values
     drawings = drawings_of(method, marking, _FEWER)
-    drawn = drawings.values(quantities, columns)
+    every = drawings.values(quantities, [(), *columns])
+    right, drawn = every[0], every[1:]
     scatters = spread(drawn, values, [entry.sort for entry in entries])
-    least = np.array([[_least(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
-    scatters = np.where(np.isfinite(values), np.hypot(scatters, least.reshape(values.shape)), np.nan)
+    least = np.array([[least_of(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
+    scatters = np.hypot(scatters, least.reshape(values.shape))
+    # what a mistake leaves as it is scatters as it does: few drawings say little of that near a dead point
+    scatters = np.where(_untouched(drawn, right), [entry.scatter for entry in entries], scatters)
+    scatters = np.where(np.isfinite(values), scatters, np.nan)
     sizes = np.array([entry.sort == "size" for entry in entries], dtype=bool)
     judged = np.isfinite(values)[:, None]
     drawn = np.where(judged, np.where(sizes, np.abs(drawn), drawn), 0.0)
@@ -206,7 +218,14 @@ def hypotheses_of(
     return Hypotheses(tuple(_names(column) for column in columns), values, scatters, together)
 
 
-def _least(value: Value, entry: Entry) -> float:
+def _untouched(drawn: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """Which quantities come out of every drawing (m, drawings, n) as they do of the right ones (drawings, n)."""
+    close = np.abs(drawn - right) <= _NOTHING * np.abs(right)
+    found: np.ndarray = np.all(close | np.isnan(right), axis=1)
+    return found
+
+
+def least_of(value: Value, entry: Entry) -> float:
     """Rounding in print: of the mistaken value, or what the right one has where that is 0."""
     if not np.isfinite(value):
         return math.nan

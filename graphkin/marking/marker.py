@@ -12,16 +12,20 @@ import numpy as np
 
 from graphkin import loading, planning
 from graphkin.construction import Plot
+from graphkin.marking.arrows_astray import as_drawn, turned_by
 from graphkin.marking.at_positions import joined, parted
 from graphkin.marking.carrying import Carried, Problem
+from graphkin.marking.consequences import rewrites
 from graphkin.marking.diagnosis import Diagnosis, diagnoses
 from graphkin.marking.graded import Drawn
 from graphkin.marking.handed import readable
-from graphkin.marking.key import Entry, Hypotheses, Key
+from graphkin.marking.key import Entry, Hypotheses, Key, Name
 from graphkin.marking.making import make_key
 from graphkin.marking.marked import Judged, Marked, Verdict, Work
+from graphkin.marking.own_scatter import ways_of
 from graphkin.marking.pairing import pairs_of
 from graphkin.marking.read_off import OffDrawing, pointing, read_off
+from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.standing_in import called_as_asked, same_answers
 from graphkin.marking.verdicts import agrees, columns, sense_only
 from graphkin.planning import Method
@@ -87,6 +91,10 @@ class Marker:
         return pairs_of(self.method, self.plot, self.key, self.quantities)
 
     @cached_property
+    def ways(self) -> Hypotheses:
+        return ways_of(self.method, self.key, self.quantities)
+
+    @cached_property
     def positions(self) -> tuple[Marker, ...]:
         """One for each position that is asked for, this one for the first."""
         return self, *(Marker(key) for key in self.key.further)
@@ -149,6 +157,7 @@ class Marker:
         strange = strange.reshape(given.shape)
         carried = self._carried(works, given, wrong & ~strange, wrong)
         found = self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange)
+        found = [self._as_drawn(work, one) for work, one in zip(works, found, strict=True)]
         return [self._marked(work, k, given[k], right[k], carried, found[k]) for k, work in enumerate(works)]
 
     def _carried(self, works: Sequence[Work], given: np.ndarray, known: np.ndarray, wrong: np.ndarray) -> Carried:
@@ -175,9 +184,23 @@ class Marker:
         patterns, number = np.unique(np.isfinite(given[off]), axis=0, return_inverse=True)
         for k in range(len(patterns)):
             some = off[number.reshape(-1) == k]
-            for row, one in zip(some, diagnoses(self.key, self.table, given[some], wrong[some], lambda: self.pairs)):
+            each = diagnoses(self.key, self.table, given[some], wrong[some], lambda: self.pairs, lambda: self.ways)
+            for row, one in zip(some, each, strict=True):
                 found[row] = one
         return found
+
+    def _as_drawn(self, work: Work, diagnosis: Diagnosis) -> Diagnosis:
+        """By the arrows of a drawing that point another way."""
+        each = zip(self.key.entries, self.quantities, strict=True)
+        astray = [q for entry, q in each if entry.text in work.numbers and work.numbers[entry.text].points is False]
+        if not astray or not diagnosis.explanations:
+            return diagnosis
+        return as_drawn(diagnosis, lambda sets: turned_by(self.method, self.plot, astray, self.known, sets))
+
+    @cached_property
+    def known(self) -> dict[Name, Rewrite]:
+        """How every mistake is made."""
+        return {one.name: one for one in rewrites(self.method, self.plot, self.quantities, self.key.marking.scales)}
 
     # --- one student --------------------------------------------------------------------------
 

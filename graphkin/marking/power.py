@@ -121,7 +121,7 @@ def _parts(
 ) -> list[_Parts]:
     """The same of those who hand in the same quantities; `drawn`: who does at all (rows, trials)."""
     key, given, of = marker.key, given[drawn], np.nonzero(drawn)[0]
-    explainer = Explainer(key, marker.table, there, key.singles, ONE)
+    explainer = Explainer(key, marker.table, there, key.singles, ONE, lambda: marker.ways)
     known = explainer.names
     ids = np.array([names[0][0] for names in known], dtype=object)
     mine = np.array([[names == key.singles.names[row] for names in known] for row in rows])

@@ -24,7 +24,7 @@ from graphkin.value import frozen
 
 _ALONG = math.radians(5)
 """An arrow that is nearer to its link's direction turns it neither way."""
-_ASTRAY = math.radians(15)
+ASTRAY = math.radians(15)
 """A known arrow that is laid off farther from where it should point is laid off another way."""
 _SHORT = 0.02
 """Of an arrow that is a smaller part of its polygon's longest no direction is told."""
@@ -92,7 +92,7 @@ def _points(vector: complex, expected: Sequence[Value], longest: float) -> bool 
     some = [complex(one) for one in expected if np.isfinite(one) and abs(complex(one)) > _SHORT * longest]
     if not some or abs(vector) <= _SHORT * longest:
         return None
-    return any(abs(cmath.phase(vector / one)) < _ASTRAY for one in some)
+    return any(abs(cmath.phase(vector / one)) < ASTRAY for one in some)
 
 
 def _longest(plot: Plot, plane: Plane) -> float:

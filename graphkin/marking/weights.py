@@ -60,7 +60,7 @@ class Scale:
 
     def __init__(self, key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, met: float) -> None:
         """met: logarithm of how often one of the hypotheses is met."""
-        self.table = columns_of(table, there)
+        self.table, self._there = columns_of(table, there), there
         self.rows = np.flatnonzero(visible(self.table, hypotheses.values[:, there]))
         self.shares = met + _shares(hypotheses.kinds[self.rows])
         chosen, usual = np.ix_(self.rows, there), key.together[np.ix_(there, there)]
@@ -73,6 +73,15 @@ class Scale:
         one = copy(self)
         one.rows, one.shares, one._one = self.rows[[k]], self.shares[[k]], self._one.only(k)
         return one
+
+    def right_by(self, given: np.ndarray, ways: Hypotheses) -> np.ndarray:
+        """The weights of right work by the likeliest of some ways (students,), their rows being right values."""
+        own = None if ways.together is None else _Own(ways.together, np.arange(len(ways.values)), self._there)
+        values, scatters = ways.values[:, self._there], ways.scatters[:, self._there]
+        rows = _Rows(self.table, values, scatters, self._right.usual, own)
+        weights = rows.weigh(given, _nothing(self.table, given))[0]
+        found: np.ndarray = weights.max(axis=1, initial=-np.inf) + _RIGHT
+        return found
 
     def drawn(self, k: int, errors: np.ndarray) -> np.ndarray:
         """Values of those who make mistake k (students, n), normal about what it gives; errors: standard normal."""

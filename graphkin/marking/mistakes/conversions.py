@@ -1,4 +1,4 @@
-"""Mistakes of units and scales: exact factors, of one value, of all of a kind, of what is given, or carried on."""
+"""Mistakes of units and scales: factors of one value, of a kind, of all lengths, of what is given, or carried on."""
 
 from __future__ import annotations
 
@@ -46,6 +46,7 @@ def _convertible(quantity: Quantity) -> bool:
 def conversion(scene: Scene) -> Iterator[Rewrite]:
     asked = [quantity for quantity in scene.quantities if _convertible(quantity)]
     yield from _written(scene, asked)
+    yield from _throughout(scene)
     yield from _carried(scene)
     yield from _given(scene)
 
@@ -63,6 +64,20 @@ def _written(scene: Scene, asked: list[Quantity]) -> Iterator[Rewrite]:
     for quantity in asked:
         if isinstance(quantity, Rotation) and quantity.word == "alpha":
             yield Rewrite("conversion", quantity.text, asked=(Written(quantity.text, -1.0),), way="sense")
+
+
+def _throughout(scene: Scene) -> Iterator[Rewrite]:
+    """Velocities and accelerations alike: all lengths in another unit, or as they are on paper. Rotations are right."""
+    kinds = {unit: [q.text for q in scene.quantities if q.unit == unit] for unit in ("m/s", "m/s^2")}
+    if not all(kinds.values()):
+        return
+    ways = {("lengths", form): (factor, factor) for form, factor in THOUSANDS.items()}
+    velocity, acceleration = (scene.scales.get(plane) for plane in ("velocity", "acceleration"))
+    if velocity and acceleration:
+        ways["paper", "1/μ_v, 1/μ_a"] = 1 / velocity, 1 / acceleration
+    for (way, form), each in ways.items():
+        values = (Written(text, factor) for texts, factor in zip(kinds.values(), each, strict=True) for text in texts)
+        yield Rewrite("conversion", ", ".join(kinds), form, asked=tuple(values), way=way)
 
 
 def _carried(scene: Scene) -> Iterator[Rewrite]:

@@ -111,6 +111,14 @@ PHRASES: Phrases = {
         "all values in {of} off by the factor {form} of a unit or a scale",
         "所有单位为 {of} 的量换算都差因子 {form}",
     ),
+    "made conversion lengths": (
+        "all lengths in another unit, mm for m or m for mm: every value in {of} off by the factor {form}",
+        "长度一律用错单位（mm 与 m 相混）：所有单位为 {of} 的量都差因子 {form}",
+    ),
+    "made conversion paper": (
+        "all values in {of} as they are measured on paper, off by the factors {form} of the scales",
+        "所有单位为 {of} 的量都是图上量得的长度，未乘比例尺，差因子 {form}",
+    ),
     "made conversion carried": (
         "{of} off by the factor {form} of a unit or a scale, and carried on",
         "{of} 的换算差因子 {form}，并用于以后各步",
