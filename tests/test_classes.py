@@ -219,7 +219,7 @@ def test_a_broken_off_marking_goes_on(marked: list[str]):
 def test_an_interruption_leaves_whole_files(jobs: str):
     """Ctrl-C in the middle of it, as a process."""
     graphkin = str(Path(sys.executable).with_name("graphkin"))
-    command = [graphkin, "grade", "ex3-1", table(4000), "-o", "out", "--format", "csv", "--jobs", jobs]
+    command = [graphkin, "grade", "ex3-1", table(20_000), "-o", "out", "--format", "csv", "--jobs", jobs]
     process = subprocess.Popen(command, stderr=subprocess.PIPE, start_new_session=True)
     journal = Path("out/marks.json.journal")
     for _ in range(600):

@@ -12,6 +12,7 @@ from graphkin.handouts.document import Block, Heading, Table, Text
 from graphkin.handouts.told import Told
 from graphkin.marking.key import Key
 from graphkin.quantities import EDGE, Centre
+from graphkin.quantities.typed import rewritten
 from graphkin.readings import readings
 from graphkin.say import names
 from graphkin.say.catalogue import say
@@ -77,8 +78,9 @@ def _given_by(told: Told, key: Key, id: str, wanted: list[int], moved: np.ndarra
             unit = EDGE[symbols[entry.text].unit]
             shown.append(f"{told.goal.symbol(symbols[entry.text])} = {number(value * unit.factor)} {unit.sign}".strip())
     name = mistake(key.singles.names[row][0], told.lang)
-    turns = re.sub(r"\b(?:theta|omega|alpha) \w+", lambda found: names.asked(found[0]), name)
-    raised = re.sub(r"([va])\^([nktr]+)_", lambda found: names.vector(found[0] + "X")[:-1], turns)
+    known = {entry.text for entry in key.entries}
+    signs = rewritten(name, lambda text: names.asked(text) if text in known else text)
+    raised = re.sub(r"([va])\^([nktr]+)_", lambda found: names.vector(found[0] + "X")[:-1], signs)
     return formula(say("handouts.gives", told.lang, mistake=raised, values=", ".join(shown)))
 
 

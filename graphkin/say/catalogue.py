@@ -22,9 +22,9 @@ LANGUAGES: tuple[Lang, ...] = get_args(Lang)
 _WORD, _SIGN = "[\u4e00-\u9fff]", "[（）；，。、：]"
 _START, _END = "\ue002", "\ue003"
 _LETTER = "[A-Za-z0-9\u0370-\u03ff\ue000]"
-_BESIDE = re.compile(f"(?<={_WORD}){_START}+(?={_LETTER})|(?<=[A-Za-z0-9\u0370-\u03ff\u2032\ue001]){_END}+(?={_WORD})")
-_EDGE = re.compile(f"[{_START}{_END}]")
-_ROOM = re.compile(f"(?<={_WORD}) +(?={_WORD})|(?<={_SIGN}) +(?=\\S)|(?<=\\S) +(?={_SIGN})")
+_BESIDE = f"(?<={_WORD}){_START}+(?={_LETTER})|(?<=[A-Za-z0-9\u0370-\u03ff\u2032\ue001]){_END}+(?={_WORD})"
+_EDGE = f"[{_START}{_END}]"
+_ROOM = f"(?<={_WORD}) +(?={_WORD})|(?<={_SIGN}) +(?=\\S)|(?<=\\S) +(?={_SIGN})"
 
 
 def phrase(name: str, lang: Lang) -> str:
@@ -69,13 +69,13 @@ def meaning(name: str, /, **words: object) -> Meaning:
 
 def close(text: str) -> str:
     """Chinese leaves no room between two Chinese words, nor beside its signs."""
-    return _ROOM.sub("", text)
+    return re.sub(_ROOM, "", text)
 
 
 def set_close(name: str, /, **words: object) -> str:
     """A Chinese phrase with room between its own words and the letters and figures put in, and nowhere else."""
     held = {key: f"{_START}{word}{_END}" if isinstance(word, str) else word for key, word in words.items()}
-    return close(_EDGE.sub("", _BESIDE.sub(" ", say(name, "zh", **held))))
+    return close(re.sub(_EDGE, "", re.sub(_BESIDE, " ", say(name, "zh", **held))))
 
 
 @cache

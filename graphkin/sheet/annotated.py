@@ -110,8 +110,7 @@ class Annotated:
             middle = start * cmath.rect(1, -sense * SWEEP / 2)
             want = Wanted(label, at + middle * radius, gap=0.9, away=middle, step=step)
             arc = [_accented(mark, plane) for mark in spin(at, start, sense, radius, step)]
-            trial = FreeRoom([*free.marks, *arc], free.room)
-            if letters := trial.letters(want):
+            if letters := free.tried(arc).letters(want):
                 found = [*arc, *(_accented(mark, plane) for mark in letters)]
                 free.add(found)
                 return found
@@ -120,13 +119,12 @@ class Annotated:
     def _places(self, link: str, sense: float, free: FreeRoom) -> Iterator[tuple[Place, float, complex]]:
         """Where such an arc has room: centre, radius, direction in which it starts; about fixed points first."""
         owners, skeleton = self.reading.mechanism.owners, self.skeleton
-        points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
-        spots = [(skeleton.at(point), radius, start) for point in points for radius in _RADII for start in _TURNS]
-        turns = np.linspace(0, -sense * SWEEP, 8)
-        along = np.array([[at + start * radius * cmath.rect(1, turn) for turn in turns] for at, radius, start in spots])
-        middle = np.stack([along.real, along.imag], axis=-1).reshape(-1, 2)
-        clear = free.free(middle - _HALF, middle + _HALF).reshape(len(spots), -1).all(axis=1) if spots else ()
-        return (spot for spot, is_clear in zip(spots, clear, strict=True) if is_clear)
+        ways = [(radius, start) for radius in _RADII for start in _TURNS]
+        along = np.outer([radius * start for radius, start in ways], np.exp(1j * np.linspace(0, -sense * SWEEP, 8)))
+        for at in map(skeleton.at, sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])):
+            middle = np.stack([(at + along).real, (at + along).imag], axis=-1).reshape(-1, 2)
+            clear = free.free(middle - _HALF, middle + _HALF).reshape(along.shape).all(axis=1)
+            yield from ((at, *ways[k]) for k in np.flatnonzero(clear))
 
 
 def _accented(mark: Mark, plane: Plane) -> Mark:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import field
 from typing import Any
 
@@ -47,6 +48,13 @@ class FreeRoom:
         self.marks += marks
         self._added = tree(self.marks[self._first :])
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
+
+    def tried(self, marks: Sequence[Mark]) -> FreeRoom:
+        """As it would be with these; nothing is added here."""
+        found = copy(self)
+        found.marks = [*self.marks]
+        found.add(marks)
+        return found
 
     def free(self, low: Any, high: Any) -> Any:
         """Which of many boxes (n, 2) touch nothing and lie in the room."""

@@ -297,7 +297,7 @@ class _Work:
         """Planes that hold what ruler and compass do not give, and how it was found."""
         found: dict[Plane, Label] = {}
         for plane in self.planes if self.drawing.style != "given" else ():
-            steps = self.drawing.construction(plane).steps
+            steps = [*self.drawing.construction(plane).steps]
             if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
                 found[plane] = plain(FITTED[self.lang])
             elif any(isinstance(step, Simultaneous) for step in steps):

@@ -206,8 +206,8 @@ class Lettered:
     def _finished(self, panel: Panel, settled: Settled) -> tuple[Settled, Added]:
         if panel.more is None:
             return settled, Added()
-        if not settled.crowd:
-            off = panel.lettered(False, panel.more.lines())
+        if not settled.crowd and (lines := panel.more.lines()):
+            off = panel.lettered(False, lines)
             settled = off if _worth(off) <= _worth(settled) else settled
         return settled, panel.more([*panel.drawn, *settled.marks, *panel.after], panel.room)
 

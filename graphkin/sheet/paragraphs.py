@@ -18,13 +18,13 @@ _MOST = 16
 """Lines in a strip; what is longer is cut."""
 _STOPS = r"[\u3001\u3002\uff0c\uff1b\uff09]?"
 _WORD = r"[^\s\u2e80-\uffef]+"
-_PIECES = re.compile(rf"{_WORD}(?: [=≈<>] {_WORD})*{_STOPS}|[\u2e80-\uffef]{_STOPS}|\s+")
+_PIECE = rf"{_WORD}(?: [=≈<>] {_WORD})*{_STOPS}|[\u2e80-\uffef]{_STOPS}|\s+"
 
 
 def broken(text: str, room: float, size: float) -> Iterator[str]:
     """Lines that fit a width [mm]: broken at blanks, and between Chinese characters."""
     line = ""
-    for piece in _PIECES.findall(text):
+    for piece in re.findall(_PIECE, text):
         if line and width(formula((line + piece).rstrip()), size) > room:
             yield line.rstrip()
             line = piece.lstrip()
@@ -46,7 +46,7 @@ class Paragraphs:
         """Sentences in a width [mm]; a blank at a text's beginning sets all of it in."""
         found: list[tuple[str, float]] = []
         for text in texts:
-            own = _INDENT if text.startswith(" ") else 0.0
+            own = _INDENT if text != text.lstrip() else 0.0
             pieces = broken(text.strip(), room - own - _INDENT, letters)
             found += [(line, own + (_INDENT if k else 0.0)) for k, line in enumerate(pieces)]
         kept = found if len(found) <= _MOST else [*found[: _MOST - 1], ("…", 0.0)]
