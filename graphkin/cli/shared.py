@@ -255,11 +255,10 @@ def _told(
 
 def _write_told(output: Path, pages: Sequence[str], as_json: bool, force: bool) -> None:
     """What would be printed; a text says at its end whose it is, so that it may be written again."""
-    from graphkin import __version__
     from graphkin.outputs.files import beside
 
-    end = [] if as_json else ["", f"graphkin {__version__}"]
-    with beside(output, force, (b'{"format": 1', b"\ngraphkin ")) as draft:
+    end = [] if as_json else ["", "graphkin"]
+    with beside(output, force, (b'{"format": 1', b"\ngraphkin\n")) as draft:
         draft.write_text("\n".join([*pages, *end, ""]), encoding="utf-8", newline="\n")
     click.echo(str(output))
 
