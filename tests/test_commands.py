@@ -50,6 +50,28 @@ def test_several_drawings() -> None:
     assert run("equations", "ex3-1", "fig3-1", "-o", "one.txt").exit_code == 2
 
 
+def test_several_drawings_into_a_folder() -> None:
+    """One that is refused stops none."""
+    result = run("draw", "ex3-1", "no-such", "fig3-1", "--only", "position", "-o", "sheets/new")
+    assert (result.exit_code, sorted(path.name for path in Path("sheets/new").iterdir())) == (3, ["ex3-1.svg", "fig3-1.svg"])
+
+
+@pytest.mark.parametrize("command", ["solve", "structure"])
+def test_what_is_printed_is_written(command: str) -> None:
+    """Again, too; but not over a file of another's, and nothing where nothing could be told."""
+    for _ in range(2):
+        assert run(command, "ex3-1", "no-such", "fig3-1", "-o", "told.jsonl").exit_code == 3
+        assert run(command, "ex3-1", "fig3-1", "-o", "told.txt").exit_code == 0
+    assert Path("told.jsonl").read_text("utf-8") == run(command, "ex3-1", "no-such", "fig3-1", "--json").stdout
+    assert Path("told.txt").read_text("utf-8").startswith(run(command, "ex3-1", "fig3-1").stdout)
+    Path("own.txt").write_text("mine", encoding="utf-8")
+    assert run(command, "ex3-1", "-o", "own.txt").exit_code == 3
+    assert Path("own.txt").read_text("utf-8") == "mine"
+    assert run(command, "ex3-1", "fig3-1", "-o", "told.json").exit_code == 2
+    assert run(command, "no-such", "-o", "none.txt").exit_code == 3
+    assert not Path("none.txt").exists()
+
+
 def test_solve_at_another_angle() -> None:
     (position,) = json.loads(run("solve", "ex3-5", "--angle", "100", "--json").stdout)["positions"]
     Path("mine.toml").write_text(FILE, encoding="utf-8")
@@ -287,6 +309,27 @@ def test_values_for_each_driver() -> None:
     for act in (lambda: api.motion(machine, [1, 2]), lambda: api.Drawing.of(machine, [1, 2])):
         with pytest.raises(ValueError, match=r"1 drivers, 2 values. Give one value for each of AB"):
             act()
+
+
+def test_handout_at_another_angle() -> None:
+    assert run("handout", "ex3-1", "--stage", "problem", "--angle", "100", "-o", "at.html").exit_code == 0
+    assert "100°" in Path("at.html").read_text("utf-8")
+
+
+def test_tolerance_at_another_angle() -> None:
+    found = json.loads(run("tolerance", "ex3-1", "--angle", "100", "--json").stdout)
+    there = api.motion(library.load("ex3-1"), [math.radians(100)]).omega["3"].si
+    assert found["quantities"]["omega 3"]["right"] == pytest.approx(there, rel=1e-9)
+
+
+def test_a_measure_far_from_the_sketch_is_asked_for() -> None:
+    """Where it leaves a gap; one that agrees is not doubted."""
+    long = run("solve", "-", text=FILE.replace("DC = 60", "DC = 200")).stderr
+    assert "stays open" in long
+    assert "Is DC right? The sketch has 60 mm, the link 200 mm." in long
+    apart = run("solve", "-", text=FILE.replace("D = [80, 0]", "D = [210, 0]").replace("[80, 60]", "[150, 5]")).stderr
+    assert "stays open" in apart
+    assert "right?" not in apart
 
 
 def test_a_trains_ratios_are_no_trial() -> None:

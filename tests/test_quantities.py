@@ -11,10 +11,11 @@ import numpy as np
 import pytest
 
 import graphkin
-from graphkin import library, sweeps
+from graphkin import library, starters, sweeps
 from graphkin.analytic import motion
 from graphkin.centres import centres
 from graphkin.errors import NOWHERE, GraphkinError, Where
+from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
 from graphkin.planning import plan
@@ -127,6 +128,19 @@ def test_what_is_not_there(text: str, error: str):
         named(mechanism, text, Where("--of"))
     assert type(raised.value).__name__ == error
     assert "--of" in str(raised.value)
+
+
+@pytest.mark.parametrize("text", ["a_k C2C3", "v C2C3", "v_x C2C3"])
+def test_coincident_points_that_are_there_are_told(text: str):
+    """Links of a cylinder have words for names; what is told is read again."""
+    mechanism = loads(starters.text("cylinder", "en"))
+    with pytest.raises(GraphkinError) as raised:
+        named(mechanism, text, Where("ask"))
+    assert raised.value.possible
+    for pair in raised.value.possible:
+        assert named(mechanism, f"a_k {pair}", NOWHERE).part == "k"
+    with pytest.raises(GraphkinError, match=r"Possible: A, B, C, T\."):
+        named(mechanism, "a_n C2C3", Where("ask"))
 
 
 def test_only_what_is_answered_is_suggested():

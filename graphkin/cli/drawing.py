@@ -14,12 +14,14 @@ from graphkin.cli.each import each_mechanism
 from graphkin.cli.shared import (
     PAPERS,
     angle_option,
+    as_told,
     at_option,
     at_values,
     coincident_option,
     drawing_option,
     drawn,
     force_option,
+    is_folder,
     json_line,
     lang_option,
     mechanisms_argument,
@@ -28,6 +30,7 @@ from graphkin.cli.shared import (
     read,
     speaking,
     told_each,
+    told_option,
 )  # fmt: skip
 from graphkin.errors import GraphkinError, Lang
 
@@ -75,6 +78,7 @@ def draw(
     Example:
       graphkin draw ex3-1 -o sheet.svg --lang zh
       graphkin draw ex3-1 -o sheet.pdf
+      graphkin draw *.toml -o sheets
       graphkin draw ex3-7 --angle 120 --steps steps
       graphkin draw ex3-7 --animate -o shaper.svg
       graphkin draw p3-20 --path E --arrows
@@ -87,7 +91,7 @@ def draw(
         raise click.UsageError("--style given draws the mechanism alone: leave out --steps and other planes")
     _check_paths(paths, arrows, style, only, output)
     machine = read(mechanism)
-    output = output or Path(f"{machine.name}.svg")
+    output = _file(output, machine.name)
     if animate:
         if steps is not None or tight or style != "construction" or paths or angles or displacements:
             raise click.UsageError(
@@ -114,6 +118,14 @@ def draw(
     for path, content in pages:
         drawings.write(path, content, force)
         click.echo(str(path), err=str(output) == "-")
+
+
+def _file(output: Path | None, name: str) -> Path:
+    """Where a mechanism's drawing goes; a folder is made."""
+    if output is None or not is_folder(output):
+        return output or Path(f"{name}.svg")
+    output.mkdir(parents=True, exist_ok=True)
+    return output / f"{name}.svg"
 
 
 def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane | None, output: Path | None) -> None:
@@ -199,23 +211,27 @@ def _write_solution(output: Path, drawing: Drawing, everything: bool, only: Plan
 
 @click.command()
 @mechanisms_argument
+@told_option
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line, SI units and radians.")
+@force_option
 @angle_option
 @at_option
 @lang_option
 @speaking
 def solve(
-    mechanisms: tuple[str, ...], as_json: bool, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang
-) -> None:
+    mechanisms: tuple[str, ...], output: Path | None, as_json: bool, force: bool, angles: tuple[float, ...],
+    displacements: tuple[float, ...], lang: Lang,
+) -> None:  # fmt: skip
     """Print all results, graphical beside analytic, and the answers to `ask`.
 
     \b
     Example:
       graphkin solve ex3-1
       graphkin solve ex3-7 --angle 120
-      graphkin solve --json *.toml > results.jsonl
+      graphkin solve *.toml -o results.jsonl
     """
-    told_each(mechanisms, lambda source: _solved(source, as_json, angles, displacements, lang), as_json, lang)
+    data = as_told(as_json, output, len(mechanisms))
+    told_each(mechanisms, lambda source: _solved(source, data, angles, displacements, lang), data, lang, output, force)
 
 
 def _solved(

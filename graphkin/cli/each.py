@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from graphkin.cli.shared import mechanisms_argument
+from graphkin.cli.shared import is_folder, mechanisms_argument
 
 
 def each_mechanism(command: Callable[..., None]) -> Callable[..., None]:
@@ -17,8 +17,10 @@ def each_mechanism(command: Callable[..., None]) -> Callable[..., None]:
 
     @functools.wraps(command)
     def wrapped(mechanisms: tuple[str, ...], watch: bool, **options: Any) -> None:
-        if len(mechanisms) > 1 and options.get("output") is not None:
-            raise click.UsageError("-o writes one file; name one MECHANISM, or leave -o out")
+        output = options.get("output")
+        or_folder = ", or a folder" if command.__name__ == "draw" else ""
+        if len(mechanisms) > 1 and output is not None and not (or_folder and is_folder(output)):
+            raise click.UsageError(f"-o writes one file; name one MECHANISM{or_folder}, or leave -o out")
         if watch:
             from graphkin.cli import watching
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphkin.cli.shared import PAPERS, force_option, lang_option, read, speaking
+from graphkin.cli.shared import PAPERS, angle_option, at_option, force_option, lang_option, read, read_at, speaking
 from graphkin.errors import Lang
 
 if TYPE_CHECKING:
@@ -34,11 +34,14 @@ _KINDS = (".pdf", ".html")
               help="Print what sets a photograph straight, and sheet numbers from this one on.")  # fmt: skip
 @click.option("--seed", default="", help="The set it belongs to, as every page says it.")
 @force_option
+@angle_option
+@at_option
 @lang_option
 @speaking
 def handout(
     mechanisms: tuple[str, ...], output: Path | None, stage: Stage, upto: int, answers: bool, both: bool, paper: str,
-    font: Path | None, scan: int | None, seed: str, force: bool, lang: Lang,
+    font: Path | None, scan: int | None, seed: str, force: bool, angles: tuple[float, ...],
+    displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Make handouts: a problem, a worksheet at true scale, a half-worked or a whole solution; several make a book.
 
@@ -53,7 +56,7 @@ def handout(
     from graphkin.handouts import in_languages
     from graphkin.outputs import files
 
-    problems, seed = _problems(mechanisms, seed)
+    problems, seed = _problems(mechanisms, seed, angles, displacements)
     output = output or Path(f"{problems[0][0].name}.pdf")
     folder = output.is_dir() or not output.suffix
     kind = ".pdf" if folder else output.suffix.lower()
@@ -80,18 +83,22 @@ def handout(
 _MARKS = (b"graphkin handout",)
 
 
-def _problems(sources: tuple[str, ...], seed: str) -> tuple[list[tuple[Mechanism, str]], str]:
+def _problems(
+    sources: tuple[str, ...], seed: str, angles: tuple[float, ...], displacements: tuple[float, ...]
+) -> tuple[list[tuple[Mechanism, str]], str]:
     """Each mechanism with the student it is for, those of a problem set in its order; and the set's seed."""
     from graphkin.platforms import is_set, students_of
 
     found: list[tuple[Mechanism, str]] = []
     for source in sources:
         if source and is_set(Path(source)):
+            if angles or displacements:
+                raise click.UsageError("--angle and --at are for a MECHANISM: the students of a set have their own")
             own, students = students_of(Path(source))
             seed = seed or own
             found += [(read(str(path)), who) for who, path in students.items()]
         else:
-            found.append((read(source), ""))
+            found.append((read_at(source, angles, displacements), ""))
     return found, seed
 
 

@@ -11,6 +11,7 @@ import click
 from graphkin import library
 from graphkin.cli.shared import (
     angle_option,
+    as_told,
     at_option,
     force_option,
     json_line,
@@ -21,6 +22,7 @@ from graphkin.cli.shared import (
     speaking,
     svg_option,
     told_each,
+    told_option,
 )
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
@@ -90,23 +92,29 @@ def show(name: str, lang: Lang) -> None:
 
 @click.command()
 @mechanisms_argument
+@told_option
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
+@force_option
 @angle_option
 @at_option
 @lang_option
 @speaking
 def structure(
-    mechanisms: tuple[str, ...], as_json: bool, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang
-) -> None:
+    mechanisms: tuple[str, ...], output: Path | None, as_json: bool, force: bool, angles: tuple[float, ...],
+    displacements: tuple[float, ...], lang: Lang,
+) -> None:  # fmt: skip
     """List links, pairs, degrees of freedom and the Assur groups in the order they are solved.
 
     \b
     Example:
       graphkin structure p3-15
     """
-    told_each(
-        mechanisms, lambda source: _structure(read_at(source, angles, displacements), as_json, lang), as_json, lang
-    )
+    data = as_told(as_json, output, len(mechanisms))
+
+    def told(source: str) -> Iterator[str]:
+        return _structure(read_at(source, angles, displacements), data, lang)
+
+    told_each(mechanisms, told, data, lang, output, force)
 
 
 def _structure(machine: Mechanism, as_json: bool, lang: Lang) -> Iterator[str]:

@@ -10,7 +10,16 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from graphkin.cli.shared import force_option, json_line, lang_option, mechanism_argument, read, speaking
+from graphkin.cli.shared import (
+    angle_option,
+    at_option,
+    force_option,
+    json_line,
+    lang_option,
+    mechanism_argument,
+    read_at,
+    speaking,
+)
 from graphkin.errors import BadPencil, Lang, Where
 from graphkin.value import frozen
 
@@ -124,11 +133,13 @@ def _marks(output: Path, kinds: tuple[str, ...], part: Problem) -> Path:
 @click.option("--asked", is_flag=True, help="With --power: they hand in what is asked, and nothing on the way.")
 @click.option("--trials", type=click.IntRange(1, 100_000), default=200, show_default=True, help="Students a mistake.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object; SI units and radians.")
+@angle_option
+@at_option
 @lang_option
 @speaking
 def tolerance(
     mechanism: str, pencil: str, sigmas: float, relative: float, power: bool, asked: bool, trials: int, as_json: bool,
-    lang: Lang,
+    angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Print what accuracy paper allows: the construction is drawn many times with a pencil that errs.
 
@@ -137,7 +148,7 @@ def tolerance(
 
     \b
     Example:
-      graphkin tolerance ex3-1
+      graphkin tolerance ex3-1 --angle 120
       graphkin tolerance ex3-1 --pencil 0.1,0.1 --power --lang zh
     """
     from graphkin import api, grading
@@ -147,7 +158,8 @@ def tolerance(
     from graphkin.outputs import tolerance_json as data
     from graphkin.say.tolerances import power_lines, tolerance_lines
 
-    marker = Marker(grading.key_drawn(api.plan(read(mechanism)), _pencils(pencil, sigmas, relative)))
+    method = api.plan(read_at(mechanism, angles, displacements))
+    marker = Marker(grading.key_drawn(method, _pencils(pencil, sigmas, relative)))
     found = tolerances(marker.key, marker.method)
     texts = [entry.text for entry in marker.key.entries if entry.points] if asked else None
     tried = told_apart(marker, trials, texts) if power else None

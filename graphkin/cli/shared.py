@@ -71,20 +71,31 @@ DRAWN_AS = (".svg", ".pdf", ".png", ".dxf", ".ggb", ".tex")
 
 
 def svg_option(
-    told: str, to_stdout: bool = False, kinds: tuple[str, ...] = (".svg",)
+    told: str, to_stdout: bool = False, kinds: tuple[str, ...] = (".svg",), folders: bool = False
 ) -> Callable[[_Command], _Command]:
     """`-o`: a drawing, written as SVG; another kind of file is refused before anything is done."""
 
     def checked(ctx: click.Context, option: click.Parameter, path: Path | None) -> Path | None:
-        if path is not None and path.suffix.lower() not in kinds and not (to_stdout and str(path) == "-"):
-            raise click.UsageError(f"{path}: the file to write must end in {' or '.join(kinds)}", ctx)
-        return path
+        if path is None or path.suffix.lower() in kinds or (to_stdout and str(path) == "-"):
+            return path
+        if folders and is_folder(path):
+            return path
+        raise click.UsageError(f"{path}: the file to write must end in {' or '.join(kinds)}", ctx)
 
-    kind = click.Path(path_type=Path, dir_okay=False)
+    kind = click.Path(path_type=Path, dir_okay=folders)
     return click.option("-o", "--output", type=kind, callback=checked, help=told)
 
 
-drawing_option = svg_option(f"{', '.join(DRAWN_AS)} to write; - for SVG on stdout.", to_stdout=True, kinds=DRAWN_AS)
+def is_folder(path: Path) -> bool:
+    """Whether `-o` names a folder, which may not be there yet, for a file of each mechanism."""
+    return path.is_dir() or not (path.suffix or str(path) == "-")
+
+
+drawing_option = svg_option(
+    f"{', '.join(DRAWN_AS)} to write, or a folder: an SVG of each mechanism; - for SVG on stdout.",
+    to_stdout=True, kinds=DRAWN_AS, folders=True,
+)  # fmt: skip
+told_option = svg_option(".txt, .json or .jsonl to write; else printed.", kinds=(".txt", ".json", ".jsonl"))
 force_option = click.option("--force", is_flag=True, help="Replace a file of another's, or a drawing changed by hand.")
 
 
@@ -199,22 +210,57 @@ _LINE_ENDS = re.compile("[\x7f-\x9f\u2028\u2029\ud800-\udfff]")
 """Ends of lines that JSON does not escape, with their kin that no text file should hold."""
 
 
-def told_each(sources: Sequence[str], told: Callable[[str], Iterator[str]], as_json: bool, lang: Lang) -> None:
+def told_each(
+    sources: Sequence[str], told: Callable[[str], Iterator[str]], as_json: bool, lang: Lang,
+    output: Path | None = None, force: bool = False,
+) -> None:  # fmt: skip
     """What is to be told of every mechanism; one that cannot be solved stops none of the others. Status 3 then."""
-    failed = False
+    failed: list[str] = []
+    pages = _told(sources, told, as_json, lang, failed)
+    if output is None:
+        for page in pages:
+            click.echo(page)
+    elif whole := list(pages):
+        _write_told(output, whole, as_json, force)
+    if failed:
+        sys.exit(3)
+
+
+def as_told(as_json: bool, output: Path | None, count: int) -> bool:
+    """Whether `count` mechanisms are told as JSON: `-o` says so, too."""
+    kind = "" if output is None else output.suffix.lower()
+    if kind == ".json" and count > 1:
+        raise click.UsageError("several mechanisms make several JSON objects: name a .jsonl file")
+    if kind == ".txt" and as_json:
+        raise click.UsageError("--json writes .json or .jsonl")
+    return as_json or kind in (".json", ".jsonl")
+
+
+def _told(
+    sources: Sequence[str], told: Callable[[str], Iterator[str]], as_json: bool, lang: Lang, failed: list[str]
+) -> Iterator[str]:
+    """The text of each mechanism; those that cannot be solved are put into `failed`."""
     for k, source in enumerate(sources):
         try:
             lines = list(told(source))
         except GraphkinError as error:
-            failed = True
+            failed.append(source)
             if not as_json:
                 click.echo(error.message(lang), err=True)
                 continue
             name = Path(source).stem if source != "-" else "stdin"
             lines = [json_line({"format": 1, "name": name, "error": error.message(lang)})]
-        click.echo("\n".join(([""] if k and not as_json else []) + lines))
-    if failed:
-        sys.exit(3)
+        yield "\n".join(([""] if k and not as_json else []) + lines)
+
+
+def _write_told(output: Path, pages: Sequence[str], as_json: bool, force: bool) -> None:
+    """What would be printed; a text says at its end whose it is, so that it may be written again."""
+    from graphkin.outputs.files import beside
+
+    end = [] if as_json else ["", "graphkin"]
+    with beside(output, force, (b'{"format": 1', b"\ngraphkin\n")) as draft:
+        draft.write_text("\n".join([*pages, *end, ""]), encoding="utf-8", newline="\n")
+    click.echo(str(output))
 
 
 def plain(text: str) -> float | str:

@@ -14,6 +14,7 @@ __all__ = [
     "CannotAssemble",
     "CannotWrite",
     "DeadPoint",
+    "FarFromSketch",
     "GearsApart",
     "HigherClass",
     "NoDrawing",
@@ -71,6 +72,22 @@ class CannotAssemble(_AboutLinks):
         "en": "{where}: at this position a gap of {gap_mm:.4g} mm stays open between links {links}. "
         "Change the length of one of them, or move the driver.",
         "zh": "{where}：在此位置构件 {links} 之间相差 {gap_mm:.4g} mm，无法装配。请改变其中一个的尺寸，或改变原动件的位置。",
+    }
+
+
+class FarFromSketch(CannotAssemble):
+    """The same, where a measure of one of them is far from the sketch.
+
+    points              the two points
+    sketched_mm, given_mm  their distance there and by the link's measures
+    """
+
+    points: str
+    sketched_mm: float
+    given_mm: float
+    text: ClassVar[dict[Lang, str]] = {
+        "en": CannotAssemble.text["en"] + " Is {points} right? The sketch has {sketched_mm:.4g} mm, the link {given_mm:.4g} mm.",
+        "zh": CannotAssemble.text["zh"] + "{points} 是否有误？草图中为 {sketched_mm:.4g} mm，构件上为 {given_mm:.4g} mm。",
     }
 
 

@@ -16,6 +16,7 @@ from graphkin.geometry import Value, cross
 from graphkin.naming import spelled
 from graphkin.planning.branch_search import BETWEEN, DeadEnd, branches, told_slides
 from graphkin.planning.branches import Branches
+from graphkin.planning.far_sketch import cannot_assemble
 from graphkin.planning.own_axis import along_own_axis
 from graphkin.planning.structure import Structure
 from graphkin.tolerances import CLOSED
@@ -136,7 +137,8 @@ def refuse_open(structure: Structure, plot: Plot, part: float) -> None:
     link, gap = _open_link(structure, plot)
     if gap > part * extent(plot):
         mechanism = structure.mechanism
-        raise CannotAssemble(mechanism.where("links", link), (spelled(mechanism.called(link)),), gap * 1000)
+        called = (spelled(mechanism.called(link)),)
+        raise cannot_assemble(mechanism, mechanism.where("links", link), called, [link], gap * 1000)
 
 
 def _crossings(construction: Construction) -> Iterator[tuple[Meet | Swing | Fit, str]]:
@@ -166,7 +168,7 @@ def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: 
     called = tuple(spelled(mechanism.called(link)) for link in links)
     gap = float(np.nanmin(plot.misses.get(key, np.array(0.0))))
     if gap > CLOSED * extent(plot):
-        return CannotAssemble(where, called, gap * 1000)
+        return cannot_assemble(mechanism, where, called, links, gap * 1000)
     sine = np.nan_to_num(np.asarray(plot.sines["position", key], dtype=float))
     angle = float(np.degrees(np.arcsin(min(1.0, float(np.max(sine))))))
     return along_own_axis(mechanism, links, angle) or DeadPoint(where, called, angle)

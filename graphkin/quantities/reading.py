@@ -187,7 +187,7 @@ def _moving(mechanism: Mechanism, where: Where, word: str, of: str) -> Moving | 
     if alone is not None:
         return Moving(word, of, alone, guide=_guide(mechanism, alone))
     if two is None:
-        raise UnknownPoint(where, of, mechanism.points)
+        raise UnknownPoint(where, of, _meant_points(mechanism, of, word))
     return Moving(word, of, *two, part) if has_part(mechanism, part, *two) else None
 
 
@@ -201,6 +201,14 @@ def _guide(mechanism: Mechanism, site: Seen) -> complex | None:
 
 
 # --- what may have been meant -----------------------------------------------------------------
+
+
+def _meant_points(mechanism: Mechanism, of: str, word: str) -> tuple[str, ...]:
+    """What may be meant by a text that names nothing: with a known point and more, coincident points there."""
+    if word in ("a_n", "a_t"):
+        return mechanism.points
+    begun = [seen(mechanism, point) for point in mechanism.points if of.startswith(point) and of != point]
+    return tuple(name for site in begun if site for name in _others(mechanism, site, "a_k")) or mechanism.points
 
 
 def _others(mechanism: Mechanism, of: Seen, word: str) -> tuple[str, ...]:

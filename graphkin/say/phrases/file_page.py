@@ -85,8 +85,8 @@ PHRASES: Phrases = {
         "v CB、a CB、a_n CB、a_t CB：同一构件上 C 相对 B",
     ),
     "ask coincident": (
-        "v B3B2, a_k B3B2, a_r B3B2: of coincident points; B3 is the point of link 3 under point B (B@guide where the link's name is longer)",
-        "v B3B2、a_k B3B2、a_r B3B2：重合点；B3 是构件 3 上与 B 重合的点（构件名较长时写 B@guide）",
+        "v B3B2, a_k B3B2, a_r B3B2: of coincident points; B3 is the point of link 3 under point B; where names of links are longer, a_k B@rod,B@tube",
+        "v B3B2、a_k B3B2、a_r B3B2：重合点；B3 是构件 3 上与 B 重合的点；构件名较长时写 a_k B@rod,B@tube",
     ),
     "ask displacement": ("s ram: displacement of a named slide", "s ram：有名称的移动副的位移"),
     "ask centre": ("P13: an instant centre (P1,3' where names are longer)", "P13：瞬心（名称较长时写 P1,3'）"),
