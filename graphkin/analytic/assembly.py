@@ -30,6 +30,9 @@ _MANY = 32
 _EXACT = 1e-6
 """An assembly this near its sketch has none nearer [size]."""
 
+_AJAR = 1e-2
+"""Loops open by more than this at the sketch are closed nowhere so near to it [size]."""
+
 
 @frozen
 class Assembled:
@@ -86,9 +89,10 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
     relations, c = _standing(mechanism, loops, driving)
     closure = EquationSystem.of(loops, relations)
     seen = guess(mechanism, loops)
-    first, _ = _closed(closure, np.nan_to_num(seen)[None], c)
-    if len(first) and _as_sketched(mechanism, loops, first[0]):
-        return Assembled(first[0], 0.0)
+    if np.isnan(seen).any() or loops.open_by(seen) < _AJAR:
+        first, _ = _closed(closure, np.nan_to_num(seen)[None], c)
+        if len(first) and _as_sketched(mechanism, loops, first[0]):
+            return Assembled(first[0], 0.0)
     starts = cache(partial(_starts, seen, mechanism, loops))
     found, ends = _closed(closure, branched(closure, _judge(mechanism, loops), seen, starts, c), c)
     if not len(found):
