@@ -94,7 +94,7 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
         if len(first) and _as_sketched(mechanism, loops, first[0]):
             return Assembled(first[0], 0.0)
     starts = cache(partial(_starts, seen, mechanism, loops))
-    found, ends = _closed(closure, branched(closure, _judge(mechanism, loops), seen, starts, c), c)
+    found = _met(closure, branched(closure, _judge(mechanism, loops), seen, starts, c), c)
     if not len(found):
         found, ends = _closed(closure, starts()[:: 1 + len(closure.known.free) // _MANY], c)
     if not len(found):
@@ -112,9 +112,14 @@ def _judge(mechanism: Mechanism, loops: Loops) -> Judge:
 def _closed(closure: EquationSystem, starts: Real, c: Real) -> tuple[Real, Real]:
     """The assemblies found from starts (b, n), one for each that led to one; and where the search ended (b, n)."""
     ends = search(closure, starts, c)
-    closed = close(closure, ends, c, steps=40)
+    return _met(closure, ends, c), ends
+
+
+def _met(closure: EquationSystem, near: Real, c: Real) -> Real:
+    """The assemblies to which Newton leads from positions (b, n), one for each that led to one."""
+    closed = close(closure, near, c, steps=40)
     met = (closed.gap < ROUNDED) & (closed.step < ROUNDED) & (closure.known.mismatch(c) < ROUNDED)
-    return closed.q[met], ends
+    return closed.q[met]
 
 
 def _as_sketched(mechanism: Mechanism, loops: Loops, q: Real) -> bool:
