@@ -118,7 +118,8 @@ def _filling(cls: Any) -> Callable[..., None]:
         rest = None if given else rests.get(len(args))
         if rest is not None:
             data.update(zip(names, args))
-            data.update(rest)
+            if rest:
+                data.update(rest)
         else:
             fill_by_name(data, args, given)
         if post is not None:

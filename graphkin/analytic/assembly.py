@@ -30,6 +30,9 @@ _MANY = 32
 _EXACT = 1e-6
 """An assembly this near its sketch has none nearer [size]."""
 
+_AJAR = 1e-2
+"""Loops open by more than this at the sketch are closed nowhere so near to it [size]."""
+
 
 @frozen
 class Assembled:
@@ -86,11 +89,12 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
     relations, c = _standing(mechanism, loops, driving)
     closure = EquationSystem.of(loops, relations)
     seen = guess(mechanism, loops)
-    first, _ = _closed(closure, np.nan_to_num(seen)[None], c)
-    if len(first) and _as_sketched(mechanism, loops, first[0]):
-        return Assembled(first[0], 0.0)
+    if np.isnan(seen).any() or loops.open_by(seen) < _AJAR:
+        first, _ = _closed(closure, np.nan_to_num(seen)[None], c)
+        if len(first) and _as_sketched(mechanism, loops, first[0]):
+            return Assembled(first[0], 0.0)
     starts = cache(partial(_starts, seen, mechanism, loops))
-    found, ends = _closed(closure, branched(closure, _judge(mechanism, loops), seen, starts, c), c)
+    found = _met(closure, branched(closure, _judge(mechanism, loops), seen, starts, c), c)
     if not len(found):
         found, ends = _closed(closure, starts()[:: 1 + len(closure.known.free) // _MANY], c)
     if not len(found):
@@ -108,9 +112,14 @@ def _judge(mechanism: Mechanism, loops: Loops) -> Judge:
 def _closed(closure: EquationSystem, starts: Real, c: Real) -> tuple[Real, Real]:
     """The assemblies found from starts (b, n), one for each that led to one; and where the search ended (b, n)."""
     ends = search(closure, starts, c)
-    closed = close(closure, ends, c, steps=40)
+    return _met(closure, ends, c), ends
+
+
+def _met(closure: EquationSystem, near: Real, c: Real) -> Real:
+    """The assemblies to which Newton leads from positions (b, n), one for each that led to one."""
+    closed = close(closure, near, c, steps=40)
     met = (closed.gap < ROUNDED) & (closed.step < ROUNDED) & (closure.known.mismatch(c) < ROUNDED)
-    return closed.q[met], ends
+    return closed.q[met]
 
 
 def _as_sketched(mechanism: Mechanism, loops: Loops, q: Real) -> bool:

@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from graphkin.analytic.blocks import Block, Flags, Indices, blocks_of, moved_by
+from graphkin.analytic.dyads import ways
 from graphkin.analytic.newton import EquationSystem, close, inverse, search
 from graphkin.analytic.vectors import Complex, Real
 from graphkin.tolerances import ROUNDED
@@ -101,6 +102,9 @@ class _Walk:
         """Each branch with every way to close a block."""
         free = self.closure.known.free[block.columns]
         given, told = block.given(q), self.seen[free]
+        both = ways(block, given)
+        if both is not None:
+            return self._either(block, q, given, told, both)
         y, met = self._tried(block, np.repeat(np.nan_to_num(told)[None], len(q), axis=0), given)
         single = met & self._only(block, y, given, told) & np.isinf(self.limit)
         if single.all():
@@ -117,11 +121,28 @@ class _Walk:
         order = np.argsort(parent, kind="stable")
         return self._with(block, q[parent[order]], np.vstack([y[single], more[kept]])[order])
 
+    def _either(self, block: Block, q: Real, given: Real, told: Real, both: Real) -> Real:
+        """Each branch with both ways (b, 2, 2) to close a block, or the one that the sketch shows."""
+        unknowns = self.closure.loops.unknowns
+        angles = [unknowns[column].kind == "theta" for column in self.closure.known.free[block.columns]]
+        turned = np.round(np.where(angles, both - np.nan_to_num(told), 0.0) / (2 * np.pi))
+        parent = np.repeat(np.arange(len(q)), 2)
+        y, met = self._met(block, block.at((both - 2 * np.pi * turned).reshape(-1, 2), given[parent]), given[parent])
+        single = met & self._only(block, y, given[parent], told) & np.isinf(self.limit)
+        alone = single.reshape(-1, 2).any(axis=1)
+        self.sure &= bool(alone.all())
+        kept = np.flatnonzero(np.where(alone[parent], single, met))
+        kept = kept[_different(parent[kept], y[kept])]
+        return self._with(block, q[parent[kept]], y[kept])
+
     def _tried(self, block: Block, y: Real, given: Real) -> tuple[Real, Flags]:
         """Where the search from y (b, k) ends, and whether the block is closed there."""
-        ends = search(block.part, block.at(y, given), given)
-        closed = close(block.part, ends, given, steps=40)
-        return closed.q[:, : y.shape[1]], (closed.gap < ROUNDED) & (closed.step < ROUNDED)
+        return self._met(block, search(block.part, block.at(y, given), given), given)
+
+    def _met(self, block: Block, q: Real, given: Real) -> tuple[Real, Flags]:
+        """Newton from there: the block's unknowns, and whether it is closed by them."""
+        closed = close(block.part, q, given, steps=40)
+        return closed.q[:, : len(block.columns)], (closed.gap < ROUNDED) & (closed.step < ROUNDED)
 
     def _only(self, block: Block, y: Real, given: Real, told: Real) -> Flags:
         """Whether the sketch shows all of a block, so near that no other way to close it is as near: (b,)."""

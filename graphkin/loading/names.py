@@ -16,7 +16,7 @@ _PRIMES = str.maketrans({"\u2019": "'", "\u2032": "'", "\u2033": "''", "\u2034":
 
 def tidy(name: str) -> str:
     """A name with its primes as typed on a keyboard, however they were printed."""
-    return name.translate(_PRIMES)
+    return name if name.isascii() else name.translate(_PRIMES)
 
 
 def split_points(word: str) -> tuple[str, ...]:

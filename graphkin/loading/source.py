@@ -101,6 +101,8 @@ def _refuse_control(document: dict[str, Any], lines: dict[Path, int], text: str,
     if (found := _NO_XML.search(text)) is not None:
         raise ControlCharacter(Where(file, text.count("\n", 0, found.start()) + 1), f"U+{ord(found.group()):04X}")
     for path, word in _words(document, ()):
+        if word.isprintable():
+            continue
         bad = next((letter for letter in word if steers(letter) and letter not in _BLANKS), None)
         if bad is not None:
             line = next((lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in lines), None)
