@@ -23,7 +23,7 @@ def wrong_drivers(mechanism: Mechanism) -> GraphkinError | None:
     if count > found.freedoms:
         name = mechanism.drivers[which].name
         return TooManyDrivers(mechanism.where("driver", which), found.freedoms, count, name)
-    if count < found.freedoms:
+    if count < found.freedoms and found.gap_mm is None:
         return TooFewDrivers(mechanism.where("driver", last), called, found.freedoms, count)
     if found.redundant:
         name = mechanism.drivers[which].name

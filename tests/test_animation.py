@@ -16,6 +16,7 @@ from playing import still
 import graphkin
 from graphkin import analytic
 from graphkin.cli import main
+from graphkin.errors import DeadPoint
 from graphkin.outputs import drawings
 from graphkin.outputs.animation import animation
 from graphkin.sheet import Sheet
@@ -120,3 +121,28 @@ def test_same_sheets_give_the_same_bytes(kind: str):
 @pytest.mark.parametrize("more", [["-o", "a.pdf"], ["--steps", "x"], ["--angle", "3"], ["--tight"], ["--path", "C"]])
 def test_what_does_not_go_together_is_said(more: list[str]):
     assert CliRunner().invoke(main, ["draw", "s2-2", "--animate", *more]).exit_code == 2
+
+
+def test_a_motion_that_starts_at_a_dead_point_is_refused_as_its_sheet_is():
+    """A tenth of a micron short of its reach: there is a way to go, of 0.005 deg."""
+    with pytest.raises(DeadPoint):
+        motion_frames(graphkin.plan(graphkin.loads(STRETCHED)))
+
+
+STRETCHED = """
+[frame]
+A = [0, 0]
+D = [89.9999999, 0]
+[links.1]
+AB = 20
+[links.2]
+BC = 40
+[links.3]
+DC = 30
+[[driver]]
+vector = "AB"
+angle = 0
+omega = 10
+[sketch]
+C = [60, 46]
+"""

@@ -90,6 +90,12 @@ def test_one_bad_file_is_one_row():
         assert line["quantities"] == {}
 
 
+def test_a_path_written_wrongly_is_no_student():
+    done = CliRunner().invoke(main, ["grade", "ex3-1", "clas.zip", "-o", "results", "--format", "csv"])
+    assert (done.exit_code, done.stderr) == (3, "clas.zip: there is no such file. Check the path.\n")
+    assert not Path("results").exists()
+
+
 def test_a_class_table():
     Path("class.csv").write_text("student,omega 3,alpha 3\na,-3.92,62.2\nb,3.92 cw,-37.3\nc,x,\n", encoding="utf-8")
     found = lines("ex3-1", "class.csv")

@@ -7,6 +7,7 @@ import os
 import re
 from html.parser import HTMLParser
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,11 +18,12 @@ from printed_markers import markers
 import graphkin
 from graphkin import library
 from graphkin.cli import main
-from graphkin.handouts import fonts, handout, stages
+from graphkin.handouts import fonts, handout, proofs, stages
 from graphkin.handouts.document import Picture, Room, Rows, Text
 from graphkin.handouts.markers import MARKERS, MOST, digits
 from graphkin.handouts.page import html
 from graphkin.handouts.typst import pdf
+from graphkin.marking.key import Entry, Hypotheses
 from graphkin.outputs.diagram.fonts import chinese_font
 from graphkin.sheet.marks import VectorMark
 
@@ -293,3 +295,12 @@ def test_a_solution_is_written_by_the_ending(kind: str, tmp_path: Path):
     path.write_text("mine")
     assert CliRunner().invoke(main, ["explain", "ex3-1", "-o", str(path)]).exit_code == 3
     assert path.read_text() == "mine"
+
+
+def test_common_mistakes_list_only_what_they_move():
+    """Along a guide that runs the other way the same speed comes with a sign; the answer has none, nor has the mistake."""
+    entries = (Entry("v E", "m/s", "size", 0.176, 0.003, 0.009, 1.0), Entry("theta 3", "rad", "angle", 6.2, 0.01, 0.03))
+    values = np.array([[-0.176, 6.2 - 2 * np.pi], [-0.25, 3.0]])
+    names = ((("coriolis-omitted", "", "", ""),), (("coriolis-reversed", "", "", ""),))
+    moved = proofs._moved(SimpleNamespace(entries=entries, singles=Hypotheses(names, values, values)))
+    assert moved.tolist() == [[False, False], [True, True]]

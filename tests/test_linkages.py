@@ -598,3 +598,24 @@ def test_a_block_on_the_frame_stands_on_the_ground(offset, turn):
     at = next(mark.at for mark in marks if isinstance(mark, PointMark) and mark.name == "P")
     hatch = [mark for mark in marks if isinstance(mark, Stroke) and mark.pen == "hatch" and len(mark.places) == 2]
     assert sum(abs(mark.places[0] - at) < 8 for mark in hatch) > 5
+
+
+def test_links_of_a_file_that_just_reach_are_said_at_their_place():
+    text = """
+[frame]
+A = [0, 0]
+D = [89.9999999, 0]
+[links.1]
+AB = 20
+[links.2]
+BC = 40
+[links.3]
+DC = 30
+[[driver]]
+vector = "AB"
+angle = 0
+[sketch]
+C = [60, 46]
+"""
+    with pytest.raises(OnlyStretched, match=r"^<text>:5, links\.1: AD = AB \+ BC \+ CD"):
+        found_in(loads(text))

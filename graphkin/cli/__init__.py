@@ -29,6 +29,9 @@ COMMANDS = {
 }  # fmt: skip
 """The module of each command."""
 
+_BROKEN_OFF = 130
+"""The exit status after Ctrl-C, as shells have it; 1 would say that a check failed."""
+
 
 class Program(click.Group):
     """The commands as a process of their own (a test, which calls `main.main`, has its own settings).
@@ -49,8 +52,12 @@ class Program(click.Group):
         os._exit(number or (0 if streams.flushed() else 3))
 
     def invoke(self, ctx: click.Context) -> Any:
-        with streams.written():
-            return super().invoke(ctx)
+        try:
+            with streams.written():
+                return super().invoke(ctx)
+        except KeyboardInterrupt:
+            click.echo("\nAborted!", err=True)
+            ctx.exit(_BROKEN_OFF)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(COMMANDS)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from graphkin.errors import NoSuchProblem, Where
+from graphkin.errors import NoFile, NoSuchProblem, Where
 from graphkin.value import frozen
 
 _KEY, _SET = ".key.json", "key.json"
@@ -30,8 +31,9 @@ def problems_of(key: str, submissions: Sequence[str]) -> tuple[Problem, ...]:
 
     In a folder of keys each problem is a NAME.key.json, a mechanism NAME.toml, or a folder NAME with a set of problems;
     what was handed in for it is NAME with any ending (a class table, an archive, a folder), among `submissions` or in
-    folders of these. Raises NoSuchProblem.
+    folders of these. Raises NoSuchProblem, and NoFile where no submission is there.
     """
+    _refuse_missing(submissions)
     keys = _keys(Path(key))
     if not keys:
         return (Problem("", key, tuple(submissions)),)
@@ -41,6 +43,12 @@ def problems_of(key: str, submissions: Sequence[str]) -> tuple[Problem, ...]:
     if not any(found.values()):
         raise NoSuchProblem(Where(submissions[0]), Path(submissions[0]).name, tuple(keys))
     return tuple(Problem(name, str(keys[name]), tuple(paths)) for name, paths in found.items() if paths)
+
+
+def _refuse_missing(submissions: Sequence[str]) -> None:
+    """A path that somebody wrote wrongly is no student who handed in nothing readable; one among several is a row."""
+    if submissions and not any(map(os.path.exists, submissions)):
+        raise NoFile(Where(submissions[0]), Path(submissions[0]).name, ())
 
 
 def _keys(folder: Path) -> Mapping[str, Path]:

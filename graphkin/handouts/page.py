@@ -14,10 +14,11 @@ from graphkin.sheet.paper import PAPERS
 
 MARK = b"graphkin handout"
 _STYLE = """@page{{size:{width}mm {height}mm;margin:15mm 20mm 20mm}}
-body{{font-family:"Times New Roman","Liberation Serif",Tinos,"Noto Serif CJK SC","Source Han Serif SC",SimSun,serif;
-font-size:10.5pt;line-height:1.45;max-width:{room}mm;margin:0 auto}}
+body,mi,mn,mtext{{font-family:"Times New Roman","Liberation Serif",Tinos,"Noto Serif CJK SC","Source Han Serif SC",
+SimSun,serif}}body{{font-size:10.5pt;line-height:1.45;max-width:{room}mm;margin:0 auto}}
 h1{{font-size:15pt}}h2{{font-size:12pt;break-after:avoid}}
 math{{font-family:"DejaVu Math TeX Gyre","TeX Gyre Termes Math","XITS Math","STIX Two Math",math}}
+mi{{font-style:italic;text-transform:none}}
 .formula{{margin-left:8mm}}figure{{margin:3mm 0;text-align:center;break-inside:avoid}}svg{{max-width:none}}
 table{{border-collapse:collapse;break-inside:avoid}}.filled td,.filled th{{border:.18mm solid;min-width:24mm;height:7mm;
 text-align:center;font-weight:normal}}.rows{{margin-left:8mm}}.rows td{{text-align:center;padding:.6mm 1mm}}
@@ -103,8 +104,8 @@ def _letters(run: Run) -> str:
 
 
 def _token(run: Run) -> str:
+    """Browsers set several letters in one `mi` upright; the page's style slants them as the drawings have them."""
     if run.italic:
-        style = "" if len(run.text) == 1 else ' mathvariant="italic"'
-        return f"<mi{style}>{escape(run.text)}</mi>"
+        return f"<mi>{escape(run.text)}</mi>"
     kind = "mn" if run.text.isdigit() else "mtext"
     return f"<{kind}>{escape(run.text)}</{kind}>"

@@ -11,6 +11,8 @@ from graphkin.analytic import motion
 from graphkin.handouts.document import Block, Heading, Table, Text
 from graphkin.handouts.told import Told
 from graphkin.marking.key import Key
+from graphkin.marking.verdicts import columns, upright
+from graphkin.marking.weights import shifts
 from graphkin.quantities import EDGE, Centre
 from graphkin.quantities.typed import rewritten
 from graphkin.readings import readings
@@ -62,18 +64,18 @@ def mistakes(told: Told) -> Iterator[Block]:
 
 def _moved(key: Key) -> np.ndarray:
     """Which quantities each mistake moves by more than a pencil may: (mistakes, quantities)."""
-    right = np.array([entry.right for entry in key.entries])
-    scatter = np.array([max(entry.scatter, 1e-12) for entry in key.entries])
-    moved: np.ndarray = np.abs(key.singles.values - right) / scatter > 3
+    with np.errstate(divide="ignore", invalid="ignore"):
+        moved: np.ndarray = shifts(columns(key.entries), key.singles.values) > 3
     return moved
 
 
 def _given_by(told: Told, key: Key, id: str, wanted: list[int], moved: np.ndarray) -> Label:
     row = next(k for k, made in enumerate(key.singles.names) if made[0][0] == id and any(moved[k][wanted]))
     symbols = {text: q for text, q in zip(told.goal.texts, told.goal.wanted, strict=False) if q is not None}
+    given = upright(columns(key.entries), key.singles.values[row])
     shown = []
     for k in wanted:
-        entry, value = key.entries[k], key.singles.values[row][k]
+        entry, value = key.entries[k], given[k]
         if moved[row][k] and np.isfinite(value) and entry.text in symbols:
             unit = EDGE[symbols[entry.text].unit]
             shown.append(f"{told.goal.symbol(symbols[entry.text])} = {number(value * unit.factor)} {unit.sign}".strip())

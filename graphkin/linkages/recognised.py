@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from graphkin.analytic import Motion, motion
-from graphkin.errors import NoLinkage
+from graphkin.errors import CannotClose, NoLinkage, OnlyStretched
 from graphkin.linkages.equal import even
 from graphkin.linkages.four import FourBar
 from graphkin.linkages.guide import GuideBar
@@ -60,10 +60,18 @@ def found_in(mechanism: Mechanism) -> list[FoundLinkage]:
         loop = next((loop for loop in waiting if _entry(loop, moved) or _inner(mechanism, loop)), waiting[0])
         waiting.remove(loop)
         ring = _Ring(mechanism, now, loop, _entry(loop, moved))
-        if (one := _found(ring)) is not None:
+        if (one := _measured(ring)) is not None:
             found.append(_behind(one, found, ring.entry))
         moved |= set(loop.links[1:])
     return found
+
+
+def _measured(ring: _Ring) -> FoundLinkage | None:
+    """Lengths that reach each other only just are said at the first of their links."""
+    try:
+        return _found(ring)
+    except (CannotClose, OnlyStretched) as error:
+        raise error.at(ring.machine.where("links", ring.loop.links[1])) from None
 
 
 def _behind(one: FoundLinkage, found: list[FoundLinkage], entry: str) -> FoundLinkage:

@@ -7,12 +7,15 @@ import re
 from graphkin.sheet.lettering import Label, Run, point_label
 
 _RAISED = dict(zip("ⁿᵗᵏʳ²³", "ntkr23", strict=True))
-_LOW = r"(?:[^\s()/|²³·、。，；：,;]|,(?=\w))+"
+_LOW = r"(?:[^\s()（）/|²³·、。，；：,;.]|[,.](?=\w))+"
 _SIGN = re.compile(rf"([A-Za-zα-ωṡ]\u0308?)([ⁿᵗᵏʳ]*)(?:_({_LOW})|(\d+))([²³]?)(?![A-Za-z])")
 _POINT = re.compile(r"[A-Z][0-9]*′*")
-_POINTS = re.compile(rf"(?<=[⊥∥→])(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)")
+_POINTS = re.compile(rf"(?:(?<=[⊥∥→·△])|(?<=× ))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)")
 _NODE = re.compile(r"[a-z]\d*(?:,\d+(?=′))?′*")
-_STRETCH = re.compile(r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+|[a-z]\d+′*)+(?![A-Za-z²³])")
+_STRETCH = re.compile(
+    r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+|[a-z]\d+′*)+(?![A-Za-z²³])"
+    r"|(?<=[·△])(?:[a-z]\d*)+(?![A-Za-z])|(?<![A-Za-z/])(?<!\d )[a-z]{2}(?= = )"
+)
 _ANY = re.compile(f"(?P<points>{_POINTS.pattern})|(?P<stretch>{_STRETCH.pattern})|(?P<sign>{_SIGN.pattern})")
 
 

@@ -18,6 +18,7 @@ from graphkin.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.planning.acts import births
 from graphkin.running.path import along, stride
+from graphkin.running.replaying import replay_all
 from graphkin.sheet.drives import drives
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.layout import Layout, lay_out, papers_for
@@ -59,8 +60,10 @@ def motion_frames(
 ) -> list[Sheet]:
     """The sheets, in the order of the motion from the drawn position on; after the last comes the first again.
 
-    Raises UnknownPaper, NoSuchDriver, and RoadsDiffer where the analysis does not confirm the positions.
+    Raises UnknownPaper, NoSuchDriver, DeadPoint where the drawn position is one, and RoadsDiffer where the analysis
+    does not confirm the positions.
     """
+    replay_all(method)
     moved = course(method, ())
     prove(moved)
     times = _times(moved, count)

@@ -1,0 +1,30 @@
+"""How sentences of the solution are set: what is a sign in italics with its subscript, and where a sign ends."""
+
+from __future__ import annotations
+
+import pytest
+
+from graphkin.sheet.formula import formula
+
+
+def _set(text: str) -> str:
+    """In `*..*` what is in italics, in `[..]` what is low."""
+    runs = ((f"*{run.text}*" if run.italic else run.text, run.place) for run in formula(text))
+    return "".join(f"[{text}]" if place == "sub" else text for text, place in runs).replace("**", "")
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("位移 s_ram）上的 E 点", "位移 *s*[*ram*]）上的 E 点"),
+        ("v_K4 = v_K1. So k1 serves", "*v*[*K*][4] = *v*[*K*][1]. So *k*[1] serves"),
+        ("v_C = μ_v·pc", "*v*[*C*] = *μ*[*v*]·*pc*"),
+        ("μ_v·bc/(μ_l·BC)", "*μ*[*v*]·*bc*/(*μ*[*l*]·*BC*)"),
+        ("Measured: pe = 70.49 mm", "Measured: *pe* = 70.49 mm"),
+        ("dc = db3 × CD/BD = 71.87 mm", "*dc* = *db*[3] × *CD*/*BD* = 71.87 mm"),
+        ("△ek1d is similar to △EKD, both", "△*ek*[1]*d* is similar to △*EKD*, both"),
+        ("25.4 mm = 1 in", "25.4 mm = 1 in"),
+    ],
+)
+def test_signs_end_where_their_words_go_on(text, wanted):
+    assert _set(text) == wanted
