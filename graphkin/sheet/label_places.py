@@ -31,6 +31,7 @@ class _Prices(NamedTuple):
 
     apart   what two labels keep from each other [mm]
     beside  for a leader that ends beside another's end
+    word    for a label that stands on a line with another, and so close that both read as one
     """
 
     line: float = 60.0
@@ -41,11 +42,14 @@ class _Prices(NamedTuple):
     leaders: float = 0.0
     apart: float = 0.7
     beside: float = 4.0
+    word: float = 5.0
 
 
 _NEAR, _CROWD = _Prices(), _Prices(400.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3)
 _ONE, _BESIDE = 0.5, 2.5
 """Leaders that end nearer together than the second look like one; than the first, they end at one place [mm]."""
+_WORD = np.array((2.2, -1.2))
+"""How far apart labels side by side read as two; how far up or down of it they are no line [mm]."""
 _THROUGH = 1.5
 """What a far leader pays for each line it crosses."""
 
@@ -132,6 +136,7 @@ class Table:
     def burden(self, row: int, rows: Any, clash: Any, crossed: Any) -> Any:
         """What the candidates cost more because a label lies in this row."""
         more = self.prices.label * clash + self.prices.crossed * crossed
+        more += self.prices.word * _overlap(self.low[rows], self.high[rows], self.low[row] - _WORD, self.high[row] + _WORD)
         if self.prices.leaders and self.led[row]:
             maybe = np.flatnonzero(self.led[rows] & self._reaching(rows, self.least[row], self.most[row]))
             meeting = _meet(self.begin[rows][maybe], self.anchor[rows][maybe], self.begin[row], self.anchor[row])
