@@ -81,9 +81,9 @@ class Table:
 
     @classmethod
     def of(
-        cls, wanted: Sequence[Wanted], known: Tree, arrows: Arrows, room: Room, far: bool = False
+        cls, wanted: Sequence[Wanted], known: Tree, letters: Tree, arrows: Arrows, room: Room, far: bool = False
     ) -> Table:  # fmt: skip
-        """With what they cost beside what is drawn."""
+        """With what they cost beside what is drawn, of which the letters let no leader through."""
         prices = _CROWD if far else _NEAR
         owner, spots, half = _spots(wanted, far)
         inside = _inside(spots.middle, half[owner], room)
@@ -98,10 +98,11 @@ class Table:
         strange[unled] = arrows.strange(wanted, owner[unled], low[unled], high[unled])
         cost = spots.cost + prices.strange * strange + 0.45 * np.minimum(near, 6) + prices.line * np.minimum(hits, 5)
         cost[~inside] += prices.outside
+        leaders = np.flatnonzero(led)
+        cost[leaders[letters.crossed(begin[leaders], anchor[leaders])]] += prices.crossed
         if far:
-            far_off = np.flatnonzero(led)
-            lines = known.crossed(begin[far_off], anchor[far_off])
-            cost[far_off] += _THROUGH * np.bincount(lines, minlength=len(far_off))
+            lines = known.crossed(begin[leaders], anchor[leaders])
+            cost[leaders] += _THROUGH * np.bincount(lines, minlength=len(leaders))
         free = (hits == 0) & inside & ~strange
         return cls([*wanted], known, prices, far, owner, spots, inside, low, high, begin, anchor, led, cost, free)
 
