@@ -137,7 +137,8 @@ class Table:
     def burden(self, row: int, rows: Any, clash: Any, crossed: Any) -> Any:
         """What the candidates cost more because a label lies in this row."""
         more = self.prices.label * clash + self.prices.crossed * crossed
-        more += self.prices.word * _overlap(self.low[rows], self.high[rows], self.low[row] - _WORD, self.high[row] + _WORD)
+        low, high = self.low[row] - _WORD, self.high[row] + _WORD
+        more += self.prices.word * _overlap(self.low[rows], self.high[rows], low, high)
         if self.prices.leaders and self.led[row]:
             maybe = np.flatnonzero(self.led[rows] & self._reaching(rows, self.least[row], self.most[row]))
             meeting = _meet(self.begin[rows][maybe], self.anchor[rows][maybe], self.begin[row], self.anchor[row])
