@@ -110,8 +110,8 @@ class Polygon:
     def _arrows(self) -> Iterator[Arrow]:
         """Without absolute motions that an equation's arrow is already told as: what is seen from a held point."""
         every = list(arrows(self.mechanism, self.construction, self.points))
-        told = {self.told(arrow.name) for arrow in every if arrow.of_equation}
-        return (arrow for arrow in every if arrow.of_equation or arrow.name not in told)
+        told = {(self.told(arrow.name), arrow.head) for arrow in every if arrow.of_equation}
+        return (arrow for arrow in every if arrow.of_equation or (arrow.name, arrow.head) not in told)
 
     def _look(self, arrow: Arrow) -> dict[str, Any]:
         """Where that is told: what the construction finds is as thick as arrows are, what is laid off is thin."""
