@@ -228,7 +228,7 @@ def test_an_interruption_leaves_whole_files(jobs: str):
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)
     stderr = process.communicate(timeout=60)[1].decode()
-    assert process.returncode == 1
+    assert process.returncode == 130
     assert "Traceback" not in stderr
     assert "goes on from there" in stderr
     assert [path.name for path in Path("out").iterdir()] == ["marks.json.journal"]

@@ -12,6 +12,8 @@ from graphkin import api, finding, loading, sweeps
 from graphkin.errors import GraphkinError, Lang
 from graphkin.finding.search import Curve, crossings, differences, followed, tops, touches, vanishing
 from graphkin.say.finding import lines, signed_lines
+from graphkin.sheet import finding_sheet, slowest_point
+from graphkin.sheet.marks import Disc, Stroke
 
 PLAIN = """
 [frame]
@@ -106,6 +108,20 @@ def test_no_point_of_the_line_is_slower() -> None:
         speeds = np.abs(plot.velocity["b"] + 1j * plot.omega["3"] * places)
         assert slow.speed == pytest.approx(float(speeds.min()), rel=1e-12)
         assert along[np.argmin(speeds)] == pytest.approx(slow.along, abs=1e-9)
+
+
+@pytest.mark.parametrize(("angle", "dashes"), [(60, 1), (120, 0)])
+def test_the_sheet_marks_the_slowest_point(angle: int, dashes: int) -> None:
+    method = api.plan(api.load("ex3-7"))
+    found = finding.find(method, "slowest ED", (f"AB={angle}",))
+    drawn = finding_sheet.drawn(method, found)
+    assert drawn is not None
+    marks, scale = drawn[0].marks, drawn[0].scales["position"]
+    (dot,) = (m.centre for m in marks if isinstance(m, Disc) and m.radius == slowest_point._DOT)
+    onward = [m.places for m in marks if isinstance(m, Stroke) and m.pen == "dashed" and m.places[-1] == dot]
+    assert len(onward) == dashes
+    for start, end in onward:
+        assert abs(end - start) * scale == pytest.approx(abs(found.slow[0].along or 0.0), rel=1e-9)
 
 
 @pytest.mark.parametrize(("screw", "stroke"), [(55, 84.087), (90, 77.660), (125, 43.324)])

@@ -22,5 +22,7 @@ def drawn(method: Method, found: Findings, lang: Lang = "en", *, paper: str | No
     shown = positions[:MOST]
     plots = [moved_to(method, position.drivers) for position in shown]
     captions = [caption(found, position) for position in shown]
-    sheet = side_by_side(method, plots, captions, lang, paper=paper, told=[*signed_lines(found, lang)])
+    slowest = {entry.position.t: entry for entry in found.slow}
+    slow = [slowest.get(position.t) for position in shown]
+    sheet = side_by_side(method, plots, captions, lang, paper=paper, told=[*signed_lines(found, lang)], slow=slow)
     return sheet, len(positions) - len(shown)

@@ -19,6 +19,8 @@ from graphkin.value import frozen
 
 _CLEAR = 0.6
 """What is added keeps this from everything there [mm]."""
+_WORD = np.array((2.2, -0.6))
+"""Letters beside others read as theirs when nearer; how far above or below they may be for that [mm]."""
 _EDGE, _GRID = 2.0, 3.0
 """What a rectangle keeps from all others; how finely places for it are tried [mm]."""
 _STEPS = 0.5
@@ -91,9 +93,15 @@ class FreeRoom:
         spots = want.candidates(half)
         near = spots.middle[~spots.led]
         middle, size = np.stack([near.real, near.imag], axis=1), np.array((half.real, half.imag))
-        cost = np.where(self.free(middle - size, middle + size), spots.cost[~spots.led], np.inf)
+        free = self.free(middle - size, middle + size) & ~self._beside_letters(middle - size, middle + size)
+        cost = np.where(free, spots.cost[~spots.led], np.inf)
         best = int(np.argmin(cost))
         return complex(near[best]) if np.isfinite(cost[best]) else None
+
+    def _beside_letters(self, low: Any, high: Any) -> Any:
+        """Which of many boxes (n, 2) stand on a line with letters and so near that they read as a part of them."""
+        least, most = self._letters[:, 0] - _WORD, self._letters[:, 1] + _WORD
+        return np.any(np.all((low[:, None] < most) & (high[:, None] > least), axis=-1), axis=1)
 
     def corner(self, size: complex, from_below: bool = False) -> Place | None:
         """The upper left corner of the uppermost (or lowest) free rectangle of a size; None where there is none."""

@@ -11,6 +11,7 @@ from functools import partial
 
 from graphkin.construction import Plot
 from graphkin.errors import Lang
+from graphkin.finding.answers import SlowPoint
 from graphkin.planning import Method
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.layout import divided, papers_for
@@ -18,6 +19,7 @@ from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.paper import BODY, Paper, Room
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.plain_mechanism import plain_mechanism, shown_places
+from graphkin.sheet.slowest_point import marked, near
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
@@ -36,28 +38,31 @@ _LARGE_ENOUGH = 48.0
 
 def side_by_side(
     method: Method, plots: Sequence[Plot], captions: Sequence[str], lang: Lang = "en", *, paper: str | None = None,
-    told: Sequence[str] = (),
+    told: Sequence[str] = (), slow: Sequence[SlowPoint | None] = (),
 ) -> Sheet:  # fmt: skip
     """The mechanism at several positions (at most `MOST`), lettered (a), (b), .. with captions.
 
     plots   the method replayed at one position each
     paper   a key of `PAPERS`; the smallest on which the figures are large enough where left out
     told    sentences in the strip
+    slow    the point to mark in each figure, where there is one
 
     Raises UnknownPaper.
     """
     if not 0 < len(plots) <= MOST or len(captions) != len(plots):
         raise ValueError(f"1 to {MOST} positions, each with a caption; given: {len(plots)}, {len(captions)}")
-    pictures = _pictures(method, plots, captions)
+    pictures = _pictures(method, plots, captions, slow or [None] * len(plots))
     grid = _grid(pictures, papers_for(paper), told)
     panels = [picture.panel(cell, grid.scale) for picture, cell in zip(pictures, grid.cells)]
     return Page(grid.paper, panels, method.mechanism, plots[0].facts.values, lang, Strip(grid.strip, told=told)).sheet()
 
 
-def _pictures(method: Method, plots: Sequence[Plot], captions: Sequence[str]) -> list[Picture]:
+def _pictures(
+    method: Method, plots: Sequence[Plot], captions: Sequence[str], slow: Sequence[SlowPoint | None]
+) -> list[Picture]:  # fmt: skip
     """All as large as all figures laid over one another."""
-    figures = [partial(plain_mechanism, method, plot) for plot in plots]
-    places = [place for plot in plots for place in shown_places(method, plot)]
+    figures = [partial(_figure, method, plot, point) for plot, point in zip(plots, slow, strict=True)]
+    places = [place for plot, point in zip(plots, slow, strict=True) for place in _places(method, plot, point)]
 
     def over(window: Window) -> Figure:
         return sum((figure(window) for figure in figures), Figure())
@@ -66,6 +71,21 @@ def _pictures(method: Method, plots: Sequence[Plot], captions: Sequence[str]) ->
     lettered = (f"({chr(ord('a') + number)}) {caption}" for number, caption in enumerate(captions))
     shown = [Caption((text,), _FOOT, first=4.5, pitch=1.3 * BODY, sides=2.0) for text in lettered]
     return [Picture(extent, figure, caption) for figure, caption in zip(figures, shown)]
+
+
+def _places(method: Method, plot: Plot, slow: SlowPoint | None) -> list[complex]:
+    """What a figure shows [m]."""
+    shown = shown_places(method, plot)
+    return shown + near(slow, shown) if slow is not None else shown
+
+
+def _figure(method: Method, plot: Plot, slow: SlowPoint | None, window: Window) -> Figure:
+    """The mechanism, and the point that is marked."""
+    figure = plain_mechanism(method, plot, window)
+    if slow is None or not near(slow, shown_places(method, plot)):
+        return figure
+    first, second = (complex(plot.position[name]) for name in slow.points)
+    return figure + marked(slow, (first, second), window)
 
 
 # --- how large --------------------------------------------------------------------------------

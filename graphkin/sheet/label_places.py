@@ -31,6 +31,7 @@ class _Prices(NamedTuple):
 
     apart   what two labels keep from each other [mm]
     beside  for a leader that ends beside another's end
+    word    for a label that stands on a line with another, and so close that both read as one
     """
 
     line: float = 60.0
@@ -41,11 +42,14 @@ class _Prices(NamedTuple):
     leaders: float = 0.0
     apart: float = 0.7
     beside: float = 4.0
+    word: float = 5.0
 
 
 _NEAR, _CROWD = _Prices(), _Prices(400.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3)
 _ONE, _BESIDE = 0.5, 2.5
 """Leaders that end nearer together than the second look like one; than the first, they end at one place [mm]."""
+_WORD = np.array((2.2, -1.2))
+"""How far apart labels side by side read as two; how far up or down of it they are no line [mm]."""
 _THROUGH = 1.5
 """What a far leader pays for each line it crosses."""
 
@@ -77,9 +81,9 @@ class Table:
 
     @classmethod
     def of(
-        cls, wanted: Sequence[Wanted], known: Tree, arrows: Arrows, room: Room, far: bool = False
+        cls, wanted: Sequence[Wanted], known: Tree, letters: Tree, arrows: Arrows, room: Room, far: bool = False
     ) -> Table:  # fmt: skip
-        """With what they cost beside what is drawn."""
+        """With what they cost beside what is drawn, of which the letters let no leader through."""
         prices = _CROWD if far else _NEAR
         owner, spots, half = _spots(wanted, far)
         inside = _inside(spots.middle, half[owner], room)
@@ -94,10 +98,11 @@ class Table:
         strange[unled] = arrows.strange(wanted, owner[unled], low[unled], high[unled])
         cost = spots.cost + prices.strange * strange + 0.45 * np.minimum(near, 6) + prices.line * np.minimum(hits, 5)
         cost[~inside] += prices.outside
+        leaders = np.flatnonzero(led)
+        cost[leaders[letters.crossed(begin[leaders], anchor[leaders])]] += prices.crossed
         if far:
-            far_off = np.flatnonzero(led)
-            lines = known.crossed(begin[far_off], anchor[far_off])
-            cost[far_off] += _THROUGH * np.bincount(lines, minlength=len(far_off))
+            lines = known.crossed(begin[leaders], anchor[leaders])
+            cost[leaders] += _THROUGH * np.bincount(lines, minlength=len(leaders))
         free = (hits == 0) & inside & ~strange
         return cls([*wanted], known, prices, far, owner, spots, inside, low, high, begin, anchor, led, cost, free)
 
@@ -132,6 +137,8 @@ class Table:
     def burden(self, row: int, rows: Any, clash: Any, crossed: Any) -> Any:
         """What the candidates cost more because a label lies in this row."""
         more = self.prices.label * clash + self.prices.crossed * crossed
+        low, high = self.low[row] - _WORD, self.high[row] + _WORD
+        more += self.prices.word * _overlap(self.low[rows], self.high[rows], low, high)
         if self.prices.leaders and self.led[row]:
             maybe = np.flatnonzero(self.led[rows] & self._reaching(rows, self.least[row], self.most[row]))
             meeting = _meet(self.begin[rows][maybe], self.anchor[rows][maybe], self.begin[row], self.anchor[row])

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from graphkin.sheet.label_places import Table
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Disc, Mark, Place, Stroke
+from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.nearness import Arrows
 from graphkin.sheet.obstacles import tree
 from graphkin.sheet.paper import Room
@@ -45,12 +45,12 @@ def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: boo
     """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
     if not wanted:
         return Settled([], 0)
-    known, arrows = tree(drawn), Arrows(drawn)
-    table = Table.of(wanted, known, arrows, room)
+    known, letters, arrows = tree(drawn), tree(mark for mark in drawn if isinstance(mark, Text)), Arrows(drawn)
+    table = Table.of(wanted, known, letters, arrows, room)
     clashing = table.clashing(chosen := table.chosen())
     crowd = far and bool(clashing)
     if crowd and len(wanted) <= _MANY:
-        table = Table.of(wanted, known, arrows, room, far)
+        table = Table.of(wanted, known, letters, arrows, room, far)
         clashing = table.clashing(chosen := table.chosen())
     for _ in range(_ROUNDS if crowd else 0):
         if not (out := _left_out(table.wanted, clashing)):

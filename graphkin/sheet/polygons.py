@@ -101,11 +101,17 @@ class Polygon:
 
     def vectors(self) -> Iterator[VectorMark]:
         """Its arrows on paper."""
-        for arrow in arrows(self.mechanism, self.construction, self.points):
+        for arrow in self._arrows():
             start, end, step = self.points[arrow.tail], self.points[arrow.head], self.step(arrow.tail, arrow.head)
             vector = VectorMark(self.construction.plane, arrow.name, arrow.tail, arrow.head, start, end, step)
             named = tuple(map(named_site, arrow.sites))
             yield replace(vector, sites=named, part=arrow.part, **self._look(arrow))
+
+    def _arrows(self) -> Iterator[Arrow]:
+        """Without absolute motions that an equation's arrow is already told as: what is seen from a held point."""
+        every = list(arrows(self.mechanism, self.construction, self.points))
+        told = {(self.told(arrow.name), arrow.head) for arrow in every if arrow.of_equation}
+        return (arrow for arrow in every if arrow.of_equation or (arrow.name, arrow.head) not in told)
 
     def _look(self, arrow: Arrow) -> dict[str, Any]:
         """Where that is told: what the construction finds is as thick as arrows are, what is laid off is thin."""
