@@ -31,7 +31,7 @@ _PLAIN = getattr(fields(_Sample)[0], "_field_type")  # noqa: B009
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def frozen(cls: type[_T]) -> type[_T]:
     """Like `dataclass(frozen=True)`; a class may write itself in a way of its own."""
-    names = _names(filled(cls))
+    names = getattr(filled(cls), "__match_args__")  # noqa: B009
     data = attrgetter(*names) if names else lambda value: ()
     methods = {"__eq__": _equal(data), "__hash__": _hashed(data), "__repr__": _written}
     if "__repr__" in vars(cls):
@@ -96,13 +96,21 @@ def _declare(cls: Any) -> None:
     setattr(cls, "__match_args__", tuple(found))  # noqa: B010
 
 
-def _names(cls: Any) -> tuple[str, ...]:
-    return tuple(field.name for field in fields(cls))
-
-
 def _filling(cls: Any) -> Callable[..., None]:
-    """`__init__(self, ..)`: values by place or by name, defaults for the rest."""
-    names = _names(cls)
+    """`__init__(self, ..)`, which is made when the first one is filled: most classes of a run never are."""
+
+    def first(self: Any, *args: Any, **given: Any) -> None:
+        fill = _filler(cls)
+        if vars(cls).get("__init__") is first:
+            cls.__init__ = fill
+        fill(self, *args, **given)
+
+    return first
+
+
+def _filler(cls: Any) -> Callable[..., None]:
+    """Values by place or by name, defaults for the rest."""
+    names = tuple(cls.__match_args__)
     known = frozenset(names)
     defaults = {field.name: field.default for field in fields(cls) if field.default is not MISSING}
     makers = {field.name: field.default_factory for field in fields(cls) if field.default_factory is not MISSING}

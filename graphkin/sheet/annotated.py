@@ -9,7 +9,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
-from itertools import islice
+from itertools import islice, product
 
 import numpy as np
 
@@ -119,12 +119,13 @@ class Annotated:
     def _places(self, link: str, sense: float, free: FreeRoom) -> Iterator[tuple[Place, float, complex]]:
         """Where such an arc has room: centre, radius, direction in which it starts; about fixed points first."""
         owners, skeleton = self.reading.mechanism.owners, self.skeleton
-        ways = [(radius, start) for radius in _RADII for start in _TURNS]
-        along = np.outer([radius * start for radius, start in ways], np.exp(1j * np.linspace(0, -sense * SWEEP, 8)))
-        for at in map(skeleton.at, sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])):
-            middle = np.stack([(at + along).real, (at + along).imag], axis=-1).reshape(-1, 2)
+        turned = np.outer(_TURNS, np.exp(1j * np.linspace(0, -sense * SWEEP, 8)))
+        points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
+        for at, radius in product(map(skeleton.at, points), _RADII):
+            along = at + radius * turned
+            middle = np.stack([along.real, along.imag], axis=-1).reshape(-1, 2)
             clear = free.free(middle - _HALF, middle + _HALF).reshape(along.shape).all(axis=1)
-            yield from ((at, *ways[k]) for k in np.flatnonzero(clear))
+            yield from ((at, radius, _TURNS[k]) for k in np.flatnonzero(clear))
 
 
 def _accented(mark: Mark, plane: Plane) -> Mark:
