@@ -1,40 +1,49 @@
-"""svgwrite, without what it reads fonts from the net with: that takes as long to load as all the rest of it.
+"""svgwrite, without what it reads fonts from the net with, and what it checks drawings with: both take long to load.
 
-It comes where it is first used, which graphkin never does.
+They come where they are first used, which graphkin never does.
 """
 
 from __future__ import annotations
 
 import sys
+from functools import partial
 from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-_NET = "urllib.request"
+_LATER = {
+    "urllib.request": ("urlopen",),
+    "svgwrite.data.svgparser": ("is_valid_transferlist", "is_valid_pathdata", "is_valid_animation_timing"),
+}
+"""The functions that svgwrite takes from each when it loads."""
 
 
 def svgwrite() -> Any:
     """The package."""
-    if "svgwrite" in sys.modules or _NET in sys.modules:
+    if "svgwrite" in sys.modules:
         return import_module("svgwrite")
-    later = sys.modules[_NET] = _Later(_NET)
+    later = {name: _Later(name) for name in _LATER if name not in sys.modules}
+    sys.modules |= later
     try:
         return import_module("svgwrite")
     finally:
-        if sys.modules.get(_NET) is later:
-            del sys.modules[_NET]
+        for name, module in later.items():
+            if sys.modules.get(name) is module:
+                del sys.modules[name]
 
 
 class _Later(ModuleType):
-    """Stands for the module while svgwrite loads; whoever asks it for anything gets it from the module itself."""
-
-    @staticmethod
-    def urlopen(*args: Any, **named: Any) -> Any:
-        return import_module(_NET).urlopen(*args, **named)
+    """Stands for a module while svgwrite loads; whoever asks it for anything gets it from the module itself."""
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
-        if sys.modules.get(_NET) is self:
-            del sys.modules[_NET]
-        return getattr(import_module(_NET), name)
+        if name in _LATER[self.__name__]:
+            return partial(_called, self.__name__, name)
+        if sys.modules.get(self.__name__) is self:
+            del sys.modules[self.__name__]
+        return getattr(import_module(self.__name__), name)
+
+
+def _called(module: str, name: str, *args: Any, **named: Any) -> Any:
+    return getattr(import_module(module), name)(*args, **named)

@@ -34,11 +34,13 @@ class Settled(NamedTuple):
     """Labels and leaders at their places; how many labels lie on something, or their leaders on labels.
 
     crowd  they had to go far off
+    eased  they keep off what is drawn last, too
     """
 
     marks: list[Mark]
     clashes: int
     crowd: bool = False
+    eased: bool = False
 
 
 def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: bool = False) -> Settled:

@@ -32,6 +32,8 @@ from graphkin.value import frozen
 HEAD_WIDTH = 76.0
 """A figure's heading with its scale beside it is no wider [mm]."""
 
+_FEW = 25
+"""Of more labels than this some are likely to find no near place off all lines."""
 _EDGE = 3.0
 """What stays free beyond the figures of a trimmed page [mm]."""
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
@@ -131,6 +133,12 @@ class Panel:
         """Everything but the labels, which keep off it."""
         return [*self.before, *self.figure.marks]
 
+    def at_ease(self) -> Settled | None:
+        """Few labels at once off the lines of what is drawn last, if all of them find near places so."""
+        lines = self.more.lines() if self.more is not None and len(self.figure.wanted) <= _FEW else ()
+        off = self.lettered(False, lines) if lines else None
+        return off._replace(eased=True) if off is not None and not off.clashes and not _leaders(off) else None
+
     def lettered(self, far: bool, off: Sequence[Mark] = ()) -> Settled:
         """Its labels at their places; `off`: what else they keep off."""
         return settle(self.figure.wanted, [*self.drawn, *off], self.room, far)
@@ -170,7 +178,7 @@ class Page:
 
     def lettered(self, far: bool = True) -> Lettered:
         """With its labels; `far`: where some of a panel find no place near what they name, all may go farther off."""
-        return Lettered(self, [panel.lettered(far) for panel in self.panels], far)
+        return Lettered(self, [panel.at_ease() or panel.lettered(far) for panel in self.panels], far)
 
     def sheet(self) -> Sheet:
         return self.lettered().sheet
@@ -206,7 +214,7 @@ class Lettered:
     def _finished(self, panel: Panel, settled: Settled) -> tuple[Settled, Added]:
         if panel.more is None:
             return settled, Added()
-        if not settled.crowd and (lines := panel.more.lines()):
+        if not (settled.crowd or settled.eased) and (lines := panel.more.lines()):
             off = panel.lettered(False, lines)
             settled = off if _worth(off) <= _worth(settled) else settled
         return settled, panel.more([*panel.drawn, *settled.marks, *panel.after], panel.room)
