@@ -85,7 +85,6 @@ def draw(
       graphkin draw mine.toml --watch
     """
     from graphkin.outputs import drawings, svg
-    from graphkin.outputs.edited import refuse_edited
 
     if style == "given" and (steps is not None or only not in (None, "position")):
         raise click.UsageError("--style given draws the mechanism alone: leave out --steps and other planes")
@@ -108,6 +107,14 @@ def draw(
             (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page, ink).encode())
             for k, page in enumerate(drawing.step_sheets(paper=paper, lang=lang, only=only, tight=tight), 1)
         ]
+    _write(pages, output, steps, force)
+
+
+def _write(pages: list[tuple[Path, bytes]], output: Path, steps: Path | None, force: bool) -> None:
+    """The sheet and its steps; all are made, and may be written, before the first is."""
+    from graphkin.outputs import drawings
+    from graphkin.outputs.edited import refuse_edited
+
     if str(output) == "-":
         click.echo(pages.pop(0)[1].decode(), nl=False)
     if steps is not None:
