@@ -88,6 +88,16 @@ def test_what_is_read_by_hand_is_worth_what_it_prints(name: str) -> None:
     assert readings
     for line in readings:
         assert all(2 * float(length) % 1 == 0 for length in re.findall(r"\d[\d.]*(?= mm)", line)), line
+    assert not astray(lines)
+
+
+def astray(lines: list[str]) -> list[str]:
+    """Answers of vectors and rotations that are another figure than what the solution has found."""
+    start, end = lines.index("Answer"), lines.index("Beside the exact values")
+    assert len([line for line in lines[start:end] if line.startswith("  ")]) == len(lines[end:]) - 1
+    found = {part for line in lines[:start] for part in re.findall(rf"{NUMBER} (?:rad|m)/s²?", line)}
+    told = [line for line in lines[start:end] if re.search(r" = .*/s²?", line) and "/" not in line.split(" = ")[0]]
+    return [line for line in told if re.findall(rf"{NUMBER} (?:rad|m)/s²?", line)[-1] not in found]
 
 
 def test_example_3_1_as_the_book_reads_it() -> None:

@@ -42,9 +42,10 @@ _STRAIGHT = 1e-9
 
 @frozen
 class Ruler:
-    """Reads lengths on paper. Scales [m/mm, (m/s)/mm, (m/s²)/mm] by plane."""
+    """Reads lengths on paper. Scales [m/mm, (m/s)/mm, (m/s²)/mm] by plane; `right`: what is drawn exactly."""
 
     method: Method
+    right: Plot
     scales: Mapping[Plane, float]
 
     def read(self, length: Value, plane: Plane) -> Value:
@@ -131,5 +132,5 @@ def _part(length: Value, exactly: Value) -> Value:
 
 def as_drawn(method: Method, plot: Plot, scales: Mapping[Plane, float]) -> tuple[Redrawing, Ruler]:
     """Both polygons of a plot, drawn exactly, with everything read off them to half a millimetre."""
-    ruler = Ruler(method, scales)
+    ruler = Ruler(method, plot, scales)
     return redraw(method, plot, RulerHand(ruler)), ruler

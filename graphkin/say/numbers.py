@@ -48,9 +48,14 @@ def given(value: float, zero: float = 0.0) -> str:
     return number(value, zero, _COMPUTED if whole else DIGITS)
 
 
+def direction(vector: complex, read: Callable[[float], float] = float) -> float:
+    """Of a vector, counter-clockwise from +x, from 0 to 360 [deg]; as a protractor reads it."""
+    return read(round(cmath.phase(vector) * 180 / cmath.pi, 6) % 360) % 360
+
+
 def degrees(vector: complex, read: Callable[[float], float] = float) -> str:
-    """Direction of a vector, counter-clockwise from +x, from 0 to 360: `153.4°`; as a protractor reads it."""
-    angle = read(round(cmath.phase(vector) * 180 / cmath.pi, 6) % 360) % 360
+    """The same in print: `153.4°`."""
+    angle = direction(vector, read)
     return f"{number(angle if float(f'{angle:.4g}') < 360 else 0.0)}°"
 
 

@@ -79,7 +79,7 @@ class PositionReader(Tangents):
 
     def _told(self) -> Iterator[Entry]:
         construction = self.reading.method.position
-        yield Heading(self.reading.say("derivation.plane position"))
+        yield Heading(self.reading.say("derivation.plane position"), "position")
         yield from self._fixed()
         yield from equivalents(self.reading)
         for part in construction.parts:
