@@ -43,8 +43,8 @@ def report(name: str, lang: str = "en") -> str:
         ("ex3-2", ["Class III: links 3, 4, 5, 6; special point S on link 4", "Mechanism of Class III"]),
         ("p3-3b", ["multiple hinge C", "Class II, RRP", "Class II, RRR: links 6, 7"]),
         ("p3-14", ["F = 3 × 6 − 2 × 8 − 0 = 2"]),
-        ("p3-8", ["cam pair: 1, 2", "lower-pair equivalent", "F = 3 × 2 − 2 × 2 − 1 = 1"]),
-        ("s4-ex4", ["gear pair: 1, 2", "rolling contact"]),
+        ("p3-8", ["cam pair: links 1, 2", "lower-pair equivalent", "F = 3 × 2 − 2 × 2 − 1 = 1"]),
+        ("s4-ex4", ["gear pair: links 1, 2", "rolling contact"]),
         ("ex3-7", ["Class II, RPR: links 2, 3", "Class II, RRP: links 4, 5"]),
     ],
 )

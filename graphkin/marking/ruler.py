@@ -33,6 +33,7 @@ from graphkin.marking.hand import Hand
 from graphkin.marking.redrawing import Redrawing, redraw
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
+from graphkin.planning.position import touching
 from graphkin.value import frozen
 
 READ_MM, READ_DEGREES = 0.5, 0.5
@@ -62,8 +63,11 @@ class Ruler:
         return length if self.given(plot.facts, first, second) else self.read(length, "position")
 
     def given(self, facts: Facts, first: str, second: str) -> bool:
-        """Whether a length is given: on one link, or driven."""
+        """Whether a length is given: on one link, driven, or the radius of a wheel to where it touches."""
         slides = self.method.structure.slides
+        radii = ({letter, centre} for letter, contact in touching(self.method.structure) for centre in contact.centres)
+        if {first, second} in radii:
+            return True
         driven = [{slides[name].line.origin, slides[name].point} for name in facts.slides_driven]
         links = (shape for link, shape in facts.shapes.items() if link != FRAME)
         return {first, second} in driven or any(first in shape and second in shape for shape in links)

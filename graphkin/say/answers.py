@@ -121,9 +121,11 @@ class Answers:
         """What the solution may call it: `v_C`, and `v_C4` of the point of one link."""
         yield self.goal.symbol(quantity)
         site, method = quantity.site, self.reading.method
+        owners = method.mechanism.owners.get(site.point, ())
+        links = {site.link, *(owners if site.link in owners else ())}
         if quantity.seen_from is None:
             nodes = (node for node in method.velocity.nodes.values() if node.site is not None)
-            here = (node.of for node in nodes if node.site and node.site.point == site.point)
+            here = (n.of for n in nodes if n.site and n.site.point == site.point and n.site.link in links)
             yield from (names.vector(f"{quantity.letter}_{of}") for of in here)
 
     def _component(self, name: str, quantity: Component) -> Calculation:

@@ -14,7 +14,7 @@ from graphkin.planning.by_pose import by_pose
 from graphkin.say.answers import Answers
 from graphkin.say.asked import Asked, asked
 from graphkin.say.deviation import deviations
-from graphkin.say.entry import Calculation, Entry, VectorEquation
+from graphkin.say.entry import Calculation, Entry, Sentence, VectorEquation
 from graphkin.say.equations import worded
 from graphkin.say.given import given, solving
 from graphkin.say.layout import lines
@@ -62,22 +62,33 @@ def derivation(
     """
     reading = Reading(method, plot, scales, lang, ruler, apart=as_planned)
     goal = asked(reading, everything, only)
+    body = list(_drawn(goal, as_planned))
     yield from given(reading)
     yield from goal.question()
-    yield from solving(reading)
-    posed = None if as_planned else by_pose(method, plot)
-    drawn = reading if posed is None else Reading(*posed, scales, lang, ruler)
-    yield from PositionReader(drawn, goal.levers, reading, angles=goal.angles).entries()
-    told: dict[str, float] = {}
-    for number, part in enumerate(_parts(reading, goal, centred=not as_planned), start=2):
-        for entry in part(number=number):
-            if isinstance(entry, Calculation):
-                told[entry.name] = entry.value
-            yield entry
-    answers = Answers(goal, told)
+    yield from solving(reading, _leaves_out(body))
+    yield from body
+    answers = Answers(goal, {entry.name: entry.value for entry in body if isinstance(entry, Calculation)})
     yield from answers.entries()
     if ruler is not None:
         yield from deviations(answers, asked(replace(reading, plot=ruler.right, ruler=None), everything, only))
+
+
+def _drawn(goal: Asked, as_planned: bool) -> Iterator[Entry]:
+    """The mechanism, its instant centres where they are asked for, and the polygons that are needed."""
+    reading = goal.reading
+    method, plot = reading.method, reading.plot
+    posed = None if as_planned else by_pose(method, plot)
+    drawn = reading if posed is None else Reading(*posed, reading.scales, reading.lang, reading.ruler)
+    yield from PositionReader(drawn, goal.levers, reading, angles=goal.angles).entries()
+    for number, part in enumerate(_parts(reading, goal, centred=not as_planned), start=2):
+        yield from part(number=number)
+
+
+def _leaves_out(body: list[Entry]) -> bool:
+    """Whether acts of the drawing are not told: their numbers are missing then."""
+    acts = [entry.act for entry in body if isinstance(entry, Sentence) and entry.act is not None]
+    told = {act.number for act in acts if act.numbered}
+    return len(told) < max(told, default=0)
 
 
 def _parts(reading: Reading, goal: Asked, centred: bool) -> list[Callable[..., Iterator[Entry]]]:

@@ -30,8 +30,11 @@ def given(reading: Reading) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.posed", poses=between.join(poses)))
 
 
-def solving(reading: Reading) -> Iterator[Entry]:
-    """The head of the solution itself: what plays no part in it, and the paper's scales."""
+def solving(reading: Reading, leaves_out: bool) -> Iterator[Entry]:
+    """The head of the solution itself: what plays no part in it, and the paper's scales.
+
+    leaves_out  whether steps of the drawing are not told
+    """
     yield Heading(reading.say("solution.solution"))
     if idle := reading.method.structure.idle:
         yield Sentence(reading.say("derivation.idle", links=reading.listed([reading.link(link) for link in idle])))
@@ -39,6 +42,8 @@ def solving(reading: Reading) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.redundant", line=line))
     yield Sentence(reading.say("derivation.scales", scales=reading.say("common.and").join(_scales(reading))))
     yield Sentence(reading.say("derivation.by hand" if reading.ruler else "derivation.exactly"))
+    if leaves_out:
+        yield Sentence(reading.say("derivation.numbers left out"))
 
 
 def _scales(reading: Reading) -> Iterator[str]:
