@@ -116,7 +116,7 @@ class Asked:
                 part = f"^{quantity.which}" if quantity.which else ""
                 return names.vector(f"{quantity.letter}{part}_{quantity.of}")
             case Component(whole=whole):
-                return f"{self.symbol(whole)}{quantity.axis}"
+                return f"{self.symbol(whole)},{quantity.axis}"
             case Quotient(top=top, bottom=bottom):
                 return f"{self.symbol(top)}/{self.symbol(bottom)}"
             case Centre():

@@ -161,13 +161,13 @@ def signed_sum(parts: list[tuple[int, float]]) -> Formula:
     return total
 
 
-def written(formula: Formula, result: float) -> str:
-    """A formula with as many digits as give its result as that is printed."""
-    printed = number(result)
+def written(formula: Formula, result: float, digits: int = DIGITS) -> str:
+    """A formula with as many digits as give its result as that is printed, with so many `digits`."""
+    printed = number(result, digits=digits)
     room = half_unit(printed) * (1 + _CLOSE)
     found = range(DIGITS, _MOST_DIGITS)
-    digits = next((d for d in found if abs(formula.worth(d) - as_read(printed)) <= room), _MOST_DIGITS)
-    return formula.text(digits)
+    enough = next((d for d in found if abs(formula.worth(d) - as_read(printed)) <= room), _MOST_DIGITS)
+    return formula.text(enough)
 
 
 def as_read(text: str) -> float:

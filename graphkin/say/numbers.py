@@ -17,7 +17,6 @@ from collections.abc import Callable
 from decimal import Decimal
 from itertools import pairwise
 
-from graphkin.errors import Lang
 from graphkin.quantities import EDGE, IN_GRAVITY
 from graphkin.quantities.digits import significant
 
@@ -102,15 +101,15 @@ def at_edge(value: float, unit: str) -> str:
 
 def millimetres(length: float) -> str:
     """`20 mm`; less than a millionth of one is none."""
-    return f"{significant(length * 1e3, _COMPUTED)} mm" if abs(length) > 1e-9 else "0 mm"
+    return f"{significant(length * 1e3, _COMPUTED)} mm".replace("-", "−") if abs(length) > 1e-9 else "0 mm"
 
 
-def angle(value: float, lang: Lang = "en") -> str:
-    """`32.984 deg`, `32.984°`."""
+def angle(value: float) -> str:
+    """`32.984°`."""
     degrees, text = math.degrees(value), f"{math.degrees(value):.3f}"
     if abs(float(text) - degrees) <= 1e-7:
         text = text.rstrip("0").rstrip(".")
-    return f"{'0' if text == '-0' else text}{' deg' if lang == 'en' else '°'}"
+    return f"{'0' if text == '-0' else text}°".replace("-", "−")
 
 
 class Figure(float):
