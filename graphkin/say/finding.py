@@ -4,20 +4,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from math import degrees
 from typing import assert_never
 
 from graphkin.errors import Lang
-from graphkin.finding.answers import Findings, Interval, Phase, Position, SlowPoint, Speeds
+from graphkin.finding.answers import Findings, Interval, OutputStroke, Phase, Position, SlowPoint, Speeds
 from graphkin.finding.conditions import Comparison, Condition, Extreme, Scaling, Slowest
 from graphkin.mechanism import Driver
 from graphkin.quantities import driven
 from graphkin.say import names
 from graphkin.say.catalogue import say
-from graphkin.say.numbers import exact, quantity
+from graphkin.say.figures import Operand, written
+from graphkin.say.numbers import exact, number, quantity
 
 _SIGNS = "φ", "s"
 """Of what a driver turns, and of what it slides."""
 _MINUS = re.compile(r"(?<![\w)])-(?=\d)")
+_DIGITS = 6
+"""Of what is computed."""
 _MARKED = re.compile("\0([^\0]+)\0")
 """A driver's name where it stands for its value."""
 
@@ -174,7 +178,13 @@ def _swing(found: Findings, lang: Lang) -> Iterator[str]:
     if found.stroke is not None:
         yield _phase(found, "advance", found.stroke.advance, lang)
         yield _phase(found, "retreat", found.stroke.retreat, lang)
-        yield say("finding.ratio", lang, value=exact(found.stroke.ratio))
+        yield say("finding.ratio", lang, value=_ratio(found.stroke))
+
+
+def _ratio(stroke: OutputStroke) -> str:
+    """`234.071/125.929 = 1.85876`: the driver's angles over advance and return."""
+    figures = Operand(degrees(stroke.advance.angle)) / Operand(degrees(stroke.retreat.angle))
+    return f"{written(figures, stroke.ratio, _DIGITS)} = {number(stroke.ratio, digits=_DIGITS)}"
 
 
 def _phase(found: Findings, name: str, phase: Phase, lang: Lang) -> str:

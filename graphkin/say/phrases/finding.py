@@ -37,7 +37,7 @@ PHRASES: Phrases = {
     "down": ("decreasing", "减小"),
     "phase": ("{name}: {driver} turns {angle}", "{name}：{driver} 转过 {angle}"),
     "time": (", {time} s, mean speed {mean}", "，用时 {time} s，平均速度 {mean}"),
-    "ratio": ("time ratio K = {value}", "行程速度变化系数（行程速比系数）K = {value}"),
+    "ratio": ("time ratio K = advance/return = {value}", "行程速度变化系数（行程速比系数）K = 工作行程转角/回程转角 = {value}"),
     "interval": ("from {begin} to {end}", "{begin} 至 {end}"),
     "peak": ("{what} {values} at {at}", "{what} {values}，位于 {at}"),
     "slow beyond": (
