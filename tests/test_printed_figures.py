@@ -131,6 +131,15 @@ LENGTHS = (
 )  # fmt: skip
 
 
+@pytest.mark.parametrize("command", ["linkage", "find", "design"])
+def test_what_is_computed_is_worth_what_it_prints(command: str) -> None:
+    texts = {path.name: path.read_text("utf-8") for path in Path(GOLDEN).glob(f"{command}_*.txt")}
+    counts = {name: hold(text.replace("180° ×", "180 ×").splitlines()) for name, text in texts.items()}
+    en, zh = (sorted(count for name, count in counts.items() if f"_{lang}." in name) for lang in LANGUAGES)
+    assert en == zh
+    assert en
+
+
 @pytest.mark.parametrize("linkage", LENGTHS, ids=str)
 def test_a_linkage_is_worth_what_it_prints(linkage: Linkage) -> None:
     told = [[*linkage_lines(report(linkage), lang)] for lang in LANGUAGES]

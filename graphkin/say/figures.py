@@ -165,7 +165,7 @@ def written(formula: Formula, result: float, digits: int = DIGITS) -> str:
     """A formula with as many digits as give its result as that is printed, with so many `digits`."""
     printed = number(result, digits=digits)
     room = half_unit(printed) * (1 + _CLOSE)
-    found = range(DIGITS, _MOST_DIGITS)
+    found = range(digits, _MOST_DIGITS)
     enough = next((d for d in found if abs(formula.worth(d) - as_read(printed)) <= room), _MOST_DIGITS)
     return formula.text(enough)
 
