@@ -29,7 +29,7 @@ from graphkin.say.figures import Operand
 from graphkin.say.numbers import degrees, number
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
-from graphkin.say.rolling import relation_of, turned
+from graphkin.say.rolling_relation import relation_of, turned
 
 # --- position -----------------------------------------------------------------------------------
 
