@@ -49,10 +49,10 @@ class Answers:
         match quantity:
             case Centre():
                 words = {"name": names.point(quantity.text), "place": self._place(quantity)}
-                return Sentence(self.reading.say("solution.centre at", **words))
+                return Sentence("  " + self.reading.say("solution.centre at", **words))
             case Track():
                 words = {"point": names.point(quantity.of), "place": self._point(quantity)}
-                return Sentence(self.reading.say("solution.place at", **words))
+                return Sentence("  " + self.reading.say("solution.place at", **words))
             case Moving():
                 note = self.reading.say("derivation.at direction", angle=self.reading.angle(self._vector(quantity)))
                 size = self.value(quantity)
@@ -129,15 +129,14 @@ class Answers:
             yield from (names.vector(f"{quantity.letter}_{of}") for of in here)
 
     def _component(self, name: str, quantity: Component) -> Calculation:
-        """`v_Ex = v_E cos θ = 0.3201 × cos 36.87° = 0.2561 m/s`."""
+        """`v_E,x = 0.3201 × cos 36.87° = 0.2561 m/s`."""
         whole, vector = self.value(quantity.whole), self._vector(quantity.whole)
         angle = self.reading.direction(vector)
         turned = Turned("cos" if quantity.axis == "x" else "sin", angle)
         value, unit = whole * turned.value, EDGE[quantity.unit].sign
         if not abs(value) > self._noise(quantity):
             return Calculation(name, (), "", 0.0, unit)
-        formula = f"{self.goal.symbol(quantity.whole)} {turned.text()}"
-        return Calculation(name, (formula,), Operand(whole) * turned, value, unit)
+        return Calculation(name, (), Operand(whole) * turned, value, unit)
 
     def _quotient(self, name: str, quantity: Quotient) -> Calculation:
         """`ω1/ω3 = 10/18.69 = 0.5350 (same sense)`."""

@@ -51,6 +51,7 @@ class DrawnPoints(Tangents):
         angle = degrees(arrow)
         aside = "*" in step.start + step.tip
         length = self._reach(step.term.size, names.stretch(step.start, step.tip) if aside else "")
+        length = length if reading.named(step.start) or not aside else length.partition(" = ")[2]
         words = {"start": reading.place(step.start), "tip": reading.place(step.tip), "length": length, "angle": angle}
         if isinstance(step.term.direction, AlongGuide):
             guide = self.reading.path(step.term.direction.slide)

@@ -46,7 +46,7 @@ PHRASES: Phrases = {
     ),
     "normal of contact": (
         "the common normal n–n at the contact of links {first} and {second}",
-        "构件 {first}、{second} 接触点处的公法线 n–n",
+        "构件 {first}、{second} 接触点处的公法线（n–n）",
     ),
     "normal of slot": (
         "the normal of the slot through {point}, where links {first} and {second} touch",
