@@ -11,7 +11,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.naming import named
 from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Roll, Slide
 from graphkin.planning import Method
-from graphkin.say.catalogue import say
+from graphkin.say.catalogue import say, set_close
 from graphkin.say.redundancy import redundant_constraints
 
 
@@ -87,5 +87,6 @@ def _members(mechanism: Mechanism, group: Together, lang: Lang) -> str:
     links = say("common.list", lang).join(dict.fromkeys(held.get(link, link) for link in group.links))
     for each in group.added:
         pair = called_pair(*named(mechanism, each.pair), lang)
-        links += say(f"structure.added {each.kind}", lang, pair=pair)
+        key = f"structure.added {each.kind}"
+        links += set_close(key, pair=pair) if lang == "zh" else say(key, lang, pair=pair)
     return links + (say("structure.merged", lang) if group.merged else "")
