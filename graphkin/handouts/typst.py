@@ -128,7 +128,7 @@ def _contents(handout: Handout) -> str:
     if not handout.contents:
         return ""
     title = f"heading(level: 1, outlined: false)[#{_string(handout.contents)}]"
-    return f"#{title}\n#outline(title: none, depth: 1)\n#pagebreak()\n"
+    return f"#{title}\n#outline(title: none, depth: 1)\n"
 
 
 def _medium(pictures: dict[str, str]) -> Medium:
@@ -141,7 +141,7 @@ def _medium(pictures: dict[str, str]) -> Medium:
         lambda picture: _image(pictures, svg(picture.sheet), picture.sheet.paper.width, picture.told),
         lambda room: _image(pictures, room_svg(room), room.width, "".join(run.text for run in room.name)),
         _table,
-        lambda _: "#pagebreak(weak: true)\n",
+        lambda page: "#pagebreak(weak: true" + (', to: "odd"' if page.front else "") + ")\n",
     )
 
 
