@@ -225,6 +225,14 @@ def test_a_camera_reads_them(tmp_path: Path):
     assert {0, 1, 2, 3, *digits(31416)} == set(reader.detectMarkers(picture)[1].ravel().tolist())
 
 
+@pytest.mark.parametrize("name", ["p3-16", "p3-17"])
+def test_images_of_wheels_fit_the_page(name: str):
+    """They reach beyond the points of the polygon, and count where its scale is chosen."""
+    figures = [block for block in handout([library.load(name)], "solution", "en").blocks if isinstance(block, Picture)]
+    assert len(figures) > 1
+    assert all(each.sheet.paper.width <= 170 and each.sheet.paper.height <= 250 for each in figures)
+
+
 def test_a_folder_gets_a_file_for_each(tmp_path: Path):
     command = ["handout", "ex3-1", "ex3-5", "--stage", "problem", "-o", str(tmp_path / "sheets"), "--seed", "7"]
     done = CliRunner().invoke(main, command)

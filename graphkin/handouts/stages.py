@@ -21,6 +21,7 @@ from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.sheet.fit import corners
 from graphkin.sheet.formula import formula
+from graphkin.sheet.gear_images import gear_images
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_sheet import HEADINGS, Style, mechanism_sheet
 from graphkin.sheet.plain_mechanism import shown_places
@@ -92,10 +93,12 @@ def _scales(drawing: Drawing) -> Iterator[tuple[Plane, float]]:
 
 
 def _shown(drawing: Drawing, plane: Plane) -> list[complex]:
-    """The places of a figure in SI units, wheels' rims among them."""
+    """The places of a figure in SI units, wheels' rims and their images among them."""
     if plane == "position":
         return shown_places(drawing.method, drawing.plot)
-    return [complex(at) for at in drawing.plot.points(plane).values()]
+    images = gear_images(drawing.method, drawing.plot) if plane == "velocity" else []
+    points = drawing.plot.points(plane).values()
+    return [*map(complex, points), *(corner for image in images for corner in image.corners)]
 
 
 def _foot(mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, seed: str) -> Foot:
