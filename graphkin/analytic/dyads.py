@@ -20,13 +20,21 @@ def ways(block: Block, given: Real) -> Real | None:
 
     None where it is not of such a kind, or where it is open to any direction.
     """
-    vectors = block.part.loops.vectors
-    turning, stretching = vectors.turning[:, :2], vectors.stretching[:, :2]
-    angles = [np.abs(turning - way).max(axis=1) < _NOTHING for way in ((1, 0), (0, 1), (0, 0))]
-    if len(block.columns) != 2 or len(block.rows) != 1 or not np.any(angles, axis=0).all():
+    if len(block.columns) != 2 or len(block.rows) != 1:
         return None
+    vectors = block.part.loops.vectors
     length, unit = vectors.polar(block.at(np.zeros((len(given), 2)), given))
-    arms = block.part.loops.rows[0] * unit
+    return ways_of(vectors.turning[:, :2], vectors.stretching[:, :2], block.part.loops.rows[0] * unit, length)
+
+
+def ways_of(turning: Real, stretching: Real, arms: Complex, length: Real) -> Real | None:
+    """Both ways to close a loop of arrows (m,) that hang on its two unknowns by `turning`, `stretching` (m, 2).
+
+    arms, length (b, m)  what the arrows add to the loop for each unit of length, and their lengths, both unknowns 0
+    """
+    angles = [np.abs(turning - way).max(axis=1) < _NOTHING for way in ((1, 0), (0, 1), (0, 0))]
+    if not np.any(angles, axis=0).all():
+        return None
     sums = [(arms * length) @ kind for kind in angles]
     stretch = np.abs(stretching).max(axis=0) > _NOTHING
     with np.errstate(all="ignore"):

@@ -23,10 +23,10 @@ from graphkin.planning import plan
 from graphkin.planning.assembly import DEAD_SINE
 from graphkin.planning.branch_search import BETWEEN
 from graphkin.planning.method import Method
-from graphkin.planning.starting_facts import facts_of
+from graphkin.planning.starting_facts import facts_of, with_sides
 from graphkin.running.compiled import TABLES
 from graphkin.running.replaying import replay_all
-from graphkin.running.stacking import count_of, cut, facts_in, single, stacked, topology
+from graphkin.stacking import coincidences, count_of, cut, single, stacked, topology
 from graphkin.value import filled, frozen
 
 PART = 2048
@@ -119,20 +119,16 @@ class _Drawing:
 
     def together(self, mechanism: Mechanism, values: Sequence[Value] | None) -> np.ndarray:
         """All mechanisms but those, returned by their numbers, that ask for a plan of their own."""
-        structure = replace(self.method.structure, mechanism=mechanism)
-        facts, left = facts_of(structure, None, {}), list[np.ndarray]()
+        structure, sure = replace(self.method.structure, mechanism=mechanism), _alike(self.method, mechanism, self.count)
+        facts = facts_of(structure, None, {})
         for start in range(0, self.count, PART):
             part = slice(start, min(start + PART, self.count))
-            here = facts_in(facts, part)
-            found = _assembled(self.method, here, {p: cut(z, part) for p, z in mechanism.sketch.items()})
-            if values is not None:
-                here = replace(here, values=tuple(cut(value, part, self.count) for value in values))
-            plot = Plot(here, found.near)
-            for construction in self.method.constructions:
-                replay(construction, plot, found.sides)
-            self._keep(plot, part)
-            left.append(start + np.flatnonzero(~found.sure))
-        return np.concatenate(left)
+            own = None if values is None else [cut(value, part, self.count) for value in values]
+            sketch = {point: cut(z, part) for point, z in mechanism.sketch.items()}
+            found = _drawn_at_once(self.method, facts_in(facts, part), sketch, own)
+            self._keep(found.plot, part)
+            sure[part] &= found.sure
+        return np.flatnonzero(~sure)
 
     def alone(self, row: int, mechanism: Mechanism, values: Sequence[Value] | None) -> GraphkinError | None:
         """One mechanism by a plan of its own; what is wrong with it, and NaN, where it has none."""
@@ -159,6 +155,76 @@ class _Drawing:
         for table in self.tables.values():
             for value in table.values():
                 value[..., row] = np.nan
+
+
+@frozen
+class AtOnce:
+    """Mechanisms drawn by one method: values (n,), or (positions, n); which are sure, and each one's own crossings.
+
+    near    angles and displacements at the drawn position, as `Method` has them, (n,) each
+    """
+
+    plot: Plot
+    sides: Mapping[int, np.ndarray]
+    near: Mapping[str, Value]
+    sure: np.ndarray
+
+    def method(self, template: Method, row: int, mechanism: Mechanism) -> Method:
+        """One mechanism's own method."""
+        sides = tuple(int(self.sides[choice][row]) for choice in sorted(self.sides))
+        return replace(
+            template, mechanism=mechanism, structure=replace(template.structure, mechanism=mechanism),
+            position=with_sides(template.position, sides),
+            near={name: float(value[row]) for name, value in self.near.items()},
+        )  # fmt: skip
+
+    def drawing(self, method: Method, row: int) -> Plot:
+        """One mechanism's own drawing, at the drawn position."""
+        plot = Plot(method.facts(), method.near)
+        for name in TABLES:
+            table = getattr(self.plot, name)
+            setattr(plot, name, {key: value[row] if np.ndim(value) else value for key, value in table.items()})
+        return plot
+
+
+def at_once(method: Method, mechanisms: Sequence[Mechanism]) -> AtOnce:
+    """Mechanisms of a simple method's topology at their drawn positions."""
+    mechanism = stacked(mechanisms)
+    structure = replace(method.structure, mechanism=mechanism)
+    found = _drawn_at_once(method, facts_of(structure, None, {}), mechanism.sketch, None)
+    return replace(found, sure=found.sure & _alike(method, mechanism, len(mechanisms)))
+
+
+def _drawn_at_once(
+    method: Method, facts: Facts, sketch: Mapping[str, Value], values: Sequence[Value] | None
+) -> AtOnce:
+    """`values` as `replay_many` has them."""
+    found = _assembled(method, facts, sketch)
+    if values is not None:
+        facts = replace(facts, values=tuple(values))
+    plot = Plot(facts, found.near)
+    for construction in method.constructions:
+        replay(construction, plot, found.sides)
+    return AtOnce(plot, found.sides, found.near, found.sure)
+
+
+def _alike(method: Method, mechanism: Mechanism, count: int) -> np.ndarray:
+    """In which mechanisms the points that lie in one place are those of the method's own: (count,)."""
+    wanted, found = coincidences(method.mechanism), coincidences(mechanism)
+    same = (found.reshape(len(wanted), -1) == wanted[:, None]).all(axis=0)
+    return np.array(np.broadcast_to(same, (count,)))
+
+
+def facts_in(facts: Facts, part: slice) -> Facts:
+    return replace(
+        facts,
+        shapes={link: {point: cut(z, part) for point, z in shape.items()} for link, shape in facts.shapes.items()},
+        lines={slide: (guide, origin, cut(z, part)) for slide, (guide, origin, z) in facts.lines.items()},
+        turns={body: replace(turn, constant=cut(turn.constant, part)) for body, turn in facts.turns.items()},
+        values=tuple(cut(value, part) for value in facts.values),
+        rates=tuple(cut(value, part) for value in facts.rates),
+        accelerations=tuple(cut(value, part) for value in facts.accelerations),
+    )
 
 
 # --- which assembly ---------------------------------------------------------------------------
@@ -210,6 +276,6 @@ def _closed(method: Method, plot: Plot, points: Mapping[str, np.ndarray]) -> np.
     """Where every point has a place, and cylinders are drawn out, not turned round."""
     closed = np.all([np.isfinite(places) for places in points.values()], axis=0)
     for name, slide in method.structure.slides.items():
-        if slide.guide != FRAME and len(method.structure.bodies[slide.guide]) == 1:
+        if slide.guide != FRAME and len(method.structure.bodies[slide.guide]) == 1 and slide.line.on_axis:
             closed = closed & (plot.s[name] > 0)
     return np.asarray(closed)

@@ -11,7 +11,7 @@ import pytest
 import graphkin
 from graphkin import library
 from graphkin.mechanism import Link, Mechanism
-from graphkin.running.stacking import single
+from graphkin.stacking import single
 from graphkin.running.variants import replay_many
 
 COUNT, ALONE = 100_000, 100
