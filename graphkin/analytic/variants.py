@@ -7,6 +7,8 @@ together, another assembly as near, displacements the wrong way round, dead poin
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -27,6 +29,7 @@ from graphkin.analytic.motions import SINGULAR, Motion, driving, motion_of, rate
 from graphkin.analytic.newton import EquationSystem, close, inverse
 from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Complex, Real, applied
+from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
 from graphkin.stacking import coincidences
 from graphkin.tolerances import ROUNDED
@@ -48,6 +51,22 @@ class Many:
 
     motion: Motion
     sure: Flags
+
+    def of(self, row: int, mechanism: Mechanism) -> Motion:
+        """One mechanism's own."""
+        many = self.motion
+
+        def own(table: Mapping[str, Value]) -> dict[str, Value]:
+            return {name: value[row] if np.ndim(value) else value for name, value in table.items()}
+
+        return Motion(
+            mechanism, own(many.theta), own(many.omega), own(many.alpha), own(many.s), own(many.s_rate),
+            own(many.s_acceleration), own(many.position),
+            {link: own(table) for link, table in many.velocities.items()},
+            {link: own(table) for link, table in many.accelerations.items()},
+            tuple(np.asarray(value)[row] for value in many.values), own(many.velocity), own(many.acceleration),
+            many.condition[row], many.idle,
+        )  # fmt: skip
 
 
 def motions(mechanism: Mechanism, count: int) -> Many:

@@ -187,12 +187,11 @@ class AtOnce:
         return plot
 
 
-def at_once(method: Method, mechanisms: Sequence[Mechanism]) -> AtOnce:
-    """Mechanisms of a simple method's topology at their drawn positions."""
-    mechanism = stacked(mechanisms)
+def at_once(method: Method, mechanism: Mechanism, count: int) -> AtOnce:
+    """The `count` mechanisms that one stands for, whose numbers are arrays, of a simple method's topology, as drawn."""
     structure = replace(method.structure, mechanism=mechanism)
     found = _drawn_at_once(method, facts_of(structure, None, {}), mechanism.sketch, None)
-    return replace(found, sure=found.sure & _alike(method, mechanism, len(mechanisms)))
+    return replace(found, sure=found.sure & _alike(method, mechanism, count))
 
 
 def _drawn_at_once(
