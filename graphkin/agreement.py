@@ -69,7 +69,8 @@ def apart(mechanism: Mechanism, drawn: Motions, exact: Motions) -> float:
 
 def apart_each(mechanism: Mechanism, drawn: Motions, exact: Motions) -> np.ndarray:
     """The same for each of many mechanisms that lie side by side: (b,)."""
-    return np.asarray(_apart(mechanism, drawn, exact, _largest_of_each))
+    with np.errstate(all="ignore"):  # where either is nan
+        return np.asarray(_apart(mechanism, drawn, exact, _largest_of_each))
 
 
 def _apart(mechanism: Mechanism, drawn: Motions, exact: Motions, largest: _Largest) -> Value:

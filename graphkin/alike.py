@@ -1,7 +1,7 @@
 """Mechanisms of one topology, proved together: one method draws them all, and the analysis solves them all, as arrays.
 
-Methods are kept by topology, so that whoever solves mechanisms one after the other plans each topology once. What arrays
-do not settle beyond doubt (see `running.variants`, `analytic.variants`) and what has no like is left to the caller.
+Methods are kept by topology, so that whoever solves mechanisms in batches plans each topology once. What arrays do not
+settle beyond doubt (see `running.variants`, `analytic.variants`), and what has no like, is left to the caller.
 """
 
 from __future__ import annotations

@@ -13,12 +13,14 @@ from graphkin.geometry import Value
 from graphkin.mechanism import Driver, Link, Mechanism
 from graphkin.pairs import Slide
 
+__all__ = ["coincidences", "count_of", "cut", "single", "stacked", "topology"]
+
 SAME_PLACE = 1e-9
 """Points of a link nearer than this to each other do not give its axis [size]; as `Link.axis` has it."""
 
 
 def topology(mechanism: Mechanism) -> tuple[object, ...]:
-    """All of a mechanism but its numbers: what has the same, and the same `coincidences`, is drawn by the same steps."""
+    """All of a mechanism but its numbers: what has the same, and `coincidences`, is drawn by the same steps."""
     return (
         tuple((name, tuple(link.points)) for name, link in mechanism.links.items()),
         tuple(_without_numbers(pair) for pair in mechanism.pairs),

@@ -193,7 +193,7 @@ def from_sketch(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
 
 
 def sketched(mechanism: Mechanism, loops: Loops) -> tuple[Complex, Complex]:
-    """The sketched points' rows (k, m), and their places in the sketch [m]: (k,); of many mechanisms (b, k, m), (b, k)."""
+    """The sketched points' rows (k, m), and their places in the sketch [m]: (k,); of many (b, k, m), (b, k)."""
     names, shape = [name for name in mechanism.sketch if name in loops.points], np.shape(loops.size)
     rows = np.array([loops.points[name] for name in names]).reshape(len(names), *shape, len(loops.vectors.base))
     places = np.array([mechanism.sketch[name] for name in names], dtype=np.complex128)

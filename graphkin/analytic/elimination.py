@@ -33,7 +33,7 @@ class Elimination:
 
     def unknowns(self, y: Real, c: Real) -> Real:
         """All unknowns: (..., n) from y (..., y) and c (..., k)."""
-        return applied(self.given, c) + applied(self.left, y)
+        return np.asarray(applied(self.given, c) + applied(self.left, y))
 
     def of_some(self, which: NDArray[np.intp] | int) -> Elimination:
         """That of some of many mechanisms, or of one."""

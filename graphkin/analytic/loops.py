@@ -182,7 +182,7 @@ class _Sums:
         while queue:
             link = queue.popleft()
             for joint in [joint for joint in left if link in (joint.tail, joint.head)]:
-                left.remove(joint)
+                left = [other for other in left if other is not joint]
                 far, sign = (joint.head, 1) if joint.tail == link else (joint.tail, -1)
                 end = origins[link] + sign * self.step(joint)
                 if far in origins:

@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -43,7 +44,7 @@ class EquationSystem:
         return self.loops.slope(q) @ self.known.left
 
     def move(self, q: Real, y_step: Real) -> Real:
-        return q + applied(self.known.left, y_step)
+        return np.asarray(q + applied(self.known.left, y_step))
 
     def of_some(self, which: Indices | int) -> EquationSystem:
         """That of some of many mechanisms side by side, or of one; a mechanism's own serves every position."""

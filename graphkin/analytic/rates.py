@@ -51,4 +51,4 @@ def _solved(closure: EquationSystem, inverted: Real, slope: Real, given: Real, r
     """The x with W x = given and slope x + rest = 0."""
     driven = applied(closure.known.given, given)
     right = -(slope @ driven[..., None])[..., 0] - rest
-    return driven + applied(closure.known.left, (inverted @ right[..., None])[..., 0])
+    return np.asarray(driven + applied(closure.known.left, (inverted @ right[..., None])[..., 0]))

@@ -64,7 +64,7 @@ class Many:
             own(many.s_acceleration), own(many.position),
             {link: own(table) for link, table in many.velocities.items()},
             {link: own(table) for link, table in many.accelerations.items()},
-            tuple(np.asarray(value)[row] for value in many.values), own(many.velocity), own(many.acceleration),
+            tuple(value[row] for value in many.values), own(many.velocity), own(many.acceleration),
             many.condition[row], many.idle,
         )  # fmt: skip
 
@@ -82,7 +82,8 @@ def motions(mechanism: Mechanism, count: int) -> Many:
     q = _drawn(mechanism, loops)
     found = rates_of(mechanism, closure, first, q, single=False)
     sure = np.nan_to_num(found.condition) >= SINGULAR
-    return Many(motion_of(mechanism, closure, driver_values(mechanism, loops, q), q, found), sure)
+    values = tuple(np.broadcast_to(value, (count,)) for value in driver_values(mechanism, loops, q))
+    return Many(motion_of(mechanism, closure, values, q, found), sure)
 
 
 def _drawn(mechanism: Mechanism, loops: Loops) -> Real:
@@ -184,8 +185,8 @@ class _Search:
         if not 0 < len(blocks) <= _MOST or np.ptp(known.left, axis=0).any():
             return None
         q = known.unknowns(np.zeros((len(self.c), len(known.free))), self.c)
-        for rows, columns in blocks:
-            if len(rows) != 1 or len(columns) != 2 or (both := self._both(int(rows[0]), columns, q)) is None:
+        for rows, unknowns in blocks:
+            if len(rows) != 1 or len(unknowns) != 2 or (both := self._both(int(rows[0]), unknowns, q)) is None:
                 return None
             q = both
         return q

@@ -119,8 +119,8 @@ class _Drawing:
 
     def together(self, mechanism: Mechanism, values: Sequence[Value] | None) -> np.ndarray:
         """All mechanisms but those, returned by their numbers, that ask for a plan of their own."""
-        structure, sure = replace(self.method.structure, mechanism=mechanism), _alike(self.method, mechanism, self.count)
-        facts = facts_of(structure, None, {})
+        sure = _alike(self.method, mechanism, self.count)
+        facts = facts_of(replace(self.method.structure, mechanism=mechanism), None, {})
         for start in range(0, self.count, PART):
             part = slice(start, min(start + PART, self.count))
             own = None if values is None else [cut(value, part, self.count) for value in values]
