@@ -6,7 +6,8 @@ settle beyond doubt (see `running.variants`, `analytic.variants`), and what has 
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
+from typing import TypeVar
 
 from graphkin.agreement import AGREE, Proved, apart_each
 from graphkin.analytic.variants import motions
@@ -17,22 +18,33 @@ from graphkin.readings import readings
 from graphkin.running.variants import at_once, is_simple
 from graphkin.stacking import stacked, topology
 
-__all__ = ["proved_together"]
+__all__ = ["planned_together", "proved_together"]
 
 FEWEST = 3
 """Mechanisms of one topology from which arrays are quicker."""
 MOST = 64
 """Topologies whose methods are kept."""
 _METHODS: dict[Hashable, Method] = {}
+_Done = TypeVar("_Done")
+_Work = Callable[[Method, Sequence[Mechanism]], Iterable[_Done | None]]
 
 
 def proved_together(mechanisms: Sequence[Mechanism]) -> list[tuple[Method, Proved] | None]:
     """Each mechanism's own method and its drawn position by both roads; None where it is to be planned by itself."""
-    found: list[tuple[Method, Proved] | None] = [None] * len(mechanisms)
+    return _together(mechanisms, _proved)
+
+
+def planned_together(mechanisms: Sequence[Mechanism]) -> list[Method | None]:
+    """Each mechanism's own method; None where it is to be planned by itself."""
+    return _together(mechanisms, _planned)
+
+
+def _together(mechanisms: Sequence[Mechanism], work: _Work[_Done]) -> list[_Done | None]:
+    found: list[_Done | None] = [None] * len(mechanisms)
     for rows in _alike(mechanisms):
         some = [mechanisms[row] for row in rows]
         if len(some) >= FEWEST and (method := _method(some)) is not None:
-            for row, one in zip(rows, _proved(method, some), strict=True):
+            for row, one in zip(rows, work(method, some), strict=True):
                 found[row] = one
     return found
 
@@ -79,3 +91,10 @@ def _proved(method: Method, mechanisms: Sequence[Mechanism]) -> Iterable[tuple[M
             yield own, Proved(drawn.drawing(own, row), exact.of(row, mechanism), float(worst[row]))
         else:
             yield None
+
+
+def _planned(method: Method, mechanisms: Sequence[Mechanism]) -> Iterable[Method | None]:
+    """Of each the method, where its assembly is sure."""
+    drawn = at_once(method, stacked(mechanisms), len(mechanisms))
+    for row, mechanism in enumerate(mechanisms):
+        yield drawn.method(method, row, mechanism) if drawn.sure[row] else None
