@@ -14,9 +14,10 @@ from graphkin.analytic.variants import motions
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method, plan
+from graphkin.planning.equivalent import lower_pairs
 from graphkin.readings import readings
-from graphkin.running.variants import at_once, is_simple
-from graphkin.stacking import stacked, topology
+from graphkin.running.variants import at_once, goes_together
+from graphkin.stacking import topology
 
 __all__ = ["planned_together", "proved_together"]
 
@@ -59,7 +60,8 @@ def _alike(mechanisms: Sequence[Mechanism]) -> Iterable[list[int]]:
 
 def _kind(mechanism: Mechanism) -> Hashable:
     """All that decides which steps draw a mechanism, but the points that happen to lie in one place."""
-    return topology(mechanism), tuple(driver.acceleration == 0 for driver in mechanism.drivers)
+    own, even = topology(mechanism), tuple(driver.acceleration == 0 for driver in mechanism.drivers)
+    return own if mechanism.slides == mechanism.pairs else (own, topology(lower_pairs(mechanism))), even
 
 
 def _method(mechanisms: Sequence[Mechanism]) -> Method | None:
@@ -77,13 +79,12 @@ def _method(mechanisms: Sequence[Mechanism]) -> Method | None:
     _METHODS[kind] = method
     for oldest in [*_METHODS][:-MOST]:
         _METHODS.pop(oldest, None)
-    return method if is_simple(method) else None
+    return method if goes_together(method) else None
 
 
 def _proved(method: Method, mechanisms: Sequence[Mechanism]) -> Iterable[tuple[Method, Proved] | None]:
     """Of each what both roads give, where both are sure and agree."""
-    many = stacked(mechanisms)
-    drawn, exact = at_once(method, many, len(mechanisms)), motions(many, len(mechanisms))
+    drawn, exact = at_once(method, mechanisms), motions(mechanisms)
     worst = apart_each(method.mechanism, readings(method, drawn.plot), exact.motion)
     for row, mechanism in enumerate(mechanisms):
         if drawn.sure[row] and exact.sure[row] and worst[row] < AGREE:
@@ -95,6 +96,6 @@ def _proved(method: Method, mechanisms: Sequence[Mechanism]) -> Iterable[tuple[M
 
 def _planned(method: Method, mechanisms: Sequence[Mechanism]) -> Iterable[Method | None]:
     """Of each the method, where its assembly is sure."""
-    drawn = at_once(method, stacked(mechanisms), len(mechanisms))
+    drawn = at_once(method, mechanisms)
     for row, mechanism in enumerate(mechanisms):
         yield drawn.method(method, row, mechanism) if drawn.sure[row] else None

@@ -37,7 +37,8 @@ def _undriven(driver: Driver) -> Driver:
 
 def _without_numbers(pair: object) -> object:
     if isinstance(pair, Slide):
-        return replace(pair, line=replace(pair.line, direction=0j), tilt=0.0)
+        stands = type(pair.stands_for)
+        return stands, replace(pair, line=replace(pair.line, direction=0j), tilt=0.0, stands_for=None)
     return type(pair), getattr(pair, "joins", ())
 
 
@@ -57,16 +58,19 @@ def coincidences(mechanism: Mechanism) -> NDArray[np.int8]:
 
 
 def stacked(mechanisms: Sequence[Mechanism]) -> Mechanism:
-    """One mechanism whose numbers are arrays (n,) over mechanisms of one topology, with hinges and slides alone."""
+    """One mechanism whose numbers are arrays (n,) over mechanisms of one topology; of pairs only those of slides."""
     first = mechanisms[0]
     links = {
         name: Link(name, {point: _array(m.links[name].points[point] for m in mechanisms) for point in link.points})
         for name, link in first.links.items()
     }
     sketch = {point: _array(m.sketch[point] for m in mechanisms) for point in first.sketch}
-    slides = tuple(_slides([m.slides[k] for m in mechanisms]) for k in range(len(first.slides)))
+    slides = iter([_slides([m.slides[k] for m in mechanisms]) for k in range(len(first.slides))])
+    pairs = tuple(next(slides) if isinstance(pair, Slide) else pair for pair in first.pairs)
+    values = [_array(m.poses[k].value for m in mechanisms) for k in range(len(first.poses))]
+    poses = tuple(replace(pose, value=value) for pose, value in zip(first.poses, values, strict=True))
     drivers = tuple(_drivers([m.drivers[k] for m in mechanisms]) for k in range(len(first.drivers)))
-    return replace(first, links=links, pairs=slides, drivers=drivers, sketch=sketch)
+    return replace(first, links=links, pairs=pairs, drivers=drivers, poses=poses, sketch=sketch)
 
 
 def _slides(slides: Sequence[Slide]) -> Slide:
@@ -75,8 +79,10 @@ def _slides(slides: Sequence[Slide]) -> Slide:
 
 
 def _drivers(drivers: Sequence[Driver]) -> Driver:
-    value, rate = _array(driver.value or 0.0 for driver in drivers), _array(driver.rate for driver in drivers)
-    return replace(drivers[0], value=value, rate=rate, acceleration=_array(driver.acceleration for driver in drivers))
+    rate, acceleration = _array(driver.rate for driver in drivers), _array(driver.acceleration for driver in drivers)
+    given = [driver.value for driver in drivers if driver.value is not None]
+    value: Value = _array(given) if len(given) == len(drivers) else None
+    return replace(drivers[0], value=value, rate=rate, acceleration=acceleration)
 
 
 def _array(numbers: Iterable[complex]) -> Value:

@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import reduce
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from graphkin.analytic.rules import Joint, Relation, Unknown, shares, theta
+from graphkin.analytic.rules import Joint, Relation, Share, Unknown, shares, theta
 from graphkin.analytic.vectors import Complex, Real, Vectors, applied
 from graphkin.errors import NotJoined
 from graphkin.geometry import Value
@@ -51,11 +51,11 @@ class Loops:
 
     def weights(self, relations: Sequence[Relation]) -> Real:
         """Left sides of relations as a matrix on the internal unknowns: (k, n)."""
-        table = np.zeros((len(relations), len(self.unknowns)))
+        table = np.zeros((len(relations), len(self.unknowns), *np.shape(self.size)))
         for row, relation in zip(table, relations, strict=True):
             for unknown, weight in relation.weights.items():
                 row[self.unknowns.index(unknown)] += weight
-        return table * self.unit[..., None, :]
+        return _by_mechanism(table) * self.unit[..., None, :]
 
     def gap(self, q: Real) -> Real:
         """How far each loop stays open, x and y: (..., 2r), in units of size."""
@@ -87,11 +87,14 @@ class Loops:
         return tuple(unknown for unknown, on in zip(self.unknowns, loud, strict=True) if not on)
 
 
-def loops_of(mechanism: Mechanism, shape: tuple[int, ...] = ()) -> Loops:
-    """Write the loops of a mechanism; `shape` (b,) of many whose numbers lie side by side."""
-    brought = tuple(shares(mechanism))
+def loops_of(mechanism: Mechanism) -> Loops:
+    """Write the loops of a mechanism."""
+    return loops_with(mechanism, tuple(shares(mechanism)), size_of(mechanism))
+
+
+def loops_with(mechanism: Mechanism, brought: Sequence[Share], size: Value) -> Loops:
+    """The same of what its pairs bring; of many mechanisms side by side every number is an array (b,)."""
     joints = tuple(joint for share in brought for joint in share.joints)
-    size = _size(mechanism, shape)
     links, slides = _names(mechanism, joints)
     sums = _Sums(links, tuple(slides), size)
     origins, closing = sums.grow(joints)
@@ -111,9 +114,9 @@ def loops_of(mechanism: Mechanism, shape: tuple[int, ...] = ()) -> Loops:
     return Loops(unknowns, unit, size, vectors, _by_mechanism(rows), points, origins, relations, joints)
 
 
-def _by_mechanism(rows: Complex) -> Complex:
+def _by_mechanism(table: NDArray[Any]) -> NDArray[Any]:
     """Rows (r, m, b) as (b, r, m)."""
-    return np.moveaxis(rows, -1, 0) if rows.ndim == 3 else rows
+    return np.moveaxis(table, -1, 0) if table.ndim == 3 else table
 
 
 def parts(values: Complex, axis: int) -> Real:
@@ -121,17 +124,14 @@ def parts(values: Complex, axis: int) -> Real:
     return np.concatenate([values.real, values.imag], axis=axis)
 
 
-def _size(mechanism: Mechanism, shape: tuple[int, ...]) -> Value:
+def size_of(mechanism: Mechanism) -> float:
     """The longest distance between two points of one link, or radius [m]; without any, the largest displacement."""
     circles = [radius for pair in mechanism.pairs for _, _, radius in pair.circles]
     circles += [rod.length for pair in mechanism.pairs if isinstance(rod := pair.equivalent, Rod)]
     arms = [abs(a - b) for link in mechanism.links.values() for a in link.points.values()
             for b in link.points.values()]  # fmt: skip
-    values = [abs(driver.value) for driver in mechanism.drivers if driver.kind == "slide" and driver.value is not None]
-    for lengths in ([*arms, *circles], values):
-        if np.all((largest := reduce(np.maximum, lengths, 0.0)) > 0):
-            return np.broadcast_to(largest, shape) if shape else float(largest)
-    return np.ones(shape) if shape else 1.0
+    values = [abs(driver.value) for driver in mechanism.drivers if driver.kind == "slide" and driver.value]
+    return max([*arms, *circles], default=0.0) or max(values, default=0.0) or 1.0
 
 
 def _names(mechanism: Mechanism, joints: Sequence[Joint]) -> tuple[tuple[str, ...], dict[str, str]]:

@@ -34,15 +34,15 @@ def theta(link: str) -> Unknown:
 class Joint:
     """`tail` and `head` meet: tail_arm (+ s direction, of the unknown `slide`) on tail = head_arm on head.
 
-    Arms and direction are in the axes of their link [m, -].
+    Arms and direction are in the axes of their link [m, -]; of many mechanisms side by side arrays (b,).
     """
 
     tail: str
-    tail_arm: complex
+    tail_arm: Value
     head: str
-    head_arm: complex
+    head_arm: Value
     slide: str | None = None
-    direction: complex = 1
+    direction: Value = 1
 
 
 @frozen
@@ -52,7 +52,7 @@ class Relation:
     offset is None where the sum is whatever it is at the drawn position, and then stays.
     """
 
-    weights: Mapping[Unknown, float]
+    weights: Mapping[Unknown, Value]
     offset: Value | None = 0.0
 
     @property

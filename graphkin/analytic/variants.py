@@ -7,7 +7,8 @@ together, another assembly as near, displacements the wrong way round, dead poin
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,14 +25,16 @@ from graphkin.analytic.assembly import (
 from graphkin.analytic.blocks import NOTHING, in_order
 from graphkin.analytic.branching import SAME
 from graphkin.analytic.dyads import ways_of
-from graphkin.analytic.loops import Loops, loops_of
+from graphkin.analytic.loops import Loops, loops_with, size_of
 from graphkin.analytic.motions import SINGULAR, Motion, driving, motion_of, rates_of
 from graphkin.analytic.newton import EquationSystem, close, inverse
+from graphkin.analytic.rules import Joint, Relation, Share, shares
 from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Complex, Real, applied
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
-from graphkin.stacking import coincidences
+from graphkin.pairs import Slide
+from graphkin.stacking import coincidences, stacked
 from graphkin.tolerances import ROUNDED
 from graphkin.value import frozen
 
@@ -69,21 +72,46 @@ class Many:
         )  # fmt: skip
 
 
-def motions(mechanism: Mechanism, count: int) -> Many:
-    """Position, velocity and acceleration of the `count` mechanisms that one stands for, whose numbers are arrays.
+def motions(mechanisms: Sequence[Mechanism]) -> Many:
+    """Position, velocity and acceleration of mechanisms of one topology.
 
-    >>> from graphkin import library, stacking
-    >>> found = motions(stacking.stacked([library.load("ex3-1")] * 2), 2)
+    >>> from graphkin import library
+    >>> found = motions([library.load("ex3-1"), library.load("ex3-1")])
     >>> found.sure, found.motion.omega["3"].round(5)
     (array([ True,  True]), array([-3.91933, -3.91933]))
     """
-    loops = loops_of(mechanism, (count,))
+    mechanism, count = stacked(mechanisms), len(mechanisms)
+    loops = loops_with(mechanism, _brought(mechanism, mechanisms), np.array([*map(size_of, mechanisms)]))
     closure, first = driving(mechanism, loops)
     q = _drawn(mechanism, loops)
     found = rates_of(mechanism, closure, first, q, single=False)
     sure = np.nan_to_num(found.condition) >= SINGULAR
     values = tuple(np.broadcast_to(value, (count,)) for value in driver_values(mechanism, loops, q))
     return Many(motion_of(mechanism, closure, values, q, found), sure)
+
+
+def _brought(mechanism: Mechanism, mechanisms: Sequence[Mechanism]) -> tuple[Share, ...]:
+    """What pairs bring, side by side; of slides and hinges, whose numbers lie side by side, at once."""
+    if all(isinstance(pair, Slide) for pair in mechanism.pairs):
+        return tuple(shares(mechanism))
+    return tuple(_share(each) for each in zip(*map(shares, mechanisms), strict=True))
+
+
+def _share(of_each: Sequence[Share]) -> Share:
+    joints = tuple(_joint(each) for each in zip(*(share.joints for share in of_each), strict=True))
+    return Share(joints, tuple(_relation(each) for each in zip(*(share.relations for share in of_each), strict=True)))
+
+
+def _joint(of_each: Sequence[Joint]) -> Joint:
+    arms = ([getattr(joint, name) for joint in of_each] for name in ("tail_arm", "head_arm", "direction"))
+    tail_arm, head_arm, direction = map(np.array, arms)
+    return replace(of_each[0], tail_arm=tail_arm, head_arm=head_arm, direction=direction)
+
+
+def _relation(of_each: Sequence[Relation]) -> Relation:
+    weights = {unknown: np.array([each.weights[unknown] for each in of_each]) for unknown in of_each[0].weights}
+    offset = None if of_each[0].offset is None else np.array([each.offset for each in of_each])
+    return Relation(weights, offset)
 
 
 def _drawn(mechanism: Mechanism, loops: Loops) -> Real:

@@ -18,10 +18,11 @@ from graphkin.construction import Facts, Meet, Plot, Swing, replay, slide_key
 from graphkin.errors import GraphkinError
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Slide
+from graphkin.pairs import Cam, CircularSlot, Slide
 from graphkin.planning import plan
 from graphkin.planning.assembly import DEAD_SINE
 from graphkin.planning.branch_search import BETWEEN
+from graphkin.planning.equivalent import lower_pairs
 from graphkin.planning.method import Method
 from graphkin.planning.starting_facts import facts_of, with_sides
 from graphkin.running.compiled import TABLES
@@ -76,9 +77,12 @@ def replay_many(
 
 def is_simple(method: Method) -> bool:
     """Whether crossings of lines and circles are all that a position asks for: then arrays do what numbers do."""
-    mechanism, steps = method.structure.mechanism, method.position.steps
-    plain = all(type(pair) is Slide for pair in method.mechanism.pairs) and not mechanism.poses
-    return plain and not (method.moves_on or method.doubtful) and len(_choices(method)) <= CHOICES and bool(steps)
+    return all(type(pair) is Slide for pair in method.mechanism.pairs) and _by_crossings(method)
+
+
+def _by_crossings(method: Method) -> bool:
+    free = not (method.structure.mechanism.poses or method.moves_on or method.doubtful)
+    return free and len(_choices(method)) <= CHOICES and bool(method.position.steps)
 
 
 def _choices(method: Method) -> list[int]:
@@ -162,18 +166,20 @@ class AtOnce:
     """Mechanisms drawn by one method: values (n,), or (positions, n); which are sure, and each one's own crossings.
 
     near    angles and displacements at the drawn position, as `Method` has them, (n,) each
+    lower   their lower pairs
     """
 
     plot: Plot
     sides: Mapping[int, np.ndarray]
     near: Mapping[str, Value]
     sure: np.ndarray
+    lower: tuple[Mechanism, ...] = ()
 
     def method(self, template: Method, row: int, mechanism: Mechanism) -> Method:
         """One mechanism's own method."""
         sides = tuple(int(self.sides[choice][row]) for choice in sorted(self.sides))
         return replace(
-            template, mechanism=mechanism, structure=replace(template.structure, mechanism=mechanism),
+            template, mechanism=mechanism, structure=replace(template.structure, mechanism=self.lower[row]),
             position=with_sides(template.position, sides),
             near={name: float(value[row]) for name, value in self.near.items()},
         )  # fmt: skip
@@ -187,11 +193,19 @@ class AtOnce:
         return plot
 
 
-def at_once(method: Method, mechanism: Mechanism, count: int) -> AtOnce:
-    """The `count` mechanisms that one stands for, whose numbers are arrays, of a simple method's topology, as drawn."""
+def goes_together(method: Method) -> bool:
+    """Whether `at_once` draws such mechanisms: hinges and slides are all that is left of their lower pairs."""
+    lower = all(type(pair) in (Slide, Cam, CircularSlot) for pair in method.mechanism.pairs)
+    return lower and not method.structure.contacts and _by_crossings(method)
+
+
+def at_once(method: Method, mechanisms: Sequence[Mechanism]) -> AtOnce:
+    """Mechanisms of a method's topology at their drawn positions, where they go together."""
+    lower = tuple(map(lower_pairs, mechanisms))
+    mechanism, count = stacked(lower), len(lower)
     structure = replace(method.structure, mechanism=mechanism)
     found = _drawn_at_once(method, facts_of(structure, None, {}), mechanism.sketch, None)
-    return replace(found, sure=found.sure & _alike(method, mechanism, count))
+    return replace(found, lower=lower, sure=found.sure & _alike(method, mechanism, count))
 
 
 def _drawn_at_once(
@@ -209,7 +223,7 @@ def _drawn_at_once(
 
 def _alike(method: Method, mechanism: Mechanism, count: int) -> np.ndarray:
     """In which mechanisms the points that lie in one place are those of the method's own: (count,)."""
-    wanted, found = coincidences(method.mechanism), coincidences(mechanism)
+    wanted, found = coincidences(method.structure.mechanism), coincidences(mechanism)
     same = (found.reshape(len(wanted), -1) == wanted[:, None]).all(axis=0)
     return np.array(np.broadcast_to(same, (count,)))
 
