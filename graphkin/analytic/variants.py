@@ -72,8 +72,8 @@ class Many:
         )  # fmt: skip
 
 
-def motions(mechanisms: Sequence[Mechanism]) -> Many:
-    """Position, velocity and acceleration of mechanisms of one topology.
+def motions(mechanisms: Sequence[Mechanism]) -> Many | None:
+    """Position, velocity and acceleration of mechanisms of one topology; None where their loops are not alike.
 
     >>> from graphkin import library
     >>> found = motions([library.load("ex3-1"), library.load("ex3-1")])
@@ -81,7 +81,9 @@ def motions(mechanisms: Sequence[Mechanism]) -> Many:
     (array([ True,  True]), array([-3.91933, -3.91933]))
     """
     mechanism, count = stacked(mechanisms), len(mechanisms)
-    loops = loops_with(mechanism, _brought(mechanism, mechanisms), np.array([*map(size_of, mechanisms)]))
+    if (brought := _brought(mechanism, mechanisms)) is None:
+        return None
+    loops = loops_with(mechanism, brought, np.array([*map(size_of, mechanisms)]))
     closure, first = driving(mechanism, loops)
     q = _drawn(mechanism, loops)
     found = rates_of(mechanism, closure, first, q, single=False)
@@ -90,11 +92,22 @@ def motions(mechanisms: Sequence[Mechanism]) -> Many:
     return Many(motion_of(mechanism, closure, values, q, found), sure)
 
 
-def _brought(mechanism: Mechanism, mechanisms: Sequence[Mechanism]) -> tuple[Share, ...]:
+def _brought(mechanism: Mechanism, mechanisms: Sequence[Mechanism]) -> tuple[Share, ...] | None:
     """What pairs bring, side by side; of slides and hinges, whose numbers lie side by side, at once."""
     if all(isinstance(pair, Slide) for pair in mechanism.pairs):
         return tuple(shares(mechanism))
-    return tuple(_share(each) for each in zip(*map(shares, mechanisms), strict=True))
+    of_each = [tuple(shares(one)) for one in mechanisms]
+    if any(_without_numbers(brought) != _without_numbers(of_each[0]) for brought in of_each):
+        return None
+    return tuple(_share(each) for each in zip(*of_each, strict=True))
+
+
+def _without_numbers(brought: Sequence[Share]) -> list[object]:
+    return [
+        ([(joint.tail, joint.head, joint.slide) for joint in share.joints],
+         [(relation.offset is None, [*relation.weights]) for relation in share.relations])
+        for share in brought
+    ]  # fmt: skip
 
 
 def _share(of_each: Sequence[Share]) -> Share:

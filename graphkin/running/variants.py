@@ -14,7 +14,7 @@ from itertools import product
 
 import numpy as np
 
-from graphkin.construction import Facts, Meet, Plot, Swing, replay, slide_key
+from graphkin.construction import Facts, Fit, Meet, Plot, Swing, replay, slide_key, unknowns_of
 from graphkin.errors import GraphkinError
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
@@ -22,9 +22,12 @@ from graphkin.pairs import Cam, CircularSlot, Slide
 from graphkin.planning import plan
 from graphkin.planning.assembly import DEAD_SINE
 from graphkin.planning.branch_search import BETWEEN
+from graphkin.planning.branches import Branches
 from graphkin.planning.equivalent import lower_pairs
 from graphkin.planning.method import Method
 from graphkin.planning.starting_facts import facts_of, with_sides
+from graphkin.planning.starts import Starts
+from graphkin.planning.structure import Structure
 from graphkin.running.compiled import TABLES
 from graphkin.running.replaying import replay_all
 from graphkin.stacking import coincidences, count_of, cut, single, stacked, topology
@@ -32,6 +35,8 @@ from graphkin.value import filled, frozen
 
 PART = 2048
 """So many mechanisms at once; what they need stays in the cache."""
+EXACT = 1e-3
+"""A sketch this near, as part of how far a group that is fitted is from its dead points, has no other as near."""
 CHOICES = 6
 """Crossings of circles of which every combination is drawn."""
 
@@ -81,7 +86,11 @@ def is_simple(method: Method) -> bool:
 
 
 def _by_crossings(method: Method) -> bool:
-    free = not (method.structure.mechanism.poses or method.moves_on or method.doubtful)
+    return _few_ways(method) and not method.moves_on
+
+
+def _few_ways(method: Method) -> bool:
+    free = not (method.structure.mechanism.poses or method.doubtful)
     return free and len(_choices(method)) <= CHOICES and bool(method.position.steps)
 
 
@@ -194,9 +203,9 @@ class AtOnce:
 
 
 def goes_together(method: Method) -> bool:
-    """Whether `at_once` draws such mechanisms: hinges and slides are all that is left of their lower pairs."""
+    """Whether `at_once` draws such mechanisms: hinges and slides are all that their lower pairs are."""
     lower = all(type(pair) in (Slide, Cam, CircularSlot) for pair in method.mechanism.pairs)
-    return lower and not method.structure.contacts and _by_crossings(method)
+    return lower and not method.structure.contacts and _few_ways(method)
 
 
 def at_once(method: Method, mechanisms: Sequence[Mechanism]) -> AtOnce:
@@ -204,15 +213,16 @@ def at_once(method: Method, mechanisms: Sequence[Mechanism]) -> AtOnce:
     lower = tuple(map(lower_pairs, mechanisms))
     mechanism, count = stacked(lower), len(lower)
     structure = replace(method.structure, mechanism=mechanism)
-    found = _drawn_at_once(method, facts_of(structure, None, {}), mechanism.sketch, None)
+    found = _drawn_at_once(method, facts_of(structure, None, {}), mechanism.sketch, None, structure)
     return replace(found, lower=lower, sure=found.sure & _alike(method, mechanism, count))
 
 
 def _drawn_at_once(
-    method: Method, facts: Facts, sketch: Mapping[str, Value], values: Sequence[Value] | None
-) -> AtOnce:
-    """`values` as `replay_many` has them."""
-    found = _assembled(method, facts, sketch)
+    method: Method, facts: Facts, sketch: Mapping[str, Value], values: Sequence[Value] | None,
+    structure: Structure | None = None,
+) -> AtOnce:  # fmt: skip
+    """`values` as `replay_many` has them; `structure` that of the mechanisms side by side, where links are fitted."""
+    found = _assembled(method, facts, sketch, None if structure is None else _Told.by_sketch(method, structure, facts))
     if values is not None:
         facts = replace(facts, values=tuple(values))
     plot = Plot(facts, found.near)
@@ -252,14 +262,18 @@ class _Assemblies:
     sure: np.ndarray
 
 
-def _assembled(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> _Assemblies:
+def _assembled(
+    method: Method, facts: Facts, sketch: Mapping[str, Value], told: _Told | None = None
+) -> _Assemblies:
     """Every combination of crossings drawn, and for each mechanism the nearest to its sketch taken.
 
-    Sure is what closes, lies well off its dead points, and has no other assembly that the sketch may mean.
+    Sure is what closes, lies well off its dead points, and has no other assembly that the sketch may mean. Groups that
+    are fitted start as `told`, and are sure where the sketch is all but exact.
     """
     choices = _choices(method)
     ways = np.array([*product((1, -1), repeat=len(choices))], dtype=float).reshape(2 ** len(choices), len(choices))
-    plot = replay(method.position, Plot(facts), {choice: ways[:, [k]] for k, choice in enumerate(choices)})
+    start = Plot(facts, {} if told is None else told.near)
+    plot = replay(method.position, start, {choice: ways[:, [k]] for k, choice in enumerate(choices)})
     count = np.broadcast_shapes(*map(np.shape, (*sketch.values(), *plot.position.values())))[-1:]
     every = (len(ways), *count)
     points = {point: np.broadcast_to(z, every) for point, z in plot.position.items()}
@@ -279,10 +293,50 @@ def _assembled(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> _As
             apart = sum((np.abs(points[p][other] - points[p][best, row]) ** 2 for p in shown), np.zeros(every[1]))
             doubt = (apart <= (1e-9 * size) ** 2) | (far[other] - nearest < BETWEEN * apart)
         sure &= same | ~np.isfinite(far[other]) | ~doubt
+    if told is not None:
+        sure &= told.certain(plot, best, every, nearest)
     turned = [base for base in method.structure.bases if base in plot.theta]
     near = {base: np.broadcast_to(plot.theta[base], every)[best, row] for base in turned}
     near |= {slide_key(slide): np.broadcast_to(s, every)[best, row] for slide, s in plot.s.items()}
     return _Assemblies({choice: ways[best, k] for k, choice in enumerate(choices)}, near, sure)
+
+
+@frozen
+class _Told:
+    """What sketches tell of the groups that are fitted, (n,) each."""
+
+    starts: Starts
+    near: Mapping[str, Value]
+    steps: tuple[Fit, ...]
+
+    @classmethod
+    def by_sketch(cls, method: Method, structure: Structure, facts: Facts) -> _Told | None:
+        """None where nothing is fitted."""
+        steps = tuple(step for step in method.position.steps if isinstance(step, Fit))
+        if not steps:
+            return None
+        mechanism, starts = structure.mechanism, Starts(structure)
+        plot = Plot(facts, position={**mechanism.links[FRAME].points, **mechanism.sketch}, theta={FRAME: 0.0})
+        for base in structure.bases:
+            if base not in plot.theta and (angle := starts.angle(plot, base)) is not None:
+                plot.theta[base] = angle
+        here = Branches(plot, np.zeros((count_of(mechanism), 0), dtype=int))
+        near = {name: x for step in steps for name, x in zip(unknowns_of(step), starts.told(here, step), strict=True)}
+        return cls(starts, near, steps)
+
+    def certain(self, plot: Plot, best: np.ndarray, every: tuple[int, ...], away: np.ndarray) -> np.ndarray:
+        """Where all groups of the `best` assemblies, by squared distance `away` from the sketch, are as sketched."""
+        return np.asarray(np.all([self._certain(step, plot, best, every, away) for step in self.steps], axis=0))
+
+    def _certain(
+        self, step: Fit, plot: Plot, best: np.ndarray, every: tuple[int, ...], away: np.ndarray
+    ) -> np.ndarray:
+        row, told = np.arange(every[1]), np.array([self.near[name] for name in unknowns_of(step)])
+        found = [*(plot.theta[base] for base in step.angles), *(plot.s[slide] for slide in step.slides)]
+        x = np.array([np.broadcast_to(value, every)[best, row] for value in found])
+        sine = np.nan_to_num(np.broadcast_to(plot.sines["position", step.name], every)[best, row])
+        exact = away < (EXACT * sine * self.starts.size(step)) ** 2
+        return np.asarray(self.starts.certain(x, told, step, sine) & exact)
 
 
 def _closed(method: Method, plot: Plot, points: Mapping[str, np.ndarray]) -> np.ndarray:
