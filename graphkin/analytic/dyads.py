@@ -1,7 +1,7 @@
 """One loop with two unknowns, closed by formula: both ways at once, where a search would try many starts.
 
-The loop is A u + B v + C = 0 with unknown directions u and v, or (A + P s) u + C + R s = 0 with one direction u
-and a displacement s. Source: Sun Huan, Theory of Machines, section 3-3 (complex vectors).
+The loop is A u + B v + C = 0 with unknown directions u and v, (A + P s) u + C + R s = 0 with one direction u and a
+displacement s, or P s + R t + C = 0 with two displacements. Source: Sun Huan, Theory of Machines, section 3-3 (complex vectors).
 """
 
 from __future__ import annotations
@@ -45,6 +45,8 @@ def ways_of(turning: Real, stretching: Real, arms: Complex, length: Real) -> Rea
             growing = arms * stretching[:, s]
             found = _angle_and_length(sums[1 - s], growing @ angles[1 - s], sums[2], growing @ angles[2])
             found = found[..., ::-1] if s == 0 else found
+        elif stretch.all() and angles[2].all():
+            found = _two_lengths(*(arms @ stretching[:, k] for k in (0, 1)), sums[2])
         else:
             return None
     return found if np.isfinite(found).all() else None
@@ -57,6 +59,13 @@ def _two_angles(a: Complex, b: Complex, c: Complex) -> Real:
     first = (np.angle(c) - np.angle(a))[:, None] + turn
     rest = -(a[:, None] * np.exp(1j * first) + c[:, None]) / b[:, None]
     return np.stack([first, np.angle(rest / (np.abs(rest) > 0))], axis=-1)
+
+
+def _two_lengths(p: Complex, r: Complex, c: Complex) -> Real:
+    """P s + R t + C = 0: the same both ways."""
+    across = (p.conj() * r).imag
+    both = np.stack([(r.conj() * c).imag / across, -(p.conj() * c).imag / across], axis=-1)
+    return np.stack([both, both], axis=1)
 
 
 def _angle_and_length(a: Complex, p: Complex, c: Complex, r: Complex) -> Real:
