@@ -1,7 +1,8 @@
 """One loop with two unknowns, closed by formula: both ways at once, where a search would try many starts.
 
 The loop is A u + B v + C = 0 with unknown directions u and v, (A + P s) u + C + R s = 0 with one direction u and a
-displacement s, or P s + R t + C = 0 with two displacements. Source: Sun Huan, Theory of Machines, section 3-3 (complex vectors).
+displacement s, or P s + R t + C = 0 with two displacements.
+Source: Sun Huan, Theory of Machines, section 3-3 (complex vectors).
 """
 
 from __future__ import annotations
@@ -46,7 +47,7 @@ def ways_of(turning: Real, stretching: Real, arms: Complex, length: Real) -> Rea
             found = _angle_and_length(sums[1 - s], growing @ angles[1 - s], sums[2], growing @ angles[2])
             found = found[..., ::-1] if s == 0 else found
         elif stretch.all() and angles[2].all():
-            found = _two_lengths(*(arms @ stretching[:, k] for k in (0, 1)), sums[2])
+            found = _two_lengths(arms @ stretching[:, 0], arms @ stretching[:, 1], sums[2])
         else:
             return None
     return found if np.isfinite(found).all() else None
