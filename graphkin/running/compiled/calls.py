@@ -100,15 +100,23 @@ def _needed(tape: Tape, rows: Iterable[int]) -> list[int]:
         place = waiting.pop()
         if place not in found and _works(tape.operations[place]):
             found.add(place)
-            waiting += _to_do(tape.operations, place).of
+            waiting += _to_do(tape, place).of
     return sorted(found)
 
 
-def _to_do(operations: Sequence[Operation], place: int) -> Operation:
-    """What is to be done: the negative of a difference is a difference, too."""
-    operation = operations[place]
-    if operation.does == "negative" and (inside := operations[operation.of[0]]).does == "subtract":
+def _to_do(tape: Tape, place: int) -> Operation:
+    """What is to be done: the negative of a difference is a difference, too, and that of a multiple a multiple."""
+    operation = tape.operations[place]
+    if operation.does != "negative":
+        return operation
+    inside = tape.operations[operation.of[0]]
+    numbers = [tape.number_at(of) for of in inside.of]
+    if inside.does == "subtract":
         return Operation("subtract", inside.of[::-1])
+    if inside.does in ("add", "multiply") and (known := [number for number in numbers if number is not None]):
+        rest = inside.of[numbers.index(None)]
+        turned = tape.number(-known[0])
+        return Operation("multiply", (turned, rest)) if inside.does == "multiply" else Operation("subtract", (turned, rest))
     return operation
 
 
@@ -116,17 +124,17 @@ class _Writer:
     """Writes calls, and deals out registers: one is free again after the last call that needs what is in it."""
 
     def __init__(self, tape: Tape, rows: Mapping[int, int]) -> None:
-        self.operations, self.rows = tape.operations, rows
+        self.tape, self.operations, self.rows = tape, tape.operations, rows
         # NumPy takes an array of no dimensions quicker than a float
         self.constants: dict[str, np.ndarray] = {"one": np.array(1.0)}
-        self.last = {of: place for place in _needed(tape, rows) for of in _to_do(self.operations, place).of}
+        self.last = {of: place for place in _needed(tape, rows) for of in _to_do(self.tape, place).of}
         self.names: dict[int, str] = {}
         self.lines: list[Instruction] = []
         self.free: list[str] = []
         self.registers = 0
 
     def write(self, place: int) -> None:
-        operation = _to_do(self.operations, place)
+        operation = _to_do(self.tape, place)
         operands = [self._name(of) for of in operation.of]
         self.free += {name for of, name in zip(operation.of, operands) if self.last[of] == place and name[0] == "r"}
         into = self.names[place] = f"y{self.rows[place]}" if place in self.rows else self._register()
