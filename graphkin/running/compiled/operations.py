@@ -66,6 +66,10 @@ class Operations:
         operation = self.operations[place]
         return operation.number if operation.does == NUMBER else None
 
+    def known(self, operation: Operation) -> int | None:
+        """Where an operation stands, if it is entered."""
+        return self._places.get(operation)
+
     def _entered(self, operation: Operation) -> int:
         place = self._places.setdefault(operation, len(self.operations))
         if place == len(self.operations):

@@ -53,7 +53,7 @@ class Products(Operations):
             return self._done("reciprocal", a)
         sides, bare = self._sides(rest)
         (factor, power), *others = self.factored(bare).items()
-        if not others and power > 1 and Operation("reciprocal", (factor,)) in self._places:
+        if not others and power > 1 and self.known(Operation("reciprocal", (factor,))) is not None:
             found = self.product({factor: -power})
         else:
             found = self._done("reciprocal", bare)
@@ -131,7 +131,7 @@ class Products(Operations):
             return together(self.factored(of[0]), self.factored(of[1]))
         if does == "reciprocal" and len(powers := self.factored(of[0])) == 1:
             return {factor: -power for factor, power in powers.items()}
-        root = self._places.get(Operation("sqrt", (place,)))
+        root = self.known(Operation("sqrt", (place,)))
         return {place: 1} if root is None else {root: 2}
 
     def product(self, powers: Powers) -> int:
