@@ -25,6 +25,7 @@ from graphkin.running.compiled.calls import Calls
 from graphkin.running.compiled.columns import Columns
 from graphkin.running.compiled.layout import laid_out
 from graphkin.running.compiled.lazy_plot import TABLES, LazyPlot, Numbers, Patch, Told
+from graphkin.running.compiled.memory import lent
 from graphkin.running.compiled.recorder import record
 from graphkin.value import frozen
 
@@ -77,7 +78,7 @@ class Program:
             np.array(value, dtype=float) for value in (*values, *taken.values(), *(near[name] for name in self.near))
         )
         count = max(value.size for value in given)
-        block, vectors = np.empty((self.calls.rows, count)), np.empty((self.calls.parts // 2, count), dtype=complex)
+        block, vectors = self._room(count)
         failed = self._filled(block, vectors, given)
         told = Told(self.facts, self.columns, Numbers(block, vectors, given))
         # not least > .. : NaN, too
@@ -87,6 +88,12 @@ class Program:
             patches = [Patch(part, self._replayed(part, told.facts.values, taken, near)) for part in parts]
             told = replace(told, patches=patches)
         return LazyPlot.of(told)
+
+    def _room(self, count: int) -> tuple[np.ndarray, np.ndarray]:
+        """For rows (rows, n), and vectors (pairs, n)."""
+        numbers = self.calls.rows * count
+        room = lent(numbers + self.calls.parts * count)
+        return room[:numbers].reshape(-1, count), room[numbers:].view(complex).reshape(-1, count)
 
     # --- running ------------------------------------------------------------------------------
 
@@ -107,14 +114,14 @@ class Program:
     ) -> Iterator[tuple[slice, tuple[Sequence[np.ndarray], ...]]]:
         """Where a chunk lies, and what it is done with: what is given, rows, parts of vectors, registers."""
         count = block.shape[1]
-        parts = vectors.view(float).reshape(len(vectors), count, 2)
+        parts = vectors.view(float).reshape(len(vectors), count, 2).transpose(0, 2, 1)
         borrowed = self._borrowed(min(count, CHUNK))
         for begin in range(0, count, CHUNK):
             here = slice(begin, min(begin + CHUNK, count))
             size = here.stop - begin
             values = given if size == count else [value[here] if value.ndim else value for value in given]
             registers = borrowed if size == borrowed[0].size else [register[:size] for register in borrowed]
-            sides = [side for pair in parts[:, here] for side in pair.T]
+            sides = [side for pair in parts[:, :, here] for side in pair]
             yield here, (values, [*block[:, here]], sides, registers[: self.calls.registers])
         self.spare.append(borrowed)
 
