@@ -19,7 +19,8 @@ from graphkin.geometry import Value
 Row = tuple[Value, Mapping[str, Value]]
 
 ROUNDS = 30
-FITTED = 1e-13
+FITTED = 1e-8
+"""The last step at most [rad, of the group's size]; what it leaves is of the order of its square."""
 
 
 # --- rolling contacts -------------------------------------------------------------------------

@@ -14,6 +14,7 @@ from graphkin.construction import Arc, Fit, Meet, Plot, Swing
 from graphkin.naming import spelled
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
+from graphkin.running.many_positions import by_program
 from graphkin.running.path import Event, Path, along, stride
 from graphkin.tolerances import TOUCH
 
@@ -106,12 +107,18 @@ def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -
     return sine, miss
 
 
+def _seen(method: Method, path: Path, t: np.ndarray) -> Plot:
+    """The positions at t (n,) on the path; where links are fitted by program, which is quicker."""
+    found = by_program(method, path.values(t), path.crossings(t), path.near(t)) if method.fits else None
+    return found or along(method, path, t)
+
+
 def _closer(method: Method, path: Path, step: Crossing, begin: float, end: float) -> tuple[float, bool] | None:
     """Look closer between two positions: (where, whether it goes through), None where nothing happens."""
     parted: float | None = None
     for _ in range(ROUNDS):
         t = np.linspace(begin, end, FINE)
-        sine, miss = _angle(method, step, along(method, path, t), t.shape)
+        sine, miss = _angle(method, step, _seen(method, path, t), t.shape)
         apart = np.flatnonzero(~np.isfinite(sine) | (miss > 0))
         if apart.size and parted is None:
             parted = _edge(method, path, step, t, int(apart[0]))
@@ -147,7 +154,7 @@ def _centred(method: Method, path: Path, step: Crossing, at: float) -> float:
     """Where the sine, which falls and rises in straight lines, comes to 0."""
     aside = CENTRING * stride(method, path.pace, LOOK_DEG, LOOK_PART)
     t = at + aside * np.array([-1.0, 1.0])
-    (before, after), _ = _angle(method, step, along(method, path, t), t.shape)
+    (before, after), _ = _angle(method, step, _seen(method, path, t), t.shape)
     return at + aside * float((before - after) / (before + after))
 
 
@@ -158,7 +165,7 @@ def _edge(method: Method, path: Path, step: Crossing, t: np.ndarray, k: int) -> 
     begin, end = float(t[k - 1]), float(t[k])
     for _ in range(5):
         t = np.linspace(begin, end, FINE)
-        sine, miss = _angle(method, step, along(method, path, t), t.shape)
+        sine, miss = _angle(method, step, _seen(method, path, t), t.shape)
         apart = ~np.isfinite(sine) | (miss > 0)
         first = int(np.flatnonzero(apart)[0]) if apart.any() else FINE - 1
         begin, end = float(t[max(first - 1, 0)]), float(t[first])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import fields, replace
+from dataclasses import field, fields, replace
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from graphkin.geometry import Value
 from graphkin.running.compiled.columns import Column, Columns, Judged, Pair, Place, Vector
 from graphkin.value import frozen
 
-TABLES = tuple(field.name for field in fields(Plot) if field.name not in ("facts", "near", "follows"))
+TABLES = tuple(each.name for each in fields(Plot) if each.name not in ("facts", "near", "follows"))
 
 
 @frozen
@@ -67,12 +67,14 @@ class Told:
     standing  facts with the drivers at other values
     columns   where each quantity is found, by table and name
     patches   positions told otherwise
+    judged    senses and sines of groups, once they were asked for
     """
 
     standing: Facts
     columns: Mapping[str, Columns]
     numbers: Numbers
     patches: Sequence[Patch] = ()
+    judged: dict[str, tuple[Value, Value]] = field(default_factory=dict)
 
     @property
     def facts(self) -> Facts:
@@ -96,9 +98,11 @@ class Told:
         return found
 
     def _worked_out(self, place: Place) -> Value:
-        if isinstance(place, Judged):
-            return sense_and_sine(place.step, LazyPlot.of(self))[place.which]
-        return self.numbers.read(place)
+        if not isinstance(place, Judged):
+            return self.numbers.read(place)
+        if (name := place.step.name) not in self.judged:
+            self.judged[name] = sense_and_sine(place.step, LazyPlot.of(self))
+        return self.judged[name][place.which]
 
 
 class LazyPlot(Plot):

@@ -35,6 +35,7 @@ FLAT_SINE = 1e-5
 """Crossings under a smaller angle are dead points but for rounding: such positions are replayed plainly."""
 
 Registers = list[np.ndarray]
+_NONE = np.empty(0, dtype=int)
 
 
 def compiled_program(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> Program:
@@ -74,20 +75,33 @@ class Program:
         """The plot at driver values, crossings taken on given sides, from positions close by: each scalar or (n,), one
         at least (n,)."""
         taken, near = self.sides if sides is None else {**self.sides, **sides}, near or {}
-        given = tuple(
-            np.array(value, dtype=float) for value in (*values, *taken.values(), *(near[name] for name in self.near))
-        )
-        count = max(value.size for value in given)
-        block, vectors = self._room(count)
-        failed = self._filled(block, vectors, given)
-        told = Told(self.facts, self.columns, Numbers(block, vectors, given))
-        # not least > .. : NaN, too
-        if failed or not np.minimum.reduce(block[: self.calls.sines], axis=None, initial=1.0) > FLAT_SINE:
-            doubtful = self._doubtful(block, vectors, given, failed)
-            parts = np.array_split(doubtful, -(-doubtful.size // CHUNK)) if doubtful.size else []
+        told, doubtful = self._tried(values, taken, near)
+        if doubtful.size:
+            parts = np.array_split(doubtful, -(-doubtful.size // CHUNK))
             patches = [Patch(part, self._replayed(part, told.facts.values, taken, near)) for part in parts]
             told = replace(told, patches=patches)
         return LazyPlot.of(told)
+
+    def tried(
+        self, values: Sequence[Value], sides: Mapping[int, Value], near: Mapping[str, Value]
+    ) -> tuple[Plot, np.ndarray]:
+        """The same, and at which positions it is not to be relied on (m,), for plain replay does them otherwise."""
+        told, doubtful = self._tried(values, {**self.sides, **sides}, near)
+        return LazyPlot.of(told), doubtful
+
+    def _tried(
+        self, values: Sequence[Value], taken: Mapping[int, Value], near: Mapping[str, Value]
+    ) -> tuple[Told, np.ndarray]:
+        given = tuple(
+            np.array(value, dtype=float) for value in (*values, *taken.values(), *(near[name] for name in self.near))
+        )
+        block, vectors = self._room(max(value.size for value in given))
+        failed = self._filled(block, vectors, given)
+        doubtful = _NONE
+        # not least > .. : NaN, too
+        if failed or not np.minimum.reduce(block[: self.calls.sines], axis=None, initial=1.0) > FLAT_SINE:
+            doubtful = self._doubtful(block, vectors, given, failed)
+        return Told(self.facts, self.columns, Numbers(block, vectors, given)), doubtful
 
     def _room(self, count: int) -> tuple[np.ndarray, np.ndarray]:
         """For rows (rows, n), and vectors (pairs, n)."""
