@@ -32,8 +32,8 @@ SOON = 1.25
 """So many longest steps ahead a change point is looked for."""
 STRETCH, HALVINGS = 12, 6
 """Steps tried at once, and halvings."""
-GROWTH = 1.5
-"""How much longer each step may be than the one before."""
+GROWTH, STEADY = 1.5, 0.9
+"""How much longer each step may be than the one before, and what part of the longest that would do is taken."""
 BETWEEN = 8
 """From one position found to the next so many are foretold, from which others are found."""
 
@@ -59,7 +59,7 @@ class _Walk:
         self.sides = dict(path.sides)
         self.stops: tuple[Event, ...] = ()
         self.changes: tuple[Event, ...] = ()
-        self.missed = -np.inf
+        self.missed, self.growth = -np.inf, GROWTH
         self.stride = stride(method, path.pace, STEP_DEG, STEP_PART)
         self.keys = (*looking.crossings,)
         rolled = {step.angle for step in method.position.steps if isinstance(step, Roll)}
@@ -92,14 +92,26 @@ class _Walk:
     # --- steps --------------------------------------------------------------------------------
 
     def _stretch(self, step: float, end: float) -> float:
-        """Some steps as far as each goes on smoothly; the length of the next one, 0 where not even the first does."""
-        far = np.cumsum(np.minimum(step * GROWTH ** np.arange(STRETCH), self.longest))
-        t = self._not_beyond(self.at + self.side * far, end)
+        """Some steps as far as each goes on smoothly; the length of the next one, 0 where halving is to find it."""
+        far = self._steps_ahead(step)
+        t = self._not_beyond(self.at + self.side * np.cumsum(far), end)
         nodes = self.looking.quickly(t, self.nodes.foretold(t)[0], self.sides)
-        count = self._going_on(nodes)
+        count, off = self._going_on(nodes)
         self.nodes = self.nodes.and_then(nodes[:count])
-        steps = np.diff(far, prepend=0.0)
-        return float(steps[count] if count < t.size else GROWTH * steps[count - 1]) if count else 0.0
+        if not count and off[0] == np.inf:
+            return 0.0
+        here = min(count, t.size - 1)
+        if off[here] < np.inf:  # what is foretold is off by the fourth power of the step
+            self.growth = min(GROWTH, STEADY * max(float(off[here]), 1e-3) ** -0.25)
+            return float(far[here]) * self.growth
+        return float(far[here])
+
+    def _steps_ahead(self, step: float) -> np.ndarray:
+        """Lengths of the next steps, each a little longer than the one before, as links turn there as foretold (k,)."""
+        steps = np.minimum(step * max(self.growth, 1.0) ** np.arange(STRETCH), self.longest)
+        x, slope = self.nodes.foretold(self.at + self.side * np.cumsum(steps))
+        turning = FARTHEST / np.maximum(self._largest(slope, x), 1e-300)
+        return np.minimum(steps, np.append(self.longest, turning[:-1]))
 
     def _not_beyond(self, t: np.ndarray, end: float) -> np.ndarray:
         """Places as far as the end, the last of them there where it is no farther than a step."""
@@ -116,7 +128,7 @@ class _Walk:
         expected = self.nodes.foretold(t)
         for look in (self.looking.quickly, self.looking.plainly):
             nodes = look(t, expected[0], self.sides)
-            for k in np.flatnonzero(self._as_expected(nodes, *expected, np.abs(t - self.at))):
+            for k in np.flatnonzero(self._off(nodes, *expected, np.abs(t - self.at)) < 1):
                 node = nodes[k : k + 1]
                 turning = self._turning(node)
                 if not turning:
@@ -125,8 +137,9 @@ class _Walk:
                     return float(steps[k] if k else GROWTH * step)
         return 0.0
 
-    def _going_on(self, nodes: Nodes) -> int:
-        """How many positions go on smoothly, each from those before it, to where a crossing is about to become flat."""
+    def _going_on(self, nodes: Nodes) -> tuple[int, np.ndarray]:
+        """How many positions go on smoothly, each from those before it, to where a crossing is about to become flat; and
+        how far each is off, as part of what it may be (k,)."""
         before = self.nodes[-2:]
         chain = before.and_then(nodes)
         here, last = chain[len(before) :], chain[len(before) - 1 : -1]
@@ -135,18 +148,20 @@ class _Walk:
             first = before.foretold(nodes.t[:1])
             x, slope = (np.concatenate(pair) for pair in zip(first, (x, slope)))
         steps, longest = np.abs(here.t - last.t), self._longest(last)
-        good = self._as_expected(here, x, slope, steps) & (steps <= 1.001 * longest)
-        good &= ~(here.sines * last.sines < 0).any(axis=1)
-        count = _leading(good)
+        off = self._off(here, x, slope, steps)
+        turning = (here.sines * last.sines < 0).any(axis=1)
+        off[turning] = np.inf
+        count = _leading((off < 1) & (steps <= 1.1 * longest))
         if flat := np.flatnonzero(self._soon(last[:count], here[:count])).tolist():
             count = min(count, flat[0] + 1)
-        return count
+        return count, off
 
-    def _as_expected(self, nodes: Nodes, x: np.ndarray, slope: np.ndarray, steps: np.ndarray) -> np.ndarray:
-        """Whether links come to where they were expected, and as fast (k,)."""
+    def _off(self, nodes: Nodes, x: np.ndarray, slope: np.ndarray, steps: np.ndarray) -> np.ndarray:
+        """How far links are from where they were expected, or from being as fast, as part of what they may be (k,)."""
+        away = self._largest(nodes.x - x, x) / AWAY
+        swerve = self._largest(nodes.slope - slope, x) * steps / SWERVE
         finite = np.isfinite(nodes.x).all(axis=1) & np.isfinite(nodes.slope).all(axis=1)
-        near = self._largest(nodes.x - x, x) < AWAY
-        return finite & near & (self._largest(nodes.slope - slope, x) * steps < SWERVE)
+        return np.where(finite, np.maximum(away, swerve), np.inf)
 
     def _largest(self, change: np.ndarray, x: np.ndarray) -> np.ndarray:
         """The largest of changes (k, n) [rad, lengths]; of a displacement far off, as part of it."""
@@ -195,7 +210,7 @@ class _Walk:
         expected = self.nodes.foretold(t)
         for look in (self.looking.quickly, self.looking.plainly):
             node = look(t, expected[0], sides)
-            if self._as_expected(node, *expected, np.array([far]))[0]:
+            if self._off(node, *expected, np.array([far]))[0] < 1:
                 if self._gone_through(node, turning):
                     return True
                 break

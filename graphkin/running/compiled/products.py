@@ -26,8 +26,8 @@ class Products(Operations):
 
     def unsigned(self, place: int) -> tuple[int, int]:
         """What a place is the negative of, and -1; else itself, and 1."""
-        inside = self._inside(place, "negative")
-        return (place, 1) if inside is None else (inside, -1)
+        does, of, _ = self.operations[place]
+        return (of[0], -1) if does == "negative" else (place, 1)
 
     def multiply(self, a: int, b: int) -> int:
         (a, sign), (b, other) = self.unsigned(a), self.unsigned(b)
