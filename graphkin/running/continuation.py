@@ -30,7 +30,7 @@ SHORTEST = 1e-6
 """Steps are not halved below this part of the longest."""
 SOON = 1.25
 """So many longest steps ahead a change point is looked for."""
-STRETCH, HALVINGS = 12, 6
+STRETCH, HALVINGS = 20, 6
 """Steps tried at once, and halvings."""
 GROWTH, STEADY = 1.5, 0.9
 """How much longer each step may be than the one before, and what part of the longest that would do is taken."""
@@ -95,7 +95,7 @@ class _Walk:
         """Some steps as far as each goes on smoothly; the length of the next one, 0 where halving is to find it."""
         far = self._steps_ahead(step)
         t = self._not_beyond(self.at + self.side * np.cumsum(far), end)
-        nodes = self.looking.quickly(t, self.nodes.foretold(t)[0], self.sides)
+        nodes = self.looking.quickly(t, self.nodes.foretold(t), self.sides)
         count, off = self._going_on(nodes)
         self.nodes = self.nodes.and_then(nodes[:count])
         if not count and off[0] == np.inf:
@@ -108,10 +108,12 @@ class _Walk:
 
     def _steps_ahead(self, step: float) -> np.ndarray:
         """Lengths of the next steps, each a little longer than the one before, as links turn there as foretold (k,)."""
-        steps = np.minimum(step * max(self.growth, 1.0) ** np.arange(STRETCH), self.longest)
-        x, slope = self.nodes.foretold(self.at + self.side * np.cumsum(steps))
+        growing = np.maximum(max(self.growth, STEADY) ** np.arange(STRETCH), 0.5)
+        steps = np.minimum(step * growing, self.longest)
+        x, slope = self.nodes.expected(self.at + self.side * np.cumsum(steps))
         turning = FARTHEST / np.maximum(self._largest(slope, x), 1e-300)
-        return np.minimum(steps, np.append(self.longest, turning[:-1]))
+        found: np.ndarray = np.minimum(steps, np.append(self.longest, turning[:-1]))
+        return found
 
     def _not_beyond(self, t: np.ndarray, end: float) -> np.ndarray:
         """Places as far as the end, the last of them there where it is no farther than a step."""
@@ -125,7 +127,7 @@ class _Walk:
         steps = steps[steps >= SHORTEST * self.stride]
         t = self.at + self.side * steps
         t[0] = self._not_beyond(t[:1], end)[0]
-        expected = self.nodes.foretold(t)
+        expected = self.nodes.expected(t)
         for look in (self.looking.quickly, self.looking.plainly):
             nodes = look(t, expected[0], self.sides)
             for k in np.flatnonzero(self._off(nodes, *expected, np.abs(t - self.at)) < 1):
@@ -138,14 +140,16 @@ class _Walk:
         return 0.0
 
     def _going_on(self, nodes: Nodes) -> tuple[int, np.ndarray]:
-        """How many positions go on smoothly, each from those before it, to where a crossing is about to become flat; and
-        how far each is off, as part of what it may be (k,)."""
+        """How many positions go on smoothly, each from those before it, to where a crossing is about to become flat.
+
+        Also how far each is off, as part of what it may be (k,).
+        """
         before = self.nodes[-2:]
         chain = before.and_then(nodes)
         here, last = chain[len(before) :], chain[len(before) - 1 : -1]
         x, slope = cubic(chain[:-2], chain[1:-1], chain.t[2:])
         if len(before) == 1:
-            first = before.foretold(nodes.t[:1])
+            first = before.expected(nodes.t[:1])
             x, slope = (np.concatenate(pair) for pair in zip(first, (x, slope)))
         steps, longest = np.abs(here.t - last.t), self._longest(last)
         off = self._off(here, x, slope, steps)
@@ -161,7 +165,8 @@ class _Walk:
         away = self._largest(nodes.x - x, x) / AWAY
         swerve = self._largest(nodes.slope - slope, x) * steps / SWERVE
         finite = np.isfinite(nodes.x).all(axis=1) & np.isfinite(nodes.slope).all(axis=1)
-        return np.where(finite, np.maximum(away, swerve), np.inf)
+        off: np.ndarray = np.where(finite, np.maximum(away, swerve), np.inf)
+        return off
 
     def _largest(self, change: np.ndarray, x: np.ndarray) -> np.ndarray:
         """The largest of changes (k, n) [rad, lengths]; of a displacement far off, as part of it."""
@@ -170,7 +175,9 @@ class _Walk:
         return found
 
     def _longest(self, nodes: Nodes) -> np.ndarray:
-        return np.minimum(self.stride, FARTHEST / np.maximum(self._largest(nodes.slope, nodes.x), 1e-300))
+        turning = np.maximum(self._largest(nodes.slope, nodes.x), 1e-300)
+        found: np.ndarray = np.minimum(self.stride, FARTHEST / turning)
+        return found
 
     # --- change points ------------------------------------------------------------------------
 
@@ -207,7 +214,7 @@ class _Walk:
             if isinstance(step, Meet | Swing) and step.choice is not None:
                 sides[step.choice] = -sides[step.choice]
         t = np.array([self.at + self.side * far])
-        expected = self.nodes.foretold(t)
+        expected = self.nodes.expected(t)
         for look in (self.looking.quickly, self.looking.plainly):
             node = look(t, expected[0], sides)
             if self._off(node, *expected, np.array([far]))[0] < 1:

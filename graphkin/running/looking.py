@@ -72,9 +72,9 @@ class Looking:
             found[:, k] = value
         return found
 
-    def _sine(self, step: Crossing, plot: Plot, sides: Mapping[int, int]) -> np.ndarray:
+    def _sine(self, step: Crossing, plot: Plot, sides: Mapping[int, int]) -> Value:
         """The sine of a crossing with the sign of its side, which changes over where it goes through 0."""
-        sine: np.ndarray = plot.sines["position", key_of(step)]
+        sine = plot.sines["position", key_of(step)]
         if isinstance(step, Fit):
             return sine * plot.senses[step.name]
         return sine if step.choice is None else sine * sides.get(step.choice, step.side)

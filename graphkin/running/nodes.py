@@ -36,11 +36,28 @@ class Nodes:
         order = np.argsort(self.t)
         return Nodes(self.t[order], self.x[order], self.slope[order], self.sines[order])
 
-    def foretold(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def expected(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Where the last two lead to at t (k,), and how fast: (k, n) each. One alone leads on in a straight line."""
         if len(self) == 1:
-            return self.x + (t - self.t)[:, None] * self.slope, np.broadcast_to(self.slope, (t.size, self.x.shape[1]))
+            return self.foretold(t), np.broadcast_to(self.slope, (t.size, self.x.shape[1]))
         return cubic(self[-2:-1], self[-1:], t)
+
+    def foretold(self, t: np.ndarray) -> np.ndarray:
+        """Where the last three lead to at t (k,): (k, n). By divided differences, each node taken twice."""
+        last = self[-3:]
+        twice, differences = np.repeat(last.t, 2), np.repeat(last.x, 2, axis=0)
+        terms = [differences[0]]
+        for order in range(1, twice.size):
+            widths = (twice[order:] - twice[:-order])[:, None]
+            differences = np.diff(differences, axis=0)
+            if order == 1:
+                differences[::2], widths[::2] = last.slope, 1.0
+            differences = differences / widths
+            terms.append(differences[0])
+        found = np.broadcast_to(terms[-1], (t.size, terms[-1].size))
+        for place, term in zip(twice[-2::-1], terms[-2::-1]):
+            found = term + (t - place)[:, None] * found
+        return found
 
     def between(self, count: int) -> tuple[np.ndarray, np.ndarray]:
         """So many places from each to the next, t (m,) and x (m, n), and the last one."""
@@ -55,7 +72,7 @@ class Nodes:
 
 
 def cubic(left: Nodes, right: Nodes, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Hermite's cubics through pairs of nodes, one or (k,), and their slopes at t (k,): (k, n) each; between, or beyond."""
+    """Hermite's cubics through pairs of nodes, one or (k,), and their slopes at t (k,), between or beyond: (k, n)."""
     width = (right.t - left.t)[:, None]
     u = (t - left.t)[:, None] / width
     v = 1 - u

@@ -14,7 +14,7 @@ from graphkin.construction import Arc, Fit, Meet, Plot, Swing
 from graphkin.naming import spelled
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
-from graphkin.running.many_positions import by_program
+from graphkin.running.many_positions import program_of
 from graphkin.running.path import Event, Path, along, stride
 from graphkin.tolerances import TOUCH
 
@@ -107,10 +107,17 @@ def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -
     return sine, miss
 
 
-def _seen(method: Method, path: Path, t: np.ndarray) -> Plot:
-    """The positions at t (n,) on the path; where links are fitted by program, which is quicker."""
-    found = by_program(method, path.values(t), path.crossings(t), path.near(t)) if method.fits else None
-    return found or along(method, path, t)
+def _seen(method: Method, path: Path, step: Crossing, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The same at t (n,) on the path; where links are fitted by program, as far as that comes to them."""
+    program = program_of(method) if method.fits else None
+    if program is None:
+        return _angle(method, step, along(method, path, t), t.shape)
+    values = [np.broadcast_to(value, t.shape) for value in path.values(t)]
+    plot, doubtful = program.tried(values, path.crossings(t), path.near(t))
+    sine, miss = _angle(method, step, plot, t.shape)
+    if doubtful.size:
+        sine[doubtful], miss[doubtful] = _angle(method, step, along(method, path, t[doubtful]), doubtful.shape)
+    return sine, miss
 
 
 def _closer(method: Method, path: Path, step: Crossing, begin: float, end: float) -> tuple[float, bool] | None:
@@ -118,7 +125,7 @@ def _closer(method: Method, path: Path, step: Crossing, begin: float, end: float
     parted: float | None = None
     for _ in range(ROUNDS):
         t = np.linspace(begin, end, FINE)
-        sine, miss = _angle(method, step, _seen(method, path, t), t.shape)
+        sine, miss = _seen(method, path, step, t)
         apart = np.flatnonzero(~np.isfinite(sine) | (miss > 0))
         if apart.size and parted is None:
             parted = _edge(method, path, step, t, int(apart[0]))
@@ -154,7 +161,7 @@ def _centred(method: Method, path: Path, step: Crossing, at: float) -> float:
     """Where the sine, which falls and rises in straight lines, comes to 0."""
     aside = CENTRING * stride(method, path.pace, LOOK_DEG, LOOK_PART)
     t = at + aside * np.array([-1.0, 1.0])
-    (before, after), _ = _angle(method, step, _seen(method, path, t), t.shape)
+    (before, after), _ = _seen(method, path, step, t)
     return at + aside * float((before - after) / (before + after))
 
 
@@ -165,7 +172,7 @@ def _edge(method: Method, path: Path, step: Crossing, t: np.ndarray, k: int) -> 
     begin, end = float(t[k - 1]), float(t[k])
     for _ in range(5):
         t = np.linspace(begin, end, FINE)
-        sine, miss = _angle(method, step, _seen(method, path, t), t.shape)
+        sine, miss = _seen(method, path, step, t)
         apart = ~np.isfinite(sine) | (miss > 0)
         first = int(np.flatnonzero(apart)[0]) if apart.any() else FINE - 1
         begin, end = float(t[max(first - 1, 0)]), float(t[first])

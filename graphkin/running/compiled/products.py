@@ -17,6 +17,7 @@ class Products(Operations):
         super().__init__()
         self._multiplied: dict[tuple[int, int], int] = {}
         self._powers: dict[int, Powers] = {}
+        self._divided: set[int] = set()
         self.one = self.number(1.0)
 
     def negative(self, a: int) -> int:
@@ -96,9 +97,10 @@ class Products(Operations):
                 return self.times(number, other)
             if self._inside(one, "reciprocal") == other:
                 return self.one
-        of_a, of_b = self.factored(a), self.factored(b)
-        if any(self._cancels(factor, power, of_b.get(factor, 0)) for factor, power in of_a.items()):
-            return self.product(together(of_a, of_b))
+        if a in self._divided or b in self._divided:
+            of_a, of_b = self.factored(a), self.factored(b)
+            if any(self._cancels(factor, power, of_b.get(factor, 0)) for factor, power in of_a.items()):
+                return self.product(together(of_a, of_b))
         if a == b:
             a = b = self._bare(a)
         return self._entered_product(a, b)
@@ -106,7 +108,10 @@ class Products(Operations):
     def _entered_product(self, a: int, b: int) -> int:
         if self.one in (a, b):
             return a if b == self.one else b
-        return self._done("multiply", min(a, b), max(a, b))
+        found = self._done("multiply", a, b) if a < b else self._done("multiply", b, a)
+        if a in self._divided or b in self._divided:
+            self._divided.add(found)
+        return found
 
     def _cancels(self, factor: int, power: int, more: int) -> bool:
         """Whether there is less of a factor when both are multiplied; roots make squares."""
@@ -116,13 +121,26 @@ class Products(Operations):
 
     # --- factors ----------------------------------------------------------------------------------
 
+    def _done(self, does: str, *of: int) -> int:
+        """What may cancel with others is noted, and what a root was found of."""
+        found = super()._done(does, *of)
+        if does in ("reciprocal", "sqrt"):
+            self._divided.add(found)
+            if does == "sqrt" and self.number_at(found) is None:
+                self._divided.add(of[0])
+                self._powers[of[0]] = {found: 2}
+        return found
+
+    def side(self, which: int) -> int:
+        found = super().side(which)
+        self._divided.add(found)
+        return found
+
     def factored(self, place: int) -> Powers:
         """A place as powers of others; a square is the second power of its root, where that is known."""
         found = self._powers.get(place)
         if found is None:
-            found = self._factors(place)
-            if place not in found:
-                self._powers[place] = found
+            found = self._powers[place] = self._factors(place)
         return found
 
     def _factors(self, place: int) -> Powers:
@@ -131,8 +149,7 @@ class Products(Operations):
             return together(self.factored(of[0]), self.factored(of[1]))
         if does == "reciprocal" and len(powers := self.factored(of[0])) == 1:
             return {factor: -power for factor, power in powers.items()}
-        root = self.known(Operation("sqrt", (place,)))
-        return {place: 1} if root is None else {root: 2}
+        return {place: 1}
 
     def product(self, powers: Powers) -> int:
         """The product of powers of places."""

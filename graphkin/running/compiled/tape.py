@@ -18,12 +18,26 @@ class Tape(Products):
 
     def __init__(self) -> None:
         super().__init__()
+        self._sums: dict[tuple[int, int], int] = {}
+        self._differences: dict[tuple[int, int], int] = {}
         self._lengths: dict[frozenset[tuple[tuple[int, int], ...]], tuple[float, Powers]] = {}
         self._multiples: dict[tuple[int, int], tuple[complex, tuple[int, int]]] = {}
 
     # --- sums -------------------------------------------------------------------------------------
 
     def add(self, a: int, b: int) -> int:
+        key = (a, b) if a < b else (b, a)
+        if (found := self._sums.get(key)) is None:
+            found = self._sums[key] = self._added(a, b)
+        return found
+
+    def subtract(self, a: int, b: int) -> int:
+        """b - a is entered as the negative of a - b: both are met in one drawing, one is enough."""
+        if (found := self._differences.get((a, b))) is None:
+            found = self._differences[a, b] = self._subtracted(a, b)
+        return found
+
+    def _added(self, a: int, b: int) -> int:
         for one, other in ((a, b), (b, a)):
             if self.number_at(one) == 0:
                 return other
@@ -34,8 +48,7 @@ class Tape(Products):
         found = self._drawn_together(a, b, 1)
         return self._done("add", min(a, b), max(a, b)) if found is None else found
 
-    def subtract(self, a: int, b: int) -> int:
-        """b - a is entered as the negative of a - b: both are met in one drawing, one is enough."""
+    def _subtracted(self, a: int, b: int) -> int:
         if a == b:
             return self.number(0.0)
         if self.number_at(a) == 0:
