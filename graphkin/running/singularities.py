@@ -11,6 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing
+from graphkin.geometry import weights_of
 from graphkin.naming import spelled
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
@@ -25,6 +26,8 @@ TOUCHING_SINE = 3e-6
 LOW_SINE = 0.3
 """Below this a least angle between two loci is looked at more closely."""
 ROUNDS, FINE = 3, 201
+FEW, CLOSE = 5, 0.01
+"""Positions where a sine goes through 0, and how far from there others are looked at, as part of how far these are."""
 CENTRING = 1e-3
 """How far to both sides of a touching it is weighed, as part of how closely the path is looked at."""
 
@@ -143,8 +146,25 @@ def _closer(method: Method, path: Path, step: Crossing, begin: float, end: float
 
 def touching(method: Method, path: Path, step: Crossing, begin: float, end: float) -> float | None:
     """Where the loci of a crossing touch between two places, to go on beyond; None where they do not."""
+    if isinstance(step, Fit) and (place := _turned_over(method, path, step, begin, end)) is not None:
+        return place
     found = _closer(method, path, step, begin, end)
     return found[0] if found is not None and found[1] else None
+
+
+def _turned_over(method: Method, path: Path, step: Fit, begin: float, end: float) -> float | None:
+    """Where a group that is fitted comes to its other side, its sine through 0 as straight as may be; else None."""
+    for _ in range(2):
+        t = np.linspace(begin, end, FEW)
+        plot = along(method, path, t)
+        signed = plot.sines["position", step.name] * plot.senses[step.name]
+        if not signed[0] * signed[-1] < 0 or not np.all(np.diff(signed) * (signed[-1] - signed[0]) > 0):
+            return None
+        at = float(weights_of(np.zeros(1), signed)[0] @ t)
+        aside = CLOSE * (end - begin)
+        begin, end = at - aside, at + aside
+    centre = _centred(method, path, step, at)
+    return centre if np.isfinite(centre) else None
 
 
 def _lowest(sine: np.ndarray) -> int | None:
