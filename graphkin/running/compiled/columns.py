@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
-
-import numpy as np
 
 from graphkin.construction.kinds import Fit
 from graphkin.geometry import Value
@@ -14,9 +12,10 @@ from graphkin.value import frozen
 
 @frozen
 class Column:
-    """Where one real quantity, or its negative, is found: a row of the block, one of what was given, else a number."""
+    """Where one real quantity, or its negative, is found: a row, a part of a vector, one of what was given, or a number."""
 
     row: int | None = None
+    part: int | None = None
     given: int | None = None
     number: float = 0.0
     sign: int = 1
@@ -24,13 +23,7 @@ class Column:
     @property
     def known(self) -> float | None:
         """The number that it is at all positions."""
-        return self.sign * self.number if self.row is None and self.given is None else None
-
-    def of(self, rows: Sequence[np.ndarray] | np.ndarray, given: Sequence[np.ndarray]) -> Value:
-        """The quantity without its sign, () or (n,)."""
-        if self.row is not None:
-            return rows[self.row]
-        return self.number if self.given is None else given[self.given][()]
+        return self.sign * self.number if self.row is self.part is self.given is None else None
 
 
 @frozen

@@ -36,13 +36,17 @@ def laid_out(recording: Recording, tables: Tables, given: int) -> tuple[Calls, M
 
 
 class _Layout:
-    """What of a tape is shown so far: rows by place, with their signs, and pairs of parts, each once."""
+    """What of a tape is shown so far: rows by place, with their signs, and pairs, each once.
+
+    parts  which part of a vector a place is, and with which sign: it need not be a row, too
+    """
 
     def __init__(self, tape: Tape) -> None:
         self.tape = tape
         self.rows: dict[int, int] = {}
         self.numbers: dict[int, int] = {}
         self.pairs: dict[tuple[Signed, Signed], int] = {}
+        self.parts: dict[int, tuple[int, int]] = {}
 
     def show(self, value: Value) -> Place:
         """A number, and where it is found."""
@@ -53,6 +57,9 @@ class _Layout:
         place, sign = self.tape.unsigned(value.real_at)
         if not works(self.tape, place):
             return self._at_hand(place, sign)
+        if place in self.parts and place not in self.rows:
+            part, found = self.parts[place]
+            return Column(part=part, sign=sign * found)
         self.numbers.setdefault(place, len(self.numbers))
         return Column(row=self.numbers[place], sign=sign * self.rows.setdefault(place, sign))
 
@@ -63,7 +70,10 @@ class _Layout:
         x, y = self.tape.unsigned(value.real_at), self.tape.unsigned(value.imag_at)
         if not works(self.tape, x[0]) and not works(self.tape, y[0]):
             return Vector(self._at_hand(*x), self._at_hand(*y))
-        return Pair(self.pairs.setdefault((x, y), len(self.pairs)))
+        number = self.pairs.setdefault((x, y), len(self.pairs))
+        for side, (place, sign) in enumerate((x, y)):
+            self.parts.setdefault(place, (2 * number + side, sign))
+        return Pair(number)
 
     def _at_hand(self, place: int, sign: int) -> Column:
         """What takes no work."""

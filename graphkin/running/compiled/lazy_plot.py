@@ -56,8 +56,16 @@ class Numbers:
         return vector
 
     def _signed(self, column: Column) -> Value:
-        found = column.of(self.block, self.given)
+        found = self._unsigned(column)
         return np.multiply(column.sign, found) if np.ndim(found) else column.sign * found
+
+    def _unsigned(self, column: Column) -> Value:
+        if column.row is not None:
+            return self.block[column.row]
+        if column.part is not None:
+            vector = self.vectors[column.part // 2]
+            return vector.imag if column.part % 2 else vector.real
+        return column.number if column.given is None else self.given[column.given][()]
 
 
 @frozen
