@@ -81,10 +81,12 @@ class Looking:
 
 
 def _program(method: Method, path: Path) -> tuple[Program | None, float]:
-    """A program with the drivers' rates as they are on the path, but for a factor."""
+    """A program with the drivers' rates as they are on the path, but for a factor; none where it leads nowhere."""
     facts = method.facts(None)
     rates, pace = np.array(facts.rates, dtype=float), np.array(path.pace)
     fastest = int(np.argmax(np.abs(pace)))
+    if not pace[fastest]:
+        return None, 1.0
     if rates[fastest] and np.allclose(pace * (times := rates[fastest] / pace[fastest]), rates, rtol=1e-12, atol=0):
         return program_of(method), 1 / times
     try:
