@@ -12,7 +12,7 @@ from graphkin.value import frozen
 
 @frozen
 class Column:
-    """Where a real quantity, or its negative, is found: a row, a part of a vector, one of what was given, or a number."""
+    """Where a real quantity, or its negative, is found: in a row, a part of a vector, what was given, or a number."""
 
     row: int | None = None
     part: int | None = None
