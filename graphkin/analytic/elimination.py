@@ -7,9 +7,8 @@ find (y) is as many scalars as the loops have to give.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from graphkin.analytic.vectors import Real
+from graphkin.analytic.vectors import Indices, Real
 from graphkin.value import frozen
 
 _ZERO = 1e-9
@@ -28,7 +27,7 @@ class Elimination:
 
     given: Real
     left: Real
-    free: NDArray[np.intp]
+    free: Indices
     spare: Real
 
     def unknowns(self, y: Real, c: Real) -> Real:

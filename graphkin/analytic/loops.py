@@ -11,10 +11,9 @@ from collections import deque
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from graphkin.analytic.rules import Joint, Relation, Unknown, shares, theta
-from graphkin.analytic.vectors import Complex, Real, Vectors
+from graphkin.analytic.vectors import Complex, Flags, Real, Vectors
 from graphkin.errors import NotJoined
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Rod
@@ -64,7 +63,7 @@ class Loops:
         """d gap / dq: (..., 2r, n)."""
         return parts(self.vectors.slope(self.rows, q), -2)
 
-    def moves(self, rows: Sequence[Complex] | Complex) -> NDArray[np.bool_]:
+    def moves(self, rows: Sequence[Complex] | Complex) -> Flags:
         """Which unknowns move any of these rows: (n,)."""
         arrows = np.abs(np.reshape(rows, (-1, len(self.vectors.base)))).sum(axis=0)
         return np.asarray(arrows @ (np.abs(self.vectors.turning) + np.abs(self.vectors.stretching)) > 0)

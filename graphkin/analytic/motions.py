@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from graphkin.analytic.assembly import DrawnPosition, drawn, held, idle
 from graphkin.analytic.loops import Loops
@@ -18,6 +18,9 @@ from graphkin.errors import SingularPosition, ValueForEach
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
 from graphkin.value import frozen
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 _SINGULAR = 1e-5
 """Reciprocal condition below which velocities count as not determined.

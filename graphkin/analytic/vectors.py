@@ -10,13 +10,17 @@ Source: Sun Huan, Theory of Machines, section 3-3 (complex vectors).
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
-from numpy.typing import NDArray
 
 from graphkin.value import frozen
 
-Real = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+Real = np.ndarray[Any, np.dtype[np.float64]]
+Complex = np.ndarray[Any, np.dtype[np.complex128]]
+Flags = np.ndarray[Any, np.dtype[np.bool_]]
+Indices = np.ndarray[Any, np.dtype[np.intp]]
+"""Arrays; as `numpy.typing` calls them, which takes its time to load."""
 
 
 @frozen

@@ -10,7 +10,6 @@ from __future__ import annotations
 import sys
 from importlib import import_module
 from importlib.machinery import PathFinder
-from importlib.util import find_spec, module_from_spec
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -24,12 +23,13 @@ _PACKAGE, _CORE = "pydantic_core", "pydantic_core._pydantic_core"
 
 def _core() -> ModuleType:
     """The compiled module."""
-    package = None if _PACKAGE in sys.modules else find_spec(_PACKAGE)
+    package = None if _PACKAGE in sys.modules else PathFinder.find_spec(_PACKAGE)
     spec = package and PathFinder.find_spec(_CORE, package.submodule_search_locations)
-    if not spec or spec.loader is None:
+    loader = spec.loader if spec else None
+    module = loader.create_module(spec) if spec and loader else None
+    if loader is None or module is None:
         return import_module(_CORE)
-    module = module_from_spec(spec)
-    spec.loader.exec_module(module)
+    loader.exec_module(module)
     return module
 
 
