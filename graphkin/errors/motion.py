@@ -12,13 +12,11 @@ __all__ = [
     "AmbiguousSketch",
     "BadDrawing",
     "CannotAssemble",
-    "CannotWrite",
     "DeadPoint",
     "FarFromSketch",
     "GearsApart",
     "HigherClass",
     "NoDrawing",
-    "NoFolder",
     "NotPlaced",
     "NotReached",
     "NotRepeated",
@@ -281,17 +279,6 @@ class RoadsDiffer(GraphkinError):
     }
 
 
-class NoFolder(GraphkinError):
-    """A file to be written into a folder that is not there."""
-
-    path: str
-    folder: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path}: there is no folder {folder}. Make it first, or write elsewhere with -o.",
-        "zh": "{path}：没有文件夹 {folder}。请先建立该文件夹，或用 -o 写到别处。",
-    }
-
-
 class TooFar(GraphkinError):
     """A driver that is to move farther than anyone can look along."""
 
@@ -303,17 +290,6 @@ class TooFar(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {driver} is to move from {start} to {end}, but is followed {most} at most. Ask for less of it.",
         "zh": "{where}：{driver} 要从 {start} 运动到 {end}，但最多只能跟踪 {most}。请缩小范围。",
-    }
-
-
-class CannotWrite(GraphkinError):
-    """A file that cannot be written."""
-
-    path: str
-    reason: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path}: cannot be written ({reason}). Choose another place, or make the folder first.",
-        "zh": "{path}：无法写入（{reason}）。请另选位置，或先建立文件夹。",
     }
 
 
