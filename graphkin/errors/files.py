@@ -1,4 +1,4 @@
-"""Errors of the file as a whole: it is not there, it is not text, it is not TOML; or cannot be written."""
+"""Errors of the file as a whole: it is not there, it is not text, it is not TOML."""
 
 from __future__ import annotations
 
@@ -8,13 +8,11 @@ from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
 __all__ = [
     "BrokenToml",
-    "CannotWrite",
     "ControlCharacter",
     "EmptyFile",
     "FileTooLarge",
     "IsFolder",
     "NoFile",
-    "NoFolder",
     "NotUtf8",
     "TooDeep",
     "UnknownMechanism",
@@ -116,26 +114,4 @@ class TooDeep(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: brackets or dotted keys are nested far too deep. A mechanism file needs three levels at most.",
         "zh": "{where}：括号或带点的键嵌套过深，机构文件最多只需三层。",
-    }
-
-
-class NoFolder(GraphkinError):
-    """A file to be written into a folder that is not there."""
-
-    path: str
-    folder: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path}: there is no folder {folder}. Make it first, or write elsewhere with -o.",
-        "zh": "{path}：没有文件夹 {folder}。请先建立该文件夹，或用 -o 写到别处。",
-    }
-
-
-class CannotWrite(GraphkinError):
-    """A file that cannot be written."""
-
-    path: str
-    reason: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path}: cannot be written ({reason}). Choose another place, or make the folder first.",
-        "zh": "{path}：无法写入（{reason}）。请另选位置，或先建立文件夹。",
     }
