@@ -82,9 +82,14 @@ def _next(least: float) -> float:
     """The scale of the series next above a value."""
     if not least > 1e-300:
         return 0.01
-    power = math.floor(math.log10(least))
-    steps = (*(float(f"{step}e{power}") for step in SERIES), float(f"1e{power + 1}"))
+    steps = _steps(math.floor(math.log10(least)))
     return next((scale for scale in steps if scale >= least * _CLOSE), steps[-1])
+
+
+@lru_cache(64)
+def _steps(power: int) -> tuple[float, ...]:
+    """The scales of the series from a power of ten to the next."""
+    return (*(float(f"{step}e{power}") for step in SERIES), float(f"1e{power + 1}"))
 
 
 def finer(scale: float) -> float:
