@@ -65,8 +65,6 @@ def moved(closure: EquationSystem, start: Real, c: Real, change: Real) -> tuple[
 
     nan where the way does not lead. `start` are the unknowns (n,) at c.
     """
-    if not np.any(change):
-        return np.repeat(start[None], len(change), axis=0), []
     goals = np.full((len(change), len(start)), np.nan)
     there = np.flatnonzero(np.isfinite(change).all(axis=1))
     if not there.size:
