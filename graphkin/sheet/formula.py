@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from graphkin.sheet.lettering import Label, Run, point_label
 
@@ -22,6 +23,7 @@ _STRETCH = (
 _ANY = re.compile(f"(?P<points>{_POINTS}|{_STRETCH})|{_SIGN}")
 
 
+@lru_cache(4096)
 def formula(text: str) -> Label:
     """Quantities with their subscripts, powers raised, points in italics; what is neither stays as it is."""
     runs: list[Run] = []
