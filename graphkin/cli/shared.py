@@ -210,10 +210,10 @@ def at_values(method: Method, angles: Sequence[float], displacements: Sequence[f
 def json_line(value: object) -> str:
     """One line of JSON for programs, on one line for those, too, that end lines as Unicode does."""
     text = json.dumps(value, ensure_ascii=False, allow_nan=False)
-    return _LINE_ENDS.sub(lambda end: f"\\u{ord(end.group()):04x}", text)
+    return re.sub(_LINE_ENDS, lambda end: f"\\u{ord(end.group()):04x}", text)
 
 
-_LINE_ENDS = re.compile("[\x7f-\x9f\u2028\u2029\ud800-\udfff]")
+_LINE_ENDS = "[\x7f-\x9f\u2028\u2029\ud800-\udfff]"
 """Ends of lines that JSON does not escape, with their kin that no text file should hold."""
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from math import degrees
 
 from graphkin.construction import InStep, Measure, Roll, Simultaneous, Touch, slide_key
@@ -16,11 +15,12 @@ from graphkin.say.figures import Formula, Operand
 from graphkin.say.noise import cut
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
+from graphkin.value import frozen
 
 # --- the relation itself ------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@frozen
 class Relation:
     """`r1(ω1 − ω4) + r2(ω2 − ω4) = 0` of two wheels; `r3(ω3 − ω7) + ṡ_C = 0` of one on a line.
 
@@ -308,7 +308,7 @@ def _rate_told(polygon: Polygon, link: str) -> bool:
     return turns[link].base in found
 
 
-@dataclass(frozen=True)
+@frozen
 class Contacted:
     """A wheel whose rotation is measured between points of which one is, or both are, contacts.
 
