@@ -31,7 +31,10 @@ PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape", "letter", "letter-landscap
 
 
 def user_language() -> Lang:
-    """Chinese where the environment asks for it, else English."""
+    """As it is said before the command; else Chinese where the environment asks for it, else English."""
+    context = click.get_current_context(silent=True)
+    if context is not None and (before := context.find_root().meta.get("lang")):
+        return "zh" if before == "zh" else "en"
     for name in ("GRAPHKIN_LANG", "LC_ALL", "LC_MESSAGES", "LANG"):
         if value := os.environ.get(name):
             return "zh" if value.lower().startswith("zh") else "en"
