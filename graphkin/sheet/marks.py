@@ -17,8 +17,8 @@ from graphkin.value import frozen
 Place = complex
 Fill = Literal["none", "paper", "ink", "grey", "tint"]
 """A tint hides nothing under it."""
-Layer = Plane | Literal["centres"]
-"""What a mark belongs to: a plane of the construction, or the instant centres over the mechanism."""
+Layer = Plane | Literal["centres", "detail"]
+"""What a mark belongs to: a plane of the construction, the instant centres over the mechanism, a detail of a plane."""
 Half = Literal["", "left", "right"]
 Form = Literal["bar", "guide", "block", "slot", "wheel", "arc", "path"]
 
