@@ -149,6 +149,13 @@ def read(source: str) -> Mechanism:
         raise click.UsageError("MECHANISM is empty: name a file, or a mechanism of `graphkin list`")
     through_pipe = source == "-"
     machine = loading.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>") if through_pipe else api.load(source)
+    return remarked(machine)
+
+
+def remarked(machine: Mechanism) -> Mechanism:
+    """The mechanism; what is to be remarked on it goes to stderr."""
+    from graphkin import loading
+
     lang = click.get_current_context().params.get("lang", "en")
     for remark in loading.remarks(machine):
         click.echo(remark.message(lang), err=True)
@@ -206,10 +213,10 @@ def at_values(method: Method, angles: Sequence[float], displacements: Sequence[f
 def json_line(value: object) -> str:
     """One line of JSON for programs, on one line for those, too, that end lines as Unicode does."""
     text = json.dumps(value, ensure_ascii=False, allow_nan=False)
-    return _LINE_ENDS.sub(lambda end: f"\\u{ord(end.group()):04x}", text)
+    return re.sub(_LINE_ENDS, lambda end: f"\\u{ord(end.group()):04x}", text)
 
 
-_LINE_ENDS = re.compile("[\x7f-\x9f\u2028\u2029\ud800-\udfff]")
+_LINE_ENDS = "[\x7f-\x9f\u2028\u2029\ud800-\udfff]"
 """Ends of lines that JSON does not escape, with their kin that no text file should hold."""
 
 

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from graphkin.construction import Measure
 from graphkin.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import touching
 from graphkin.say import names
 from graphkin.say.plane import Polygon
+from graphkin.value import frozen
 
 
-@dataclass(frozen=True)
+@frozen
 class Contacted:
     """A wheel whose rotation is measured between points of which one is, or both are, contacts.
 

@@ -15,7 +15,6 @@ import cmath
 import math
 import re
 from collections.abc import Callable
-from decimal import Decimal
 from itertools import pairwise
 
 from graphkin.quantities import EDGE, IN_GRAVITY
@@ -37,9 +36,15 @@ def number(value: float, zero: float = 0.0, digits: int = DIGITS) -> str:
     text = significant(value, digits)
     mantissa, _, exponent = text.partition("e")
     if exponent:
-        written_out = int(exponent) in _PLAIN
-        text = format(Decimal(text), "f") if written_out else f"{mantissa}e{int(exponent)}"
+        text = _in_full(text) if int(exponent) in _PLAIN else f"{mantissa}e{int(exponent)}"
     return text.replace("-", "−")
+
+
+def _in_full(text: str) -> str:
+    """`1.20e-05` with all its zeros."""
+    from decimal import Decimal
+
+    return format(Decimal(text), "f")
 
 
 def given(value: float, zero: float = 0.0) -> str:

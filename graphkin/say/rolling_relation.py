@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import degrees
 
 from graphkin.construction import InStep, slide_key
@@ -15,9 +14,10 @@ from graphkin.say.figures import Formula, Operand
 from graphkin.say.noise import cut
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
+from graphkin.value import frozen
 
 
-@dataclass(frozen=True)
+@frozen
 class Relation:
     """`r1(ω1 − ω4) + r2(ω2 − ω4) = 0` of two wheels; `r3(ω3 − ω7) + ṡ_C = 0` of one on a line.
 
