@@ -22,7 +22,7 @@ from graphkin.planning.special import special_points
 from graphkin.planning.stages import Group
 from graphkin.readings import readings
 from graphkin.running import replay_all
-from graphkin.running.variants import at_once, goes_together
+from graphkin.running.at_once import at_once, goes_together
 from graphkin.stacking import topology
 
 __all__ = ["planned_together", "proved_together"]
