@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import reduce
 from itertools import product
 
 import numpy as np
@@ -26,8 +27,7 @@ CHOICES = 6
 
 
 def few_ways(method: Method) -> bool:
-    free = not (method.structure.mechanism.poses or method.doubtful)
-    return free and len(choices_of(method)) <= CHOICES and bool(method.position.steps)
+    return not method.doubtful and len(choices_of(method)) <= CHOICES and bool(list(method.position.steps))
 
 
 def choices_of(method: Method) -> list[int]:
@@ -106,9 +106,15 @@ class Told:
         near = {name: x for step in steps for name, x in zip(unknowns_of(step), starts.told(here, step), strict=True)}
         return cls(starts, near, steps)
 
+    @classmethod
+    def known(cls, method: Method, structure: Structure, drawn: Mapping[str, Value]) -> Told:
+        """Where everything is known already."""
+        return cls(Starts(structure), drawn, tuple(step for step in method.position.steps if isinstance(step, Fit)))
+
     def certain(self, plot: Plot, best: np.ndarray, every: tuple[int, ...], away: np.ndarray) -> np.ndarray:
         """Where all groups of the `best` assemblies, by squared distance `away` from the sketch, are as sketched."""
-        return np.asarray(np.all([self._certain(step, plot, best, every, away) for step in self.steps], axis=0))
+        all_of_them = (self._certain(step, plot, best, every, away) for step in self.steps)
+        return reduce(np.logical_and, all_of_them, np.ones(every[1], dtype=bool))
 
     def _certain(
         self, step: Fit, plot: Plot, best: np.ndarray, every: tuple[int, ...], away: np.ndarray

@@ -10,20 +10,26 @@ import numpy as np
 from graphkin.construction import Facts, Plot, replay
 from graphkin.geometry import Value
 from graphkin.mechanism import Mechanism
-from graphkin.pairs import Cam, CircularSlot, Slide
-from graphkin.planning.equivalent import lower_pairs
+from graphkin.planning.equivalent import Contact, lower_pairs
 from graphkin.planning.method import Method
 from graphkin.planning.starting_facts import facts_of, with_sides
 from graphkin.running.assemblies import Told, assembled_by_sketch, few_ways
 from graphkin.running.compiled import TABLES
+from graphkin.running.contacts_at_once import (
+    Standing,
+    contacts_of,
+    in_touch,
+    side_by_side,
+    standing,
+    with_contacts,
+)
 from graphkin.stacking import coincidences, cut, stacked
 from graphkin.value import frozen
 
 
 def goes_together(method: Method) -> bool:
-    """Whether `at_once` draws such mechanisms: hinges and slides are all that their lower pairs are."""
-    lower = all(type(pair) in (Slide, Cam, CircularSlot) for pair in method.mechanism.pairs)
-    return lower and not method.structure.contacts and few_ways(method)
+    """Whether `at_once` may draw such mechanisms."""
+    return few_ways(method)
 
 
 @frozen
@@ -31,7 +37,7 @@ class AtOnce:
     """Mechanisms drawn by one method: values (n,), or (positions, n); which are sure, and each one's own crossings.
 
     near    angles and displacements at the drawn position, as `Method` has them, (n,) each
-    lower   their lower pairs
+    lower, contacts, standing   their lower pairs, their wheels' contacts, and how they stand if poses say so
     """
 
     plot: Plot
@@ -39,13 +45,19 @@ class AtOnce:
     near: Mapping[str, Value]
     sure: np.ndarray
     lower: tuple[Mechanism, ...] = ()
+    contacts: tuple[tuple[Contact, ...], ...] = ()
+    standing: Standing | None = None
 
     def method(self, template: Method, row: int, mechanism: Mechanism) -> Method:
         """One mechanism's own method."""
         sides = tuple(int(self.sides[choice][row]) for choice in sorted(self.sides))
+        lower, ties, drawn = self.lower[row], self.contacts[row], dict[str, float]()
+        if self.standing is not None:
+            lower, drawn = self.standing.of(row, lower)
+        structure = replace(template.structure, mechanism=lower, contacts=ties)
+        own = with_contacts(template, structure) if ties else replace(template, structure=structure)
         return replace(
-            template, mechanism=mechanism, structure=replace(template.structure, mechanism=self.lower[row]),
-            position=with_sides(template.position, sides),
+            own, mechanism=mechanism, position=with_sides(own.position, sides), drawn=drawn,
             near={name: float(value[row]) for name, value in self.near.items()},
         )  # fmt: skip
 
@@ -58,14 +70,25 @@ class AtOnce:
         return plot
 
 
-def at_once(method: Method, mechanisms: Sequence[Mechanism]) -> AtOnce:
-    """Mechanisms of a method's topology at their drawn positions, where they go together."""
+def at_once(method: Method, mechanisms: Sequence[Mechanism]) -> AtOnce | None:
+    """Mechanisms of a method's topology at their drawn positions; None where they do not go together."""
     lower = tuple(map(lower_pairs, mechanisms))
-    mechanism, count = stacked(lower), len(lower)
-    structure = replace(method.structure, mechanism=mechanism)
-    facts = facts_of(structure, None, {})
-    found = drawn_at_once(method, facts, mechanism.sketch, None, Told.by_sketch(method, structure, facts))
-    return replace(found, lower=lower, sure=found.sure & alike(method, mechanism, count))
+    of_each = contacts_of(mechanisms, lower)
+    many, ties = stacked(lower), side_by_side(of_each)
+    if ties is None:
+        return None
+    sure, placed = alike(method, many, len(lower)), None
+    if ties or many.poses:
+        if (placed := standing(method, many)) is None:
+            return None
+        many, sure = placed.lower, sure & placed.sure
+    structure = replace(method.structure, mechanism=many, contacts=ties)
+    drawn: Mapping[str, Value] = {} if placed is None else placed.drawn
+    facts = facts_of(structure, None, drawn)
+    told = Told.by_sketch(method, structure, facts) if placed is None else Told.known(method, structure, drawn)
+    found = drawn_at_once(with_contacts(method, structure) if ties else method, facts, many.sketch, None, told)
+    sure = sure & found.sure & in_touch(of_each, ties, bool(method.mechanism.slides), found.plot)
+    return replace(found, lower=lower, contacts=tuple(of_each), standing=placed, sure=sure)
 
 
 def drawn_at_once(

@@ -73,11 +73,8 @@ def replay_many(
 
 def is_simple(method: Method) -> bool:
     """Whether crossings of lines and circles are all that a position asks for: then arrays do what numbers do."""
-    return all(type(pair) is Slide for pair in method.mechanism.pairs) and _by_crossings(method)
-
-
-def _by_crossings(method: Method) -> bool:
-    return few_ways(method) and not method.moves_on
+    plain = all(type(pair) is Slide for pair in method.mechanism.pairs) and not method.mechanism.poses
+    return plain and few_ways(method) and not method.moves_on
 
 
 def _refuse_others(method: Method, mechanisms: Sequence[Mechanism]) -> None:
