@@ -10,18 +10,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from graphkin.analytic.elimination import Elimination
 from graphkin.analytic.newton import EquationSystem
-from graphkin.analytic.vectors import Complex, Real, Vectors
+from graphkin.analytic.vectors import Complex, Flags, Indices, Real, Vectors
 from graphkin.value import frozen
 
 NOTHING = 1e-12
 """Coefficients below this are rounding, in units of size."""
-
-Indices = NDArray[np.intp]
-Flags = NDArray[np.bool_]
 
 
 @frozen

@@ -7,9 +7,8 @@ find (y) is as many scalars as the loops have to give.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from graphkin.analytic.vectors import Real, applied
+from graphkin.analytic.vectors import Indices, Real, applied
 from graphkin.value import frozen
 
 _ZERO = 1e-9
@@ -28,14 +27,14 @@ class Elimination:
 
     given: Real
     left: Real
-    free: NDArray[np.intp]
+    free: Indices
     spare: Real
 
     def unknowns(self, y: Real, c: Real) -> Real:
         """All unknowns: (..., n) from y (..., y) and c (..., k)."""
         return np.asarray(applied(self.given, c) + applied(self.left, y))
 
-    def of_some(self, which: NDArray[np.intp] | int) -> Elimination:
+    def of_some(self, which: Indices | int) -> Elimination:
         """That of some of many mechanisms, or of one."""
         return Elimination(self.given[which], self.left[which], self.free, self.spare[which])
 

@@ -10,13 +10,11 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from graphkin.analytic.rules import Joint, Relation, Share, Unknown, shares, theta
-from graphkin.analytic.vectors import Complex, Real, Vectors, applied
+from graphkin.analytic.vectors import Complex, Flags, Indices, Numbers, Real, Vectors, applied
 from graphkin.errors import NotJoined
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
@@ -69,12 +67,12 @@ class Loops:
         """d gap / dq: (..., 2r, n)."""
         return parts(self.vectors.slope(self.rows, q), -2)
 
-    def moves(self, rows: Complex) -> NDArray[np.bool_]:
+    def moves(self, rows: Complex) -> Flags:
         """Which unknowns move any of these rows: (n,)."""
         arrows = np.abs(np.reshape(rows, (-1, len(self.vectors.base)))).sum(axis=0)
         return np.asarray(arrows @ (np.abs(self.vectors.turning) + np.abs(self.vectors.stretching)) > 0)
 
-    def of_some(self, which: NDArray[np.intp] | int) -> Loops:
+    def of_some(self, which: Indices | int) -> Loops:
         """Those of some of many mechanisms, or of one."""
         points = {point: row[which] for point, row in self.points.items()}
         return replace(self, unit=self.unit[which], size=self.size[which], rows=self.rows[which], points=points)
@@ -114,7 +112,7 @@ def loops_with(mechanism: Mechanism, brought: Sequence[Share], size: Value) -> L
     return Loops(unknowns, unit, size, vectors, _by_mechanism(rows), points, origins, relations, joints)
 
 
-def _by_mechanism(table: NDArray[Any]) -> NDArray[Any]:
+def _by_mechanism(table: Numbers) -> Numbers:
     """Rows (r, m, b) as (b, r, m)."""
     return np.moveaxis(table, -1, 0) if table.ndim == 3 else table
 

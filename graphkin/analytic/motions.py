@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from graphkin.analytic.assembly import DrawnPosition, drawn, held, idle
 from graphkin.analytic.loops import Loops
-from graphkin.analytic.moving import moved
 from graphkin.analytic.newton import EquationSystem, inverse
 from graphkin.analytic.rates import Rates, rates
 from graphkin.analytic.rules import driven
@@ -19,6 +18,11 @@ from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
 from graphkin.value import frozen
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from graphkin.analytic.moving import Limit
 
 SINGULAR = 1e-5
 """Reciprocal condition below which velocities count as not determined.
@@ -63,12 +67,21 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     flat = np.stack([value.ravel() for value in wanted], axis=-1) if wanted else np.zeros((1, 0))
     change = np.zeros((len(flat), len(closure.weights)))
     change[:, first:] = flat - np.array(start.values).reshape(-1)
-    q, limits = moved(closure, start.q, closure.weights @ start.q, change)
+    q, limits = _moved(closure, start.q, change)
     found = rates_of(mechanism, closure, first, q, single=shape == ())
     for limit in limits:
         beside = rates_of(mechanism, closure, first, limit.q, single=False)
         found.first[limit.rows], found.second[limit.rows] = limit.weights @ beside.first, limit.weights @ beside.second
     return motion_of(mechanism, closure, wanted, q.reshape(*shape, -1), _shaped(found, shape))
+
+
+def _moved(closure: EquationSystem, start: Real, change: Real) -> tuple[Real, list[Limit]]:
+    """What moves on from the drawn position, if anything does: unknowns (p, n), positions beside change points."""
+    if not np.any(change):
+        return np.repeat(start[None], len(change), axis=0), []
+    from graphkin.analytic.moving import moved
+
+    return moved(closure, start, closure.weights @ start, change)
 
 
 def conditioning(mechanism: Mechanism) -> float:

@@ -9,15 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from graphkin.analytic.elimination import Elimination, eliminate
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.rules import Relation
-from graphkin.analytic.vectors import Real, applied
+from graphkin.analytic.vectors import Indices, Real, applied
 from graphkin.value import frozen
 
-Indices = NDArray[np.intp]
 _SETTLED = 1e-13
 """Newton steps below this are rounding."""
 _CLOSED = 1e-20
@@ -146,7 +144,7 @@ def search(closure: EquationSystem, q: Real, c: Real, steps: int = 60) -> Real:
     return q
 
 
-def _damped_step(matrix: Real, gap: Real, damping: NDArray[np.float64]) -> Real:
+def _damped_step(matrix: Real, gap: Real, damping: Real) -> Real:
     transposed = np.swapaxes(matrix, -1, -2)
     normal = transposed @ matrix + damping[:, None, None] * np.eye(matrix.shape[-1])
     return np.asarray(-np.linalg.solve(normal, transposed @ gap[..., None])[..., 0])

@@ -14,15 +14,18 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from graphkin.value import frozen
 
-Real = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+Real = np.ndarray[Any, np.dtype[np.float64]]
+Complex = np.ndarray[Any, np.dtype[np.complex128]]
+Flags = np.ndarray[Any, np.dtype[np.bool_]]
+Indices = np.ndarray[Any, np.dtype[np.intp]]
+Numbers = np.ndarray[Any, np.dtype[Any]]
+"""Arrays; as `numpy.typing` calls them, which takes its time to load."""
 
 
-def applied(matrix: NDArray[Any], vectors: NDArray[Any]) -> NDArray[Any]:
+def applied(matrix: Numbers, vectors: Numbers) -> Numbers:
     """A matrix (r, m), or one for each vector (b, r, m), on vectors (..., m): (..., r)."""
     return np.asarray(vectors @ matrix.T if matrix.ndim == 2 else (matrix @ vectors[..., None])[..., 0])
 

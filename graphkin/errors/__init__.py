@@ -39,10 +39,10 @@ if TYPE_CHECKING:
     from graphkin.errors.submissions import *  # noqa: F403
 
 _FILES = (
-    "base", "files", "keys", "shapes", "drivers", "pairs", "motion", "drawings", "singular", "asking",
+    "base", "drawings", "files", "keys", "shapes", "drivers", "pairs", "motion", "singular", "asking",
     "centring", "finding", "linkages", "design", "marking", "submissions", "answers", "problem_sets", "platforms", "handouts",
 )  # fmt: skip
-"""In the order in which a name is looked for: what every mechanism file may meet comes first."""
+"""In the order in which a name is looked for: what every command and every mechanism file may meet comes first."""
 
 if not TYPE_CHECKING:
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, islice
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,7 +17,6 @@ from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, W
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning.assembly import assemble, extent, refuse_open
-from graphkin.planning.candidates import SetAside
 from graphkin.planning.position import position
 from graphkin.planning.repeated import as_aside, still_repeated
 from graphkin.planning.stages import stages
@@ -26,7 +26,10 @@ from graphkin.quantities import EDGE, driven
 from graphkin.tolerances import ROUNDED
 from graphkin.value import frozen
 
-Repeats = tuple[SetAside, ...]
+if TYPE_CHECKING:
+    from graphkin.planning.candidates import SetAside
+
+    Repeats = tuple[SetAside, ...]
 
 TRIES = 64
 """So many choices of poses to leave out are tried."""
