@@ -128,16 +128,16 @@ class Program:
     ) -> Iterator[tuple[slice, tuple[Sequence[np.ndarray], ...]]]:
         """Where a chunk lies, and what it is done with: what is given, rows, parts of vectors, registers."""
         count = block.shape[1]
-        parts = vectors.view(float).reshape(len(vectors), count, 2).transpose(0, 2, 1)
-        borrowed = self._borrowed(min(count, CHUNK))
-        for begin in range(0, count, CHUNK):
-            here = slice(begin, min(begin + CHUNK, count))
-            size = here.stop - begin
-            values = given if size == count else [value[here] if value.ndim else value for value in given]
-            registers = borrowed if size == borrowed[0].size else [register[:size] for register in borrowed]
-            sides = [side for pair in parts[:, :, here] for side in pair]
-            yield here, (values, [*block[:, here]], sides, registers[: self.calls.registers])
-        self.spare.append(borrowed)
+        registers = self._borrowed(min(count, CHUNK))
+        if count <= CHUNK:
+            yield slice(None), (given, [*block], _sides(vectors), registers)
+        else:
+            for begin in range(0, count, CHUNK):
+                here = slice(begin, min(begin + CHUNK, count))
+                values = [value[here] if value.ndim else value for value in given]
+                rooms = [register[: here.stop - begin] for register in registers]
+                yield here, (values, [*block[:, here]], _sides(vectors[:, here]), rooms)
+        self.spare.append(registers)
 
     def _borrowed(self, size: int) -> Registers:
         try:
@@ -146,7 +146,7 @@ class Program:
             registers = []
         if registers and registers[0].size == size:
             return registers
-        return list(np.empty((max(self.calls.registers, 1), size)))
+        return [*np.empty((self.calls.registers, size))]
 
     # --- positions that fail ------------------------------------------------------------------
 
@@ -172,6 +172,11 @@ class Program:
         for construction in self.constructions:
             replay(construction, plot, sides if construction.plane == "position" else None)
         return plot
+
+
+def _sides(vectors: np.ndarray) -> list[np.ndarray]:
+    """The parts of vectors (k, n), x and y of each."""
+    return [side for vector in vectors for side in (vector.real, vector.imag)]
 
 
 class _Watched:
