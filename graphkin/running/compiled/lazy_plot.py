@@ -58,7 +58,7 @@ class Numbers:
 
     def _signed(self, column: Column) -> Value:
         found = self._unsigned(column)
-        return np.multiply(column.sign, found) if np.ndim(found) else column.sign * found
+        return found.copy() if column.sign > 0 and isinstance(found, np.ndarray) else column.sign * found
 
     def _unsigned(self, column: Column) -> Value:
         if column.row is not None:
@@ -114,7 +114,7 @@ class Told:
 
     def _worked_out(self, place: Place) -> Value:
         if isinstance(place, Late):
-            return np.multiply(place.sign, self._late[place.number])
+            return place.sign * self._late[place.number]
         if not isinstance(place, Judged):
             return self.numbers.read(place)
         if (name := place.step.name) not in self.judged:
