@@ -11,10 +11,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-_LATER = {
-    "urllib.request": ("urlopen",),
-    "svgwrite.data.svgparser": ("is_valid_transferlist", "is_valid_pathdata", "is_valid_animation_timing"),
-}
+_LATER = {"urllib.request": ("urlopen",), "svgwrite.validator2": ("get_validator",), "svgwrite.data.pattern": ()}
 """The functions that svgwrite takes from each when it loads."""
 
 
@@ -39,11 +36,18 @@ class _Later(ModuleType):
         if name.startswith("__"):
             raise AttributeError(name)
         if name in _LATER[self.__name__]:
-            return partial(_called, self.__name__, name)
+            return partial(_Result, self.__name__, name)
         if sys.modules.get(self.__name__) is self:
             del sys.modules[self.__name__]
         return getattr(import_module(self.__name__), name)
 
 
-def _called(module: str, name: str, *args: Any, **named: Any) -> Any:
-    return getattr(import_module(module), name)(*args, **named)
+class _Result:
+    """What a function gives, once something is asked of that."""
+
+    def __init__(self, module: str, function: str, *args: Any, **named: Any) -> None:
+        self._call = module, function, args, named
+
+    def __getattr__(self, name: str) -> Any:
+        module, function, args, named = self._call
+        return getattr(getattr(import_module(module), function)(*args, **named), name)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, islice
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,7 +16,6 @@ from graphkin.construction import Plot, replay, slide_key
 from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, Where
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning.assembly import assemble, extent, refuse_open
-from graphkin.planning.candidates import SetAside
 from graphkin.planning.position import position
 from graphkin.planning.repeated import as_aside, still_repeated
 from graphkin.planning.stages import stages
@@ -25,7 +25,10 @@ from graphkin.quantities import EDGE, driven
 from graphkin.tolerances import ROUNDED
 from graphkin.value import frozen
 
-Repeats = tuple[SetAside, ...]
+if TYPE_CHECKING:
+    from graphkin.planning.candidates import SetAside
+
+    Repeats = tuple[SetAside, ...]
 
 TRIES = 64
 """So many choices of poses to leave out are tried."""
@@ -90,7 +93,7 @@ def _standing(mechanism: Mechanism, lower: Mechanism, repeats: Repeats) -> tuple
         try:
             structure, plot = _placed(mechanism, lower, needed, repeats)
         except (CannotAssemble, DeadPoint, NotPlaced) as error:
-            refusal = refusal or error
+            refusal = error if refusal is None or isinstance(refusal, NotPlaced) else refusal
             continue
         if all(_holds(plot, each) for each in needed):
             _refuse_other(structure, plot, given, needed)
