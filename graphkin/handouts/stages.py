@@ -161,11 +161,12 @@ def _half(problem: Told, upto: int) -> Iterator[Block]:
     """The solution as far as whole equations go, drawn so far; then the next equation, empty."""
     yield NewPage()
     last, waiting = 0, None
-    for (section, following), plane in zip(problem.upto(upto), PLANES, strict=False):
+    for section, following in problem.upto(upto):
         yield from _section(section, problem.lang)
         acts = (each.act for each in section.entries if isinstance(each, entry.Sentence))
         last, waiting = max([last, *(act.page for act in acts if act is not None)]), following
-        yield _figure(problem, plane, "construction", last)
+        if section.plane is not None:
+            yield _figure(problem, section.plane, "construction", last)
     if waiting is not None:
         yield Text(plain(say("handouts.go on", problem.lang)))
         yield blank.empty_rows(problem, waiting)
@@ -177,9 +178,10 @@ def _solution(problem: Told) -> Iterator[Block]:
     yield Heading(plain(problem.title), 1)
     for section in (problem.given, problem.asked, problem.solution):
         yield from _section(section, problem.lang)
-    for section, plane in zip(problem.planes, PLANES, strict=False):
+    for section in problem.parts:
         yield from _section(section, problem.lang)
-        yield _figure(problem, plane, "construction")
+        if section.plane is not None:
+            yield _figure(problem, section.plane, "construction")
     yield from _section(problem.answers, problem.lang)
     yield from proofs.beside(problem)
     yield from proofs.mistakes(problem)

@@ -160,6 +160,8 @@ class Pen:
                 return _circle(mark.centre, mark.radius)
             case Arc():
                 return _arc(mark)
+            case VectorMark(plane="detail"):
+                return "path", {"d": _pointed(mark)}, ""
             case VectorMark():
                 return self._vector(mark, self.colours.of_mark(mark, layer))
             case PointMark():
@@ -257,6 +259,23 @@ _HEADS: Mapping[Half, str] = {
 }  # fmt: skip
 
 
+def _pointed(mark: VectorMark) -> str:
+    """A line and its head as one outline, for an arrow that no ruler measures."""
+    start, end = _xy(mark.start), _xy(mark.end)
+    line = f"M{start[0]} {start[1]}L{end[0]} {end[1]}"
+    if mark.length <= 0.05:
+        return line
+    along, part = (mark.end - mark.start) / mark.length, 1.0 if mark.length > 1.6 * _TIP + mark.back else 0.5
+    tip = mark.end - along * min(mark.back, 0.4 * mark.length)
+    foot, left, right = tip - along * _TIP * part, *_WIDTHS[mark.half]
+    corners = (_xy(tip), _xy(foot - 1j * along * left * part), _xy(foot + 1j * along * right * part))
+    return line + "M" + "L".join(f"{x} {y}" for x, y in corners) + "Z"
+
+
+_WIDTHS: Mapping[Half, tuple[float, float]] = {"": (0.45, 0.45), "left": (0.6, 0.0), "right": (0.0, 0.6)}
+"""How far such a head opens to the left and to the right, with the line around it as far as others do [mm]."""
+
+
 def _value(mark: VectorMark, scales: Mapping[Plane, float]) -> str:
     """`v_B3 = 0.2712 m/s`."""
     scale = next(scale for plane, scale in scales.items() if plane == mark.plane)
@@ -277,6 +296,8 @@ def _read(label: Label) -> str:
 def stated(mark: Mark) -> dict[str, str]:
     """What a mark says that it shows, for a reader to hold it to: the element's `data-*`."""
     match mark:
+        case VectorMark(plane="detail") | PointMark(plane="detail"):
+            return {}
         case VectorMark():
             known: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "tail", "head")}
             sites = zip(("of", "seen-from", "over", "onto"), mark.sites, strict=False)

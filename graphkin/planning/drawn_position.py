@@ -93,7 +93,7 @@ def _standing(mechanism: Mechanism, lower: Mechanism, repeats: Repeats) -> tuple
         try:
             structure, plot = _placed(mechanism, lower, needed, repeats)
         except (CannotAssemble, DeadPoint, NotPlaced) as error:
-            refusal = refusal or error
+            refusal = error if refusal is None or isinstance(refusal, NotPlaced) else refusal
             continue
         if all(_holds(plot, each) for each in needed):
             _refuse_other(structure, plot, given, needed)

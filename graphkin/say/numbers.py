@@ -16,7 +16,6 @@ import math
 from collections.abc import Callable
 from itertools import pairwise
 
-from graphkin.errors import Lang
 from graphkin.quantities import EDGE, IN_GRAVITY
 from graphkin.quantities.digits import significant
 
@@ -53,9 +52,14 @@ def given(value: float, zero: float = 0.0) -> str:
     return number(value, zero, _COMPUTED if whole else DIGITS)
 
 
+def direction(vector: complex, read: Callable[[float], float] = float) -> float:
+    """Of a vector, counter-clockwise from +x, from 0 to 360 [deg]; as a protractor reads it."""
+    return read(round(cmath.phase(vector) * 180 / cmath.pi, 6) % 360) % 360
+
+
 def degrees(vector: complex, read: Callable[[float], float] = float) -> str:
-    """Direction of a vector, counter-clockwise from +x, from 0 to 360: `153.4°`; as a protractor reads it."""
-    angle = read(round(cmath.phase(vector) * 180 / cmath.pi, 6) % 360) % 360
+    """The same in print: `153.4°`."""
+    angle = direction(vector, read)
     return f"{number(angle if float(f'{angle:.4g}') < 360 else 0.0)}°"
 
 
@@ -102,15 +106,15 @@ def at_edge(value: float, unit: str) -> str:
 
 def millimetres(length: float) -> str:
     """`20 mm`; less than a millionth of one is none."""
-    return f"{significant(length * 1e3, _COMPUTED)} mm" if abs(length) > 1e-9 else "0 mm"
+    return f"{significant(length * 1e3, _COMPUTED)} mm".replace("-", "−") if abs(length) > 1e-9 else "0 mm"
 
 
-def angle(value: float, lang: Lang = "en") -> str:
-    """`32.984 deg`, `32.984°`."""
+def angle(value: float) -> str:
+    """`32.984°`."""
     degrees, text = math.degrees(value), f"{math.degrees(value):.3f}"
     if abs(float(text) - degrees) <= 1e-7:
         text = text.rstrip("0").rstrip(".")
-    return f"{'0' if text == '-0' else text}{' deg' if lang == 'en' else '°'}"
+    return f"{'0' if text == '-0' else text}°".replace("-", "−")
 
 
 class Figure(float):

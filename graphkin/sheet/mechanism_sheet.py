@@ -22,6 +22,7 @@ from graphkin.say.polygons import polygon as told
 from graphkin.say.reading import Reading
 from graphkin.sheet.annotated import Annotated
 from graphkin.sheet.arrows import heads_apart, side_by_side
+from graphkin.sheet.detail import detailed
 from graphkin.sheet.drafted import Drafted
 from graphkin.sheet.equation_rows import EquationBlock, equation_blocks, head_of, laid_out
 from graphkin.sheet.fit import Extent
@@ -259,10 +260,10 @@ def _divided(work: _Work, paper: str | None, large: bool) -> _Composed:
         layout = work.layout(papers)
     except TooLargeForPaper as error:
         raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
-    best = work.roomier(work.on(layout), papers)
+    best = work.roomier(layout, papers)
     now = best.lettered
     if paper is None and layout.paper not in LARGE and (now.crowded > _CROWDED or now.lost):
-        larger = work.roomier(work.on(work.layout(LARGE)), LARGE)
+        larger = work.roomier(work.layout(LARGE), LARGE)
         eased = larger.lettered.crowded <= now.crowded - _EASED
         return larger if (larger.lettered.lost, not eased) < (now.lost, True) else best
     return best
@@ -328,8 +329,13 @@ class _Work:
         """What the strip needs on a paper [mm], reckoned once for each."""
         return cache(partial(strip_height, found=self.found, equations=self.apart)) if not self.tight else lambda _: 0.0
 
-    def roomier(self, composed: _Composed, papers: Sequence[Paper]) -> _Composed:
-        """The same size of paper divided for the planes where labels found no place, if there are and that helps."""
+    def roomier(self, layout: Layout, papers: Sequence[Paper]) -> _Composed:
+        """The same size of paper divided for the planes where labels found no place, if there are and that helps;
+        then with details."""
+        best = self._roomier(self.on(layout, details=False), papers)
+        return self.on(best.layout) if best.lettered.lost or best.lettered.crowded else best
+
+    def _roomier(self, composed: _Composed, papers: Sequence[Paper]) -> _Composed:
         if not composed.lettered.lost:
             return composed
         area = composed.layout.paper.width * composed.layout.paper.height
@@ -337,20 +343,20 @@ class _Work:
         crowded = [plane for plane, lost in zip(self.planes, composed.lettered.clashes) if lost]
         for more in _MORE:
             if (layout := self.layout(same, crowded, more)) != composed.layout:
-                other = self.on(layout)
+                other = self.on(layout, details=False)
                 composed = other if other.lettered.lost < composed.lettered.lost else composed
         return composed
 
-    def on(self, layout: Layout, stages: bool = False, far: bool = False) -> _Composed:
+    def on(self, layout: Layout, stages: bool = False, far: bool = False, details: bool = True) -> _Composed:
         """Everything on a divided paper; with `far`, labels of a crowd go far off to find a place."""
         method, plot = self.drawing.method, self.drawing.plot
-        panels = [self.panel(layout, plane, stages) for plane in self.planes]
+        panels = [self.panel(layout, plane, stages, details) for plane in self.planes]
         foot = Strip(layout.strip, [] if stages else self.found, self.notes, equations=[] if stages else self.apart)
         strip = None if self.tight else foot
         lettered = Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, strip).lettered(far)
         return _Composed(layout, lettered.trimmed if self.tight else lettered)
 
-    def panel(self, layout: Layout, plane: Plane, stages: bool) -> Panel:
+    def panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:
         """One plane's figure under its heading; with `stages`, over the lines of the pencil."""
         drawing, room = self.drawing, layout.rooms[plane]
         window = layout.window(plane, self.extent(layout, plane))
@@ -363,7 +369,9 @@ class _Work:
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         more = self.drafted(layout, plane, window) if drawing.style == "construction" else None
-        return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
+        panel = Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
+        wanted = details and plane != "position"
+        return detailed(panel, partial(drawing.figure, plane), plane) if wanted else panel
 
     def extent(self, layout: Layout, plane: Plane) -> Extent:
         """With its equations over it, where they have room there."""

@@ -17,6 +17,10 @@ PHRASES: Phrases = {
         "Every length that is not given is read off the drawing to 0.5 mm, every angle to 0.5°, and used as it is read.",
         "凡非已知的长度均由图上量取，读至 0.5 mm（角度读至 0.5°），并以量得的值继续计算。",
     ),
+    "numbers left out": (
+        "Circled numbers are those of the drawing; steps that the questions do not need are left out here.",
+        "圈号为图上的作图步骤号；求解本题不需要的步骤从略。",
+    ),
     "plane position": ("(1) The mechanism, drawn to scale", "(1) 作机构运动简图"),
     "plane velocity": ("({number}) Velocities", "({number}) 作速度分析"),
     "plane acceleration": ("({number}) Accelerations", "({number}) 作加速度分析"),
