@@ -224,18 +224,20 @@ class _Planes:
 
 @frozen
 class _Composed:
-    """A page lettered, and how its paper was divided."""
+    """A page lettered, how its paper was divided, and for which work: with which equations in the strip."""
 
     layout: Layout
     lettered: Lettered
+    work: _Work
 
 
 def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
     from graphkin.sheet.captions import Captions  # all the words of a solution
 
-    layout, drawing = _whole(work, paper).layout, work.drawing
-    whole = work.on(layout, stages=True, far=True).lettered.sheet
+    found, drawing = _whole(work, paper), work.drawing
+    layout = found.layout
+    whole = found.work.on(layout, stages=True, far=True).lettered.sheet
     others = {} if work.planes == PLANES else scales_of(drawing.method, drawing.plot, work.lang)
     captions = Captions.of(drawing.reading({**others, **layout.scales}), work.planes)
     strip = None if work.tight else layout.strip
@@ -355,7 +357,7 @@ class _Work:
         foot = Strip(layout.strip, [] if stages else self.found, self.notes, equations=[] if stages else self.apart)
         strip = None if self.tight else foot
         lettered = Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, strip).lettered(far)
-        return _Composed(layout, lettered.trimmed if self.tight else lettered)
+        return _Composed(layout, lettered.trimmed if self.tight else lettered, self)
 
     def panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:
         """One plane's figure under its heading; with `stages`, over the lines of the pencil."""
