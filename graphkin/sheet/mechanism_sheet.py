@@ -45,7 +45,7 @@ from graphkin.sheet.window import PLANES, Figure, Window, constructions
 from graphkin.value import frozen
 
 Style = Literal["construction", "result", "given"]
-_CROWDED, _EASED = 8, 4
+_CROWDED, _EASED = 10, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
 _COARSER = 1.34
 """So much coarser a figure may be drawn to have room for its equations over it."""
@@ -224,18 +224,20 @@ class _Planes:
 
 @frozen
 class _Composed:
-    """A page lettered, and how its paper was divided."""
+    """A page lettered, how its paper was divided, and for which work: with which equations in the strip."""
 
     layout: Layout
     lettered: Lettered
+    work: _Work
 
 
 def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
     from graphkin.sheet.captions import Captions  # all the words of a solution
 
-    layout, drawing = _whole(work, paper).layout, work.drawing
-    whole = work.on(layout, stages=True, far=True).lettered.sheet
+    found, drawing = _whole(work, paper), work.drawing
+    layout = found.layout
+    whole = found.work.on(layout, stages=True, far=True).lettered.sheet
     others = {} if work.planes == PLANES else scales_of(drawing.method, drawing.plot, work.lang)
     captions = Captions.of(drawing.reading({**others, **layout.scales}), work.planes)
     strip = None if work.tight else layout.strip
@@ -261,12 +263,13 @@ def _divided(work: _Work, paper: str | None, large: bool) -> _Composed:
     except TooLargeForPaper as error:
         raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
     best = work.roomier(layout, papers)
-    now = best.lettered
-    if paper is None and layout.paper not in LARGE and (now.crowded > _CROWDED or now.lost):
+    found, now = work.detailed(best), best.lettered
+    crowded = found.lettered.crowded > _CROWDED or found.lettered.lost
+    if paper is None and layout.paper not in LARGE and crowded:
         larger = work.roomier(work.layout(LARGE), LARGE)
         eased = larger.lettered.crowded <= now.crowded - _EASED
-        return larger if (larger.lettered.lost, not eased) < (now.lost, True) else best
-    return best
+        return work.detailed(larger) if (larger.lettered.lost, not eased) < (now.lost, True) else found
+    return found
 
 
 @frozen
@@ -329,13 +332,13 @@ class _Work:
         """What the strip needs on a paper [mm], reckoned once for each."""
         return cache(partial(strip_height, found=self.found, equations=self.apart)) if not self.tight else lambda _: 0.0
 
-    def roomier(self, layout: Layout, papers: Sequence[Paper]) -> _Composed:
-        """The same size of paper divided for the planes where labels found no place, if there are and that helps;
-        then with details."""
-        best = self._roomier(self.on(layout, details=False), papers)
-        return self.on(best.layout) if best.lettered.lost or best.lettered.crowded else best
+    def detailed(self, composed: _Composed) -> _Composed:
+        """With details, where labels want them."""
+        return self.on(composed.layout) if composed.lettered.lost or composed.lettered.crowded else composed
 
-    def _roomier(self, composed: _Composed, papers: Sequence[Paper]) -> _Composed:
+    def roomier(self, layout: Layout, papers: Sequence[Paper]) -> _Composed:
+        """The same size of paper divided for the planes where labels found no place, if there are and that helps."""
+        composed = self.on(layout, details=False)
         if not composed.lettered.lost:
             return composed
         area = composed.layout.paper.width * composed.layout.paper.height
@@ -354,7 +357,7 @@ class _Work:
         foot = Strip(layout.strip, [] if stages else self.found, self.notes, equations=[] if stages else self.apart)
         strip = None if self.tight else foot
         lettered = Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, strip).lettered(far)
-        return _Composed(layout, lettered.trimmed if self.tight else lettered)
+        return _Composed(layout, lettered.trimmed if self.tight else lettered, self)
 
     def panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:
         """One plane's figure under its heading; with `stages`, over the lines of the pencil."""
