@@ -14,6 +14,7 @@ from typing import Any
 import click
 
 from graphkin.cli import streams
+from graphkin.cli.short_options import spelled_out
 
 __all__ = ["main"]
 
@@ -58,6 +59,12 @@ class Program(click.Group):
         except KeyboardInterrupt:
             click.echo("\nAborted!", err=True)
             ctx.exit(_BROKEN_OFF)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        name, command, rest = super().resolve_command(ctx, args)
+        return name, command, rest if command is None else spelled_out(command, rest)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(COMMANDS)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from copy import copy
 from dataclasses import field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,7 @@ import numpy as np
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
-from graphkin.sheet.obstacles import bounds, tree
+from graphkin.sheet.obstacles import Tree, bounds, tree
 from graphkin.sheet.paper import Room
 from graphkin.sheet.wanted import Wanted
 from graphkin.value import frozen
@@ -42,13 +43,18 @@ class FreeRoom:
     def __init__(self, standing: Sequence[Mark], room: Room) -> None:
         self.room = room
         self.marks, self._first = list(standing), len(standing)
-        self._standing, self._added = tree(self.marks), tree(())
+        self._standing = tree(self.marks)
         self._letters = _boxes([mark for mark in standing if isinstance(mark, Text)])
+
+    @cached_property
+    def _added(self) -> Tree:
+        """Made when somebody asks what is free: much is added before anyone does."""
+        return tree(self.marks[self._first :])
 
     def add(self, marks: Sequence[Mark]) -> None:
         """These lie on the paper now, too."""
         self.marks += marks
-        self._added = tree(self.marks[self._first :])
+        vars(self).pop("_added", None)
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
 
     def tried(self, marks: Sequence[Mark]) -> FreeRoom:

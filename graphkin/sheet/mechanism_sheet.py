@@ -307,8 +307,20 @@ class _Work:
 
     def panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:
         """One plane's figure under its heading; with `stages`, over the lines of the pencil."""
-        drawing, room = self.drawing, layout.rooms[plane]
         window = layout.window(plane, self.extent(layout, plane))
+        place = plane, stages, plane in layout.headed, layout.rooms[plane], window, *layout.scales.items()
+        if place not in self._panels:
+            self._panels[place] = self._panel(layout, plane, stages, window)
+        panel, wanted = self._panels[place], details and plane != "position"
+        return detailed(panel, partial(self.drawing.figure, plane), plane) if wanted else panel
+
+    @cached_property
+    def _panels(self) -> dict[tuple[object, ...], Panel]:
+        """Panels without details, by all they hang on: they are lettered once, with details and without."""
+        return {}
+
+    def _panel(self, layout: Layout, plane: Plane, stages: bool, window: Window) -> Panel:
+        drawing, room = self.drawing, layout.rooms[plane]
         before = [*heading(HEADINGS[self.lang][plane], plane, window.scale, room)]
         corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
         if plane == "position":
@@ -318,9 +330,7 @@ class _Work:
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         more = self.drafted(layout, plane, window) if drawing.style == "construction" else None
-        panel = Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
-        wanted = details and plane != "position"
-        return detailed(panel, partial(drawing.figure, plane), plane) if wanted else panel
+        return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
 
     def extent(self, layout: Layout, plane: Plane) -> Extent:
         """With its equations over it, where they have room there."""

@@ -60,6 +60,16 @@ class Planes:
         return gear_images(self.method, self.plot) if plane == "velocity" else []
 
     def figure(self, plane: Plane, window: Window) -> Figure:
+        """Drawn once through each window: many divisions of a paper show one figure alike."""
+        if (plane, window) not in self._drawn:
+            self._drawn[plane, window] = self._figure(plane, window)
+        return self._drawn[plane, window]
+
+    @cached_property
+    def _drawn(self) -> dict[tuple[Plane, Window], Figure]:
+        return {}
+
+    def _figure(self, plane: Plane, window: Window) -> Figure:
         if plane == "position" and self.style == "given":
             return bare_figure(self.method, self.skeleton(window))
         if plane == "position":
