@@ -38,9 +38,9 @@ TIMES_CALL = 1.9
 """The same for a single turn."""
 TIMES_C = {"ex3-5": 1.5, "p3-23a": 1.2, "ex3-7": 1.9}
 """How many times as long as a loop in C many positions may take, at the most."""
-CLASS_III, TIMES_FITTED, TIMES_WALKED = "p3-15", 9.0, 150
-"""How many times as long as a four-bar's a position may take whose links are fitted; and, how many times as long as the
-same again, a turn of which the way must be found first."""
+CLASS_III, TIMES_FITTED, TIMES_WALKED = "p3-15", 9.0, 2.5
+"""How many times as long as a four-bar's a position may take whose links are fitted; and how many times as long as many
+positions, a turn of a mechanism that was only loaded."""
 OF = {"ex3-5": ("theta 3", "omega 3", "alpha 3", "v E", "a E"), "ex3-7": ("theta 4", "omega 4", "alpha 4", "v E", "a E")}
 TIMES_SWEPT = {MANY: 2.5, TURN: 10.0}
 """How many times as long as the replay a sweep of five quantities may take, once its mechanism is planned and proved."""
@@ -269,7 +269,7 @@ def test_class_iii(capsys: pytest.CaptureFixture[str]) -> None:
         print(f", {best[CLASS_III] / best['ex3-5']:.1f} times as long as a four-bar")
         print(f"  {TURN} positions, its way found first {told(TURN, anew)}, again {told(TURN, again)}")
     assert won(best), best
-    assert anew <= TIMES_WALKED * again, (anew, again)
+    assert anew <= TIMES_WALKED * best[CLASS_III], (anew, best)
 
 
 @pytest.mark.bench
