@@ -26,6 +26,7 @@ _ANY = re.compile(f"(?P<points>{_POINTS}|{_STRETCH})|{_SIGN}")
 @lru_cache(4096)
 def formula(text: str) -> Label:
     """Quantities with their subscripts, powers raised, points in italics; what is neither stays as it is."""
+    text = text.replace("\u2034", 3 * "\u2032").replace("\u2033", 2 * "\u2032")  # fonts have but one prime
     runs: list[Run] = []
     at = 0
     for found in _ANY.finditer(text):

@@ -201,7 +201,8 @@ class _Results:
             values = zip((speed, *sizes), ("v", "a_k", "a_r"), strict=True)
             first = bold(label) if self.asked(spoken, "v", "a_k", "a_r") else label
             found.append((first, *(self.told(spoken, value, kind) for value, kind in values)))
-        return Table(head, tuple(found))
+        told = [k for k in range(len(head)) if not k or any(run.text for row in found for run in row[k])]
+        return Table(tuple(head[k] for k in told), tuple(tuple(row[k] for k in told) for row in found))
 
     def slide(self, name: str) -> Label:
         """What people call it; a name of the file in italics."""
