@@ -1,10 +1,10 @@
 """A replay made into a program: one NumPy call after another, on all positions at once.
 
-    steps -- recorder.record --> tape -- calls.written_out --> Calls -- Program.run --> LazyPlot, a plot
+    steps -- recorder.record --> tape -- layout.laid_out --> Calls -- Program.run --> LazyPlot, a plot
 
 The tape's operations become calls of NumPy functions that write into registers, which are used again as soon as nothing
-needs what is in them, or into the rows of the result. Nothing is allocated on the way, and registers stay in the
-processor's cache, for positions are done in chunks. The steps remain the one place that says what is drawn.
+needs what is in them, or into the rows and vectors of the result. Nothing is allocated on the way, and registers stay
+in the processor's cache, for positions are done in chunks. The steps remain the one place that says what is drawn.
 
 Where a division or a root fails, and at dead points, plain replay has its own ways (0, NaN, or infinite). The processor
 notes that something failed somewhere; then the program is run again to see at which positions, and these are replayed.
