@@ -396,6 +396,14 @@ ALGEBRA: list[tuple[str, Callable[..., int], Callable[..., int]]] = [
     ("-x y", lambda do, x, y, s: do.multiply(do.negative(x), y), lambda do, x, y, s: do.negative(do.multiply(x, y))),
     ("y x / y", lambda do, x, y, s: do.divide(do.multiply(x, y), y), lambda do, x, y, s: x),
     ("sqrt x squared", lambda do, x, y, s: do.multiply(do.sqrt(x), do.sqrt(x)), lambda do, x, y, s: x),
+    ("x - (x - y)", lambda do, x, y, s: do.subtract(x, do.subtract(x, y)), lambda do, x, y, s: y),
+    ("(x + 2) - 3", lambda do, x, y, s: do.subtract(do.add(x, do.number(2)), do.number(3)),
+     lambda do, x, y, s: do.add(x, do.number(-1))),
+    ("1 / (2 x)", lambda do, x, y, s: do.reciprocal(do.multiply(do.number(2), x)),
+     lambda do, x, y, s: do.multiply(do.number(0.5), do.reciprocal(x))),
+    ("x y + y x", lambda do, x, y, s: do.add(do.multiply(x, y), do.multiply(y, x)),
+     lambda do, x, y, s: do.multiply(do.number(2), do.multiply(x, y))),
+    ("x (1/y) y", lambda do, x, y, s: do.multiply(do.multiply(x, do.reciprocal(y)), y), lambda do, x, y, s: x),
     ("side side", lambda do, x, y, s: do.multiply(s, s), lambda do, x, y, s: do.number(1)),
     ("side (side x)", lambda do, x, y, s: do.multiply(s, do.multiply(x, s)), lambda do, x, y, s: x),
     ("1 / (side x)", lambda do, x, y, s: do.reciprocal(do.multiply(x, s)),
@@ -421,6 +429,25 @@ def test_a_known_length_is_not_measured():
     tape.know_length(x, y, radius)
     assert tape.length(tape.negative(y), x) == radius
     assert tape.number_at(tape.add(tape.multiply(x, x), tape.multiply(y, y))) == 9.0
+
+
+def test_vectors_along_each_other_are_divided_by_their_factors():
+    tape = Tape()
+    x, y, far = tape.given(X), tape.given(Y), tape.given(SIDE)
+    arm, longer = (x, y), (tape.multiply(tape.number(3), tape.multiply(far, x)), tape.multiply(tape.number(3), tape.multiply(far, y)))
+    assert tape.quotient(longer, arm) == (tape.multiply(tape.number(3), far), tape.number(0))
+    assert tape.quotient((x, far), arm) is None
+    tape.know_multiple((y, x), 2 - 1j, arm)
+    assert tape.quotient((y, x), arm) == (tape.number(2), tape.number(-1))
+
+
+def test_what_squares_of_a_known_length_are_part_of():
+    """x (x z) + y (y z) is z times the square."""
+    tape = Tape()
+    x, y, z = tape.given(X), tape.given(Y), tape.given(SIDE)
+    tape.know_length(x, y, tape.number(3.0))
+    sum_of_both = tape.add(tape.multiply(x, tape.multiply(x, z)), tape.multiply(y, tape.multiply(y, z)))
+    assert sum_of_both == tape.multiply(tape.number(9), z)
 
 
 @pytest.mark.parametrize(

@@ -32,6 +32,8 @@ SOON = 1.25
 """So many longest steps ahead a change point is looked for."""
 STRETCH, HALVINGS = 20, 6
 """Steps tried at once, and halvings."""
+FELT = 0.001
+"""Steps below this part of the longest are felt for one by one, by plain replay: the way may be about to end."""
 GROWTH, STEADY = 1.5, 0.9
 """How much longer each step may be than the one before, and what part of the longest that would do is taken."""
 BETWEEN = 8
@@ -93,6 +95,8 @@ class _Walk:
 
     def _stretch(self, step: float, end: float) -> float:
         """Some steps as far as each goes on smoothly; the length of the next one, 0 where halving is to find it."""
+        if step <= FELT * self.stride:
+            return 0.0
         far = self._steps_ahead(step)
         t = self._not_beyond(self.at + self.side * np.cumsum(far), end)
         nodes = self.looking.quickly(t, self.nodes.foretold(t), self.sides)
@@ -128,7 +132,8 @@ class _Walk:
         t = self.at + self.side * steps
         t[0] = self._not_beyond(t[:1], end)[0]
         expected = self.nodes.expected(t)
-        for look in (self.looking.quickly, self.looking.plainly):
+        looks = (self.looking.quickly, self.looking.plainly)
+        for look in looks if step > FELT * self.stride else looks[1:]:
             nodes = look(t, expected[0], self.sides)
             for k in np.flatnonzero(self._off(nodes, *expected, np.abs(t - self.at)) < 1):
                 node = nodes[k : k + 1]

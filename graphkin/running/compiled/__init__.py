@@ -1,8 +1,9 @@
 """Constructions recorded once, as a flat program for many positions.
 
-`recorder` replays them with quantities that only write down, on a `tape` of `operations`, how they come about; `calls`
-makes NumPy calls of these, `columns` says where the results lie, `program` carries the calls out, and `lazy_plot` is
-the plot that it gives. `calculated` writes down what is found by trial.
+`recorder` replays them with quantities that only write down, on a `tape` of `operations` and `products`, how they come
+about; `layout` says where the results are to lie, and the `writer` makes NumPy `calls` of these. `program` carries them
+out, in `memory` that is lent again, and `lazy_plot` is the plot that it gives, read by its `columns`. `calculated`
+writes down what is found by trial.
 """
 
 from __future__ import annotations

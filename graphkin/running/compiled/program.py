@@ -1,10 +1,10 @@
 """A replay made into a program: one NumPy call after another, on all positions at once.
 
-    steps -- recorder.record --> tape -- calls.written_out --> Calls -- Program.run --> LazyPlot, a plot
+    steps -- recorder.record --> tape -- layout.laid_out --> Calls -- Program.run --> LazyPlot, a plot
 
 The tape's operations become calls of NumPy functions that write into registers, which are used again as soon as nothing
-needs what is in them, or into the rows of the result. Nothing is allocated on the way, and registers stay in the
-processor's cache, for positions are done in chunks. The steps remain the one place that says what is drawn.
+needs what is in them, or into the rows and vectors of the result. Nothing is allocated on the way, and registers stay
+in the processor's cache, for positions are done in chunks. The steps remain the one place that says what is drawn.
 
 Where a division or a root fails, and at dead points, plain replay has its own ways (0, NaN, or infinite). The processor
 notes that something failed somewhere; then the program is run again to see at which positions, and these are replayed.
@@ -35,6 +35,8 @@ FLAT_SINE = 1e-5
 
 Registers = np.ndarray
 """Sines, and after them what is worked with (k, size)."""
+Flat = list[tuple[slice, np.ndarray]]
+"""Chunks in which crossings are flat, and at which of their positions they are not."""
 Chunk = tuple[Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray]]
 """What is given, rows, parts of vectors, registers."""
 _NONE = np.empty(0, dtype=int)
@@ -101,8 +103,8 @@ class Program:
             np.array(value, dtype=float) for value in (*values, *taken.values(), *(near[name] for name in self.near))
         )
         block, vectors = self._room(max(value.size for value in given))
-        sound = self._filled(block, vectors, given)
-        doubtful = _NONE if sound else self._doubtful(block, vectors, given)
+        failed, flat = self._filled(block, vectors, given)
+        doubtful = self._doubtful(block, vectors, given, failed, flat) if failed or flat else _NONE
         return Told(self.facts, self.layout.columns, Numbers(block, vectors, given), self._late), doubtful
 
     def _late(self, given: Sequence[np.ndarray]) -> np.ndarray:
@@ -122,27 +124,32 @@ class Program:
 
     # --- running ------------------------------------------------------------------------------
 
-    def _filled(self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray]) -> bool:
-        """Fill the block, and the vectors; whether no division or root failed, and no crossing is flat."""
+    def _filled(self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray]) -> tuple[bool, Flat]:
+        """Fill the block, and the vectors; whether a division or a root failed, and where crossings are flat."""
         failures: list[str] = []
+        flat: Flat = []
 
         def note(failure: str, _: int) -> None:
             failures.append(failure)
 
         with np.errstate(call=note, divide="call", invalid="call", over="ignore", under="ignore"):
-            for _, chunk, sines in self._chunks(block, vectors, given):
+            for here, chunk, sines in self._chunks(block, vectors, given):
                 self.calls.run(*chunk)
                 if not np.minimum.reduce(sines, axis=None, initial=1.0) > FLAT_SINE:  # NaN, too
-                    failures.append("flat")
-        return not failures
+                    flat.append((here, np.all(sines > FLAT_SINE, axis=0)))
+        return bool(failures), flat
 
-    def _doubtful(self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray]) -> np.ndarray:
+    def _doubtful(
+        self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray], failed: bool, flat: Flat
+    ) -> np.ndarray:
         """Positions at which something failed, or that are dead points: their numbers (m,)."""
         sound = np.ones(block.shape[1], dtype=bool)
-        with np.errstate(all="ignore"):
-            for here, chunk, sines in self._chunks(block, vectors, given):
-                self.calls.run_watched(*chunk, _Watched(sound[here]))
-                sound[here] &= np.all(sines > FLAT_SINE, axis=0)
+        if failed:
+            with np.errstate(all="ignore"):
+                for here, chunk, _ in self._chunks(block, vectors, given):
+                    self.calls.run_watched(*chunk, _Watched(sound[here]))
+        for here, apart in flat:
+            sound[here] &= apart
         return np.flatnonzero(~sound)
 
     def _chunks(
