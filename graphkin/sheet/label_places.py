@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphkin.sheet.crossings import overlap
-from graphkin.sheet.label_candidates import FARTHEST, LED, NEAR, Boxes, Rated, Scene
+from graphkin.sheet.label_candidates import FARTHEST, NEAR, Boxes, Rated, Scene
 from graphkin.sheet.label_prices import CROWDED, NEARBY, under
 from graphkin.sheet.wanted import LEAST
 
@@ -60,9 +60,10 @@ class Places:
     _tier   how far off each looks; _patience: how often one may still claim a place
     """
 
-    def __init__(self, scene: Scene, far: bool) -> None:
+    def __init__(self, scene: Scene, last: int) -> None:
+        """last: the farthest tier in which labels look for places."""
         count = len(scene.wanted)
-        self.scene, self.prices, self._last = scene, CROWDED if far else NEARBY, FARTHEST if far else LED
+        self.scene, self.prices, self._last = scene, CROWDED if last == FARTHEST else NEARBY, last
         self.boxes = Boxes(np.zeros((4, 2, count)), np.zeros(count, dtype=bool))
         self.stands = np.zeros(count, dtype=bool)
         self._spot, self._tier, self._patience = np.zeros(count, dtype=np.intp), np.full(count, NEAR), _PATIENCE
@@ -150,6 +151,8 @@ class Places:
 
     def _mend(self) -> None:
         """All move to better places; who is left with a bad one looks farther, and for the last few others make way."""
+        if self._last == NEAR:
+            return
         self._move()
         bad = self._bad() if self._bad().sum() <= 3 * _FEW else False
         self._look_again(np.flatnonzero((self._now() > self._enough()) | bad))
