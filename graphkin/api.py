@@ -19,8 +19,6 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from numpy.typing import ArrayLike
-
 from graphkin import library, loading, planning, running
 from graphkin.construction import Plane, Plot
 from graphkin.errors import CannotAssemble, GraphkinError, HigherClass, Lang, NoSpeed, Where
@@ -33,6 +31,8 @@ from graphkin.planning import Method
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from graphkin.outputs.frames import Sweep
     from graphkin.outputs.notebook import Shown
     from graphkin.quantities import Answer

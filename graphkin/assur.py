@@ -18,7 +18,7 @@ from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh
 from graphkin.planning.structure import Hinge, Joint
 from graphkin.value import frozen
 
-__all__ = ["Structure", "Together", "as_json", "structure"]
+__all__ = ["Structure", "Together", "as_json", "groups", "structure"]
 
 
 @frozen
@@ -101,7 +101,7 @@ def structure(method: Method) -> Structure:
     high = sum(not pair.lower for pair in others)
     return Structure(
         len(mechanism.moving), low, high, mobility(mechanism),
-        tuple(_groups(method)), tuple(_methods(method)), tuple(_rolls(method)), _uncounted(method),
+        groups(method), tuple(_methods(method)), tuple(_rolls(method)), _uncounted(method),
     )  # fmt: skip
 
 
@@ -117,6 +117,11 @@ def _rolls(method: Method) -> Iterator[tuple[tuple[str, ...], int]]:
 
 def _uncounted(method: Method) -> int:
     return sum(each.part == "line" and each.pair[0] == Roll.table for each in method.aside)
+
+
+def groups(method: Method) -> tuple[Together, ...]:
+    """The groups in the order they are solved."""
+    return tuple(_groups(method))
 
 
 def _groups(method: Method) -> Iterator[Together]:

@@ -41,7 +41,10 @@ def cross(a: Value, b: Value) -> Value:
 def unit(a: Value) -> Value:
     """Vector of length 1 along `a`; NaN for the zero vector."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        return a / np.abs(a)
+        try:
+            return a / np.abs(a)
+        except ZeroDivisionError:  # of a Python number
+            return complex(np.nan, np.nan)
 
 
 def phase(a: Value) -> Value:

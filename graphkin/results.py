@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from graphkin.agreement import proved
+from graphkin.agreement import Proved, proved
 from graphkin.centres import centres, place
 from graphkin.construction import Plot, Site
 from graphkin.errors import Lang
@@ -31,27 +31,29 @@ def driver_values(method: Method) -> Iterator[tuple[float, ...]]:
 
 
 def results(
-    mechanism: Mechanism, method: Method, lang: Lang = "en", values: Sequence[float] | None = None
-) -> Json:
+    mechanism: Mechanism, method: Method, lang: Lang = "en", values: Sequence[float] | None = None,
+    drawn: Proved | None = None,
+) -> Json:  # fmt: skip
     """One object for one mechanism, an entry in `positions` for the drawn one and for each of `also`, or one alone for
-    other driver values [rad, m]."""
-    wanted = driver_values(method) if values is None else [tuple(values)]
+    other driver values [rad, m]; `drawn`: the drawn position, where it is proved already."""
+    wanted = [*driver_values(method)] if values is None else [tuple(values)]
+    found = [drawn if values is None and k == 0 else None for k in range(len(wanted))]
     return {
         "format": 1,
         "name": mechanism.name,
         "title": mechanism.headline(lang),
-        "positions": [_position(mechanism, method, values) for values in wanted],
+        "positions": [_position(mechanism, method, *each) for each in zip(wanted, found, strict=True)],
     }
 
 
-def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...]) -> Json:
-    found = proved(method, values)
-    plot, drawn = found.plot, readings(method, found.plot)
+def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...], drawn: Proved | None) -> Json:
+    found = proved(method, values) if drawn is None else drawn
+    plot, seen = found.plot, readings(method, found.plot)
     return {
         "drivers": list(values),
-        **_motions(mechanism, drawn),
-        "coincident": dict(_coincident(method, drawn)),
-        "ask": {question: _answer(method, plot, drawn, question) for question in mechanism.ask},
+        **_motions(mechanism, seen),
+        "coincident": dict(_coincident(method, seen)),
+        "ask": {question: _answer(method, plot, seen, question) for question in mechanism.ask},
         "analytic": _motions(mechanism, found.exact),
         "worst": found.worst,
     }

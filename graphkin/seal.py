@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 from collections.abc import Mapping
+
+try:  # as `random` does: all of hashlib, with OpenSSL, takes longer to load than a sheet takes to write
+    from _sha256 import sha256  # type: ignore[import-not-found]
+except ImportError:
+    from hashlib import sha256
 
 __all__ = ["seal"]
 
@@ -13,4 +17,4 @@ def seal(claims: Mapping[str, object]) -> str:
     """A checksum (SHA-256, hexadecimal) over everything a drawing says of itself but the seal."""
     told = {key: value for key, value in claims.items() if key != "seal"}
     text = json.dumps(told, ensure_ascii=False, sort_keys=True)
-    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+    return str(sha256(text.encode("utf-8", "surrogatepass")).hexdigest())

@@ -18,6 +18,25 @@ from graphkin.pairs import Cam, CircularSlot, Gear, Line, Profile, Roll, Slide
 DYADS = ("RRR", "RRP", "PRR", "RPR", "PRP", "RPP", "PPR")
 
 
+Seed = int | tuple[int, int]
+"""What a mechanism is drawn by; a pair has all the kinds and names of its first number, and dimensions of its own."""
+
+
+class Alike(random.Random):
+    """Draws kinds and names by one text, numbers by another."""
+
+    def __init__(self, kinds: str, numbers: str) -> None:
+        super().__init__(kinds)
+        self.numbers = random.Random(numbers)
+
+    def uniform(self, a: float, b: float) -> float:
+        return self.numbers.uniform(a, b)
+
+
+def drawn(name: str, seed: Seed) -> random.Random:
+    return random.Random(f"{name}{seed}") if isinstance(seed, int) else Alike(f"{name}{seed[0]}", f"{name}{seed}")
+
+
 @dataclass
 class Body:
     """Points of a body where they stand now [m]."""
@@ -106,9 +125,9 @@ def link_of(body: Body) -> Link:
     return Link(body.name, {name: (z - points[0]) / body.axis for name, z in body.points.items()})
 
 
-def dyad(kind: str, seed: int) -> Mechanism:
+def dyad(kind: str, seed: Seed) -> Mechanism:
     """A dyad of this kind between two of {frame, crank 1, crank 2}."""
-    rng = random.Random(f"{kind}{seed}")
+    rng = drawn(kind, seed)
     build = Build(rng, letters=[f"{c}{k}" for k in (2, 1) for c in "ABCDEFGHJKLMNQRSTUVWXYZ"])
     rng.shuffle(build.letters)
     build.body(FRAME)
@@ -127,7 +146,7 @@ def dyad(kind: str, seed: int) -> Mechanism:
     return build.finish(f"{kind}-{seed}")
 
 
-def cylinder(seed: int) -> Mechanism:
+def cylinder(seed: Seed) -> Mechanism:
     """A driven slide between two unknown links: link 3 and 4 slide, 4 hinged to 5, both ends on known bodies."""
     build = _begun(seed, "cylinder", crank=False)
     rng = build.rng
@@ -143,7 +162,7 @@ def cylinder(seed: int) -> Mechanism:
     return build.finish(f"cylinder-{seed}")
 
 
-def relative_angle(seed: int) -> Mechanism:
+def relative_angle(seed: Seed) -> Mechanism:
     """A driven angle between two unknown links hinged to each other (a motor carried on a moving link)."""
     build = _begun(seed, "relative", crank=False)
     rng = build.rng
@@ -157,7 +176,7 @@ def relative_angle(seed: int) -> Mechanism:
     return build.finish(f"relative-{seed}")
 
 
-def coupler_angle(seed: int) -> Mechanism:
+def coupler_angle(seed: Seed) -> Mechanism:
     """A four-bar driven at its coupler: the angle is known before any point is."""
     build = _begun(seed, "coupler", crank=False)
     rng = build.rng
@@ -169,7 +188,7 @@ def coupler_angle(seed: int) -> Mechanism:
     return build.finish(f"coupler-{seed}")
 
 
-def chain(seed: int) -> Mechanism:
+def chain(seed: Seed) -> Mechanism:
     """A crank and two to four dyads of any kind, one hung on another."""
     build = _begun(seed, "chain", crank=False)
     rng = build.rng
@@ -190,9 +209,9 @@ def chain(seed: int) -> Mechanism:
 # --- groups of Class III, gears, rolling, cams -------------------------------------------------
 
 
-def _begun(seed: int, name: str, crank: bool = True) -> Build:
+def _begun(seed: Seed, name: str, crank: bool = True) -> Build:
     """A frame, and a driven crank on it."""
-    rng = random.Random(f"{name}{seed}")
+    rng = drawn(name, seed)
     build = Build(rng, letters=[f"{c}{k}" for k in (4, 3, 2, 1) for c in "ABCDEFGHJKLMNQRSTUVWXYZ"])
     rng.shuffle(build.letters)
     build.body(FRAME)
@@ -203,7 +222,7 @@ def _begun(seed: int, name: str, crank: bool = True) -> Build:
     return build
 
 
-def triad(seed: int) -> Mechanism:
+def triad(seed: Seed) -> Mechanism:
     """A ternary link on three legs: bars, blocks on known guides, or blocks on the ternary link itself."""
     build = _begun(seed, "triad")
     rng = build.rng
@@ -223,7 +242,7 @@ def triad(seed: int) -> Mechanism:
     return build.finish(f"triad-{seed}")
 
 
-def six_bar(seed: int) -> Mechanism:
+def six_bar(seed: Seed) -> Mechanism:
     """Watt's or Stephenson's chain, driven at any link of it by its angle against the frame."""
     build = _begun(seed, "six", crank=False)
     rng = build.rng
@@ -239,9 +258,9 @@ def six_bar(seed: int) -> Mechanism:
     return build.finish(f"six-{seed}")
 
 
-def geared_five_bar(seed: int) -> Mechanism:
+def geared_five_bar(seed: Seed) -> Mechanism:
     """Two cranks geared to each other; or a coupler geared to a fixed sun about the crank, driven at either end."""
-    rng = random.Random(f"kind{seed}")
+    rng = drawn("kind", seed)
     kind = rng.choice(("cranks", "planet", "planet driven from the far end"))
     build = _begun(seed, "geared", crank=False)
     build.hinge(FRAME, "1")
@@ -285,7 +304,7 @@ def _pose(machine: Mechanism, build: Build, link: str) -> Pose:
     return Pose("angle", link, cmath.phase(points[vector[1]] - points[vector[0]]), vector)
 
 
-def epicyclic(seed: int) -> Mechanism:
+def epicyclic(seed: Seed) -> Mechanism:
     """Sun, planet and ring on one arm, any of the three coaxial ones fixed or driven; a bar and rocker on the planet."""
     build = _begun(seed, "epicyclic", crank=False)
     rng = build.rng
@@ -311,7 +330,7 @@ def epicyclic(seed: int) -> Mechanism:
     return replace(machine, pairs=gears, poses=poses)
 
 
-def rolling(seed: int) -> Mechanism:
+def rolling(seed: Seed) -> Mechanism:
     """A wheel on a line or circle of the frame or of the crank, pushed at its centre by a bar from the other one."""
     build = _begun(seed, "rolling")
     rng = build.rng
@@ -345,7 +364,7 @@ def _on_a_line(
     return replace(machine, links=links, pairs=(*machine.pairs, roll), poses=(_pose(machine, build, "2"),))
 
 
-def cam(seed: int) -> Mechanism:
+def cam(seed: Seed) -> Mechanism:
     """A disc on the crank against a disc, a knife edge or a flat face of a turning or a sliding follower."""
     build = _begun(seed, "cam")
     rng = build.rng
@@ -368,7 +387,7 @@ def cam(seed: int) -> Mechanism:
     return replace(machine, pairs=(*machine.pairs, Cam("c0", ("1", "2"), (Profile(disc, radius, None, True), face), False)))
 
 
-def circular_slot(seed: int) -> Mechanism:
+def circular_slot(seed: Seed) -> Mechanism:
     """Pins in circular slots: of a follower, of a link on a coupler, one leg of a ternary link, or all three.
 
     Crank, frame, follower or coupler has the slot, and another the pin; followers turn or slide.

@@ -42,9 +42,9 @@ def report(name: str, lang: str = "en") -> str:
         ("ex3-1", ["Class II, RPR: links 2, 3", "Mechanism of Class II", "coincident points"]),
         ("ex3-2", ["Class III: links 3, 4, 5, 6; special point S on link 4", "Mechanism of Class III"]),
         ("p3-3b", ["multiple hinge C", "Class II, RRP", "Class II, RRR: links 6, 7"]),
-        ("p3-14", ["F = 3 × 6 − 2 × 8 − 0 = 2"]),
-        ("p3-8", ["cam pair: 1, 2", "lower-pair equivalent", "F = 3 × 2 − 2 × 2 − 1 = 1"]),
-        ("s4-ex4", ["gear pair: 1, 2", "rolling contact"]),
+        ("p3-14", ["p_h = 3 × 6 − 2 × 8 − 0 = 2"]),
+        ("p3-8", ["cam pair: links 1, 2", "lower-pair equivalent", "p_h = 3 × 2 − 2 × 2 − 1 = 1"]),
+        ("s4-ex4", ["gear pair: links 1, 2", "rolling contact"]),
         ("ex3-7", ["Class II, RPR: links 2, 3", "Class II, RRP: links 4, 5"]),
     ],
 )
@@ -64,7 +64,7 @@ def test_formula_and_rank_agree(name: str):
 def test_a_redundant_crank_is_named():
     method = api.plan(loads(THREE_CRANKS, name="cranks"))
     text = "\n".join(structure_lines(method, "en"))
-    assert "F = 3 × 4 − 2 × 6 − 0 = 0" in text
+    assert "p_h = 3 × 4 − 2 × 6 − 0 = 0" in text
     assert "by rank: 1" in text
     assert "redundant constraints: 1" in text
     assert "repeats a constraint: link 4" in text

@@ -136,22 +136,37 @@ def test_where_lines_coincide():
         found, drive = moved(mechanism)
         low, high = whole(drive)
         t = np.linspace(low + 0.03 * (high - low), high - 0.03 * (high - low), 721)
-        one = [at for centre in found.board.lean for at in _leanest(found, drive, centre, t)]
+        one = [_leanest(found, drive, centre, beside) for centre, beside in _leaning(found, drive, t).items()]
+        one = [at for at in one if at is not None]
         if one:
             sought += len(one)
             hold_every_position(mechanism, np.array(one))
     assert sought > 10
 
 
-def _leanest(found: Centres, drive: Course, centre: str, t: np.ndarray) -> list[float]:
+def _leaning(found: Centres, drive: Course, t: np.ndarray) -> dict[str, np.ndarray]:
+    """Centres whose lines come near to being one somewhere, and t beside where they are nearest."""
+    beside = {}
+    for centre, leans in over(found, drive.path, t).board.lean.items():
+        lean = np.broadcast_to(leans, t.shape)
+        if np.isfinite(lean).any() and np.nanmin(lean) < 0.1:
+            beside[centre] = _finer(t, int(np.nanargmin(lean)))
+    return beside
+
+
+def _leanest(found: Centres, drive: Course, centre: str, t: np.ndarray) -> float | None:
     """Where the lines of a centre come to be one within 1e-8."""
-    least = []
-    for _ in range(9):
+    for _ in range(8):
         lean = np.broadcast_to(over(found, drive.path, t).board.lean[centre], t.shape)
-        k = int(np.nanargmin(lean)) if np.isfinite(lean).any() else 0
-        least = [float(t[k])] if lean[k] < 1e-8 else []
-        t = np.linspace(t[max(k - 1, 0)], t[min(k + 1, t.size - 1)], 41)
+        if not np.isfinite(lean).any():
+            return None
+        k = int(np.nanargmin(lean))
+        t, least = _finer(t, k), float(t[k]) if lean[k] < 1e-8 else None
     return least
+
+
+def _finer(t: np.ndarray, k: int) -> np.ndarray:
+    return np.linspace(t[max(k - 1, 0)], t[min(k + 1, t.size - 1)], 41)
 
 
 def hold_every_position(mechanism: Mechanism, t: np.ndarray | None = None) -> None:

@@ -243,7 +243,7 @@ def test_drivers_are_counted():
 def test_find_draws_what_it_finds():
     done = run("find", "p3-4a", "a_k B3B2 = 0", "-o", "zeros.svg")
     assert done.exit_code == 0
-    assert [line.split()[2] for line in done.stdout.splitlines()[1:]] == ["90", "202.024", "270", "337.976"]
+    assert [line.split()[2] for line in done.stdout.splitlines()[1:]] == ["90°:", "202.024°:", "270°:", "337.976°:"]
     written = re.sub("<[^>]*>", "", Path("zeros.svg").read_text("utf-8"))
     assert all(f"({letter}) φAB = " in written for letter in "abcd")
 

@@ -33,11 +33,11 @@ from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
-from graphkin.running.compiled.calls import written_out
 from graphkin.running.compiled.lazy_plot import TABLES, LazyPlot
 from graphkin.running.compiled.operations import CannotRecord
 from graphkin.running.compiled.program import CHUNK, Program, compiled_program
 from graphkin.running.compiled.tape import Tape
+from graphkin.running.compiled.writer import written_out
 from graphkin.running.many_positions import MANY, by_program, program_of, replay_along
 from graphkin.running.path import Path, along
 from graphkin.running.tracing import trace
@@ -275,7 +275,7 @@ def test_any_shape(shape: tuple[int, ...]):
     found, plain = replay_all(method, [angles]), plainly(method, [angles])
     assert np.shape(found.omega["3"]) == shape
     assert np.allclose(found.omega["3"], plain.omega["3"], rtol=1e-12, atol=0)
-    assert isinstance(found.position, dict) == (shape != (MANY,))
+    assert isinstance(found, LazyPlot) == (shape == (MANY,))
 
 
 def test_what_can_not_be_recorded_is_replayed(monkeypatch: pytest.MonkeyPatch):
@@ -366,10 +366,10 @@ def test_plots_are_replaced_and_added_to_as_any_plot():
 
 def carried_out(tape: Tape, places: Sequence[int], *given: np.ndarray) -> list[np.ndarray]:
     """What entries come to."""
-    calls = written_out(tape, len(given), (), places, ())
-    block = np.empty((len(calls.rows), given[0].size))
-    calls.run(given, block, [np.empty(given[0].size) for _ in range(calls.registers)])
-    return [block[calls.rows[place]] for place in places]
+    calls = written_out(tape, len(given), 0, [tape.unsigned(place) for place in places])
+    block = np.empty((calls.rows, given[0].size))
+    calls.run(given, block, (), [np.empty(given[0].size) for _ in range(calls.registers)])
+    return [*block]
 
 
 def test_cosine_and_sine_by_one_tangent():

@@ -11,7 +11,7 @@ import pytest
 from graphkin import api, finding, loading, sweeps
 from graphkin.errors import GraphkinError, Lang
 from graphkin.finding.search import Curve, crossings, differences, followed, tops, touches, vanishing
-from graphkin.say.finding import lines, signed_lines
+from graphkin.say.finding import lines
 from graphkin.sheet import finding_sheet, slowest_point
 from graphkin.sheet.marks import Disc, Stroke
 
@@ -303,7 +303,7 @@ def numbers(line: str) -> list[str]:
 def test_words_tell_range_and_dead_points() -> None:
     line = next(lines(found_by("p3-22", "max v S")))
     assert "dead point" in line
-    assert next(lines(found_by("p3-13", "v C = 0"))).endswith("(searched from AB = 0 deg to 360 deg, a full turn)")
+    assert next(lines(found_by("p3-13", "v C = 0"))).endswith("(searched from φ_AB = 0° to 360°, a full turn)")
     assert any("nearest" in text for text in lines(found_by("p3-13", "v C = 1.2")))
 
 
@@ -394,10 +394,10 @@ def test_vectors_come_to_nothing_simply_and_twice() -> None:
 @pytest.mark.parametrize(("name", "condition", "lang", "first"), [
     ("p3-4a", "a_k B3B2 = 0", "en", "aᵏ_B3B2 = 0 (searched from φ_AB = 0° to 360°, a full turn)"),
     ("ex3-7", "stroke s ram", "zh", "s_ram 的行程（搜索范围：φ_AB = 0° 至 360°，即整周）"),
-    ("p3-18", "v_x E = 0.5 by omega 1", "en", "v_E,x = 0.5 by ω1"),
+    ("p3-18", "v_x E = 0.5 by omega 1", "en", "ω1 for v_E,x = 0.5"),
 ])  # fmt: skip
 def test_the_sheet_says_in_signs_what_was_found(name: str, condition: str, lang: Lang, first: str) -> None:
-    told = [*signed_lines(found_by(name, condition), lang)]
+    told = [*lines(found_by(name, condition), lang)]
     assert told[0] == first
     assert all(line.startswith("  ") for line in told[1:])
     assert not [line for line in told if "\0" in line or " deg" in line]

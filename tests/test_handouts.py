@@ -225,6 +225,14 @@ def test_a_camera_reads_them(tmp_path: Path):
     assert {0, 1, 2, 3, *digits(31416)} == set(reader.detectMarkers(picture)[1].ravel().tolist())
 
 
+@pytest.mark.parametrize("name", ["p3-16", "p3-17"])
+def test_images_of_wheels_fit_the_page(name: str):
+    """They reach beyond the points of the polygon, and count where its scale is chosen."""
+    figures = [block for block in handout([library.load(name)], "solution", "en").blocks if isinstance(block, Picture)]
+    assert len(figures) > 1
+    assert all(each.sheet.paper.width <= 170 and each.sheet.paper.height <= 250 for each in figures)
+
+
 def test_a_folder_gets_a_file_for_each(tmp_path: Path):
     command = ["handout", "ex3-1", "ex3-5", "--stage", "problem", "-o", str(tmp_path / "sheets"), "--seed", "7"]
     done = CliRunner().invoke(main, command)
@@ -248,7 +256,7 @@ def homework(tmp_path_factory) -> Path:
 
 @pytest.mark.parametrize("target", ["sheets", "print.pdf"])
 def test_a_class_gets_its_own_sheets(homework: Path, target: str, tmp_path: Path):
-    """A file each, or one to print; each page says whose it is, of which set, and has a number of its own."""
+    """A file each, or one to print; each page says whose it is by id and name, of which set, and has a number of its own."""
     command = ["handout", str(homework), "--stage", "blank", "--lang", "en", "--scan", "10", "-o", str(tmp_path / target)]
     done = CliRunner().invoke(main, command)
     assert done.exit_code == 0, done.output
@@ -256,10 +264,20 @@ def test_a_class_gets_its_own_sheets(homework: Path, target: str, tmp_path: Path
     assert [path.stem for path in paths] == (["20240001", "20240002"] if target == "sheets" else ["print"])
     texts = [page.extract_text() for path in paths for page in pypdf.PdfReader(path).pages]
     own = texts if target == "sheets" else texts[1:]
-    assert [("20240001" in text, "20240002" in text) for text in own] == [(True, False)] * 3 + [(False, True)] * 3
+    students = ("20240001 Li Lei", "20240002 Han Meimei")
+    assert [[who in text for who in students] for text in own] == [[True, False]] * 3 + [[False, True]] * 3
     for number, text in enumerate(texts, 10):
         assert "seed 27" in text
         assert f"#{number} " in text
+
+
+def test_each_problem_begins_on_a_front(homework: Path, tmp_path: Path):
+    """Printed on both sides, no sheet is two students'."""
+    command = ["handout", str(homework), "--stage", "blank", "--lang", "en", "--duplex", "-o", str(tmp_path / "a.pdf")]
+    assert CliRunner().invoke(main, command).exit_code == 0
+    texts = [page.extract_text() for page in pypdf.PdfReader(tmp_path / "a.pdf").pages]
+    first = [next(k for k, text in enumerate(texts) if k and who in text) for who in ("Li Lei", "Han Meimei")]
+    assert [number % 2 for number in first] == [0, 0]
 
 
 @pytest.mark.parametrize("text", ["", "[]", '{"seed": 1}', '{"seed": 1, "students": {"a": {"file": "../a.toml"}}}'])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from click.testing import CliRunner
 
 import graphkin
 from graphkin import library
+from graphkin.check.ruler import measure
 from graphkin.cli import main
 from graphkin.errors import GraphkinError
 from graphkin.outputs.svg import svg
@@ -79,6 +81,29 @@ def test_a_sheet_shows_the_path_to_scale_and_is_still_measured() -> None:
     arrows = [m for m in sheet.marks if isinstance(m, Stroke) and m.accent == "velocity" and m.pen == "hatch"]
     assert len(arrows) == 12
     assert "path of " in svg(sheet)
+
+
+@pytest.mark.parametrize(
+    ("name", "point"), [("ex3-5", "E"), ("p3-7", "D"), ("s4-ex6", "C"), ("curved-slot", "B")]
+)
+def test_a_ruler_measures_the_path(name: str, point: str, tmp_path: Path) -> None:
+    """A turn, between dead points, drivers that keep pace, under a link; then one corner aside, and a part cut off."""
+    text = svg(graphkin.Drawing.of(graphkin.load(name)).sheet(paths=[point], only="position"))
+    found = re.search(r'<(?:path|polyline|polygon)[^>]*data-form="path"[^>]*>', text)
+    assert found is not None
+    places = re.search(r' (?:d|points)="([^"]+)"', found[0])
+    assert places is not None
+    corners = re.findall(r"-?[0-9.]+[ ,]-?[0-9.]+", places[1])
+    x, y = re.split("[ ,]", corners[len(corners) // 3])
+    aside = found[0].replace(corners[len(corners) // 3], f"{float(x) + 0.1:.4f} {float(y) + 0.05:.4f}")
+    gone = places[1][: places[1].index(corners[len(corners) // 4])]
+    shorter = found[0].replace(gone, gone.rstrip("-0123456789. ,")[:1])
+    there_and_back = name == "curved-slot"
+    for tag, right in ((found[0], True), (aside, False), (shorter, there_and_back)):
+        (tmp_path / "a.svg").write_text(text.replace(found[0], tag), encoding="utf-8")
+        report = measure(tmp_path / "a.svg")
+        assert any(each.kind == "link" and each.off_mm > 0.01 for each in report.measured) is not right
+        assert report.passed(0.01) is right
 
 
 def _nearest(place: complex, line: np.ndarray) -> float:

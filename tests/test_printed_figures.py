@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from math import cos, radians
 from pathlib import Path
 
 import book
@@ -13,6 +14,7 @@ from golden import GOLDEN, LANGUAGES
 
 from graphkin import library
 from graphkin.centres import centres
+from graphkin.linkages import FourBar, GuideBar, Linkage, SliderCrank, report
 from graphkin.marking import ruler
 from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
@@ -20,6 +22,7 @@ from graphkin.running import replay_all
 from graphkin.say import explain
 from graphkin.say.centre_explained import explain_centres
 from graphkin.say.figures import Operand, figures, signed_sum, squared, written
+from graphkin.say.linkages import lines as linkage_lines
 
 
 @cache
@@ -88,6 +91,16 @@ def test_what_is_read_by_hand_is_worth_what_it_prints(name: str) -> None:
     assert readings
     for line in readings:
         assert all(2 * float(length) % 1 == 0 for length in re.findall(r"\d[\d.]*(?= mm)", line)), line
+    assert not astray(lines)
+
+
+def astray(lines: list[str]) -> list[str]:
+    """Answers of vectors and rotations that are another figure than what the solution has found."""
+    start, end = lines.index("Answer"), lines.index("Beside the exact values")
+    assert len([line for line in lines[start:end] if line.startswith("  ")]) == len(lines[end:]) - 1
+    found = {part for line in lines[:start] for part in re.findall(rf"{NUMBER} (?:rad|m)/s²?", line)}
+    told = [line for line in lines[start:end] if re.search(r" = .*/s²?", line) and "/" not in line.split(" = ")[0]]
+    return [line for line in told if re.findall(rf"{NUMBER} (?:rad|m)/s²?", line)[-1] not in found]
 
 
 def test_example_3_1_as_the_book_reads_it() -> None:
@@ -107,6 +120,33 @@ def test_a_finer_ruler_reads_what_is_right(name: str, monkeypatch: pytest.Monkey
     found, _ = ruler.as_drawn(method, plot, scales(name))
     for link, rate in plot.alpha.items():
         assert found.alpha[link] == pytest.approx(rate, rel=1e-6, abs=1e-6 * max(map(abs, plot.alpha.values())))
+
+
+# --- linkages -----------------------------------------------------------------------------------
+
+LENGTHS = (
+    FourBar(0.015, 0.048, 0.055, 0.045), FourBar(0.0212345, 0.0481, 0.0557, 0.0453), FourBar(0.04, 0.06, 0.03, 0.06, driver="rocker"),
+    FourBar(0.03, 0.03, 0.03, 0.03), SliderCrank(0.02, 0.065, -0.015), SliderCrank(0.02, 0.065, 0.0), SliderCrank(0.02, 0.065, 0.0312345),
+    GuideBar(0.03, 0.1, 0.0), GuideBar(0.03, 0.1, 0.0123),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("command", ["linkage", "find", "design"])
+def test_what_is_computed_is_worth_what_it_prints(command: str) -> None:
+    texts = {path.name: path.read_text("utf-8") for path in Path(GOLDEN).glob(f"{command}_*.txt")}
+    counts = {name: hold(text.replace("180° ×", "180 ×").splitlines()) for name, text in texts.items()}
+    en, zh = (sorted(count for name, count in counts.items() if f"_{lang}." in name) for lang in LANGUAGES)
+    assert en == zh
+    assert en
+
+
+@pytest.mark.parametrize("linkage", LENGTHS, ids=str)
+def test_a_linkage_is_worth_what_it_prints(linkage: Linkage) -> None:
+    told = [[*linkage_lines(report(linkage), lang)] for lang in LANGUAGES]
+    counts = [hold(lines) for lines in told]
+    assert counts[0] == counts[1] >= 1
+    cosines = [re.findall(r"cos γ = .* = ([\d.]+)[,，] ?γ = ([\d.]+)°", line) for line in told[0]]
+    assert all(float(found) == pytest.approx(cos(radians(float(angle))), abs=2e-5) for (found, angle), in filter(None, cosines))
 
 
 # --- formulas -----------------------------------------------------------------------------------

@@ -85,3 +85,30 @@ def test_wrong_arguments(args, given):
 def test_checked_when_made():
     with pytest.raises(ValueError, match="less than nothing"):
         Checked(-1.0)
+
+
+def test_filled_often_is_filled_the_same():
+    @frozen
+    class Often:
+        name: str
+        x: float = 0.0
+        notes: Mapping[str, str] = field(default_factory=dict)
+
+        def __post_init__(self) -> None:
+            if self.x < 0:
+                raise ValueError("less than nothing")
+
+    first = Often.__init__
+    many = [Often(f"{k}", x=float(k)) for k in range(1000)]
+    assert Often.__init__ is not first
+    assert many[999] == Often("999", 999.0) == replace(many[0], name="999", x=999.0)
+    assert (many[0].notes, many[0].notes is many[999].notes) == ({}, False)
+    assert Often("a", notes={"b": "c"}).notes == {"b": "c"}
+    assert [f.name for f in fields(Often)] == ["name", "x", "notes"]
+    for args, given in [((), {}), (("a", 1.0, {}, 2), {}), (("a",), {"name": "b"}), (("a",), {"z": 1})]:
+        with pytest.raises(TypeError, match="Often"):
+            Often(*args, **given)
+    with pytest.raises(ValueError, match="less than nothing"):
+        Often("a", -1.0)
+    with pytest.raises(FrozenInstanceError):
+        many[0].x = 1.0

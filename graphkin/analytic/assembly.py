@@ -17,7 +17,7 @@ from graphkin.analytic.loops import Loops, loops_of
 from graphkin.analytic.newton import EquationSystem, close, search
 from graphkin.analytic.rules import Relation, driven, placing
 from graphkin.analytic.sketch import guess
-from graphkin.analytic.vectors import Complex, Real
+from graphkin.analytic.vectors import Complex, Real, applied
 from graphkin.errors import NoAssembly
 from graphkin.kept import kept
 from graphkin.mechanism import FRAME, Mechanism
@@ -27,7 +27,7 @@ from graphkin.value import frozen
 _STARTS = 128
 _MANY = 32
 """Unknowns with which fewer starts are tried, all loops at once; an assembly is rarely found so, only the gap."""
-_EXACT = 1e-6
+EXACT = 1e-6
 """An assembly this near its sketch has none nearer [size]."""
 
 _AJAR = 1e-2
@@ -66,10 +66,10 @@ def driver_values(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[float, .
     values = []
     for driver in mechanism.drivers:
         relation = driven(mechanism, driver)
-        value = float((loops.weights([relation]) @ q)[0]) + (relation.offset or 0.0)
+        value = applied(loops.weights([relation]), q)[..., 0] + relation.constant
         if driver.kind != "slide":
-            value = float(np.angle(np.exp(1j * value)))
-        values.append(value if driver.value is None else driver.value)
+            value = np.angle(np.exp(1j * value))
+        values.append(value[()] if driver.value is None else driver.value)
     return tuple(values)
 
 
@@ -86,7 +86,7 @@ def idle(mechanism: Mechanism, loops: Loops) -> tuple[str, ...]:
 
 def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assembled:
     """Put the mechanism together, its drivers and poses at their values unless not `driving`."""
-    relations, c = _standing(mechanism, loops, driving)
+    relations, c = standing(mechanism, loops, driving)
     closure = EquationSystem.of(loops, relations)
     seen = guess(mechanism, loops)
     if np.isnan(seen).any() or loops.open_by(seen) < _AJAR:
@@ -104,9 +104,9 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
 
 def _judge(mechanism: Mechanism, loops: Loops) -> Judge:
     """What the sketch and custom say of positions that are found in part."""
-    rows, places = _sketched(mechanism, loops)
-    lengths, forwards = _lengths(mechanism, loops), _forwards(mechanism)
-    return Judge(rows, places / loops.size, _columns(loops, lengths), _columns(loops, forwards))
+    rows, places = sketched(mechanism, loops)
+    lengths, forwards = drawn_lengths(mechanism, loops), taken_forwards(mechanism)
+    return Judge(rows, places / loops.size, columns(loops, lengths), columns(loops, forwards))
 
 
 def _closed(closure: EquationSystem, starts: Real, c: Real) -> tuple[Real, Real]:
@@ -124,9 +124,9 @@ def _met(closure: EquationSystem, near: Real, c: Real) -> Real:
 
 def _as_sketched(mechanism: Mechanism, loops: Loops, q: Real) -> bool:
     """Whether `choose` would choose this assembly from any: at the sketch, and no displacement the wrong way."""
-    away = _from_sketch(mechanism, loops, q[None])[0]
-    wrong = _negative(loops, q[None], _lengths(mechanism, loops) | _forwards(mechanism))
-    return bool(away < _EXACT * loops.size and wrong[0] == 0)
+    away = from_sketch(mechanism, loops, q[None])[0]
+    wrong = negative(loops, q[None], drawn_lengths(mechanism, loops) | taken_forwards(mechanism))
+    return bool(away < EXACT * loops.size and wrong[0] == 0)
 
 
 def _smallest_gap(closure: EquationSystem, ends: Real, c: Real) -> float:
@@ -136,14 +136,15 @@ def _smallest_gap(closure: EquationSystem, ends: Real, c: Real) -> float:
     return max(float(gap.min()), closure.known.mismatch(c))
 
 
-def _standing(mechanism: Mechanism, loops: Loops, driving: bool) -> tuple[tuple[Relation, ...], Real]:
-    """The relations that hold at the drawn position, with their right sides (k,)."""
+def standing(mechanism: Mechanism, loops: Loops, driving: bool = True) -> tuple[tuple[Relation, ...], Real]:
+    """The relations that hold at the drawn position, with their right sides (k,), of many mechanisms (b, k)."""
     given = placing(mechanism) if driving else []
     known = [(relation, 0.0) for relation in loops.relations if relation.offset is not None]
     known += [(driven(mechanism, each), value) for each, value in given]
     known += [(relation, 0.0) for relation in held(loops, [relation for relation, _ in known])]
-    sides = [value - (relation.offset or 0.0) for relation, value in known]
-    return tuple(relation for relation, _ in known), np.array(sides, dtype=np.float64)
+    shape = np.shape(loops.size)
+    sides = [np.broadcast_to(value - relation.constant, shape) for relation, value in known]
+    return tuple(relation for relation, _ in known), np.array(sides, dtype=np.float64).reshape(-1, *shape).T
 
 
 def _starts(seen: Real, mechanism: Mechanism, loops: Loops) -> Real:
@@ -152,7 +153,7 @@ def _starts(seen: Real, mechanism: Mechanism, loops: Loops) -> Real:
     reach = np.array([np.pi if unknown.kind == "theta" else 1.5 for unknown in loops.unknowns])
     anywhere = rng.uniform(-reach, reach, (_STARTS, len(reach)))
     anywhere[0, reach == np.pi] = 0.0
-    cylinders = _columns(loops, _lengths(mechanism, loops))
+    cylinders = columns(loops, drawn_lengths(mechanism, loops))
     anywhere[:, cylinders] = abs(anywhere[:, cylinders])
     shaken = seen + rng.normal(0, 1, anywhere.shape) * np.linspace(0, 0.5, _STARTS)[:, None]
     sketched = (np.arange(_STARTS) < _STARTS // 2)[:, None] & ~np.isnan(seen)
@@ -176,38 +177,40 @@ def choose(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
 
     Where the sketch does not tell two apart, displacements are taken positive.
     """
-    backwards = _negative(loops, found, _lengths(mechanism, loops))
+    backwards = negative(loops, found, drawn_lengths(mechanism, loops))
     found = found[backwards == backwards.min()]
-    distance = _from_sketch(mechanism, loops, found)
+    distance = from_sketch(mechanism, loops, found)
     found = found[distance <= distance.min() + SAME * loops.size]
-    return np.asarray(found[int(np.argmin(_negative(loops, found, _forwards(mechanism))))])
+    return np.asarray(found[int(np.argmin(negative(loops, found, taken_forwards(mechanism))))])
 
 
-def _from_sketch(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
-    """Distance of all sketched points together from their places in the sketch [m]: (a,)."""
-    rows, sketched = _sketched(mechanism, loops)
-    away = np.abs(loops.vectors.at(found) @ rows.T * loops.size - sketched) ** 2
-    return np.asarray(np.sqrt(away.sum(axis=-1)))
+def from_sketch(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
+    """Distance of all sketched points together from their places in the sketch [m]: (a,); found (a, n), of many
+    mechanisms one each."""
+    rows, places = sketched(mechanism, loops)
+    away = applied(rows, loops.vectors.at(found)) * np.expand_dims(loops.size, -1) - places
+    return np.asarray(np.sqrt((np.abs(away) ** 2).sum(axis=-1)))
 
 
-def _sketched(mechanism: Mechanism, loops: Loops) -> tuple[Complex, Complex]:
-    """The sketched points' rows (k, m), and their places in the sketch [m]: (k,)."""
-    names = [name for name in mechanism.sketch if name in loops.points]
-    rows = np.array([loops.points[name] for name in names]).reshape(len(names), len(loops.vectors.base))
-    return rows, np.array([mechanism.sketch[name] for name in names], dtype=np.complex128)
+def sketched(mechanism: Mechanism, loops: Loops) -> tuple[Complex, Complex]:
+    """The sketched points' rows (k, m), and their places in the sketch [m]: (k,); of many (b, k, m), (b, k)."""
+    names, shape = [name for name in mechanism.sketch if name in loops.points], np.shape(loops.size)
+    rows = np.array([loops.points[name] for name in names]).reshape(len(names), *shape, len(loops.vectors.base))
+    places = np.array([mechanism.sketch[name] for name in names], dtype=np.complex128)
+    return np.moveaxis(rows, 0, -2), places.reshape(-1, *shape).T
 
 
-def _negative(loops: Loops, found: Real, names: set[str]) -> Real:
+def negative(loops: Loops, found: Real, names: set[str]) -> Real:
     """How many of the named displacements are negative: (a,)."""
-    return np.asarray((found[:, _columns(loops, names)] < 0).sum(axis=1))
+    return np.asarray((found[:, columns(loops, names)] < 0).sum(axis=1))
 
 
-def _columns(loops: Loops, names: set[str]) -> list[int]:
+def columns(loops: Loops, names: set[str]) -> list[int]:
     """The columns of these displacements."""
     return [at for at, unknown in enumerate(loops.unknowns) if unknown.kind == "s" and unknown.name in names]
 
 
-def _lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
+def drawn_lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
     """Displacements that are positive as drawn: along a moving link of one point, which is its own line
     (a cylinder), and along a line of centres. A rack that cannot turn may be passed either way.
     """
@@ -219,6 +222,6 @@ def _lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
     return {joint.slide for joint in kept if joint.slide is not None and joint.tail != FRAME}
 
 
-def _forwards(mechanism: Mechanism) -> set[str]:
+def taken_forwards(mechanism: Mechanism) -> set[str]:
     """Displacements taken positive where the sketch leaves them open: all."""
     return {pair.name for pair in mechanism.slides}

@@ -12,10 +12,10 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.analytic.blocks import Block, Flags, Indices, blocks_of, moved_by
+from graphkin.analytic.blocks import Block, blocks_of, moved_by
 from graphkin.analytic.dyads import ways
 from graphkin.analytic.newton import EquationSystem, close, inverse, search
-from graphkin.analytic.vectors import Complex, Real
+from graphkin.analytic.vectors import Complex, Flags, Indices, Real
 from graphkin.tolerances import ROUNDED
 from graphkin.value import filled, frozen
 

@@ -1,7 +1,8 @@
 """One loop with two unknowns, closed by formula: both ways at once, where a search would try many starts.
 
-The loop is A u + B v + C = 0 with unknown directions u and v, or (A + P s) u + C + R s = 0 with one direction u
-and a displacement s. Source: Sun Huan, Theory of Machines, section 3-3 (complex vectors).
+The loop is A u + B v + C = 0 with unknown directions u and v, (A + P s) u + C + R s = 0 with one direction u and a
+displacement s, or P s + R t + C = 0 with two displacements.
+Source: Sun Huan, Theory of Machines, section 3-3 (complex vectors).
 """
 
 from __future__ import annotations
@@ -20,13 +21,21 @@ def ways(block: Block, given: Real) -> Real | None:
 
     None where it is not of such a kind, or where it is open to any direction.
     """
-    vectors = block.part.loops.vectors
-    turning, stretching = vectors.turning[:, :2], vectors.stretching[:, :2]
-    angles = [np.abs(turning - way).max(axis=1) < _NOTHING for way in ((1, 0), (0, 1), (0, 0))]
-    if len(block.columns) != 2 or len(block.rows) != 1 or not np.any(angles, axis=0).all():
+    if len(block.columns) != 2 or len(block.rows) != 1:
         return None
+    vectors = block.part.loops.vectors
     length, unit = vectors.polar(block.at(np.zeros((len(given), 2)), given))
-    arms = block.part.loops.rows[0] * unit
+    return ways_of(vectors.turning[:, :2], vectors.stretching[:, :2], block.part.loops.rows[0] * unit, length)
+
+
+def ways_of(turning: Real, stretching: Real, arms: Complex, length: Real) -> Real | None:
+    """Both ways to close a loop of arrows (m,) that hang on its two unknowns by `turning`, `stretching` (m, 2).
+
+    arms, length (b, m)  what the arrows add to the loop for each unit of length, and their lengths, both unknowns 0
+    """
+    angles = [np.abs(turning - way).max(axis=1) < _NOTHING for way in ((1, 0), (0, 1), (0, 0))]
+    if not np.any(angles, axis=0).all():
+        return None
     sums = [(arms * length) @ kind for kind in angles]
     stretch = np.abs(stretching).max(axis=0) > _NOTHING
     with np.errstate(all="ignore"):
@@ -37,6 +46,8 @@ def ways(block: Block, given: Real) -> Real | None:
             growing = arms * stretching[:, s]
             found = _angle_and_length(sums[1 - s], growing @ angles[1 - s], sums[2], growing @ angles[2])
             found = found[..., ::-1] if s == 0 else found
+        elif stretch.all() and angles[2].all():
+            found = _two_lengths(arms @ stretching[:, 0], arms @ stretching[:, 1], sums[2])
         else:
             return None
     return found if np.isfinite(found).all() else None
@@ -49,6 +60,13 @@ def _two_angles(a: Complex, b: Complex, c: Complex) -> Real:
     first = (np.angle(c) - np.angle(a))[:, None] + turn
     rest = -(a[:, None] * np.exp(1j * first) + c[:, None]) / b[:, None]
     return np.stack([first, np.angle(rest / (np.abs(rest) > 0))], axis=-1)
+
+
+def _two_lengths(p: Complex, r: Complex, c: Complex) -> Real:
+    """P s + R t + C = 0: the same both ways."""
+    across = (p.conj() * r).imag
+    both = np.stack([(r.conj() * c).imag / across, -(p.conj() * c).imag / across], axis=-1)
+    return np.stack([both, both], axis=1)
 
 
 def _angle_and_length(a: Complex, p: Complex, c: Complex, r: Complex) -> Real:

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from graphkin.analytic.rules import Joint, Relation, Unknown, shares, theta
-from graphkin.analytic.vectors import Complex, Real, Vectors
+from graphkin.analytic.rules import Joint, Relation, Share, Unknown, shares, theta
+from graphkin.analytic.vectors import Complex, Flags, Indices, Numbers, Real, Vectors, applied
 from graphkin.errors import NotJoined
+from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Rod
 from graphkin.value import frozen
@@ -32,11 +33,13 @@ class Loops:
     points      row of each point, origins: row of each link's origin
     relations   what the pairs ask besides
     joints      where the links meet
+
+    Of many mechanisms side by side unit, size, rows and points have an axis for them, the first.
     """
 
     unknowns: tuple[Unknown, ...]
     unit: Real
-    size: float
+    size: Value
     vectors: Vectors
     rows: Complex
     points: dict[str, Complex]
@@ -46,44 +49,53 @@ class Loops:
 
     def weights(self, relations: Sequence[Relation]) -> Real:
         """Left sides of relations as a matrix on the internal unknowns: (k, n)."""
-        table = np.zeros((len(relations), len(self.unknowns)))
+        table = np.zeros((len(relations), len(self.unknowns), *np.shape(self.size)))
         for row, relation in zip(table, relations, strict=True):
             for unknown, weight in relation.weights.items():
                 row[self.unknowns.index(unknown)] += weight
-        return table * self.unit
+        return _by_mechanism(table) * self.unit[..., None, :]
 
     def gap(self, q: Real) -> Real:
         """How far each loop stays open, x and y: (..., 2r), in units of size."""
-        return parts(self.vectors.at(q) @ self.rows.T, -1)
+        return parts(applied(self.rows, self.vectors.at(q)), -1)
 
     def open_by(self, q: Real) -> Real:
         """The widest gap of any loop: (...), in units of size."""
-        return np.asarray(np.max(np.abs(self.vectors.at(q) @ self.rows.T), axis=-1, initial=0.0))
+        return np.asarray(np.max(np.abs(applied(self.rows, self.vectors.at(q))), axis=-1, initial=0.0))
 
     def slope(self, q: Real) -> Real:
         """d gap / dq: (..., 2r, n)."""
         return parts(self.vectors.slope(self.rows, q), -2)
 
-    def moves(self, rows: Sequence[Complex] | Complex) -> NDArray[np.bool_]:
+    def moves(self, rows: Complex) -> Flags:
         """Which unknowns move any of these rows: (n,)."""
         arrows = np.abs(np.reshape(rows, (-1, len(self.vectors.base)))).sum(axis=0)
         return np.asarray(arrows @ (np.abs(self.vectors.turning) + np.abs(self.vectors.stretching)) > 0)
 
+    def of_some(self, which: Indices | int) -> Loops:
+        """Those of some of many mechanisms, or of one."""
+        points = {point: row[which] for point, row in self.points.items()}
+        return replace(self, unit=self.unit[which], size=self.size[which], rows=self.rows[which], points=points)
+
     def silent(self, relations: Sequence[Relation]) -> tuple[Unknown, ...]:
         """Unknowns that move nothing and stand in no relation: the rotation of a link of one point."""
-        named = np.abs(self.weights(relations)).sum(axis=0) > 0
-        loud = self.moves([*self.rows, *self.points.values()]) | named
+        named = np.abs(self.weights(relations)).reshape(-1, len(self.unknowns)).sum(axis=0) > 0
+        rows = self.rows.reshape(-1, len(self.vectors.base))
+        loud = self.moves(np.vstack([rows, *self.points.values()])) | named
         return tuple(unknown for unknown, on in zip(self.unknowns, loud, strict=True) if not on)
 
 
 def loops_of(mechanism: Mechanism) -> Loops:
     """Write the loops of a mechanism."""
-    brought = tuple(shares(mechanism))
+    return loops_with(mechanism, tuple(shares(mechanism)), size_of(mechanism))
+
+
+def loops_with(mechanism: Mechanism, brought: Sequence[Share], size: Value) -> Loops:
+    """The same of what its pairs bring; of many mechanisms side by side every number is an array (b,)."""
     joints = tuple(joint for share in brought for joint in share.joints)
-    size = _size(mechanism)
     links, slides = _names(mechanism, joints)
     sums = _Sums(links, tuple(slides), size)
-    origins, rows = sums.grow(joints)
+    origins, closing = sums.grow(joints)
     for link in mechanism.moving:
         if link not in origins:
             raise NotJoined(mechanism.where("links", link), link)
@@ -92,11 +104,17 @@ def loops_of(mechanism: Mechanism) -> Loops:
         for point, owners in mechanism.owners.items()
     }
     unknowns = (*(theta(link) for link in links[1:]), *(Unknown("s", name) for name in slides))
-    unit = np.array([1.0] * len(links[1:]) + [size] * len(slides))
+    unit = np.array([np.ones_like(size)] * len(links[1:]) + [size] * len(slides)).T
     vectors = _vectors(links, slides)
-    closing = np.array(rows).reshape(-1, len(vectors.base))
+    rows = np.array(closing).reshape(-1, len(vectors.base), *np.shape(size))
     relations = tuple(relation for share in brought for relation in share.relations)
-    return Loops(unknowns, unit, size, vectors, closing, points, origins, relations, joints)
+    points = {point: row.T for point, row in points.items()}
+    return Loops(unknowns, unit, size, vectors, _by_mechanism(rows), points, origins, relations, joints)
+
+
+def _by_mechanism(table: Numbers) -> Numbers:
+    """Rows (r, m, b) as (b, r, m)."""
+    return np.moveaxis(table, -1, 0) if table.ndim == 3 else table
 
 
 def parts(values: Complex, axis: int) -> Real:
@@ -104,7 +122,7 @@ def parts(values: Complex, axis: int) -> Real:
     return np.concatenate([values.real, values.imag], axis=axis)
 
 
-def _size(mechanism: Mechanism) -> float:
+def size_of(mechanism: Mechanism) -> float:
     """The longest distance between two points of one link, or radius [m]; without any, the largest displacement."""
     circles = [radius for pair in mechanism.pairs for _, _, radius in pair.circles]
     circles += [rod.length for pair in mechanism.pairs if isinstance(rod := pair.equivalent, Rod)]
@@ -141,10 +159,10 @@ class _Sums:
 
     links: tuple[str, ...]
     slides: tuple[str, ...]
-    size: float
+    size: Value
 
     def arm(self, link: str, arm: complex) -> Complex:
-        row = np.zeros(len(self.links) + len(self.slides), dtype=np.complex128)
+        row = np.zeros((len(self.links) + len(self.slides), *np.shape(self.size)), dtype=np.complex128)
         row[self.links.index(link)] = arm / self.size
         return row
 
@@ -162,7 +180,7 @@ class _Sums:
         while queue:
             link = queue.popleft()
             for joint in [joint for joint in left if link in (joint.tail, joint.head)]:
-                left.remove(joint)
+                left = [other for other in left if other is not joint]
                 far, sign = (joint.head, 1) if joint.tail == link else (joint.tail, -1)
                 end = origins[link] + sign * self.step(joint)
                 if far in origins:

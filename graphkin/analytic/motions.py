@@ -3,23 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from graphkin.analytic.assembly import DrawnPosition, drawn, held, idle
 from graphkin.analytic.loops import Loops
-from graphkin.analytic.moving import moved
 from graphkin.analytic.newton import EquationSystem, inverse
 from graphkin.analytic.rates import Rates, rates
 from graphkin.analytic.rules import driven
-from graphkin.analytic.vectors import Complex, Real
+from graphkin.analytic.vectors import Complex, Real, applied
 from graphkin.errors import SingularPosition, ValueForEach
+from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
 from graphkin.value import frozen
 
-_SINGULAR = 1e-5
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from graphkin.analytic.moving import Limit
+
+SINGULAR = 1e-5
 """Reciprocal condition below which velocities count as not determined.
 
 A position is known to rounding / condition there, a velocity to rounding / condition^2: six digits.
@@ -55,25 +60,34 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     SingularPosition if that, or a single position asked for, is a dead point: no way leads on from it.
     """
     start = drawn(mechanism)
-    closure, first = _driving(mechanism, start)
+    closure, first = driving(mechanism, start.loops)
     _definite(mechanism, _conditioning(closure, start.q))
     wanted = _wanted(mechanism, start, values)
     shape = wanted[0].shape if wanted else ()
     flat = np.stack([value.ravel() for value in wanted], axis=-1) if wanted else np.zeros((1, 0))
     change = np.zeros((len(flat), len(closure.weights)))
     change[:, first:] = flat - np.array(start.values).reshape(-1)
-    q, limits = moved(closure, start.q, closure.weights @ start.q, change)
-    found = _rates(mechanism, closure, first, q, single=shape == ())
+    q, limits = _moved(closure, start.q, change)
+    found = rates_of(mechanism, closure, first, q, single=shape == ())
     for limit in limits:
-        beside = _rates(mechanism, closure, first, limit.q, single=False)
+        beside = rates_of(mechanism, closure, first, limit.q, single=False)
         found.first[limit.rows], found.second[limit.rows] = limit.weights @ beside.first, limit.weights @ beside.second
-    return _motion(mechanism, closure, wanted, q.reshape(*shape, -1), _shaped(found, shape))
+    return motion_of(mechanism, closure, wanted, q.reshape(*shape, -1), _shaped(found, shape))
+
+
+def _moved(closure: EquationSystem, start: Real, change: Real) -> tuple[Real, list[Limit]]:
+    """What moves on from the drawn position, if anything does: unknowns (p, n), positions beside change points."""
+    if not np.any(change):
+        return np.repeat(start[None], len(change), axis=0), []
+    from graphkin.analytic.moving import moved
+
+    return moved(closure, start, closure.weights @ start, change)
 
 
 def conditioning(mechanism: Mechanism) -> float:
     """Reciprocal condition number at the drawn position: 1 is best, 0 a dead point. Raises NoAssembly."""
     start = drawn(mechanism)
-    return _conditioning(_driving(mechanism, start)[0], start.q)
+    return _conditioning(driving(mechanism, start.loops)[0], start.q)
 
 
 def _conditioning(closure: EquationSystem, q: Real) -> float:
@@ -81,16 +95,16 @@ def _conditioning(closure: EquationSystem, q: Real) -> float:
 
 
 def _definite(mechanism: Mechanism, condition: float) -> None:
-    if condition < _SINGULAR:
+    if condition < SINGULAR:
         raise SingularPosition(mechanism.where("driver"), condition)
 
 
-def _driving(mechanism: Mechanism, start: DrawnPosition) -> tuple[EquationSystem, int]:
+def driving(mechanism: Mechanism, loops: Loops) -> tuple[EquationSystem, int]:
     """Loops closed with the drivers, and the first driver's row among the relations."""
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
-    pairs = start.loops.relations
-    still = held(start.loops, (*pairs, *drivers))
-    return EquationSystem.of(start.loops, (*pairs, *still, *drivers)), len(pairs) + len(still)
+    pairs = loops.relations
+    still = held(loops, (*pairs, *drivers))
+    return EquationSystem.of(loops, (*pairs, *still, *drivers)), len(pairs) + len(still)
 
 
 def _wanted(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLike] | None) -> tuple[Real, ...]:
@@ -102,16 +116,16 @@ def _wanted(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLi
     return tuple(np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given)))
 
 
-def _rates(mechanism: Mechanism, closure: EquationSystem, first: int, q: Real, single: bool) -> Rates:
+def rates_of(mechanism: Mechanism, closure: EquationSystem, first: int, q: Real, single: bool) -> Rates:
     """Rates at q (p, n); nan where q is nan and at dead points."""
-    speed, push = np.zeros(len(closure.weights)), np.zeros(len(closure.weights))
-    speed[first:] = [driver.rate for driver in mechanism.drivers]
-    push[first:] = [driver.acceleration for driver in mechanism.drivers]
+    speed = _right_sides(closure, first, [driver.rate for driver in mechanism.drivers])
+    push = _right_sides(closure, first, [driver.acceleration for driver in mechanism.drivers])
     there = np.isfinite(q).all(axis=1)
-    found = rates(closure, q[there], speed, push)
+    speed, push = (sides if sides.ndim == 1 else sides[there] for sides in (speed, push))
+    found = rates(closure.of_some(np.flatnonzero(there)), q[there], speed, push)
     if single and there.all():
         _definite(mechanism, float(found.condition[0]))
-    clear = (found.condition >= _SINGULAR)[:, None]
+    clear = (found.condition >= SINGULAR)[:, None]
     full = np.full((3, *q.shape), np.nan)
     full[0, there] = np.where(clear, found.first, np.nan)
     full[1, there] = np.where(clear, found.second, np.nan)
@@ -119,12 +133,21 @@ def _rates(mechanism: Mechanism, closure: EquationSystem, first: int, q: Real, s
     return Rates(full[0], full[1], full[2, :, 0])
 
 
+def _right_sides(closure: EquationSystem, first: int, given: Sequence[Value]) -> Real:
+    """Rates of the right sides (k,): 0, and from row `first` on what is given; of many mechanisms (b, k)."""
+    *many, k, _ = closure.weights.shape
+    sides = np.zeros((k, *many))
+    for row, value in enumerate(given, first):
+        sides[row] = value
+    return sides.T
+
+
 def _shaped(found: Rates, shape: tuple[int, ...]) -> Rates:
     first, second = (part.reshape(*shape, part.shape[-1]) for part in (found.first, found.second))
     return Rates(first, second, found.condition.reshape(shape))
 
 
-def _motion(mechanism: Mechanism, closure: EquationSystem, values: tuple[Real, ...], q: Real, found: Rates) -> Motion:
+def motion_of(mechanism: Mechanism, closure: EquationSystem, values: tuple[Real, ...], q: Real, found: Rates) -> Motion:
     """Read everything off the unknowns."""
     loops, vectors = closure.loops, closure.loops.vectors
     three = q, found.first, found.second
@@ -150,7 +173,7 @@ def _by_link(mechanism: Mechanism, values: Mapping[str, Complex]) -> dict[str, d
 def _named(loops: Loops, values: Real, kind: str, names: Collection[str]) -> dict[str, Real]:
     """Unknowns of one kind by name, those of the analysis' own making left out, in SI units."""
     return {
-        unknown.name: np.asarray(values[..., at] * loops.unit[at])[()]
+        unknown.name: np.asarray(values[..., at] * loops.unit[..., at])[()]
         for at, unknown in enumerate(loops.unknowns)
         if unknown.kind == kind and unknown.name in names
     }
@@ -158,4 +181,5 @@ def _named(loops: Loops, values: Real, kind: str, names: Collection[str]) -> dic
 
 def _places(loops: Loops, arrows: Complex) -> dict[str, Complex]:
     """Points by name, in SI units."""
-    return {point: np.asarray(arrows @ row * loops.size)[()] for point, row in loops.points.items()}
+    rows = ((point, np.expand_dims(row, -2)) for point, row in loops.points.items())
+    return {point: np.asarray(applied(row, arrows)[..., 0] * loops.size)[()] for point, row in rows}

@@ -10,12 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from graphkin.analytic.newton import Closed, EquationSystem, close
 from graphkin.analytic.path import Path, RightSides, path_along
 from graphkin.analytic.rates import tangent
-from graphkin.analytic.vectors import Real
+from graphkin.analytic.vectors import Flags, Indices, Real
 from graphkin.value import frozen
 
 _SAME = 1e-12
@@ -56,7 +55,7 @@ class Limit:
     rows (m,)   which positions; q (8, n)   the neighbours' unknowns; weights (m, 8)
     """
 
-    rows: NDArray[np.intp]
+    rows: Indices
     q: Real
     weights: Real
 
@@ -66,8 +65,6 @@ def moved(closure: EquationSystem, start: Real, c: Real, change: Real) -> tuple[
 
     nan where the way does not lead. `start` are the unknowns (n,) at c.
     """
-    if not np.any(change):
-        return np.repeat(start[None], len(change), axis=0), []
     goals = np.full((len(change), len(start)), np.nan)
     there = np.flatnonzero(np.isfinite(change).all(axis=1))
     if not there.size:
@@ -195,7 +192,7 @@ def _longest(closure: EquationSystem, change: Real) -> Real:
     return np.asarray(np.minimum(1.0, _STRIDE / np.maximum(way, _STRIDE)))
 
 
-def _good(closure: EquationSystem, closed: Closed, tried: Real) -> NDArray[np.bool_]:
+def _good(closure: EquationSystem, closed: Closed, tried: Real) -> Flags:
     """Closed, settled, and not far from where it was expected."""
     away = np.abs(closed.q - tried)[:, closure.loops.moves(closure.loops.rows)]
     near = np.max(away, axis=-1, initial=0.0) < _TRUST

@@ -9,12 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from graphkin.analytic.elimination import Elimination, eliminate
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.rules import Relation
-from graphkin.analytic.vectors import Real
+from graphkin.analytic.vectors import Indices, Real, applied
 from graphkin.value import frozen
 
 _SETTLED = 1e-13
@@ -43,7 +42,13 @@ class EquationSystem:
         return self.loops.slope(q) @ self.known.left
 
     def move(self, q: Real, y_step: Real) -> Real:
-        return q + y_step @ self.known.left.T
+        return np.asarray(q + applied(self.known.left, y_step))
+
+    def of_some(self, which: Indices | int) -> EquationSystem:
+        """That of some of many mechanisms side by side, or of one; a mechanism's own serves every position."""
+        if self.weights.ndim == 2:
+            return self
+        return EquationSystem(self.loops.of_some(which), self.weights[which], self.known.of_some(which))
 
 
 @frozen
@@ -66,8 +71,9 @@ def close(closure: EquationSystem, q: Real, c: Real, steps: int = 12) -> Closed:
         busy = last >= _SETTLED
         if not busy.any():
             break
-        step = _newton_step(closure, q[busy])
-        q[busy] = closure.move(q[busy], step)
+        here = closure if busy.all() else closure.of_some(np.flatnonzero(busy))
+        step = _newton_step(here, q[busy])
+        q[busy] = here.move(q[busy], step)
         last[busy] = np.max(np.abs(step), axis=-1, initial=0.0)
     return Closed(q, closure.loops.open_by(q), last)
 
@@ -138,7 +144,7 @@ def search(closure: EquationSystem, q: Real, c: Real, steps: int = 60) -> Real:
     return q
 
 
-def _damped_step(matrix: Real, gap: Real, damping: NDArray[np.float64]) -> Real:
+def _damped_step(matrix: Real, gap: Real, damping: Real) -> Real:
     transposed = np.swapaxes(matrix, -1, -2)
     normal = transposed @ matrix + damping[:, None, None] * np.eye(matrix.shape[-1])
     return np.asarray(-np.linalg.solve(normal, transposed @ gap[..., None])[..., 0])

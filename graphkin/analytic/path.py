@@ -14,11 +14,10 @@ from dataclasses import field, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from graphkin.analytic.newton import EquationSystem, close
 from graphkin.analytic.rates import tangent
-from graphkin.analytic.vectors import Real
+from graphkin.analytic.vectors import Flags, Real
 from graphkin.tolerances import TOUCH
 from graphkin.value import filled, frozen
 
@@ -63,12 +62,12 @@ class RightSides:
         return float(1 / np.max(np.abs(self.toward) / units, initial=1e-300))
 
     @cached_property
-    def heard(self) -> NDArray[np.bool_]:
+    def heard(self) -> Flags:
         """Which unknowns stand in the loops: (n,)."""
         return self.closure.loops.moves(self.closure.loops.rows)
 
     @cached_property
-    def slides(self) -> NDArray[np.bool_]:
+    def slides(self) -> Flags:
         """Which unknowns are displacements: (n,)."""
         return np.array([unknown.kind == "s" for unknown in self.closure.loops.unknowns])
 

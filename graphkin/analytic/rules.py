@@ -9,10 +9,10 @@ space in them (`cam c0`), so no name of a file can clash.
 
 from __future__ import annotations
 
-import cmath
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
+from graphkin.geometry import Value, phase
 from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
 from graphkin.tolerances import ROUNDED
@@ -34,15 +34,15 @@ def theta(link: str) -> Unknown:
 class Joint:
     """`tail` and `head` meet: tail_arm (+ s direction, of the unknown `slide`) on tail = head_arm on head.
 
-    Arms and direction are in the axes of their link [m, -].
+    Arms and direction are in the axes of their link [m, -]; of many mechanisms side by side arrays (b,).
     """
 
     tail: str
-    tail_arm: complex
+    tail_arm: Value
     head: str
-    head_arm: complex
+    head_arm: Value
     slide: str | None = None
-    direction: complex = 1
+    direction: Value = 1
 
 
 @frozen
@@ -52,8 +52,12 @@ class Relation:
     offset is None where the sum is whatever it is at the drawn position, and then stays.
     """
 
-    weights: Mapping[Unknown, float]
-    offset: float | None = 0.0
+    weights: Mapping[Unknown, Value]
+    offset: Value | None = 0.0
+
+    @property
+    def constant(self) -> Value:
+        return 0.0 if self.offset is None else self.offset
 
 
 class Share(NamedTuple):
@@ -197,6 +201,6 @@ def _turned(link: str, reference: str) -> dict[Unknown, float]:
     return {theta(name): sign for name, sign in ((link, 1.0), (reference, -1.0)) if name != FRAME}
 
 
-def _axis_to(mechanism: Mechanism, link: str, vector: tuple[str, str] | None) -> float:
+def _axis_to(mechanism: Mechanism, link: str, vector: tuple[str, str] | None) -> Value:
     """Angle from a link's axis to the direction of two of its points [rad]; 0 where none is named."""
-    return 0.0 if vector is None else cmath.phase(mechanism.links[link].arm(*vector))
+    return 0.0 if vector is None else phase(mechanism.links[link].arm(*vector))

@@ -11,13 +11,17 @@ import numpy as np
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.rules import Joint, Unknown, placing, theta
 from graphkin.analytic.vectors import Real
+from graphkin.geometry import Value, phase
 from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
 from graphkin.pairs import Slide
 from graphkin.value import filled
 
 
 def guess(mechanism: Mechanism, loops: Loops) -> Real:
-    """The unknowns (n,) as far as the sketch and the drivers show them, in internal units; nan elsewhere."""
+    """The unknowns (n,) as far as the sketch and the drivers show them, in internal units; nan elsewhere.
+
+    Of many mechanisms side by side (b, n).
+    """
     seen = _Seen(mechanism, loops.joints)
     while seen.look():
         pass
@@ -26,7 +30,14 @@ def guess(mechanism: Mechanism, loops: Loops) -> Real:
     for joint in loops.joints:
         if joint.slide is not None:
             found[Unknown("s", joint.slide)] = seen.displacement(joint)
-    return np.array([found.get(unknown, np.nan) for unknown in loops.unknowns]) / loops.unit
+    shape = np.shape(loops.size)
+    seen_of = [np.broadcast_to(found.get(unknown, np.nan), shape) for unknown in loops.unknowns]
+    return np.asarray(np.array(seen_of).reshape(-1, *shape).T / loops.unit)
+
+
+def _turned(angle: Value) -> Value:
+    """The unit vector at an angle."""
+    return np.exp(1j * angle) if isinstance(angle, np.ndarray) else cmath.rect(1, angle)
 
 
 @filled
@@ -35,8 +46,8 @@ class _Seen:
 
     mechanism: Mechanism
     joints: tuple[Joint, ...]
-    points: dict[str, complex] = field(default_factory=dict)
-    angles: dict[str, float] = field(default_factory=lambda: {FRAME: 0.0})
+    points: dict[str, Value] = field(default_factory=dict)
+    angles: dict[str, Value] = field(default_factory=lambda: {FRAME: 0.0})
 
     def __post_init__(self) -> None:
         self.points = {**self.mechanism.sketch, **self.mechanism.links[FRAME].points}
@@ -55,20 +66,20 @@ class _Seen:
             self._aligned(pair)
         return before != (len(self.points), len(self.angles))
 
-    def _driven(self, given: Driver | Pose, value: float) -> None:
+    def _driven(self, given: Driver | Pose, value: Value) -> None:
         if given.from_link in self.angles and given.vector is not None:
             links = self.mechanism.links
             back = given.from_vector
-            start = 0.0 if back is None else cmath.phase(links[given.from_link].arm(*back))
+            start = 0.0 if back is None else phase(links[given.from_link].arm(*back))
             angle = self.angles[given.from_link] + start + value
-            self.angles.setdefault(given.link, angle - cmath.phase(links[given.link].arm(*given.vector)))
+            self.angles.setdefault(given.link, angle - phase(links[given.link].arm(*given.vector)))
 
-    def _pushed(self, joint: Joint, value: float) -> None:
+    def _pushed(self, joint: Joint, value: Value) -> None:
         origin = self._place(joint.tail, joint.tail_arm)
         if joint.tail in self.angles and origin is not None:
-            place = origin + value * joint.direction * cmath.rect(1, self.angles[joint.tail])
+            place = origin + value * joint.direction * _turned(self.angles[joint.tail])
             for name, arm in self.mechanism.links[joint.head].points.items():
-                if arm == joint.head_arm:
+                if np.all(arm == joint.head_arm):
                     self.points.setdefault(name, place)
 
     def _aligned(self, pair: Slide) -> None:
@@ -79,7 +90,7 @@ class _Seen:
             self.angles.setdefault(pair.guide, self.angles[pair.block] - pair.turn)
         ends = self.points.get(pair.line.origin), self.points.get(pair.point)
         if ends[0] is not None and ends[1] is not None:
-            self.angles.setdefault(pair.guide, cmath.phase((ends[1] - ends[0]) / pair.line.direction))
+            self.angles.setdefault(pair.guide, phase((ends[1] - ends[0]) / pair.line.direction))
 
     def _fitted(self, link: Link) -> None:
         """Two located points give the link's angle; the angle and one point give all its points."""
@@ -88,10 +99,10 @@ class _Seen:
             return
         place, arm = (sum(column) / len(at) for column in zip(*at, strict=True))
         turn = sum((here - place) * (there - arm).conjugate() for here, there in at)
-        if abs(turn) > 0:
-            self.angles.setdefault(link.name, cmath.phase(turn))
+        if np.all(abs(turn) > 0):
+            self.angles.setdefault(link.name, phase(turn))
         if link.name in self.angles:
-            unit = cmath.rect(1, self.angles[link.name])
+            unit = _turned(self.angles[link.name])
             for name, there in link.points.items():
                 self.points.setdefault(name, place + (there - arm) * unit)
 
@@ -102,24 +113,24 @@ class _Seen:
                 start, end = self._place(near.tail, near.tail_arm), self._place(far.head, far.head_arm)
                 if start is not None and end is not None:
                     self.points[near.head] = start
-                    self.angles[near.head] = cmath.phase(end - start)
+                    self.angles[near.head] = phase(end - start)
 
-    def displacement(self, joint: Joint) -> float:
+    def displacement(self, joint: Joint) -> Value:
         """s as seen, nan where it is not [m]."""
         origin, point = self._place(joint.tail, joint.tail_arm), self._place(joint.head, joint.head_arm)
         if origin is None or point is None or joint.tail not in self.angles:
             return float("nan")
-        along = joint.direction * cmath.rect(1, self.angles[joint.tail])
+        along = joint.direction * _turned(self.angles[joint.tail])
         return ((point - origin) / along).real
 
-    def _place(self, name: str, arm: complex) -> complex | None:
+    def _place(self, name: str, arm: Value) -> Value | None:
         """Where an arm of a link ends, None if that is not seen."""
         link = self.mechanism.links.get(name, Link(name, {name: 0}))
         seen = [(abs(arm - base), self.points[point], arm - base) for point, base in link.points.items()
                 if point in self.points]  # fmt: skip
         if name == FRAME:
             return arm
-        away, base, rest = min(seen, key=lambda each: each[0], default=(np.inf, 0j, 0j))
+        away, base, rest = min(seen, key=lambda each: float(np.max(each[0])), default=(np.inf, 0j, 0j))
         if name in self.angles and seen:
-            return base + rest * cmath.rect(1, self.angles[name])
-        return base if away == 0 else None
+            return base + rest * _turned(self.angles[name])
+        return base if np.all(away == 0) else None

@@ -4,19 +4,30 @@ There is one arrow of length 1 for each link, along its axis, and one for each s
 origin to the point (length s, turned by the guide). Where anything is, is a sum of these with fixed
 complex coefficients, a `row`: r = row . arrows. One row serves position, velocity and acceleration.
 
-Shapes: q is (..., n) for n unknowns, arrows are (..., m), rows are (..., m) or (r, m).
+Shapes: q is (..., n) for n unknowns, arrows are (..., m), rows are (..., m) or (r, m). Of many mechanisms side by side
+each has rows of its own: (b, r, m), for q (b, n).
 Source: Sun Huan, Theory of Machines, section 3-3 (complex vectors).
 """
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
-from numpy.typing import NDArray
 
 from graphkin.value import frozen
 
-Real = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+Real = np.ndarray[Any, np.dtype[np.float64]]
+Complex = np.ndarray[Any, np.dtype[np.complex128]]
+Flags = np.ndarray[Any, np.dtype[np.bool_]]
+Indices = np.ndarray[Any, np.dtype[np.intp]]
+Numbers = np.ndarray[Any, np.dtype[Any]]
+"""Arrays; as `numpy.typing` calls them, which takes its time to load."""
+
+
+def applied(matrix: Numbers, vectors: Numbers) -> Numbers:
+    """A matrix (r, m), or one for each vector (b, r, m), on vectors (..., m): (..., r)."""
+    return np.asarray(vectors @ matrix.T if matrix.ndim == 2 else (matrix @ vectors[..., None])[..., 0])
 
 
 @frozen

@@ -93,13 +93,16 @@ def _on_paper(mark: Shown, paper: complex) -> bool:
 
 
 def _hide(above: list[shapely.Geometry], mark: Shown) -> bool:
-    """A dot is hidden as a whole; a line by a large surface over any of it, or by small signs over most of it."""
+    """A dot is hidden as a whole; a line by a large surface over any of it, or by small signs over most of it; the path
+    of a point, which runs under the links, by anything over most of it.
+    """
     if "point" in mark.kind:
         return bool(shapely.union_all(above).contains(shapely.Polygon(_xy(mark.lines[0]))))
     line = shapely.MultiLineString([_xy(places) for places in mark.lines])
     under = [(area.intersection(line).length, _size(area)) for area in above]
     large, small = (sum(length for length, size in under if (size > _SIGN) is wanted) for wanted in (True, False))
-    return bool(large > 0.1 or small > max(0.24, 0.6 * line.length))
+    most = 0.6 * line.length
+    return bool(large > (most if mark.attributes.get("data-form") == "path" else 0.1) or small > max(0.24, most))
 
 
 def _size(area: shapely.Geometry) -> float:

@@ -15,6 +15,8 @@ from graphkin.check.expected import is_called_so, is_named_so, point_value, vect
 from graphkin.check.heads import wrong_heads
 from graphkin.check.hidden import Layers
 from graphkin.check.links import link_name, worst_place
+from graphkin.check.point_paths import worst_of_path
+from graphkin.check.shown import Shown
 from graphkin.check.transforms import Unread
 from graphkin.check.widened import Widened, widened
 from graphkin.construction import Plane
@@ -143,12 +145,19 @@ class _Ruler:
             plane, name = plane_of(self.drawing, mark.attributes), link_name(mark.attributes)
             try:
                 origin = origins[plane] = origins.get(plane) or self._origin(plane)
-                found = worst_place(mark, self.exact, self._places(plane, origin), self.scales[plane])
+                found = self._worst(mark, plane, origin)
             except (KeyError, ValueError):
                 found = None
             if found is None:
                 raise BadDrawing(Where(self.drawing.file), "value", f"data-link={name}")
             yield self._measured(plane, name, "link", found[0] - origin, found[1] - origin)
+
+    def _worst(self, mark: Shown, plane: Plane, origin: complex) -> tuple[complex, complex] | None:
+        """The place of a link's line, or of a path, that is farthest off, and where it should be."""
+        if mark.attributes.get("data-form") == "path":
+            values = numbers(self.drawing, "drivers", len(self.mechanism.drivers))
+            return worst_of_path(mark, self.mechanism, values, self.scales[plane], origin)
+        return worst_place(mark, self.exact, self._places(plane, origin), self.scales[plane])
 
     def _places(self, plane: Plane, origin: complex) -> Callable[[str], complex]:
         """Where a point should be on paper, by the name of its mark."""

@@ -71,8 +71,15 @@ class Program(click.Group):
         )
 
 
+def _spoken(context: click.Context, _: click.Parameter, lang: str | None) -> None:
+    """A language that is said before the command is the command's, unless that has one of its own."""
+    context.meta["lang"] = lang
+
+
 @click.group(cls=Program, context_settings=CONTEXT)
 @click.version_option(package_name="graphkin")
+@click.option("--lang", type=click.Choice(["en", "zh"]), callback=_spoken, expose_value=False, is_eager=True,
+              help="Language, as after a command.")  # fmt: skip
 def main() -> None:
     """Graphical kinematics for planar mechanisms.
 

@@ -29,6 +29,7 @@ _KINDS = (".pdf", ".html")
 @click.option("--answers", is_flag=True, help="The answers of all at the end.")
 @click.option("--both", is_flag=True, help="In both languages, one after the other.")
 @click.option("--paper", type=click.Choice(PAPERS), default="A4", show_default=True, help="Paper.")
+@click.option("--duplex", is_flag=True, help="For printing on both sides: each problem begins on the front of a sheet.")
 @click.option("--font", type=click.Path(path_type=Path, dir_okay=False), help="A font file with the letters wanted.")
 @click.option("--scan", type=click.IntRange(0, 60_000), metavar="NUMBER",
               help="Print what sets a photograph straight, and sheet numbers from this one on.")  # fmt: skip
@@ -40,7 +41,7 @@ _KINDS = (".pdf", ".html")
 @speaking
 def handout(
     mechanisms: tuple[str, ...], output: Path | None, stage: Stage, upto: int, answers: bool, both: bool, paper: str,
-    font: Path | None, scan: int | None, seed: str, force: bool, angles: tuple[float, ...],
+    duplex: bool, font: Path | None, scan: int | None, seed: str, force: bool, angles: tuple[float, ...],
     displacements: tuple[float, ...], lang: Lang,
 ) -> None:  # fmt: skip
     """Make handouts: a problem, a worksheet at true scale, a half-worked or a whole solution; several make a book.
@@ -70,7 +71,7 @@ def handout(
     for path, several in _files(output, problems, folder):
         files.refuse(path, force, _MARKS)
         machines, whose = [machine for machine, _ in several], [who for _, who in several]
-        made = in_languages(machines, stage, langs, upto=upto, answers=answers, seed=seed, whose=whose)
+        made = in_languages(machines, stage, langs, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex)
         content, told = _set_in(kind, made, paper, font, scan)
         with files.beside(path, force, _MARKS) as draft:
             draft.write_bytes(content)
@@ -86,7 +87,7 @@ _MARKS = (b"graphkin handout",)
 def _problems(
     sources: tuple[str, ...], seed: str, angles: tuple[float, ...], displacements: tuple[float, ...]
 ) -> tuple[list[tuple[Mechanism, str]], str]:
-    """Each mechanism with the student it is for, those of a problem set in its order; and the set's seed."""
+    """Each mechanism with whom it is for, those of a problem set in its order; and the set's seed."""
     from graphkin.platforms import is_set, students_of
 
     found: list[tuple[Mechanism, str]] = []
@@ -96,7 +97,7 @@ def _problems(
                 raise click.UsageError("--angle and --at are for a MECHANISM: the students of a set have their own")
             own, students = students_of(Path(source))
             seed = seed or own
-            found += [(read(str(path)), who) for who, path in students.items()]
+            found += [(read(str(path)), who) for who, path in students]
         else:
             found.append((read_at(source, angles, displacements), ""))
     return found, seed

@@ -31,7 +31,10 @@ PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape", "letter", "letter-landscap
 
 
 def user_language() -> Lang:
-    """Chinese where the environment asks for it, else English."""
+    """As it is said before the command; else Chinese where the environment asks for it, else English."""
+    context = click.get_current_context(silent=True)
+    if context is not None and (before := context.find_root().meta.get("lang")):
+        return "zh" if before == "zh" else "en"
     for name in ("GRAPHKIN_LANG", "LC_ALL", "LC_MESSAGES", "LANG"):
         if value := os.environ.get(name):
             return "zh" if value.lower().startswith("zh") else "en"
@@ -146,6 +149,13 @@ def read(source: str) -> Mechanism:
         raise click.UsageError("MECHANISM is empty: name a file, or a mechanism of `graphkin list`")
     through_pipe = source == "-"
     machine = loading.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>") if through_pipe else api.load(source)
+    return remarked(machine)
+
+
+def remarked(machine: Mechanism) -> Mechanism:
+    """The mechanism; what is to be remarked on it goes to stderr."""
+    from graphkin import loading
+
     lang = click.get_current_context().params.get("lang", "en")
     for remark in loading.remarks(machine):
         click.echo(remark.message(lang), err=True)
@@ -203,10 +213,10 @@ def at_values(method: Method, angles: Sequence[float], displacements: Sequence[f
 def json_line(value: object) -> str:
     """One line of JSON for programs, on one line for those, too, that end lines as Unicode does."""
     text = json.dumps(value, ensure_ascii=False, allow_nan=False)
-    return _LINE_ENDS.sub(lambda end: f"\\u{ord(end.group()):04x}", text)
+    return re.sub(_LINE_ENDS, lambda end: f"\\u{ord(end.group()):04x}", text)
 
 
-_LINE_ENDS = re.compile("[\x7f-\x9f\u2028\u2029\ud800-\udfff]")
+_LINE_ENDS = "[\x7f-\x9f\u2028\u2029\ud800-\udfff]"
 """Ends of lines that JSON does not escape, with their kin that no text file should hold."""
 
 

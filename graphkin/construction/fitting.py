@@ -19,7 +19,10 @@ from graphkin.geometry import Value
 Row = tuple[Value, Mapping[str, Value]]
 
 ROUNDS = 30
-FITTED = 1e-13
+FITTED = 1e-8
+"""The last step at most [rad, of the group's size]; what it leaves is of the order of its square."""
+ROUNDING, ROUNDED = 1e-5, 0.8
+"""Steps so short that become no shorter than by this factor come of rounding: the links are all but free to move."""
 
 
 # --- rolling contacts -------------------------------------------------------------------------
@@ -80,10 +83,13 @@ def fit(step: Fit, plot: Plot) -> None:
     """Newton's method on the closures and contacts of a group, for all positions at once."""
     x, size = _first_trial(step, plot), reach(step, plot)
     units = np.expand_dims(units_of(step, size), tuple(range(1, x.ndim)))
+    before = np.inf
     for _ in range(ROUNDS):
         x, moved = _next_trial(step, plot, x, size, units)
-        if not np.any((moved > FITTED) & (moved < np.inf)):
+        farthest = np.max(moved, where=np.isfinite(moved), initial=0.0)
+        if farthest <= FITTED or ROUNDED * before < farthest < ROUNDING:
             break
+        before = farthest
     _keep_what_fits(step, plot, x, size, units)
 
 
@@ -104,7 +110,7 @@ def reach(step: Fit, plot: Plot) -> float:
     arms = [part for closure in step.closures for part in closure.parts if isinstance(part, Arm)]
     shapes = plot.facts.shapes
     lengths = [float(np.max(np.abs(shapes[a.link][a.head] - shapes[a.link][a.tail]))) for a in arms]
-    return max([*lengths, *(abs(c) for contact in step.contacts for _, c in contact.angles)]) or 1.0
+    return max([*lengths, *(float(np.max(np.abs(c))) for contact in step.contacts for _, c in contact.angles)]) or 1.0
 
 
 def units_of(step: Fit, size: float) -> list[float]:

@@ -133,7 +133,12 @@ class Bodies:
         low = "".join(names) if all(len(name) == 1 for name in names) else "/".join(names)
         symbol = self.ledger.fresh("θ", low, "angle", driver.acceleration == 0)
         words = {"link": names[0], "other": names[1]}
-        texts = tuple(meaning(f"equations.relative {rate}", **words) for rate in _TURNING)
+        place, *rates = (meaning(f"equations.relative {rate}", **words) for rate in _TURNING)
+        if driver.vector is not None and driver.from_vector is not None and driver.value is not None:
+            more = {"vector": "".join(driver.vector), "seen": "".join(driver.from_vector)}
+            angle = f"{math.degrees(driver.value):.6g}"
+            place = meaning("equations.relative direction given", **words, **more, angle=angle)
+        texts = (place, *rates)
         both = (angle_readers(self.structure, body, self.drawn) for body in (driver.link, driver.from_link))
         return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), difference(*both))
 

@@ -5,8 +5,9 @@ the data; only the edge (the command line, a notebook) asks for the words.
 
 `base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys and values, `shapes`
 about a link's measures, `pairs` about sliding pairs, gears, rolling and cams, `drivers` about drivers and poses, `motion`
-about assembly and movement, `singular` about the analysis, `marking`, `submissions` and `platforms` about homework, `handouts` about their fonts, `asking` about what
-is asked for, `finding` about conditions. A new error is a class in one of them, and a name in its `__all__`: this module
+about assembly and movement, `drawings` about what is measured or written, `singular` about the analysis, `marking`,
+`submissions`, `answers`, `problem_sets` and `platforms` about homework, `handouts` about their fonts, `asking` about what is
+asked for, `finding` about conditions. A new error is a class in one of them, and a name in its `__all__`: this module
 passes on all that those hold, and loads each where something of it is first asked for.
 """
 
@@ -16,10 +17,12 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from graphkin.errors.answers import *  # noqa: F403
     from graphkin.errors.asking import *  # noqa: F403
     from graphkin.errors.base import *  # noqa: F403
     from graphkin.errors.centring import *  # noqa: F403
     from graphkin.errors.design import *  # noqa: F403
+    from graphkin.errors.drawings import *  # noqa: F403
     from graphkin.errors.drivers import *  # noqa: F403
     from graphkin.errors.files import *  # noqa: F403
     from graphkin.errors.finding import *  # noqa: F403
@@ -30,15 +33,16 @@ if TYPE_CHECKING:
     from graphkin.errors.motion import *  # noqa: F403
     from graphkin.errors.pairs import *  # noqa: F403
     from graphkin.errors.platforms import *  # noqa: F403
+    from graphkin.errors.problem_sets import *  # noqa: F403
     from graphkin.errors.shapes import *  # noqa: F403
     from graphkin.errors.singular import *  # noqa: F403
     from graphkin.errors.submissions import *  # noqa: F403
 
 _FILES = (
-    "base", "files", "keys", "shapes", "drivers", "pairs", "motion", "singular", "asking",
-    "centring", "finding", "linkages", "design", "marking", "submissions", "platforms", "handouts",
+    "base", "drawings", "files", "keys", "shapes", "drivers", "pairs", "motion", "singular", "asking",
+    "centring", "finding", "linkages", "design", "marking", "submissions", "answers", "problem_sets", "platforms", "handouts",
 )  # fmt: skip
-"""In the order in which a name is looked for: what every mechanism file may meet comes first."""
+"""In the order in which a name is looked for: what every command and every mechanism file may meet comes first."""
 
 if not TYPE_CHECKING:
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, ClassVar, Literal, dataclass_transform
 
 from graphkin.value import filled, frozen
 
 Lang = Literal["en", "zh"]
 
-__all__ = ["NOWHERE", "Choice", "GraphkinError", "Lang", "Several", "Where", "steers"]
+__all__ = ["NOWHERE", "AboutLinks", "Choice", "GraphkinError", "Lang", "Several", "Where", "listed", "steers"]
 
 
 @frozen
@@ -113,6 +113,24 @@ def _hint(given: str, possible: Sequence[str], lang: Lang) -> str:
         return ask + (f"可用：{shown}。" if shown else "")
     ask = "".join(f"Did you mean {name}? " for name in near)
     return ask + (f"Possible: {shown}." if shown else "")
+
+
+def listed(names: Iterable[str], lang: Lang) -> str:
+    """`2 and 3`; `2、3`."""
+    names = list(names)
+    if lang == "zh" or len(names) < 2:
+        return "、".join(names)
+    return ", ".join(names[:-1]) + " and " + names[-1]
+
+
+class AboutLinks(GraphkinError):
+    """An error about several links, listed as the language does."""
+
+    where: Where
+    links: tuple[str, ...]
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return super()._words(lang) | {"links": listed(self.links, lang)}
 
 
 class Several(GraphkinError):

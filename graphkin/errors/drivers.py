@@ -1,12 +1,23 @@
-"""Errors of drivers and poses."""
+"""Errors of drivers and poses: what they name, and how many there are."""
 
 from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+from graphkin.errors.base import AboutLinks, Choice, GraphkinError, Lang, Where
 
-__all__ = ["DrivenFrame", "DrivenTwice", "NoDriver", "NoVector", "SameLink", "SayValue", "WhatIsDriven"]
+__all__ = [
+    "DrivenFrame",
+    "DrivenTwice",
+    "NoDriver",
+    "NoVector",
+    "RepeatedDriver",
+    "SameLink",
+    "SayValue",
+    "TooFewDrivers",
+    "TooManyDrivers",
+    "WhatIsDriven",
+]
 
 
 class NoDriver(GraphkinError):
@@ -77,4 +88,42 @@ class DrivenTwice(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given} is driven twice: two drivers on one freedom. Remove one.",
         "zh": "{where}：{given} 被驱动两次，一个自由度只能有一个原动件，请删去其一。",
+    }
+
+
+class TooFewDrivers(AboutLinks):
+    """Freedoms that no driver takes."""
+
+    freedoms: int
+    drivers: int
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the mechanism has {freedoms} degrees of freedom but only {drivers} of them driven; "
+        "links {links} are still free. Add a [[driver]] for one of them.",
+        "zh": "{where}：机构有 {freedoms} 个自由度，却只有 {drivers} 个原动件；构件 {links} 仍可自由运动。请为其中之一增加 [[driver]]。",
+    }
+
+
+class TooManyDrivers(GraphkinError):
+    """More drivers than freedoms."""
+
+    where: Where
+    freedoms: int
+    drivers: int
+    driver: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {drivers} drivers are too many for the {freedoms} degrees of freedom of this mechanism; "
+        "remove driver {driver}.",
+        "zh": "{where}：机构只有 {freedoms} 个自由度，却有 {drivers} 个原动件；原动件 {driver} 是多余的。请删去。",
+    }
+
+
+class RepeatedDriver(AboutLinks):
+    """As many drivers as freedoms, but two of them move the same one."""
+
+    freedoms: int
+    driver: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: driver {driver} moves what the drivers before it move already, while links {links} are "
+        "still free (the mechanism has {freedoms} degrees of freedom). Drive one of those instead.",
+        "zh": "{where}：原动件 {driver} 与前面的原动件驱动同一自由度，而构件 {links} 仍可自由运动（机构有 {freedoms} 个自由度）。请改为驱动后者。",
     }

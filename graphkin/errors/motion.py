@@ -1,60 +1,32 @@
-"""Errors of assembly and movement: links that do not reach, dead points, wrong number of drivers, drawings."""
+"""Errors of assembly and movement: links that do not reach, dead points, ways that are left."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import ClassVar
 
-from graphkin.errors.base import GraphkinError, Lang, Where
+from graphkin.errors.base import AboutLinks, GraphkinError, Lang, Where, listed
 
 __all__ = [
     "AlongOwnAxis",
     "AmbiguousSketch",
-    "BadDrawing",
     "CannotAssemble",
-    "CannotWrite",
     "DeadPoint",
     "FarFromSketch",
     "GearsApart",
     "HigherClass",
-    "NoDrawing",
-    "NoFolder",
     "NotPlaced",
     "NotReached",
     "NotRepeated",
-    "NothingToMeasure",
     "OffTrack",
     "OtherSide",
     "PosesDiffer",
-    "RepeatedDriver",
     "RoadsDiffer",
     "TooFar",
-    "TooFewDrivers",
-    "TooManyDrivers",
     "called_pair",
-    "listed",
 ]
 
 
-def listed(names: Iterable[str], lang: Lang) -> str:
-    """`2 and 3`; `2、3`."""
-    names = list(names)
-    if lang == "zh" or len(names) < 2:
-        return "、".join(names)
-    return ", ".join(names[:-1]) + " and " + names[-1]
-
-
-class _AboutLinks(GraphkinError):
-    """An error about several links, listed as the language does."""
-
-    where: Where
-    links: tuple[str, ...]
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return super()._words(lang) | {"links": listed(self.links, lang)}
-
-
-class HigherClass(_AboutLinks):
+class HigherClass(AboutLinks):
     """Links that no vector equation with two unknowns reaches."""
 
     text: ClassVar[dict[Lang, str]] = {
@@ -64,7 +36,7 @@ class HigherClass(_AboutLinks):
     }
 
 
-class CannotAssemble(_AboutLinks):
+class CannotAssemble(AboutLinks):
     """Links that do not reach each other."""
 
     gap_mm: float
@@ -91,7 +63,7 @@ class FarFromSketch(CannotAssemble):
     }
 
 
-class DeadPoint(_AboutLinks):
+class DeadPoint(AboutLinks):
     """Two loci that meet under too small an angle."""
 
     angle_deg: float
@@ -215,7 +187,7 @@ class OtherSide(GraphkinError):
     }
 
 
-class NotPlaced(_AboutLinks):
+class NotPlaced(AboutLinks):
     """A drawn position that neither driver values nor poses fix."""
 
     text: ClassVar[dict[Lang, str]] = {
@@ -281,17 +253,6 @@ class RoadsDiffer(GraphkinError):
     }
 
 
-class NoFolder(GraphkinError):
-    """A file to be written into a folder that is not there."""
-
-    path: str
-    folder: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path}: there is no folder {folder}. Make it first, or write elsewhere with -o.",
-        "zh": "{path}：没有文件夹 {folder}。请先建立该文件夹，或用 -o 写到别处。",
-    }
-
-
 class TooFar(GraphkinError):
     """A driver that is to move farther than anyone can look along."""
 
@@ -303,17 +264,6 @@ class TooFar(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {driver} is to move from {start} to {end}, but is followed {most} at most. Ask for less of it.",
         "zh": "{where}：{driver} 要从 {start} 运动到 {end}，但最多只能跟踪 {most}。请缩小范围。",
-    }
-
-
-class CannotWrite(GraphkinError):
-    """A file that cannot be written."""
-
-    path: str
-    reason: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path}: cannot be written ({reason}). Choose another place, or make the folder first.",
-        "zh": "{path}：无法写入（{reason}）。请另选位置，或先建立文件夹。",
     }
 
 
@@ -334,96 +284,3 @@ class AmbiguousSketch(GraphkinError):
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return super()._words(lang) | {"points": listed(self.points, lang)}
-
-
-class TooFewDrivers(_AboutLinks):
-    """Freedoms that no driver takes."""
-
-    freedoms: int
-    drivers: int
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the mechanism has {freedoms} degrees of freedom but only {drivers} of them driven; "
-        "links {links} are still free. Add a [[driver]] for one of them.",
-        "zh": "{where}：机构有 {freedoms} 个自由度，却只有 {drivers} 个原动件；构件 {links} 仍可自由运动。请为其中之一增加 [[driver]]。",
-    }
-
-
-class TooManyDrivers(GraphkinError):
-    """More drivers than freedoms."""
-
-    where: Where
-    freedoms: int
-    drivers: int
-    driver: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {drivers} drivers are too many for the {freedoms} degrees of freedom of this mechanism; "
-        "remove driver {driver}.",
-        "zh": "{where}：机构只有 {freedoms} 个自由度，却有 {drivers} 个原动件；原动件 {driver} 是多余的。请删去。",
-    }
-
-
-class RepeatedDriver(_AboutLinks):
-    """As many drivers as freedoms, but two of them move the same one."""
-
-    freedoms: int
-    driver: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: driver {driver} moves what the drivers before it move already, while links {links} are "
-        "still free (the mechanism has {freedoms} degrees of freedom). Drive one of those instead.",
-        "zh": "{where}：原动件 {driver} 与前面的原动件驱动同一自由度，而构件 {links} 仍可自由运动（机构有 {freedoms} 个自由度）。请改为驱动后者。",
-    }
-
-
-class NoDrawing(GraphkinError):
-    """A drawing that is not there."""
-
-    where: Where
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: there is no such file. Check the path.",
-        "zh": "{where}：没有这个文件，请检查路径。",
-    }
-
-
-class NothingToMeasure(GraphkinError):
-    """A sheet of graphkin's that shows a problem without its answers."""
-
-    where: Where
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this sheet shows only what is given, so there is nothing to measure. Check one that holds "
-        "answers, as `graphkin draw` makes it without `--style given`.",
-        "zh": "{where}：本图只画出已知条件，没有可测量的结果。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
-    }
-
-
-class BadDrawing(GraphkinError):
-    """A file that is no drawing of graphkin's, or no longer one; `reason` is a key of `REASONS`."""
-
-    where: Where
-    reason: str
-    what: str = ""
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this is not a drawing that graphkin can measure: {told}. Draw it anew with `graphkin draw`.",
-        "zh": "{where}：这不是 graphkin 能测量的图：{told}。请用 `graphkin draw` 重新作图。",
-    }
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return super()._words(lang) | {"told": REASONS[self.reason][lang].format(what=self.what)}
-
-
-REASONS: dict[str, dict[Lang, str]] = {
-    "large": {"en": "it is larger than any sheet", "zh": "文件过大"},
-    "unreadable": {"en": "it cannot be read ({what})", "zh": "无法读取（{what}）"},
-    "xml": {"en": "it is not sound XML", "zh": "不是完好的 XML"},
-    "svg": {"en": "it is not an SVG", "zh": "不是 SVG 图形"},
-    "points": {"en": "it has no points", "zh": "图中没有点"},
-    "json": {"en": "what it says of itself cannot be read", "zh": "图中的说明数据无法读取"},
-    "metadata": {"en": "it does not come from graphkin", "zh": "不是 graphkin 画的图"},
-    "mechanism": {"en": "it carries no mechanism", "zh": "图中没有机构数据"},
-    "element": {"en": "a vector or a point lacks {what}", "zh": "某个矢量或点缺少 {what}"},
-    "older": {"en": "it was drawn by another version of graphkin", "zh": "它是由另一版本的 graphkin 画的"},
-    "shown": {
-        "en": "{what} in it may move, hide or add lines, so that a ruler cannot tell what a viewer shows",
-        "zh": "其中的 {what} 可能移动、遮盖或增添图线，无法判断看图程序显示的是什么",
-    },
-    "value": {"en": "{what} means nothing here", "zh": "{what} 没有意义"},
-}

@@ -1,33 +1,20 @@
-"""Errors in what is handed in: files, answers, drawings, classes; and in what problem sets are made of."""
+"""Errors in what is handed in: files, classes, students."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+from graphkin.errors.base import GraphkinError, Lang, Where
 
 __all__ = [
-    "AnsweredTwice",
     "BrokenSubmission",
     "HandedTwice",
-    "LetterTwice",
     "NamesNobody",
     "NoAnswers",
-    "NoLetters",
-    "NoPaperScale",
-    "NoRange",
-    "NoScaleDrawn",
-    "NoSenseDrawn",
     "NoStudents",
-    "NoVariant",
-    "NotAQuestion",
-    "NotATemplate",
-    "NotAnAnswer",
     "NotMarkable",
-    "OffTheDrawing",
     "OwnFault",
-    "SenseDisputed",
     "SeveralStudents",
     "StudentTwice",
     "TooMuch",
@@ -196,185 +183,3 @@ class NamesNobody(GraphkinError):
         "en": "{where}: this row names no student. Write the id in its column.",
         "zh": "{where}：此行没有学号。请在学号一列填写。",
     }
-
-
-class OffTheDrawing(GraphkinError):
-    """Quantities that nobody wrote down, and that the drawing determines: no fault, but said."""
-
-    where: Where
-    quantities: tuple[str, ...]
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: read from the drawing: {listed} (its arrow over the length of the link, with the arrow's sense).",
-        "zh": "{where}：由图量得：{listed}（所画矢量的大小除以杆长，转向由矢量判定）。",
-    }
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "listed": _listed(self.quantities, lang)}
-
-
-class NoSenseDrawn(GraphkinError):
-    """Rotations whose arrow is drawn along the link, where it turns the link neither way."""
-
-    where: Where
-    quantities: tuple[str, ...]
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {listed} cannot be read from the drawing: its arrow lies along the link.",
-        "zh": "{where}：无法由图量得 {listed}：所画矢量沿杆的方向。",
-    }
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "listed": _listed(self.quantities, lang)}
-
-
-def _listed(names: tuple[str, ...], lang: Lang) -> str:
-    return ("、" if lang == "zh" else ", ").join(names)
-
-
-class NotAQuestion(Choice):
-    """A name of an answer that means nothing for this mechanism."""
-
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} names no quantity of this mechanism and is passed over. {hint}",
-        "zh": "{where}：{given!r} 不是本机构的量，已略过。{hint}",
-    }
-
-
-class NotAnAnswer(GraphkinError):
-    where: Where
-    given: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} does not read as a value. Write a number, with its unit and sense where wanted: "
-        "\"62.2 rad/s^2 ccw\".",
-        "zh": "{where}：{given!r} 不能读作数值。请写数，必要时带单位和转向，例如 \"62.2 rad/s^2 逆时针\"。",
-    }  # fmt: skip
-
-
-class AnsweredTwice(GraphkinError):
-    """Two different values for one question."""
-
-    where: Where
-    question: str
-    first: str
-    second: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {question} is answered twice, {first!r} and {second!r}. Leave one.",
-        "zh": "{where}：{question} 有两个答案 {first!r} 和 {second!r}，请只保留一个。",
-    }
-
-
-class SenseDisputed(GraphkinError):
-    """A word for the sense that contradicts the sign, or both words."""
-
-    where: Where
-    given: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: sign and words of {given!r} say different senses. Counter-clockwise is positive; write one of both.",
-        "zh": "{where}：{given!r} 的正负号与转向文字不一致。逆时针为正，请只写其中一种。",
-    }
-
-
-class NoPaperScale(GraphkinError):
-    """A length on paper, and no scale to read it with."""
-
-    where: Where
-    given: str
-    key: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} is a length on paper, and its scale is missing. State it: [scales] {key} = 0.01",
-        "zh": "{where}：{given!r} 是图上长度，但未给出比例尺。请写明：[scales] {key} = 0.01",
-    }
-
-
-class NoLetters(GraphkinError):
-    """A drawing none of whose polygon points is lettered."""
-
-    where: Where
-    letters: tuple[str, ...]
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: no point of a polygon is lettered here. Letter them {letters} and hand the drawing in anew.",
-        "zh": "{where}：图中没有标注字母的多边形顶点。请标注 {letters} 后重新提交。",
-    }
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "letters": ", ".join(self.letters[:12])}
-
-
-class LetterTwice(GraphkinError):
-    """A letter that stands at two places, or beside two points alike."""
-
-    where: Where
-    letter: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: it is not clear which point the letter {letter} belongs to. Put it beside its point, and only there.",
-        "zh": "{where}：无法确定字母 {letter} 标注的是哪一点。请把它写在该点旁边，且只写一次。",
-    }
-
-
-class NoScaleDrawn(GraphkinError):
-    """A polygon whose scale is neither stated nor to be had from its known first vector."""
-
-    where: Where
-    plane: str
-    key: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the {plane} polygon has no scale. Write it on the drawing ({key} = 0.01), or draw the known first vector.",
-        "zh": "{where}：{plane}多边形没有比例尺。请在图上写明（{key} = 0.01），或画出已知的第一个矢量。",
-    }
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "plane": _PLANES[self.plane][lang]}
-
-
-_PLANES: Words = {
-    "position": {"en": "position", "zh": "位置"},
-    "velocity": {"en": "velocity", "zh": "速度"},
-    "acceleration": {"en": "acceleration", "zh": "加速度"},
-}
-
-
-class NotATemplate(GraphkinError):
-    """A template without anything that varies."""
-
-    where: Where
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: nothing varies here. Give a number as a range: AB = {{ from = 20, to = 30, step = 1 }}",
-        "zh": "{where}：这里没有可变的量。请把某个数写成范围：AB = {{ from = 20, to = 30, step = 1 }}",
-    }
-
-
-class NoRange(GraphkinError):
-    """A range that gives no values."""
-
-    where: Where
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this is no range. Write {{ from = 20, to = 30, step = 1 }}: finite, from below to, step above 0, "
-        "at most 100000 values.",
-        "zh": "{where}：这不是有效的范围。请写成 {{ from = 20, to = 30, step = 1 }}：有限数，from 小于 to，step 大于 0，最多 100000 个值。",
-    }
-
-
-class NoVariant(GraphkinError):
-    """No draw of a student's numbers gave a problem that can be solved on paper; `refused` says what for, how often."""
-
-    where: Where
-    student: str
-    tries: int
-    refused: tuple[tuple[str, int], ...]
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: none of {tries} draws for student {student!r} can be solved well on paper ({refused}). Narrow the "
-        "ranges to where the mechanism moves well, or widen them if too few variants are left.",
-        "zh": "{where}：为学生 {student!r} 抽取 {tries} 次均得不到适合作图的题目（{refused}）。请把范围缩小到机构运动良好的区域，"
-        "若可选的题目太少则放宽范围。",
-    }
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        told = {"en": ", ", "zh": "，"}[lang].join(f"{_REFUSED[what][lang]}: {times}" for what, times in self.refused)
-        return {**super()._words(lang), "refused": told}
-
-
-_REFUSED: Words = {
-    "assembly": {"en": "does not assemble", "zh": "不能装配"},
-    "dead point": {"en": "near a dead point", "zh": "接近死点"},
-    "short": {"en": "a vector too short to measure", "zh": "矢量太短"},
-    "taken": {"en": "like another student's", "zh": "与其他学生相同"},
-}

@@ -87,7 +87,9 @@ class Room:
 
 @frozen
 class NewPage:
-    """What follows starts on a page of its own."""
+    """What follows starts on a page of its own; `front`: on the front of a sheet that is printed on both sides."""
+
+    front: bool = False
 
 
 Block = Heading | Text | Formula | Rows | Picture | Table | Room | NewPage

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from html import escape
 
-from graphkin.handouts.document import Handout, Heading, Picture, Rows, Table, Text
+from graphkin.handouts.document import Handout, Heading, NewPage, Picture, Rows, Table, Text
 from graphkin.handouts.grid import room_svg
 from graphkin.handouts.medium import Medium
 from graphkin.handouts.scripted import Sign, signs
@@ -24,7 +24,8 @@ table{{border-collapse:collapse;break-inside:avoid}}.filled td,.filled th{{borde
 text-align:center;font-weight:normal}}.rows{{margin-left:8mm}}.rows td{{text-align:center;padding:.6mm 1mm}}
 .rule{{display:inline-block;width:20mm;height:6mm;border-bottom:.18mm solid}}
 footer{{margin-top:8mm;font-size:8pt;display:flex;justify-content:space-between;align-items:flex-end}}
-.bar{{width:100mm;height:2mm;border:solid;border-width:.35mm .18mm 0}}.new{{break-before:page}}
+.bar{{width:100mm;height:2mm;border:solid;border-width:.35mm .18mm 0}}
+.new{{break-before:page}}.front{{break-before:right}}
 small{{font-size:8pt;font-weight:normal}}
 .act{{display:inline-block;min-width:3.6mm;line-height:3.6mm;border:.2mm solid;border-radius:2mm;text-align:center;
 font-size:7.5pt}}"""
@@ -49,7 +50,7 @@ def _contents(handout: Handout) -> str:
         return ""
     heads = (block for block in handout.blocks if isinstance(block, Heading) and block.level == 1)
     items = "".join(f"<li>{_words(head.words)}</li>" for head in heads)
-    return f'<h1>{escape(handout.contents)}</h1>\n<ol>{items}</ol>\n<div class="new"></div>\n'
+    return f'<h1>{escape(handout.contents)}</h1>\n<ol>{items}</ol>\n'
 
 
 def _heading(heading: Heading) -> str:
@@ -78,9 +79,13 @@ def _table(table: Table) -> str:
     return f'<table class="filled"><tr>{first}</tr>' + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
 
 
+def _new_page(page: NewPage) -> str:
+    return f'<div class="{"front" if page.front else "new"}"></div>'
+
+
 _PAGE = Medium(
     _heading, _text, lambda formula: f'<p class="formula">{_words(formula.words)}</p>', _rows, _picture,
-    lambda room: f"<figure>{room_svg(room)}</figure>", _table, lambda _: '<div class="new"></div>',
+    lambda room: f"<figure>{room_svg(room)}</figure>", _table, _new_page,
 )  # fmt: skip
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import assert_never
 
 import graphkin
@@ -20,6 +21,7 @@ from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.sheet.fit import corners
 from graphkin.sheet.formula import formula
+from graphkin.sheet.gear_images import gear_images
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_sheet import HEADINGS, mechanism_sheet
 from graphkin.sheet.plain_mechanism import shown_places
@@ -32,7 +34,7 @@ _ROOM = blank.ROOM / 1.2
 
 def handout(
     mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, *, upto: int = 1, answers: bool = False, seed: str = "",
-    whose: Sequence[str] = (),
+    whose: Sequence[str] = (), duplex: bool = False,
 ) -> Handout:  # fmt: skip
     """One or several problems at one stage.
 
@@ -40,33 +42,37 @@ def handout(
     answers  the answers of all at the end
     seed     of the set the problems belong to, as every page says it
     whose    the student each problem is for, or "": it stands after the title
+    duplex   printed on both sides: each problem begins on the front of a sheet
 
     Raises what loading, planning and proving raise.
     """
     owners = whose or [""] * len(mechanisms)
     problems = [replace(told(each, lang), whose=who) for each, who in zip(mechanisms, owners, strict=True)]
+    contents = say("handouts.contents", lang) if len(problems) > 1 else ""
     blocks: list[Block] = []
     for k, problem in enumerate(problems):
-        blocks += [NewPage()] if k else []
+        blocks += [NewPage(duplex)] if k or contents else []
         own = _digest([problem.drawing.mechanism]) if len(problems) > 1 else ""
         said = " · ".join(filter(None, (problem.whose, own)))
         blocks += (replace(b, said=said) if isinstance(b, Heading) and b.level == 1 else b
                    for b in _staged(problem, stage, upto))  # fmt: skip
     if answers:
-        blocks += [NewPage(), Heading(plain(say("handouts.answers", lang)), 1)]
+        blocks += [NewPage(duplex), Heading(plain(say("handouts.answers", lang)), 1)]
         blocks += [block for problem in problems for block in _answers(problem)]
     title = " / ".join(problem.title for problem in problems)
-    contents = say("handouts.contents", lang) if len(problems) > 1 else ""
     return Handout(title, lang, tuple(blocks), _foot(mechanisms, stage, lang, seed), contents)
 
 
 def in_languages(
     mechanisms: Sequence[Mechanism], stage: Stage, langs: Sequence[Lang], *, upto: int = 1, answers: bool = False,
-    seed: str = "", whose: Sequence[str] = (),
+    seed: str = "", whose: Sequence[str] = (), duplex: bool = False,
 ) -> Handout:  # fmt: skip
     """The handout in each of the languages, one after the other; its feet are in the first."""
-    found = [handout(mechanisms, stage, lang, upto=upto, answers=answers, seed=seed, whose=whose) for lang in langs]
-    blocks = [block for k, each in enumerate(found) for block in ((NewPage(),) if k else ()) + each.blocks]
+    made = partial(handout, mechanisms, stage, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex)
+    found = [made(lang=lang) for lang in langs]
+    blocks = list(found[0].blocks)
+    for each in found[1:]:
+        blocks += [*([] if each.contents else [NewPage(duplex)]), *each.blocks]
     return replace(found[0], blocks=tuple(blocks))
 
 
@@ -88,10 +94,12 @@ def _scales(drawing: Drawing) -> Iterator[tuple[Plane, float]]:
 
 
 def _shown(drawing: Drawing, plane: Plane) -> list[complex]:
-    """The places of a figure in SI units, wheels' rims among them."""
+    """The places of a figure in SI units, wheels' rims and their images among them."""
     if plane == "position":
         return shown_places(drawing.method, drawing.plot)
-    return [complex(at) for at in drawing.plot.points(plane).values()]
+    images = gear_images(drawing.method, drawing.plot) if plane == "velocity" else []
+    points = drawing.plot.points(plane).values()
+    return [*map(complex, points), *(corner for image in images for corner in image.corners)]
 
 
 def _foot(mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, seed: str) -> Foot:
@@ -154,11 +162,12 @@ def _half(problem: Told, upto: int) -> Iterator[Block]:
     """The solution as far as whole equations go, drawn so far; then the next equation, empty."""
     yield NewPage()
     last, waiting = 0, None
-    for (section, following), plane in zip(problem.upto(upto), PLANES, strict=False):
+    for section, following in problem.upto(upto):
         yield from _section(section, problem.lang)
         acts = (each.act for each in section.entries if isinstance(each, entry.Sentence))
         last, waiting = max([last, *(act.page for act in acts if act is not None)]), following
-        yield _figure(problem, plane, "construction", last)
+        if section.plane is not None:
+            yield _figure(problem, section.plane, "construction", last)
     if waiting is not None:
         yield Text(plain(say("handouts.go on", problem.lang)))
         yield blank.empty_rows(problem, waiting)
@@ -170,9 +179,10 @@ def _solution(problem: Told) -> Iterator[Block]:
     yield Heading(plain(problem.title), 1)
     for section in (problem.given, problem.asked, problem.solution):
         yield from _section(section, problem.lang)
-    for section, plane in zip(problem.planes, PLANES, strict=False):
+    for section in problem.parts:
         yield from _section(section, problem.lang)
-        yield _figure(problem, plane, "construction")
+        if section.plane is not None:
+            yield _figure(problem, section.plane, "construction")
     yield from _section(problem.answers, problem.lang)
     yield from proofs.beside(problem)
     yield from proofs.mistakes(problem)

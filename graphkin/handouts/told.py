@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import cached_property
 
 from graphkin.api import Drawing
@@ -20,10 +21,11 @@ PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
 @frozen
 class Section:
-    """A heading of the solution with what stands under it."""
+    """A heading of the solution with what stands under it; `plane`: what is drawn there."""
 
     heading: str
     entries: tuple[entry.Entry, ...]
+    plane: Plane | None = None
 
 
 @frozen
@@ -37,14 +39,14 @@ class Told:
 
     @cached_property
     def _sections(self) -> tuple[Section, ...]:
-        found: list[tuple[str, list[entry.Entry]]] = []
+        found: list[tuple[entry.Heading, list[entry.Entry]]] = []
         drawing = self.drawing
         for each in derivation(drawing.method, drawing.plot, self._keys, self.lang, everything=False):
             if isinstance(each, entry.Heading):
-                found.append((each.text, []))
+                found.append((each, []))
             else:
                 found[-1][1].append(each)
-        return tuple(Section(heading, tuple(entries)) for heading, entries in found)
+        return tuple(Section(heading.text, tuple(entries), heading.plane) for heading, entries in found)
 
     @property
     def _keys(self) -> dict[str, float]:
@@ -73,13 +75,13 @@ class Told:
         return self._sections[3]
 
     @property
-    def planes(self) -> tuple[Section, ...]:
-        """The mechanism, then the polygons that are drawn."""
+    def parts(self) -> tuple[Section, ...]:
+        """The mechanism, its instant centres where they are asked for, then the polygons that are drawn."""
         return self._sections[4:-1]
 
     @property
     def polygons(self) -> tuple[Plane, ...]:
-        return PLANES[1 : len(self.planes)]
+        return tuple(part.plane for part in self.parts if part.plane in PLANES[1:])
 
     @property
     def answers(self) -> Section:
@@ -88,19 +90,19 @@ class Told:
     @property
     def equations(self) -> int:
         """How many vector equations the solution has."""
-        return sum(isinstance(each, entry.VectorEquation) for section in self.planes for each in section.entries)
+        return sum(isinstance(each, entry.VectorEquation) for section in self.parts for each in section.entries)
 
     def upto(self, equations: int) -> Iterator[tuple[Section, entry.VectorEquation | None]]:
-        """The planes as far as whole equations go, the last with the equation that comes next, if one does.
+        """The parts as far as whole equations go, the last with the equation that comes next, if one does.
 
         What leads to that equation, its known arrows, is told; it stands between it and the one before.
         """
         seen = 0
-        for section in self.planes:
+        for section in self.parts:
             for k, each in enumerate(section.entries):
                 if isinstance(each, entry.VectorEquation):
                     if seen == equations:
-                        yield Section(section.heading, section.entries[:k]), each
+                        yield replace(section, entries=section.entries[:k]), each
                         return
                     seen += 1
             yield section, None

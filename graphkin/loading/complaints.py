@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-
-from pydantic_core import ErrorDetails, ValidationError
+from typing import TYPE_CHECKING
 
 from graphkin.errors import GraphkinError, MissingKey, UnitAsKey, UnknownKey, Where, WrongCount, WrongType
+from graphkin.loading.core import ValidationError
 from graphkin.loading.fields import keys
 from graphkin.loading.positions import Path
 from graphkin.loading.schema import (
@@ -23,6 +23,9 @@ from graphkin.loading.schema import (
 )
 from graphkin.loading.units import UNITS, Dimension, short_number
 from graphkin.loading.values import shown
+
+if TYPE_CHECKING:
+    from pydantic_core import ErrorDetails
 
 KEYS: Mapping[Dimension, str] = {
     "length": "at", "angle": "angle", "angular velocity": "omega", "angular acceleration": "alpha",

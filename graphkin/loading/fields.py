@@ -11,9 +11,8 @@ from collections.abc import Callable
 from dataclasses import MISSING, Field, field, fields
 from typing import Any, TypeVar, dataclass_transform
 
-from pydantic_core import CoreSchema, PydanticCustomError, core_schema
-
 from graphkin.errors import NOWHERE, GraphkinError, NotOneOf, WrongType
+from graphkin.loading.core import PydanticCustomError, Schema
 from graphkin.loading.names import LINK, POINT, SLIDE, tidy
 from graphkin.loading.units import Dimension
 from graphkin.loading.values import above_zero, formed, quantity, scale, shown, titles, triples, vector, zero_or_more
@@ -31,7 +30,7 @@ _T = TypeVar("_T")
 class Kind:
     """What a value must be: for pydantic's core, and for JSON Schema; of what dimension, where it is a quantity."""
 
-    core: CoreSchema
+    core: Schema
     json: dict[str, Any]
     dimension: Dimension | None = None
 
@@ -52,10 +51,15 @@ def _guarded(read: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _read(read: Callable[[Any], Any], json: dict[str, Any]) -> Kind:
-    return Kind(core_schema.no_info_plain_validator_function(_guarded(read)), json)
+    return Kind({"type": "function-plain", "function": {"type": "no-info", "function": _guarded(read)}}, json)
 
 
-def _of_type(kind: str, wanted: type, inner: CoreSchema) -> CoreSchema:
+def _before(read: Callable[[Any], Any], inner: Schema) -> Schema:
+    """The schema for what a reader makes of a value."""
+    return {"type": "function-before", "function": {"type": "no-info", "function": _guarded(read)}, "schema": inner}
+
+
+def _of_type(kind: str, wanted: type, inner: Schema) -> Schema:
     """The schema for values of one type; says `kind` otherwise."""
 
     def checked(value: object) -> object:
@@ -63,12 +67,12 @@ def _of_type(kind: str, wanted: type, inner: CoreSchema) -> CoreSchema:
             raise WrongType(NOWHERE, kind, shown(value))
         return value
 
-    return core_schema.no_info_before_validator_function(_guarded(checked), inner)
+    return _before(checked, inner)
 
 
 def anything(json: dict[str, Any]) -> Kind:
     """A value that is looked at later."""
-    return Kind(core_schema.any_schema(), json)
+    return Kind({"type": "any"}, json)
 
 
 # --- single values ----------------------------------------------------------------------------
@@ -91,7 +95,7 @@ def _text(kind: str, read: Callable[[str], str] = tidy, **json: str) -> Kind:
     return _read(checked, json or {"type": "string"})
 
 
-def _also(value: object, info: core_schema.ValidationInfo) -> float:
+def _also(value: object, info: Any) -> float:
     """A further value of what the driver drives: a length for a slide, else an angle."""
     return quantity(value, "length" if info.data.get("slide") else "angle")
 
@@ -110,7 +114,7 @@ def _side(value: str) -> str:
 
 LENGTH, ANGLE = quantity_of("length"), quantity_of("angle")
 RADIUS, EDGE_RADIUS = quantity_of("length", above_zero), quantity_of("length", zero_or_more)
-ALSO = Kind(core_schema.with_info_plain_validator_function(_guarded(_also)), NUMBER)
+ALSO = Kind({"type": "function-plain", "function": {"type": "with-info", "function": _guarded(_also)}}, NUMBER)
 SCALE = _read(scale, {"type": "number", "exclusiveMinimum": 0})
 FLAG = _read(_flag, {"type": "boolean"})
 TEXT = _text("text", lambda text: " ".join(text.split()))
@@ -127,7 +131,8 @@ SIDE.json["enum"] = ["left", "right"]
 
 def list_of(item: Kind, kind: str = "list", count: int | None = None) -> Kind:
     """A list of values, of any or of one certain length."""
-    core = _of_type(kind, list, core_schema.list_schema(item.core, min_length=count, max_length=count))
+    length = {} if count is None else {"min_length": count, "max_length": count}
+    core = _of_type(kind, list, {"type": "list", "items_schema": item.core, **length})
     return Kind(core, {"type": "array", "items": item.json, **_counted(count)}, item.dimension)
 
 
@@ -142,23 +147,24 @@ def two(item: Kind) -> Kind:
 
 def mapping(names: Kind, values: Kind) -> Kind:
     """A table whose keys are names themselves."""
-    core = _of_type("table", dict, core_schema.dict_schema(names.core, values.core))
+    core = _of_type("table", dict, {"type": "dict", "keys_schema": names.core, "values_schema": values.core})
     return Kind(core, {"type": "object", "patternProperties": {names.json["pattern"]: values.json}}, values.dimension)
 
 
 def _either(names: Kind, places: Kind) -> Kind:
     """A point's name, or a place."""
-    core = core_schema.tagged_union_schema(
-        {"a point": names.core, "a place": places.core},
-        discriminator=lambda value: "a place" if isinstance(value, list) else "a point",
-    )
+    core = {
+        "type": "tagged-union",
+        "choices": {"a point": names.core, "a place": places.core},
+        "discriminator": lambda value: "a place" if isinstance(value, list) else "a point",
+    }
     return Kind(core, {"oneOf": [names.json, places.json]})
 
 
 def _triples() -> Kind:
     """One triple of points or several."""
     triple = list_of(POINT_NAME, "triple", 3)
-    core = core_schema.no_info_before_validator_function(_guarded(triples), core_schema.list_schema(triple.core))
+    core = _before(triples, {"type": "list", "items_schema": triple.core})
     return Kind(core, {"type": "array", "items": {"anyOf": [POINT_NAME.json, triple.json]}})
 
 
@@ -222,7 +228,7 @@ def _reference(cls: Any) -> dict[str, Any]:
 
 def title(cls: Any) -> Kind:
     """A text, or such a table of one for each language."""
-    core = core_schema.no_info_before_validator_function(_guarded(titles), kind_of(cls).core)
+    core = _before(titles, kind_of(cls).core)
     return Kind(core, {"anyOf": [{"type": "string"}, kind_of(cls).json]})
 
 
@@ -230,26 +236,26 @@ def _required(field: Field[Any]) -> bool:
     return field.default is MISSING and field.default_factory is MISSING
 
 
-def _checking(cls: Any, rest: Field[Any] | None) -> CoreSchema:
+def _checking(cls: Any, rest: Field[Any] | None) -> Schema:
     """What makes an instance of the class of a table that is right."""
     named = {
-        field.name: core_schema.typed_dict_field(
-            field.metadata["kind"].core, required=_required(field), validation_alias=name
-        )
+        field.name: {
+            "type": "typed-dict-field", "schema": field.metadata["kind"].core, "required": _required(field),
+            "validation_alias": name,
+        }
         for name, field in keys(cls).items()
-    }
+    }  # fmt: skip
 
     def make(data: dict[str, Any]) -> Any:
         if rest is not None:
             data = {name: data.pop(name) for name in named if name in data} | {rest.name: data}
         return cls(**data)
 
-    checked = core_schema.typed_dict_schema(
-        named,
-        extras_schema=rest.metadata["further"].core if rest is not None else None,
-        extra_behavior="forbid" if rest is None else "allow",
-    )
-    return core_schema.no_info_after_validator_function(make, checked)
+    others = {"extra_behavior": "forbid"} if rest is None else {
+        "extra_behavior": "allow", "extras_schema": rest.metadata["further"].core,
+    }  # fmt: skip
+    checked = {"type": "typed-dict", "fields": named, **others}
+    return {"type": "function-after", "function": {"type": "no-info", "function": make}, "schema": checked}
 
 
 def _object(cls: Any, rest: Field[Any] | None) -> dict[str, Any]:

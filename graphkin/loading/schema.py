@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
-from pydantic_core import SchemaValidator
-
+from graphkin.loading.core import SchemaValidator
 from graphkin.loading.fields import (
     ALSO,
     ANCHOR,

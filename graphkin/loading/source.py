@@ -35,7 +35,7 @@ _NO_XML = re.compile("[\ufffe\uffff]")
 _DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
 """A key of so many parts; thousands of them would cost gigabytes before anyone could refuse them."""
 
-_PLACE = re.compile(r"\s*\(at (?:line ([0-9]+), column [0-9]+|end of document)\)$")
+_PLACE = r"\s*\(at (?:line ([0-9]+), column [0-9]+|end of document)\)$"
 
 
 def read_text(path: FilePath) -> str:
@@ -127,11 +127,11 @@ def _words(value: object, path: Path) -> Iterator[tuple[Path, str]]:
 
 
 def _broken(reason: str, text: str, file: str) -> BrokenToml:
-    place = _PLACE.search(reason)
+    place = re.search(_PLACE, reason)
     line = None
     if place is not None:
         line = int(place[1]) if place[1] else text.rstrip("\n").count("\n") + 1
-    return BrokenToml(Where(file, line), _PLACE.sub("", reason))
+    return BrokenToml(Where(file, line), re.sub(_PLACE, "", reason))
 
 
 def _beside(path: FilePath) -> tuple[str, ...]:

@@ -33,6 +33,7 @@ from graphkin.marking.hand import Hand
 from graphkin.marking.redrawing import Redrawing, redraw
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
+from graphkin.planning.position import touching
 from graphkin.value import frozen
 
 READ_MM, READ_DEGREES = 0.5, 0.5
@@ -42,9 +43,10 @@ _STRAIGHT = 1e-9
 
 @frozen
 class Ruler:
-    """Reads lengths on paper. Scales [m/mm, (m/s)/mm, (m/s²)/mm] by plane."""
+    """Reads lengths on paper. Scales [m/mm, (m/s)/mm, (m/s²)/mm] by plane; `right`: what is drawn exactly."""
 
     method: Method
+    right: Plot
     scales: Mapping[Plane, float]
 
     def read(self, length: Value, plane: Plane) -> Value:
@@ -61,8 +63,11 @@ class Ruler:
         return length if self.given(plot.facts, first, second) else self.read(length, "position")
 
     def given(self, facts: Facts, first: str, second: str) -> bool:
-        """Whether a length is given: on one link, or driven."""
+        """Whether a length is given: on one link, driven, or the radius of a wheel to where it touches."""
         slides = self.method.structure.slides
+        radii = ({letter, centre} for letter, contact in touching(self.method.structure) for centre in contact.centres)
+        if {first, second} in radii:
+            return True
         driven = [{slides[name].line.origin, slides[name].point} for name in facts.slides_driven]
         links = (shape for link, shape in facts.shapes.items() if link != FRAME)
         return {first, second} in driven or any(first in shape and second in shape for shape in links)
@@ -131,5 +136,5 @@ def _part(length: Value, exactly: Value) -> Value:
 
 def as_drawn(method: Method, plot: Plot, scales: Mapping[Plane, float]) -> tuple[Redrawing, Ruler]:
     """Both polygons of a plot, drawn exactly, with everything read off them to half a millimetre."""
-    ruler = Ruler(method, scales)
+    ruler = Ruler(method, plot, scales)
     return redraw(method, plot, RulerHand(ruler)), ruler

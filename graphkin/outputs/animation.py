@@ -16,7 +16,7 @@ from itertools import groupby
 
 from graphkin.outputs.paint import Ink
 from graphkin.outputs.spans import short
-from graphkin.outputs.svg import Pen
+from graphkin.outputs.svg import Pen, Ready
 from graphkin.sheet import Sheet
 from graphkin.sheet.marks import Arc, Disc, Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer
@@ -38,18 +38,8 @@ def animation(frames: Sequence[Sheet], seconds: float = SECONDS, ink: Ink = "acc
     for number, layer in enumerate(first.layers):
         group = _moving(pen, layer, [frame.layers[number].marks for frame in frames], seconds)
         if len(group):
-            pen.drawing.add(_Ready(group))
+            pen.drawing.add(Ready(group))
     return '<?xml version="1.0" encoding="utf-8"?>\n' + str(pen.drawing.tostring()) + "\n"
-
-
-class _Ready:
-    """An element that is made already, for a drawing that asks its parts for theirs."""
-
-    def __init__(self, element: ET.Element) -> None:
-        self._element = element
-
-    def get_xml(self) -> ET.Element:
-        return self._element
 
 
 def _moving(pen: Pen, layer: Layer, frames: Sequence[Sequence[Mark]], seconds: float) -> ET.Element:
@@ -138,7 +128,7 @@ def _element(pen: Pen, layer: Layer, row: Row, seconds: float) -> ET.Element:
     """A mark as it is first, with what of it changes."""
     shown = [mark is not None for mark in row]
     there = _filled(row)
-    made = [_plain(pen.element(mark, layer).get_xml()) if k == 0 or mark is not there[k - 1] else None
+    made = [_plain(pen.element(mark, layer)) if k == 0 or mark is not there[k - 1] else None
             for k, mark in enumerate(there)]  # fmt: skip
     drawn: list[ET.Element] = []
     for element in made:

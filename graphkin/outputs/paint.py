@@ -7,7 +7,7 @@ from typing import Literal
 
 from graphkin.outputs.spans import mm
 from graphkin.sheet import Sheet
-from graphkin.sheet.marks import Arc, Disc, Mark, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import Arc, Disc, Fill, Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer
 from graphkin.sheet.paper import PENS, PenName
 from graphkin.value import frozen
@@ -44,12 +44,19 @@ class Colours:
             weight = {"font-weight": "bold"} if mark.new and self.ink == "black" else {}
             return (("fill", colour), *weight.items())
         pen = PENS[_pen_of(mark)]
-        fill = "none" if isinstance(mark, Arc | VectorMark) else mark.fill
+        fill = _fill_of(mark)
         found = {"fill": {"paper": "#ffffff", "grey": "#dddddd", "none": "none"}.get(fill, colour)}
         found |= {"fill-opacity": "0.1"} if fill == "tint" else {}
         found |= {"stroke": colour, "stroke-width": mm(pen.width * (1.8 if mark.new else 1))}
         found |= {"stroke-dasharray": " ".join(map(mm, pen.dashes))} if pen.dashes else {}
         return tuple(found.items())
+
+
+def _fill_of(mark: Stroke | Disc | Arc | VectorMark | PointMark) -> Fill:
+    """In a detail an arrow's head is part of its outline."""
+    if isinstance(mark, VectorMark):
+        return "ink" if mark.plane == "detail" else "none"
+    return "none" if isinstance(mark, Arc) else mark.fill
 
 
 def _pen_of(mark: Stroke | Disc | Arc | VectorMark | PointMark) -> PenName:

@@ -18,15 +18,19 @@ _SIGNS = "√∥⊥"
 
 def mm(value: float) -> str:
     """Four decimals, no trailing zeros."""
-    if not math.isfinite(value):
-        raise ValueError(f"a coordinate is {value}")
-    text = f"{value:.4f}".rstrip("0").rstrip(".")
-    return "0" if text in ("", "-0") else text
+    return _bare(value, f"{value:.4f}")
 
 
 def short(value: float) -> str:
     """Two decimals, which is enough for letters."""
-    return mm(round(value, 2))
+    return _bare(value, f"{value:.2f}")
+
+
+def _bare(value: float, text: str) -> str:
+    if not math.isfinite(value):
+        raise ValueError(f"a coordinate is {value}")
+    bare = text.rstrip("0").rstrip(".")
+    return "0" if bare == "-0" else bare or "0"
 
 
 @frozen
@@ -42,10 +46,10 @@ class Span:
     def type(self, size: float) -> dict[str, str]:
         """What they are set in, where the letters around them have that size and are upright Latin ones."""
         wide = _is_chinese(self.text[:1])
-        found = {"font_family": _CHINESE} if wide else {}
-        found |= {"font_size": short(self.size)} if size and self.size != size else {}
-        found |= {"font_style": "italic"} if self.italic and not wide else {}
-        return found | ({"font_weight": "bold"} if self.bold else {})
+        found = {"font-family": _CHINESE} if wide else {}
+        found |= {"font-size": short(self.size)} if size and self.size != size else {}
+        found |= {"font-style": "italic"} if self.italic and not wide else {}
+        return found | ({"font-weight": "bold"} if self.bold else {})
 
 
 def _is_chinese(letter: str) -> bool:
@@ -58,12 +62,17 @@ def runs(mark: Text) -> list[Span]:
     found: list[Span] = []
     for run, start, drop in scripts(mark.label, mark.size):
         size = run_size(run, mark.size)
-        for text in ("".join(letters) for _, letters in groupby(run.text, _is_chinese)):
+        for text in _of_one_script(run.text):
             bare = text.lstrip(" ") if found else text
             spaces = text[: len(text) - len(bare)]
             if spaces:
                 found[-1] = replace(found[-1], text=found[-1].text + spaces)
             at = mark.at + complex(start + advance(spaces, run.italic) * size, drop)
             found += [Span(bare, at, size, run.italic, run.bold)] if bare else []
-            start += run_width(run._replace(text=text), mark.size)
+            start += run_width(run._replace(text=text), mark.size) if text != run.text else 0.0
     return found
+
+
+def _of_one_script(text: str) -> list[str]:
+    """Its letters, Chinese and Latin ones apart."""
+    return [text] if text.isascii() else ["".join(letters) for _, letters in groupby(text, _is_chinese)]

@@ -1,7 +1,8 @@
 """A sheet as SVG: one user unit is one millimetre, and a program can measure it.
 
-svgwrite makes the elements (`debug=False`: its checker refuses `data-*`). Every number is formatted here
-with four decimals, so the same sheet gives the same bytes.
+svgwrite makes the drawing with its arrow heads (`debug=False`: its checker refuses `data-*`); the marks, of which
+there are hundreds, are plain elements. Every number is formatted here with four decimals, so the same sheet gives the
+same bytes.
 """
 
 from __future__ import annotations
@@ -33,6 +34,17 @@ from graphkin.sheet.scales import KEYS, written
 NAMESPACE = "https://graphkin.invalid/sheet/1"
 _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 _CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
+
+Attributes = Mapping[str, str]
+Inside = str | Sequence[ET.Element]
+Form = tuple[str, dict[str, str], Inside]
+"""An element's name, attributes, and what is in it: letters or other elements."""
+
+_NONE: Attributes = {}
+_SPECIAL = re.compile('[&<>"\r\n\t]')
+_LETTERED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;"})
+_QUOTED = _LETTERED | str.maketrans({'"': "&quot;", "\r": "&#13;", "\n": "&#10;", "\t": "&#09;"})
+"""What letters between elements, and in attributes, are written as."""
 _TIP = 2.8
 """Length of an arrow head; on arrows too short for it, half of that [mm]."""
 
@@ -65,7 +77,20 @@ def _drawn(sheet: Sheet, ink: Ink, metadata: bool) -> str:
     pen = Pen(sheet, ink, metadata)
     for layer in sheet.layers:
         pen.layer(layer)
-    return ET.tostring(pen.drawing.get_xml(), encoding="unicode")
+    return _written(pen.drawing.get_xml())
+
+
+def _written(element: ET.Element) -> str:
+    """The element as text. Names with their prefix are written as they are, so nothing has to be looked up."""
+    attributes = "".join([f' {name}="{value}"' for name, value in _safe(element.attrib).items()])
+    inside = (element.text or "").translate(_LETTERED) + "".join([_written(part) for part in element])
+    return f"<{element.tag}{attributes}" + (f">{inside}</{element.tag}>" if inside else " />")
+
+
+def _safe(attributes: dict[str, str]) -> dict[str, str]:
+    if _SPECIAL.search("".join(attributes.values())) is None:
+        return attributes
+    return {name: value.translate(_QUOTED) for name, value in attributes.items()}
 
 
 def _refuse_control(text: str, where: str) -> None:
@@ -106,70 +131,52 @@ class Pen:
     def layer(self, layer: Layer) -> None:
         if not layer.marks:
             return
-        group = self.drawing.g()
-        if self.metadata:
-            group["inkscape:groupmode"], group["inkscape:label"] = "layer", layer.name
-        for paint, marks in groupby(layer.marks, partial(self.colours.paint, layer)):
-            elements = [self.element(mark, layer) for mark in marks]
-            if len(elements) == 1:
-                elements[0].attribs |= dict(paint)
-            else:
-                elements = [self._together(elements, dict(paint))]
-            for element in elements:
-                group.add(element)
-        self.drawing.add(group)
+        named = {"inkscape:groupmode": "layer", "inkscape:label": layer.name} if self.metadata else {}
+        painted = ((dict(paint), [*marks]) for paint, marks in groupby(layer.marks, partial(self.colours.paint, layer)))
+        parts = [self._painted(marks, layer, paint) for paint, marks in painted]
+        self.drawing.add(Ready(_element("g", named, parts)))
 
-    def _together(self, elements: Sequence[Any], paint: Mapping[str, str]) -> Any:
-        group = self.drawing.g()
-        group.attribs |= paint
-        for element in elements:
-            group.add(element)
-        return group
+    def _painted(self, marks: Sequence[Mark], layer: Layer, paint: Attributes) -> ET.Element:
+        if len(marks) == 1:
+            return self.element(marks[0], layer, paint)
+        return _element("g", paint, [self.element(mark, layer) for mark in marks])
 
-    def element(self, mark: Mark, layer: Layer) -> Any:
-        """A mark without its paint."""
+    def element(self, mark: Mark, layer: Layer, paint: Attributes = _NONE) -> ET.Element:
+        """A mark; what is around it has its paint, where it has none itself."""
+        name, form, inside = self._form(mark, layer)
+        found = {**form, **paint}
+        if told := stated(mark):
+            found["class"] = _class(mark)
+            found |= {f"data-{key}": value for key, value in told.items()}
+        if mark.step is not None:
+            found["data-step"] = str(mark.step)
+        return _element(name, found, inside)
+
+    def _form(self, mark: Mark, layer: Layer) -> Form:
         match mark:
             case Stroke():
-                element = self._stroke(mark)
+                return _stroke(mark)
             case Disc():
-                element = self.drawing.circle(_xy(mark.centre), mm(mark.radius))
+                return _circle(mark.centre, mark.radius)
             case Arc():
-                element = self._arc(mark)
+                return _arc(mark)
+            case VectorMark(plane="detail"):
+                return "path", {"d": _pointed(mark)}, ""
             case VectorMark():
-                element = self._vector(mark, self.colours.of_mark(mark, layer))
+                return self._vector(mark, self.colours.of_mark(mark, layer))
             case PointMark():
-                element = self.drawing.circle(_xy(mark.at), mm(mark.radius))
+                return _circle(mark.at, mark.radius)
             case Text():
-                element = self._text(mark)
+                return _text(mark)
             case _:
                 assert_never(mark)
-        if told := stated(mark):
-            element["class"] = _class(mark)
-            element.attribs |= {f"data-{key}": value for key, value in told.items()}
-        if mark.step is not None:
-            element["data-step"] = str(mark.step)
-        return element
 
-    def _stroke(self, mark: Stroke) -> Any:
-        places = [_xy(place) for place in mark.places]
-        if len(places) == 2 and not mark.closed:
-            return self.drawing.line(*places)
-        return self.drawing.path(d="M" + "L".join(f"{x} {y}" for x, y in places) + ("Z" if mark.closed else ""))
-
-    def _arc(self, mark: Arc) -> Any:
-        start = mark.centre + cmath.rect(mark.radius, mark.start)
-        end = mark.centre + cmath.rect(mark.radius, mark.start + mark.sweep)
-        flags = f"{int(abs(mark.sweep) > math.pi)} {int(mark.sweep > 0)}"
-        (x1, y1), (x2, y2), radius = _xy(start), _xy(end), mm(mark.radius)
-        return self.drawing.path(d=f"M{x1} {y1}A{radius} {radius} 0 {flags} {x2} {y2}")
-
-    def _vector(self, mark: VectorMark, colour: str) -> Any:
-        element = self.drawing.line(_xy(mark.start), _xy(mark.end))
+    def _vector(self, mark: VectorMark, colour: str) -> Form:
+        name, form, _ = _line(mark.start, mark.end)
         if mark.length > 0.05:
-            element["marker-end"] = f"url(#{self._head(mark, colour)})"
-        if mark.plane in self.sheet.scales:
-            element.set_desc(title=_value(mark, self.sheet.scales))
-        return element
+            form["marker-end"] = f"url(#{self._head(mark, colour)})"
+        named = mark.plane in self.sheet.scales
+        return name, form, [_element("title", {}, _value(mark, self.sheet.scales))] if named else ""
 
     def _head(self, mark: VectorMark, colour: str) -> str:
         """The name of an arrow head whose tip lies on the line, so far from its end; on short arrows it is small."""
@@ -186,26 +193,87 @@ class Pen:
             self.drawing.defs.add(head)
         return name
 
-    def _text(self, mark: Text) -> Any:
-        """Letters of one style as one; else each run at its own place, so that no viewer has to set them."""
-        element = self.drawing.text("", font_size=mm(mark.size))
-        spans = runs(mark)
-        if len(spans) > 1:
-            line = math.nan
-            for span in spans:
-                place = {"x": [short(span.at.real)]} | ({"y": [short(span.at.imag)]} if span.at.imag != line else {})
-                element.add(self.drawing.tspan(span.text, **span.type(mark.size), **place))
-                line = span.at.imag
-        elif spans:
-            (span,) = spans
-            element = self.drawing.text(span.text, (short(span.at.real), short(span.at.imag)))
-            element.attribs |= {"font-size": mm(mark.size)} | {k.replace("_", "-"): v for k, v in span.type(0).items()}
-        return element
+
+class Ready:
+    """An element that is made already, for a drawing of svgwrite's, which asks its parts for theirs."""
+
+    def __init__(self, element: ET.Element) -> None:
+        self._element = element
+
+    def get_xml(self) -> ET.Element:
+        return self._element
+
+
+def _element(name: str, attributes: Attributes, inside: Inside = "") -> ET.Element:
+    """Its attributes in the order of their names, as svgwrite has them."""
+    element = ET.Element(name, dict(sorted(attributes.items())))
+    if isinstance(inside, str):
+        element.text = inside
+    else:
+        element.extend(inside)
+    return element
+
+
+def _line(start: Place, end: Place) -> Form:
+    (x1, y1), (x2, y2) = _xy(start), _xy(end)
+    return "line", {"x1": x1, "y1": y1, "x2": x2, "y2": y2}, ""
+
+
+def _circle(centre: Place, radius: float) -> Form:
+    x, y = _xy(centre)
+    return "circle", {"cx": x, "cy": y, "r": mm(radius)}, ""
+
+
+def _stroke(mark: Stroke) -> Form:
+    if len(mark.places) == 2 and not mark.closed:
+        return _line(*mark.places)
+    corners = "L".join(" ".join(_xy(place)) for place in mark.places)
+    return "path", {"d": "M" + corners + ("Z" if mark.closed else "")}, ""
+
+
+def _arc(mark: Arc) -> Form:
+    start = mark.centre + cmath.rect(mark.radius, mark.start)
+    end = mark.centre + cmath.rect(mark.radius, mark.start + mark.sweep)
+    flags = f"{int(abs(mark.sweep) > math.pi)} {int(mark.sweep > 0)}"
+    (x1, y1), (x2, y2), radius = _xy(start), _xy(end), mm(mark.radius)
+    return "path", {"d": f"M{x1} {y1}A{radius} {radius} 0 {flags} {x2} {y2}"}, ""
+
+
+def _text(mark: Text) -> Form:
+    """Letters of one style as one; else each run at its own place, so that no viewer has to set them."""
+    size, spans = {"font-size": mm(mark.size)}, runs(mark)
+    if len(spans) == 1:
+        (span,) = spans
+        place = {"x": short(span.at.real), "y": short(span.at.imag)}
+        return "text", size | place | span.type(0), span.text
+    found, line = [], math.nan
+    for span in spans:
+        place = {"x": short(span.at.real)} | ({"y": short(span.at.imag)} if span.at.imag != line else {})
+        found.append(_element("tspan", place | span.type(mark.size), span.text))
+        line = span.at.imag
+    return "text", size, found
 
 
 _HEADS: Mapping[Half, str] = {
     "": "M0 .2L2.8 .7L0 1.2Z", "left": "M0 0L2.8 .7L0 .7Z", "right": "M0 .7L2.8 .7L0 1.4Z",
 }  # fmt: skip
+
+
+def _pointed(mark: VectorMark) -> str:
+    """A line and its head as one outline, for an arrow that no ruler measures."""
+    start, end = _xy(mark.start), _xy(mark.end)
+    line = f"M{start[0]} {start[1]}L{end[0]} {end[1]}"
+    if mark.length <= 0.05:
+        return line
+    along, part = (mark.end - mark.start) / mark.length, 1.0 if mark.length > 1.6 * _TIP + mark.back else 0.5
+    tip = mark.end - along * min(mark.back, 0.4 * mark.length)
+    foot, left, right = tip - along * _TIP * part, *_WIDTHS[mark.half]
+    corners = (_xy(tip), _xy(foot - 1j * along * left * part), _xy(foot + 1j * along * right * part))
+    return line + "M" + "L".join(f"{x} {y}" for x, y in corners) + "Z"
+
+
+_WIDTHS: Mapping[Half, tuple[float, float]] = {"": (0.45, 0.45), "left": (0.6, 0.0), "right": (0.0, 0.6)}
+"""How far such a head opens to the left and to the right, with the line around it as far as others do [mm]."""
 
 
 def _value(mark: VectorMark, scales: Mapping[Plane, float]) -> str:
@@ -228,6 +296,8 @@ def _read(label: Label) -> str:
 def stated(mark: Mark) -> dict[str, str]:
     """What a mark says that it shows, for a reader to hold it to: the element's `data-*`."""
     match mark:
+        case VectorMark(plane="detail") | PointMark(plane="detail"):
+            return {}
         case VectorMark():
             known: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "tail", "head")}
             sites = zip(("of", "seen-from", "over", "onto"), mark.sites, strict=False)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from graphkin.value import frozen
 
 
@@ -23,4 +25,5 @@ class Line:
     @property
     def on_axis(self) -> bool:
         """Whether it is its link's own axis, as the line of a link of one point where nothing else is said."""
-        return self.direction == 1
+        same: Any = self.direction == 1  # of many mechanisms at once, an array
+        return same if isinstance(same, bool) else bool(same.all())

@@ -153,13 +153,24 @@ def _crossings(construction: Construction) -> Iterator[tuple[Meet | Swing | Fit,
 
 
 def _refusal(structure: Structure, construction: Construction, plot: Plot) -> CannotAssemble | DeadPoint:
-    """Of the crossing at which no branch is left."""
+    """Of the crossing at which no branch is left; before all of them, of a cylinder driven back too far."""
+    last = None
     for step, key in _crossings(construction):
         if ("position", key) in plot.sines:
             last = step, key
             if not np.isfinite(plot.sines["position", key]).any():
                 break
-    return _refusal_at(structure, *last, plot)
+    return _driven_back(structure, plot) if last is None else _refusal_at(structure, *last, plot)
+
+
+def _driven_back(structure: Structure, plot: Plot) -> CannotAssemble:
+    """The slide that is the least drawn out, of those drawn so far."""
+    mechanism = structure.mechanism
+    slide = structure.slides[min(plot.s, key=lambda name: float(np.min(plot.s[name])))]
+    links = dict.fromkeys((slide.guide, structure.home(structure.block(slide))))
+    called = tuple(spelled(mechanism.called(link)) for link in links)
+    driver = next(k for k, driver in enumerate(mechanism.drivers) if driver.link == slide.name)
+    return CannotAssemble(mechanism.where("driver", driver), called, abs(float(np.min(plot.s[slide.name]))) * 1000)
 
 
 def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: Plot) -> CannotAssemble | DeadPoint:

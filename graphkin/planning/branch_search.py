@@ -13,7 +13,6 @@ Only where more branches than `WIDEST` remain are the farthest given up.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -84,22 +83,16 @@ class _Bound:
     rounding: float
 
 
-@dataclass(eq=False)
 class _Search:
-    structure: Structure
-    construction: Construction
-    facts: Facts
-    known: Mapping[str, float]
-    blocks: list[Block] = field(init=False)
-    late: list[Measure] = field(init=False)
-    starts: Starts = field(init=False)
-
-    def __post_init__(self) -> None:
-        self.blocks = list(blocks_of(self.construction))
-        self.late = _late(self.blocks[-1])
+    def __init__(
+        self, structure: Structure, construction: Construction, facts: Facts, known: Mapping[str, float]
+    ) -> None:
+        self.structure, self.construction, self.facts, self.known = structure, construction, facts, known
+        self.blocks = list(blocks_of(construction))
         last = self.blocks[-1]
+        self.late = _late(last)
         self.blocks[-1] = Block(last.opening, last.rest[: len(last.rest) - len(self.late)])
-        self.starts = Starts(self.structure)
+        self.starts = Starts(structure)
 
     def first(self) -> Branches:
         """The assembly nearest to the sketch as far as can be seen block by block."""

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from graphkin.construction import Construction, Meet, Plot, Swing, replay
 from graphkin.errors import HigherClass
 from graphkin.kept import kept
 from graphkin.mechanism import Mechanism
 from graphkin.planning.assembly import assemble
-from graphkin.planning.candidates import SetAside
-from graphkin.planning.drawn_position import as_drawn
 from graphkin.planning.equivalent import contacts, lower_pairs
 from graphkin.planning.kept_tracks import with_ways
 from graphkin.planning.labels import Labels, coincident_points
@@ -23,6 +22,9 @@ from graphkin.planning.special import special_points, with_special_points
 from graphkin.planning.stages import Group, Loop, Mesh, Stage, stages
 from graphkin.planning.starting_facts import facts_of, refuse_contacts_apart, with_sides
 from graphkin.planning.structure import Structure
+
+if TYPE_CHECKING:
+    from graphkin.planning.candidates import SetAside
 
 
 @kept(8)
@@ -40,6 +42,8 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     aside = repeated(mechanism, Structure(lower, ties))
     drawn: dict[str, float] = {}
     if ties or mechanism.poses:
+        from graphkin.planning.drawn_position import as_drawn
+
         drawn, lower = as_drawn(mechanism, lower, aside)
     structure = Structure(lower, ties, coincident, centres, as_aside(aside))
     structure = replace(structure, contacts=with_ways(structure))

@@ -9,9 +9,9 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterator, Sequence
 from functools import cached_property
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from graphkin.mechanism import FRAME, Driver
 from graphkin.pairs import Slide
@@ -19,8 +19,8 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Structure
 from graphkin.value import frozen
 
-Array = NDArray[np.float64]
-Gradient = NDArray[np.complex128]
+Array = np.ndarray[Any, np.dtype[np.float64]]
+Gradient = np.ndarray[Any, np.dtype[np.complex128]]
 _DAMPED = 1e-12
 _ROUNDS = 80
 

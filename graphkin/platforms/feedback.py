@@ -12,8 +12,10 @@ from graphkin.platforms.marked_up import one_line
 from graphkin.platforms.numbers import exponentless
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, texts_in
 from graphkin.quantities import EDGE
+from graphkin.quantities.typed import rewritten
 from graphkin.say.catalogue import say
 from graphkin.say.mistakes import hint, kind, once, together
+from graphkin.say.names import asked
 from graphkin.say.numbers import number
 from graphkin.say.verdicts import verdict
 from graphkin.value import frozen
@@ -47,7 +49,14 @@ def table(told: Feedback) -> Iterator[tuple[str, ...]]:
     for line in told.result.lines:
         numbers = [line.given, *([line.right, line.tolerance] if told.reveal == "answer" else [])]
         values = ("" if x is None else shown(x, line.unit) for x in numbers)
-        yield (line.name, *values, verdict(line, told.lang), _points(line, told.lang))
+        yield (_in_signs(told.result, line.name), *values, verdict(line, told.lang), _points(line, told.lang))
+
+
+def _in_signs(result: Result, text: str) -> str:
+    """A text with the quantities of the problem as the sheets write them: ω3, aᵏ_B3B2."""
+    known = {name for line in result.lines for name in (line.name, line.name.split(" #")[0].split(" @")[0])}
+    turning = ("theta ", "omega ", "alpha ")
+    return rewritten(text, lambda typed: asked(typed) if typed in known or typed.startswith(turning) else typed)
 
 
 def _points(line: Line, lang: Lang) -> str:
@@ -61,7 +70,8 @@ def under_table(told: Feedback) -> Iterator[str]:
     result, lang = told.result, told.lang
     for line in result.lines:
         for text in arithmetic(result, line, lang, told.reveal):
-            yield say("feedback.stop", lang, text=say("feedback.line", lang, name=line.name, verdict=text))
+            name = _in_signs(result, line.name)
+            yield say("feedback.stop", lang, text=say("feedback.line", lang, name=name, verdict=text))
     if any(line.verdict == "carried" for line in result.lines):
         yield say("verdicts.carried means", lang)
     yield from diagnosis(result, lang, told.reveal)
@@ -101,7 +111,7 @@ def reason(result: Result, lang: Lang) -> str:
 
 def quantity(result: Result, line: Line, lang: Lang, reveal: Reveal) -> str:
     """One quantity: verdict, what was handed in, what it should be where that is told, points."""
-    told = [say("feedback.line", lang, name=line.name, verdict=verdict(line, lang))]
+    told = [say("feedback.line", lang, name=_in_signs(result, line.name), verdict=verdict(line, lang))]
     told += _numbers(result, line, lang, reveal)
     if line.most:
         told.append(say("feedback.points of", lang, points=exponentless(line.points), most=exponentless(line.most)))
@@ -126,7 +136,8 @@ def arithmetic(result: Result, line: Line, lang: Lang, reveal: Reveal) -> Iterat
 def _carried(result: Result, line: Line, value: float, lang: Lang) -> str:
     """`judged with your omega 3 = 5.65 rad/s: it should be 3.63 m/s^2: yes`."""
     units = {other.name: other.unit for other in result.lines}
-    own = say("common.list", lang).join(f"{name} = {shown(x, units.get(name, ''))}" for name, x in line.own.items())
+    given = (f"{_in_signs(result, name)} = {shown(x, units.get(name, ''))}" for name, x in line.own.items())
+    own = say("common.list", lang).join(given)
     agrees = say("feedback.yes" if line.verdict == "carried" else "feedback.no", lang)
     return say("feedback.carried", lang, own=own, value=shown(value, line.unit), agrees=agrees)
 
@@ -146,7 +157,7 @@ def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
         else:
             explained = say("common.list", lang).join(one.explains)
             told = say("feedback.consistent", lang, explains=explained, mistake=suspected(one, lang))
-            yield say("feedback.stop", lang, text=told)
+            yield _in_signs(result, say("feedback.stop", lang, text=told))
     yield from habits(result, lang, reveal)
 
 

@@ -95,17 +95,19 @@ def is_set(folder: Path) -> bool:
     return (folder / LIST).is_file()
 
 
-def students_of(folder: Path) -> tuple[str, dict[str, Path]]:
-    """The seed of a written set, and each student's mechanism file by id, in the order of the list. Raises NotASet."""
+def students_of(folder: Path) -> tuple[str, list[tuple[str, Path]]]:
+    """The seed of a written set, and each student with the mechanism file, in the order of the list: the id, and what
+    else the roster called the student. Raises NotASet."""
     listed = folder / LIST
     try:
         whole = json.loads(listed.read_text("utf-8"))
-        seed, entries = str(whole["seed"]), {str(id): str(each["file"]) for id, each in whole["students"].items()}
+        seed, students = str(whole["seed"]), whole["students"].items()
+        entries = [(" ".join((id, *map(str, each["names"].values()))), str(each["file"])) for id, each in students]
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise NotASet(str(listed)) from None
-    if any(Path(name).name != name or not (folder / name).is_file() for name in entries.values()):
+    if any(Path(name).name != name or not (folder / name).is_file() for _, name in entries):
         raise NotASet(str(listed))
-    return seed, {id: folder / name for id, name in entries.items()}
+    return seed, [(who, folder / name) for who, name in entries]
 
 
 def told_of(folder: Path) -> str:

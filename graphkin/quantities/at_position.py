@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-_NUMBER = re.compile(r"\s*[#＃]\s*([1-9][0-9]{0,3})(?![0-9])")
+_NUMBER = r"\s*[#＃]\s*([1-9][0-9]{0,3})(?![0-9])"
 
 
 def at_position(text: str, number: int) -> str:
@@ -22,5 +22,5 @@ def position_of(text: str) -> tuple[str, int]:
     >>> position_of("omega 3 #2"), position_of("ω3 #2 (rad/s)"), position_of("omega 3")
     (('omega 3', 2), ('ω3 (rad/s)', 2), ('omega 3', 1))
     """
-    found = _NUMBER.search(text)
+    found = re.search(_NUMBER, text)
     return (text, 1) if found is None else (text[: found.start()] + text[found.end() :], int(found[1]))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-_TYPED = re.compile(r"\b(?:(?:omega|alpha|theta) [\w'′]+|[sva](?:_[nktrxy])? [\w'′@,]*\w[\w'′@]*)")
+_TYPED = r"\b(?:(?:omega|alpha|theta) [\w'′]+|[sva](?:_[nktrxy])? [\w'′@,]*\w[\w'′@]*)"
 
 
 def rewritten(text: str, write: Callable[[str], str]) -> str:
     """The text with each quantity as `write` has it."""
-    return _TYPED.sub(lambda found: write(found[0]), text)
+    return re.sub(_TYPED, lambda found: write(found[0]), text)

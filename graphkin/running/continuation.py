@@ -1,24 +1,24 @@
-"""A path continued step by step, where links are fitted: each position is found from one close by.
+"""A path continued by stretches, where links are fitted: each position is found from those before it.
 
-Each step is foretold from the two before, and halved where it does not come to that. Where the angle of a crossing, or
-of a fit, is about to become 0, one step goes from well before to well after, crossings changed over: if the links come
-smoothly there, and the loci touch between, it is a change point. Else the path is felt for in ever smaller steps; where
-none leads on, it ends.
+Some steps are foretold at once from the two positions before, and taken as far as each comes to what those before it
+led to expect; else one is halved until it does. Where the angle of a crossing, or of a fit, is about to become 0, one
+step goes from well before to well after, crossings changed over: if the links come smoothly there, and the loci touch
+between, it is a change point. Else the path is felt for in ever smaller steps; where none leads on, it ends.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 
-from graphkin.construction import Fit, Meet, Plot, Roll, Swing, replay
+from graphkin.construction import Meet, Roll, Swing
 from graphkin.planning.method import Method
-from graphkin.running.path import STEP_DEG, STEP_PART, Event, Path, along, by_slide_key, stride, turned
-from graphkin.running.singularities import Crossing, choice_of, crossings, event_at, key_of, touching
-from graphkin.value import frozen
+from graphkin.running.looking import Looking
+from graphkin.running.nodes import Nodes, cubic
+from graphkin.running.path import STEP_DEG, STEP_PART, Event, Path, stride
+from graphkin.running.singularities import choice_of, event_at, touching
 
 FIRST = 1 / 32
 """The first step, of which nothing is foretold but its direction, as part of the longest."""
@@ -30,27 +30,22 @@ SHORTEST = 1e-6
 """Steps are not halved below this part of the longest."""
 SOON = 1.25
 """So many longest steps ahead a change point is looked for."""
+STRETCH, HALVINGS = 20, 6
+"""Steps tried at once, and halvings."""
+GROWTH, STEADY = 1.5, 0.9
+"""How much longer each step may be than the one before, and what part of the longest that would do is taken."""
 BETWEEN = 8
 """From one position found to the next so many are foretold, from which others are found."""
 
 
-@frozen
-class _Node:
-    """Angles and displacements x (n,) at a place t of the path, their slopes, and the signed sine of each crossing."""
-
-    t: float
-    x: np.ndarray
-    slope: np.ndarray
-    sines: Mapping[str, float]
-
-
 def continued(method: Method, path: Path) -> Path:
     """The path continued both ways from the drawn position; it ends where no step leads on."""
-    forth, back = _Walk(method, path, 1), _Walk(method, path, -1)
+    looking = Looking(method, path)
+    forth, back = _Walk(method, path, looking, 1), _Walk(method, path, looking, -1)
     forth.walk(path.high)
     back.walk(path.low)
     changes = (*back.changes, *forth.changes)
-    return replace(forth.so_far(back.nodes), stops=(*back.stops, *forth.stops), changes=changes)
+    return replace(forth.so_far(back.nodes[1:], forth.nodes), stops=(*back.stops, *forth.stops), changes=changes)
 
 
 class _Walk:
@@ -59,164 +54,206 @@ class _Walk:
     missed   where loci only came near touching
     """
 
-    def __init__(self, method: Method, path: Path, side: int) -> None:
-        self.method, self.path, self.side = method, path, side
+    def __init__(self, method: Method, path: Path, looking: Looking, side: int) -> None:
+        self.method, self.path, self.looking, self.side = method, path, looking, side
         self.sides = dict(path.sides)
         self.stops: tuple[Event, ...] = ()
         self.changes: tuple[Event, ...] = ()
-        self.missed = -np.inf
+        self.missed, self.growth = -np.inf, GROWTH
         self.stride = stride(method, path.pace, STEP_DEG, STEP_PART)
-        self.crossings = {key_of(step): step for step in crossings(method)}
-        self.names = tuple(turned(method, along(method, path, 0.0)))
+        self.keys = (*looking.crossings,)
         rolled = {step.angle for step in method.position.steps if isinstance(step, Roll)}
-        self.heard = np.array([name not in rolled for name in self.names])
-        self.units = np.array([1.0 if name in method.structure.bases else method.size for name in self.names])
-        near = path.near(0.0)
-        start = self._looked_at(0.0, np.array([float(near.get(name, 0.0)) for name in self.names]), self.sides)
-        self.nodes = [start]
+        self.heard = np.array([name not in rolled for name in looking.names])
+        self.units = np.array([1.0 if name in method.structure.bases else method.size for name in looking.names])
+        self.nodes = looking.start
 
     @property
-    def last(self) -> _Node:
-        return self.nodes[-1]
+    def at(self) -> float:
+        """Where the last position found lies."""
+        return float(self.nodes.t[-1])
 
     @property
     def longest(self) -> float:
         """The longest step here: no link goes too far."""
-        return float(min(self.stride, FARTHEST / max(self._largest(self.last.slope, self.last.x), 1e-300)))
+        return float(self._longest(self.nodes[-1:])[0])
 
     def walk(self, end: float) -> None:
         step = FIRST * self.longest
-        while (ahead := self.side * (end - self.last.t)) > 1e-12 * self.stride:
+        while self.side * (end - self.at) > 1e-12 * self.stride:
             step = min(step, self.longest)
             if step < SHORTEST * self.stride:
                 self._stop()
                 return
             if (place := self._foretold()) is not None and self._through(place):
                 step = self.longest
-            elif self._taken(end if ahead < 1.001 * step else self.last.t + self.side * step):
-                step *= 2
             else:
-                step /= 2
+                step = self._stretch(step, end) or self._shorter(step, end) or step / 2**HALVINGS
 
     # --- steps --------------------------------------------------------------------------------
 
-    def _looked_at(self, t: float, near: np.ndarray, sides: Mapping[int, int]) -> _Node:
-        """Angles, displacements and their slopes at t, from some close by."""
-        facts = replace(self.method.facts(self.path.values(t)), rates=self.path.pace)
-        plot = Plot(facts, dict(zip(self.names, near, strict=True)))
-        replay(self.method.velocity, replay(self.method.position, plot, sides))
-        found, rates = turned(self.method, plot), {**plot.omega, **by_slide_key(plot.s_rate)}
-        sines = {key: self._sine(step, plot, sides) for key, step in self.crossings.items()}
-        x, slope = (np.array([float(table[name]) for name in self.names]) for table in (found, rates))
-        return _Node(t, x, slope, sines)
+    def _stretch(self, step: float, end: float) -> float:
+        """Some steps as far as each goes on smoothly; the length of the next one, 0 where halving is to find it."""
+        far = self._steps_ahead(step)
+        t = self._not_beyond(self.at + self.side * np.cumsum(far), end)
+        nodes = self.looking.quickly(t, self.nodes.foretold(t), self.sides)
+        count, off = self._going_on(nodes)
+        self.nodes = self.nodes.and_then(nodes[:count])
+        if not count and off[0] == np.inf:
+            return 0.0
+        here = min(count, t.size - 1)
+        if off[here] < np.inf:  # what is foretold is off by the fourth power of the step
+            self.growth = min(GROWTH, STEADY * max(float(off[here]), 1e-3) ** -0.25)
+            return float(far[here]) * self.growth
+        return float(far[here])
 
-    def _sine(self, step: Crossing, plot: Plot, sides: Mapping[int, int]) -> float:
-        """The sine of a crossing with the sign of its side, which changes over where it goes through 0."""
-        sine = float(plot.sines["position", key_of(step)])
-        if isinstance(step, Fit):
-            return sine * float(plot.senses[step.name])
-        return sine if step.choice is None else sine * sides.get(step.choice, step.side)
+    def _steps_ahead(self, step: float) -> np.ndarray:
+        """Lengths of the next steps, each a little longer than the one before, as links turn there as foretold (k,)."""
+        growing = np.maximum(max(self.growth, STEADY) ** np.arange(STRETCH), 0.5)
+        steps = np.minimum(step * growing, self.longest)
+        x, slope = self.nodes.expected(self.at + self.side * np.cumsum(steps))
+        turning = FARTHEST / np.maximum(self._largest(slope, x), 1e-300)
+        found: np.ndarray = np.minimum(steps, np.append(self.longest, turning[:-1]))
+        return found
 
-    def _largest(self, change: np.ndarray, x: np.ndarray) -> float:
-        """The largest of changes [rad, lengths]; of a displacement far off, as part of it."""
+    def _not_beyond(self, t: np.ndarray, end: float) -> np.ndarray:
+        """Places as far as the end, the last of them there where it is no farther than a step."""
+        before = np.count_nonzero(self.side * (end - t) > 1e-3 * np.abs(np.diff(t, prepend=self.at)))
+        return t if before == t.size else np.append(t[:before], end)
+
+    def _shorter(self, step: float, end: float) -> float:
+        """One step, halved until the links come to where they were expected, and fits stay on their side of change
+        points; the length of the next one, 0 where none does."""
+        steps = step / 2.0 ** np.arange(HALVINGS)
+        steps = steps[steps >= SHORTEST * self.stride]
+        t = self.at + self.side * steps
+        t[0] = self._not_beyond(t[:1], end)[0]
+        expected = self.nodes.expected(t)
+        for look in (self.looking.quickly, self.looking.plainly):
+            nodes = look(t, expected[0], self.sides)
+            for k in np.flatnonzero(self._off(nodes, *expected, np.abs(t - self.at)) < 1):
+                node = nodes[k : k + 1]
+                turning = self._turning(node)
+                if not turning:
+                    self.nodes = self.nodes.and_then(node)
+                if not turning or self._gone_through(node, turning):
+                    return float(steps[k] if k else GROWTH * step)
+        return 0.0
+
+    def _going_on(self, nodes: Nodes) -> tuple[int, np.ndarray]:
+        """How many positions go on smoothly, each from those before it, to where a crossing is about to become flat.
+
+        Also how far each is off, as part of what it may be (k,).
+        """
+        before = self.nodes[-2:]
+        chain = before.and_then(nodes)
+        here, last = chain[len(before) :], chain[len(before) - 1 : -1]
+        x, slope = cubic(chain[:-2], chain[1:-1], chain.t[2:])
+        if len(before) == 1:
+            first = before.expected(nodes.t[:1])
+            x, slope = (np.concatenate(pair) for pair in zip(first, (x, slope)))
+        steps, longest = np.abs(here.t - last.t), self._longest(last)
+        off = self._off(here, x, slope, steps)
+        turning = (here.sines * last.sines < 0).any(axis=1)
+        off[turning] = np.inf
+        count = _leading((off < 1) & (steps <= 1.1 * longest))
+        if flat := np.flatnonzero(self._soon(last[:count], here[:count])).tolist():
+            count = min(count, flat[0] + 1)
+        return count, off
+
+    def _off(self, nodes: Nodes, x: np.ndarray, slope: np.ndarray, steps: np.ndarray) -> np.ndarray:
+        """How far links are from where they were expected, or from being as fast, as part of what they may be (k,)."""
+        away = self._largest(nodes.x - x, x) / AWAY
+        swerve = self._largest(nodes.slope - slope, x) * steps / SWERVE
+        finite = np.isfinite(nodes.x).all(axis=1) & np.isfinite(nodes.slope).all(axis=1)
+        off: np.ndarray = np.where(finite, np.maximum(away, swerve), np.inf)
+        return off
+
+    def _largest(self, change: np.ndarray, x: np.ndarray) -> np.ndarray:
+        """The largest of changes (k, n) [rad, lengths]; of a displacement far off, as part of it."""
         scale = np.where(self.units == 1.0, 1.0, np.maximum(np.abs(x), self.units))
-        return float(np.max(np.abs(change / scale)[self.heard], initial=0.0))
+        found: np.ndarray = np.max(np.abs(change / scale)[:, self.heard], axis=1, initial=0.0)
+        return found
 
-    def _taken(self, t: float) -> bool:
-        """One step, if the links come to where they were expected, and fits stay on their side of change points."""
-        node = self._as_foretold(t, self.sides)
-        if node is None:
-            return False
-        if turning := [key for key in self.crossings if node.sines[key] * self.last.sines[key] < 0]:
-            return self._gone_through(node, turning)
-        self.nodes.append(node)
-        return True
-
-    def _as_foretold(self, t: float, sides: Mapping[int, int]) -> _Node | None:
-        """The position that goes on smoothly from those so far; None where there is none."""
-        x, slope = self._expected(t)
-        node = self._looked_at(t, x, sides)
-        if not (np.isfinite(node.x).all() and np.isfinite(node.slope).all()):
-            return None
-        if not self._largest(node.x - x, x) < AWAY:
-            return None
-        return node if self._largest(node.slope - slope, x) * abs(t - self.last.t) < SWERVE else None
-
-    def _expected(self, t: float) -> tuple[np.ndarray, np.ndarray]:
-        here = self.last
-        if len(self.nodes) == 1:
-            return here.x + (t - here.t) * here.slope, here.slope
-        return _cubic(self.nodes[-2], here, t)
+    def _longest(self, nodes: Nodes) -> np.ndarray:
+        turning = np.maximum(self._largest(nodes.slope, nodes.x), 1e-300)
+        found: np.ndarray = np.minimum(self.stride, FARTHEST / turning)
+        return found
 
     # --- change points ------------------------------------------------------------------------
 
+    def _turning(self, node: Nodes) -> list[str]:
+        """Crossings that lie on the other side of a change point there."""
+        return [key for key, over in zip(self.keys, (node.sines * self.nodes.sines[-1:] < 0)[0]) if over]
+
     def _foretold(self) -> float | None:
         """How far the first crossing is that is about to become flat, if it is soon."""
-        ahead = min((self._flat_in(key) for key in self.crossings), default=np.inf)
-        at = self.side * self.last.t + ahead
-        return ahead if ahead < SOON * self.longest and at - self.missed > self.longest else None
+        if len(self.nodes) == 1 or not self._soon(self.nodes[-2:-1], self.nodes[-1:])[0]:
+            return None
+        return float(self._flat_in(self.nodes[-2:-1], self.nodes[-1:]).min())
 
-    def _flat_in(self, key: str) -> float:
-        if len(self.nodes) == 1:
-            return np.inf
-        before, here = self.nodes[-2:]
-        falls = (abs(before.sines[key]) - abs(here.sines[key])) / abs(here.t - before.t)
-        return abs(here.sines[key]) / falls if falls > 0 else np.inf
+    def _soon(self, before: Nodes, here: Nodes) -> np.ndarray:
+        """Whether a crossing is about to become flat, and was not found to miss that (k,)."""
+        ahead, longest = self._flat_in(before, here).min(axis=1, initial=np.inf), self._longest(here)
+        found: np.ndarray = (ahead < SOON * longest) & (self.side * here.t + ahead - self.missed > longest)
+        return found
+
+    def _flat_in(self, before: Nodes, here: Nodes) -> np.ndarray:
+        """How far it is to where each crossing becomes flat (k, crossings); infinite where it does not."""
+        falls = (np.abs(before.sines) - np.abs(here.sines)) / np.abs(here.t - before.t)[:, None]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.where(falls > 0, np.abs(here.sines) / falls, np.inf)
 
     def _through(self, ahead: float) -> bool:
         """One step over a place where crossings become flat, with these changed over."""
         far = ahead + max(ahead, self.longest / 2)
-        turning = [key for key in self.crossings if self._flat_in(key) < far]
+        flat = self._flat_in(self.nodes[-2:-1], self.nodes[-1:])[0]
+        turning = [key for key, place in zip(self.keys, flat) if place < far]
         sides = dict(self.sides)
         for key in turning:
-            step = self.crossings[key]
+            step = self.looking.crossings[key]
             if isinstance(step, Meet | Swing) and step.choice is not None:
                 sides[step.choice] = -sides[step.choice]
-        node = self._as_foretold(self.last.t + self.side * far, sides)
-        if node is not None and self._gone_through(node, turning):
-            return True
-        self.missed = self.side * self.last.t + ahead
+        t = np.array([self.at + self.side * far])
+        expected = self.nodes.expected(t)
+        for look in (self.looking.quickly, self.looking.plainly):
+            node = look(t, expected[0], sides)
+            if self._off(node, *expected, np.array([far]))[0] < 1:
+                if self._gone_through(node, turning):
+                    return True
+                break
+        self.missed = self.side * self.at + ahead
         return False
 
-    def _gone_through(self, beyond: _Node, turning: list[str]) -> bool:
+    def _gone_through(self, beyond: Nodes, turning: Sequence[str]) -> bool:
         """Take the change points between here and there, if each crossing that changes over touches."""
-        here, path = self.last, self.so_far(self.nodes[:1], beyond)
-        found = [touching(self.method, path, self.crossings[key], here.t, beyond.t) for key in turning]
+        here, there, path = self.at, float(beyond.t[0]), self.so_far(self.nodes[-1:], beyond)
+        steps = [self.looking.crossings[key] for key in turning]
+        found = [touching(self.method, path, step, here, there) for step in steps]
         places = [place for place in found if place is not None]
         if not places or len(places) < len(found):
             return False
-        for key, place in sorted(zip(turning, places, strict=True), key=lambda entry: self.side * entry[1]):
-            step = self.crossings[key]
+        for step, place in sorted(zip(steps, places, strict=True), key=lambda entry: self.side * entry[1]):
             choice = choice_of(step)
             event = event_at(self.method, step, place, choice)
             self.changes = (*self.changes, event if choice else replace(event, kind="two ways"))
             self.sides |= {number: -self.sides[number] for number in choice}
-        self.nodes.append(beyond)
+        self.nodes = self.nodes.and_then(beyond)
         return True
 
     # --- what is found ------------------------------------------------------------------------
 
-    def so_far(self, others: list[_Node], *beyond: _Node) -> Path:
-        """The path as far as it is continued, with what lies between positions; `others` are on its other side."""
-        nodes = sorted([*others[1:], *self.nodes, *beyond], key=lambda node: node.t)
-        t, x = [nodes[-1].t], [nodes[-1].x]
-        for left, right in reversed(list(pairwise(nodes))):
-            t[:0] = between = [left.t + (right.t - left.t) * k / BETWEEN for k in range(BETWEEN)]
-            x[:0] = [_cubic(left, right, place)[0] for place in between]
-        tables = dict(zip(self.names, np.array(x).T, strict=True))
-        return replace(self.path, nodes=(np.array(t), tables), changes=self.changes)
+    def so_far(self, *nodes: Nodes) -> Path:
+        """The path through these positions, with what lies between them."""
+        t, x = nodes[0].and_then(nodes[1]).in_order().between(BETWEEN)
+        tables = dict(zip(self.looking.names, x.T))
+        return replace(self.path, nodes=(t, tables), changes=self.changes)
 
     def _stop(self) -> None:
         """The path ends here, to the last digit that stepping on gives, at the crossing that is flattest."""
-        flattest = min(self.crossings, key=lambda key: abs(self.last.sines[key]))
-        self.stops = (event_at(self.method, self.crossings[flattest], self.last.t, ()),)
+        flattest = self.keys[int(np.argmin(np.abs(self.nodes.sines[-1])))]
+        self.stops = (event_at(self.method, self.looking.crossings[flattest], self.at, ()),)
 
 
-def _cubic(left: _Node, right: _Node, t: float) -> tuple[np.ndarray, np.ndarray]:
-    """Hermite's cubic through two nodes, and its slope: between them, or beyond."""
-    width = right.t - left.t
-    u = (t - left.t) / width
-    x = left.x * (1 + 2 * u) * (1 - u) ** 2 + right.x * u**2 * (3 - 2 * u)
-    x = x + width * (left.slope * u * (1 - u) ** 2 - right.slope * u**2 * (1 - u))
-    slope = 6 * u * (1 - u) * (right.x - left.x) / width
-    return x, slope + left.slope * (1 - u) * (1 - 3 * u) - right.slope * u * (2 - 3 * u)
+def _leading(good: np.ndarray) -> int:
+    """How many of them are true before the first that is not."""
+    return int(good.size if good.all() else np.argmin(good))

@@ -11,9 +11,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing
+from graphkin.geometry import weights_of
 from graphkin.naming import spelled
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
+from graphkin.running.many_positions import program_of
 from graphkin.running.path import Event, Path, along, stride
 from graphkin.tolerances import TOUCH
 
@@ -24,6 +26,8 @@ TOUCHING_SINE = 3e-6
 LOW_SINE = 0.3
 """Below this a least angle between two loci is looked at more closely."""
 ROUNDS, FINE = 3, 201
+FEW, CLOSE = 5, 0.01
+"""Positions where a sine goes through 0, and how far from there others are looked at, as part of how far these are."""
 CENTRING = 1e-3
 """How far to both sides of a touching it is weighed, as part of how closely the path is looked at."""
 
@@ -106,12 +110,25 @@ def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -
     return sine, miss
 
 
+def _seen(method: Method, path: Path, step: Crossing, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The same at t (n,) on the path; where links are fitted by program, as far as that comes to them."""
+    program = program_of(method) if method.fits else None
+    if program is None:
+        return _angle(method, step, along(method, path, t), t.shape)
+    values = [np.broadcast_to(value, t.shape) for value in path.values(t)]
+    plot, doubtful = program.tried(values, path.crossings(t), path.near(t))
+    sine, miss = _angle(method, step, plot, t.shape)
+    if doubtful.size:
+        sine[doubtful], miss[doubtful] = _angle(method, step, along(method, path, t[doubtful]), doubtful.shape)
+    return sine, miss
+
+
 def _closer(method: Method, path: Path, step: Crossing, begin: float, end: float) -> tuple[float, bool] | None:
     """Look closer between two positions: (where, whether it goes through), None where nothing happens."""
     parted: float | None = None
     for _ in range(ROUNDS):
         t = np.linspace(begin, end, FINE)
-        sine, miss = _angle(method, step, along(method, path, t), t.shape)
+        sine, miss = _seen(method, path, step, t)
         apart = np.flatnonzero(~np.isfinite(sine) | (miss > 0))
         if apart.size and parted is None:
             parted = _edge(method, path, step, t, int(apart[0]))
@@ -129,8 +146,25 @@ def _closer(method: Method, path: Path, step: Crossing, begin: float, end: float
 
 def touching(method: Method, path: Path, step: Crossing, begin: float, end: float) -> float | None:
     """Where the loci of a crossing touch between two places, to go on beyond; None where they do not."""
+    if isinstance(step, Fit) and (place := _turned_over(method, path, step, begin, end)) is not None:
+        return place
     found = _closer(method, path, step, begin, end)
     return found[0] if found is not None and found[1] else None
+
+
+def _turned_over(method: Method, path: Path, step: Fit, begin: float, end: float) -> float | None:
+    """Where a group that is fitted comes to its other side, its sine through 0 as straight as may be; else None."""
+    for _ in range(2):
+        t = np.linspace(begin, end, FEW)
+        plot = along(method, path, t)
+        signed = plot.sines["position", step.name] * plot.senses[step.name]
+        if not signed[0] * signed[-1] < 0 or not np.all(np.diff(signed) * (signed[-1] - signed[0]) > 0):
+            return None
+        at = float(weights_of(np.zeros(1), signed)[0] @ t)
+        aside = CLOSE * (end - begin)
+        begin, end = at - aside, at + aside
+    centre = _centred(method, path, step, at)
+    return centre if np.isfinite(centre) else None
 
 
 def _lowest(sine: np.ndarray) -> int | None:
@@ -147,7 +181,7 @@ def _centred(method: Method, path: Path, step: Crossing, at: float) -> float:
     """Where the sine, which falls and rises in straight lines, comes to 0."""
     aside = CENTRING * stride(method, path.pace, LOOK_DEG, LOOK_PART)
     t = at + aside * np.array([-1.0, 1.0])
-    (before, after), _ = _angle(method, step, along(method, path, t), t.shape)
+    (before, after), _ = _seen(method, path, step, t)
     return at + aside * float((before - after) / (before + after))
 
 
@@ -158,7 +192,7 @@ def _edge(method: Method, path: Path, step: Crossing, t: np.ndarray, k: int) -> 
     begin, end = float(t[k - 1]), float(t[k])
     for _ in range(5):
         t = np.linspace(begin, end, FINE)
-        sine, miss = _angle(method, step, along(method, path, t), t.shape)
+        sine, miss = _seen(method, path, step, t)
         apart = ~np.isfinite(sine) | (miss > 0)
         first = int(np.flatnonzero(apart)[0]) if apart.any() else FINE - 1
         begin, end = float(t[max(first - 1, 0)]), float(t[first])

@@ -1,19 +1,16 @@
-"""What is asked of a mechanism: in the symbols of the field, how far the solution has to go for it, and the answers."""
+"""What is asked of a mechanism: in the symbols of the field, and how far the solution has to go for it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Size, Tangential, Turning
 from graphkin.mechanism import FRAME
-from graphkin.motions import Motions
 from graphkin.planning.held_still import standing
 from graphkin.planning.needed import Fact, Part, arms, needed, turning
 from graphkin.quantities import (
-    EDGE,
     Centre,
     Component,
     Displacement,
@@ -25,13 +22,13 @@ from graphkin.quantities import (
     Track,
     read,
 )
-from graphkin.readings import readings
 from graphkin.say import names
-from graphkin.say.entry import Calculation, Entry, Heading, Sentence
-from graphkin.say.noise import ROUNDING
-from graphkin.say.numbers import degrees, number
+from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.reading import Reading
 from graphkin.value import frozen
+
+if TYPE_CHECKING:
+    from graphkin.say.asked_centres import AskedCentres
 
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
@@ -52,9 +49,19 @@ class Asked:
     parts: dict[Plane, tuple[Part, ...]]
     chosen: bool
 
+    @property
+    def centres(self) -> tuple[Centre, ...]:
+        """The instant centres among what is asked for."""
+        return tuple(one for one in self.wanted if isinstance(one, Centre))
+
     @cached_property
-    def _motions(self) -> Motions:
-        return readings(self.reading.method, self.reading.plot)
+    def centred(self) -> AskedCentres | None:
+        """How they are found."""
+        if not self.centres:
+            return None
+        from graphkin.say.asked_centres import asked_centres
+
+        return asked_centres(self.reading, self.centres)
 
     @property
     def levers(self) -> tuple[tuple[str, str], ...]:
@@ -109,60 +116,13 @@ class Asked:
                 part = f"^{quantity.which}" if quantity.which else ""
                 return names.vector(f"{quantity.letter}{part}_{quantity.of}")
             case Component(whole=whole):
-                return f"{self.symbol(whole)}{quantity.axis}"
+                return f"{self.symbol(whole)},{quantity.axis}"
             case Quotient(top=top, bottom=bottom):
                 return f"{self.symbol(top)}/{self.symbol(bottom)}"
             case Centre():
                 return self.reading.say("solution.centre", name=names.point(quantity.text))
             case _:
                 raise AssertionError("every quantity has a symbol")
-
-    # --- answers ------------------------------------------------------------------------------------
-
-    def answers(self) -> Iterator[Entry]:
-        if self.wanted:
-            yield Heading(self.reading.say("solution.answer"))
-        yield from (self._answer(quantity) for quantity in self.wanted if quantity is not None)
-
-    def _answer(self, quantity: Quantity) -> Entry:
-        reading, found = self.reading, quantity.answer(self._motions)
-        unit = EDGE[found.unit]
-        if isinstance(quantity, Centre):
-            return Sentence(self._place(quantity, complex(quantity.place(self._motions))))
-        if isinstance(quantity, Track):
-            place = self._mm(complex(self._motions.position[quantity.site.point]))
-            return Sentence(reading.say("solution.place at", point=names.point(quantity.of), place=place))
-        if found.vector is not None:
-            size = float(abs(found.vector)) if abs(found.vector) > self._noise(quantity) else 0.0
-            note = reading.say("derivation.at direction", angle=degrees(complex(found.vector))) if size else ""
-            return Calculation(self.symbol(quantity), (), "", size, unit.sign, note)
-        value = float(found.value) if abs(found.value) > self._noise(quantity) else 0.0
-        if isinstance(quantity, Rotation) and quantity.word != "theta":
-            note = reading.say("common.ccw" if value > 0 else "common.cw") if value else ""
-            return Calculation(self.symbol(quantity), (), "", abs(value), unit.sign, note)
-        return Calculation(self.symbol(quantity), (), "", value * unit.factor, unit.sign)
-
-    def _noise(self, quantity: Quantity) -> float:
-        """Values up to this are rounding noise [SI]."""
-        plot, turned = self.reading.plot, quantity.unit.startswith("rad/s")
-        if turned:
-            usual = self.reading.usual
-            return ROUNDING * (usual.omega if quantity.unit == "rad/s" else usual.alpha)
-        if quantity.unit in ("m/s", "m/s^2"):
-            points = plot.velocity if quantity.unit == "m/s" else plot.acceleration
-            return ROUNDING * max(float(abs(place)) for place in points.values())
-        return self.reading.noise if quantity.unit == "m" else 0.0
-
-    def _place(self, centre: Centre, place: complex) -> str:
-        say, name = self.reading.say, names.point(centre.text)
-        if not np.isfinite(place):
-            return say("solution.centre far", name=name)
-        return say("solution.centre at", name=name, place=self._mm(place))
-
-    def _mm(self, place: complex) -> str:
-        noise = self.reading.noise * 1000
-        x, y = (number(value * 1000, noise) for value in (place.real, place.imag))
-        return f"({x}, {y})"
 
 
 def asked(reading: Reading, everything: bool = False, only: Plane = "acceleration") -> Asked:
@@ -175,11 +135,12 @@ def asked(reading: Reading, everything: bool = False, only: Plane = "acceleratio
     texts = {text: one for text, one in texts.items() if one is None or _plane(one) in ("position", *planes)}
     facts = {fact for one in texts.values() if one is not None for fact in _facts(reading, one)}
     if everything or not facts:
-        placed = (one for one in texts.values() if one is not None and _plane(one) == "position")
+        asked_for = (one for one in texts.values() if one is not None)
+        placed = (one for one in asked_for if isinstance(one, Centre) or _plane(one) == "position")
         wanted = (*placed, *_all(reading, planes))
-        constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
-        parts = {plane: constructions[plane].parts for plane in planes}
-        return Asked(reading, wanted, tuple(one.text for one in wanted), parts, False)
+        facts = {fact for one in wanted for fact in _facts(reading, one)} | _slid(reading)
+        led = needed(reading.method, facts)
+        return Asked(reading, wanted, tuple(one.text for one in wanted), {plane: led[plane] for plane in planes}, False)
     led = needed(reading.method, {*facts})
     shown = {plane: led[plane] for plane in planes if _finds(led[plane]) or _direct(facts, plane)}
     return Asked(reading, (*texts.values(),), (*texts,), shown, True)
@@ -196,6 +157,13 @@ def _all(reading: Reading, planes: tuple[Plane, ...]) -> Iterator[Quantity]:
             if FRAME not in mechanism.owners[point]:
                 quantity = read(mechanism, f"{plane[0]} {point}")
                 yield from () if quantity is None else (quantity,)
+
+
+def _slid(reading: Reading) -> set[Fact]:
+    """How displacements change that have a name, and of which it is told whether they grow."""
+    own = {slide.name for slide in reading.mechanism.slides}
+    named = {name for name, slide in reading.method.structure.slides.items() if slide.named}
+    return {(kind, name) for name in own | named for kind in ("s_rate", "s_acceleration")}
 
 
 def _plane(quantity: Quantity) -> Plane:

@@ -37,12 +37,13 @@ def curve_lines(curves: Centrodes, lang: Lang) -> Iterator[str]:
 def _reach(
     curves: Centrodes, link: str, places: np.ndarray, lang: Lang, shown: Callable[[np.floating], str]
 ) -> str:  # fmt: skip
-    x, y = (f"{shown(part.min())} .. {shown(part.max())}" for part in (places.real, places.imag))
+    sides = ((shown(part.min()), shown(part.max())) for part in (places.real, places.imag))
+    x, y = (say("finding.interval", lang, begin=low, end=high) for low, high in sides)
     return say("about.reach", lang, link=curves.found.method.mechanism.called(link), x=x, y=y)
 
 
 def _mm(value: np.floating) -> str:
-    return at_edge(float(value), "m")
+    return at_edge(float(value), "m").replace("-", "−")
 
 
 def _read(value: np.floating) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from math import degrees
 from typing import assert_never
@@ -39,10 +39,11 @@ NORMALS: Mapping[type[Pair], str] = {Cam: "contact", Slide: "slot", CircularSlot
 
 @frozen
 class CentreReader:
-    """Instant centres at one position, about to be worded."""
+    """Instant centres at one position, about to be worded; `read`: how a coordinate [m] is read off the drawing."""
 
     found: Centres
     lang: Lang
+    read: Callable[[float], float] = float
 
     @property
     def mechanism(self) -> Mechanism:
@@ -75,15 +76,27 @@ class CentreReader:
         if self.is_far(centre):
             return self.say("centres.infinite", angle=self.angle(centre))
         at = complex(self.found.board.at(centre))
-        x, y = (number(1000 * v, 1000 * self.noise) for v in (at.real, at.imag))
+        read = float if self._is_given(centre) else self.read
+        x, y = (number(1000 * read(v), 1000 * self.noise) for v in (at.real, at.imag))
         return self.say("centres.mm", x=x, y=y)
+
+    def _is_given(self, centre: str) -> bool:
+        """Whether it lies in a fixed point, whose place the problem gives."""
+        step = self.found.centring.construction.made_by.get(centre)
+        owners = self.mechanism.owners.get(step.point, ()) if isinstance(step, Pricked) else ()
+        return FRAME in owners
 
     # --- sentences ------------------------------------------------------------------------------
 
-    def entries(self) -> Iterator[Entry]:
-        """How many there are, those by definition, then the others in the order in which they are found."""
-        count, stages = len(self.mechanism.links), self.found.centring.stages
-        yield Heading(self.say("centres.finding"))
+    def entries(
+        self, stages: Sequence[Stage], together: Sequence[tuple[str, str]], number: int = 1
+    ) -> Iterator[Entry]:
+        """How many there are, those by definition, then the others in the order in which they are found.
+
+        stages, together   the centres that are told, and the pairs of links that have none
+        """
+        count = len(self.mechanism.links)
+        yield Heading(self.say("centres.finding", number=number))
         yield Sentence(self.say("centres.count", n=count, less=count - 1, count=len(self.found.pairs)))
         others = [stage for stage in stages if stage.say in ("two lines", "velocities")]
         direct = [stage for stage in stages if stage not in others]
@@ -91,7 +104,7 @@ class CentreReader:
             if group:
                 yield Sentence(head)
             yield from (Sentence("  " + self.sentence(stage)) for stage in group)
-        for pair in self.found.centring.together:
+        for pair in together:
             name = self.centre(self.found.name(*pair))
             yield Sentence("  " + self.say("centres.together", name=name, **self._links(pair)))
 

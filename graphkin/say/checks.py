@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from graphkin.check import Measured, RulerReport
 from graphkin.errors import Lang
+from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.text_table import table
 
@@ -18,12 +19,13 @@ def check_lines(report: RulerReport, tolerance_mm: float, lang: Lang) -> Iterato
     rows = [[say(f"checks.{head}", lang) for head in heads]]
     for entry in report.measured:
         mark = "" if entry.off_mm <= tolerance_mm else "  <--"
-        rows.append([*_measured(entry), entry.unit + mark])
+        rows.append([*_measured(entry, lang), entry.unit.replace("^2", "²") + mark])
     yield from table(rows)
+    colon = say("common.colon", lang)
     for fault in report.faults:
-        yield f"{say('checks.fault', lang)}: {say(f'checks.fault {fault.kind}', lang, what=fault.what)}"
+        yield f"{say('checks.fault', lang)}{colon}{say(f'checks.fault {fault.kind}', lang, what=fault.what)}"
     for note in report.notes:
-        yield f"{say('checks.note', lang)}: {say(f'checks.note {note.kind}', lang, what=note.what)}"
+        yield f"{say('checks.note', lang)}{colon}{say(f'checks.note {note.kind}', lang, what=note.what)}"
     wrong = report.wrong(tolerance_mm)
     yield say("checks.bad" if wrong else "checks.good", lang, count=wrong, tolerance=tolerance_mm)
 
@@ -48,8 +50,11 @@ def _entry(entry: Measured) -> dict[str, object]:
     return said | {"off": off, "unit_per_mm": entry.unit_per_mm, "unit": entry.unit}
 
 
-def _measured(entry: Measured) -> list[str]:
-    name = entry.name if entry.kind == "vector" else f"{entry.name} ({entry.plane})"
+def _measured(entry: Measured, lang: Lang) -> list[str]:
+    in_polygon = entry.kind == "vector" and entry.plane != "centres"
+    name = names.vector(entry.name) if in_polygon else names.point(entry.name)
+    if entry.kind != "vector":
+        name += say("common.note", lang, note=say(f"checks.plane {entry.plane}", lang))
     if entry.kind == "vector":
         drawn, exact = f"{abs(entry.drawn):.4f}", f"{abs(entry.exact):.4f}"
     else:
@@ -58,4 +63,4 @@ def _measured(entry: Measured) -> list[str]:
 
 
 def _place(place: complex) -> str:
-    return f"({place.real + 0.0:.3f}, {place.imag + 0.0:.3f})"
+    return f"({place.real + 0.0:.3f}, {place.imag + 0.0:.3f})".replace("-", "−")

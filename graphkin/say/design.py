@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from math import degrees
 from typing import Any
 
 from graphkin.design import Design, Family, Reason, Solution, linkage_of, proof
@@ -13,8 +14,12 @@ from graphkin.errors import GraphkinError, Lang, NoDesign
 from graphkin.linkages import filed
 from graphkin.mechanism import Mechanism
 from graphkin.say.catalogue import in_both, say
+from graphkin.say.figures import figures, written
 from graphkin.say.linkages import kind_name
 from graphkin.say.numbers import Figure
+
+_DIGITS = 5
+"""As `Figure` has them."""
 
 
 def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
@@ -22,9 +27,25 @@ def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
     numbers: dict[str, Any] = {name: Figure(value) for name, value in board.numbers.items()}
     for name, place in board.places.items():
         numbers |= {f"{name}_x": Figure(place.real * 1e3), f"{name}_y": Figure(place.imag * 1e3)}
-    if "K" in board.numbers:
-        numbers |= {"less": Figure(board.numbers["K"] - 1), "more": Figure(board.numbers["K"] + 1)}
+    numbers |= _figures(board.numbers)
     return [say(f"design.stage {stage.say}", lang, **numbers) for stage in construction.stages]
+
+
+def _figures(known: Mapping[str, float]) -> Iterator[tuple[str, str]]:
+    """The formulas of the sentences with their figures put in, of what there is on a board."""
+    if "K" in known and "theta" in known:
+        less, more, half_turn = figures(known["K"] - 1, known["K"] + 1, 180)
+        shown = written(half_turn * less / more, degrees(known["theta"]), _DIGITS)
+        yield "of_K", shown.replace("180", "180°", 1)
+    if {"AC1", "AC2", "a", "b"} <= known.keys():
+        short, long = sorted((known["AC1"] * 1e3, known["AC2"] * 1e3))
+        (one, other), (two,) = figures(short, long), figures(2)
+        yield "half_less", written((other - one) / two, known["a"] * 1e3, _DIGITS)
+        yield "half_more", written((one + other) / two, known["b"] * 1e3, _DIGITS)
+    for link, divisor in (("a", "R1"), ("c", "R2")):
+        if {link, divisor, "d"} <= known.keys():
+            frame, by = figures(known["d"] * 1e3, known[divisor])
+            yield f"of_{divisor}", written(frame / by, known[link] * 1e3, _DIGITS)
 
 
 def said(reason: Reason, lang: Lang) -> str:
@@ -75,8 +96,9 @@ def _lines(design: Design, lang: Lang) -> Iterator[str]:
 
 
 def _lengths(one: Solution, lang: Lang) -> str:
-    """a = 20.773 mm, b = .. of those it has."""
-    sizes = {"a": one.a, "b": one.b, "c": one.c, "d": one.d, "e": one.e}
+    """l_AB = 20.773 mm, l_BC = .. of those it has; a guide bar turns about C."""
+    frame = "l_AC" if one.b is None and one.c is None else "l_AD"
+    sizes = {"l_AB": one.a, "l_BC": one.b, "l_CD": one.c, frame: one.d, "e": one.e}
     told = [f"{name} = {Figure(size):mm}" for name, size in sizes.items() if size is not None]
     return say("common.and", lang).join(told)
 
@@ -88,7 +110,7 @@ def _judged(one: Solution, lang: Lang) -> Iterator[str]:
     except GraphkinError as wrong:
         yield f"  {wrong.message(lang)}"
         return
-    values = {"ψ": found.swing, "θ": found.theta, "γmin": found.gamma_min}
+    values = {"ψ": found.swing, "θ": found.theta, "γ_min": found.gamma_min}
     told = [kind_name(found, lang)]
     told += [f"{name} = {Figure(value):deg}" for name, value in values.items() if value is not None]
     told += [f"H = {Figure(found.stroke):mm}"] if found.stroke is not None else []

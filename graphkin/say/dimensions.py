@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
-from math import degrees
+from dataclasses import replace
 
 from graphkin.construction import LayOff, Measure, Normal, Step, Tangential, Term, Turning
 from graphkin.geometry import cross
@@ -12,6 +11,7 @@ from graphkin.mechanism import FRAME
 from graphkin.pairs import Gear, Roll, Slide
 from graphkin.say import names
 from graphkin.say.given_places import driven_slides, face_offsets, fixed_points, guide_angles
+from graphkin.say.given_sizes import Size, beside, circle, driven, in_a_row, millimetres, radius, sides
 from graphkin.say.numbers import given, number
 from graphkin.say.reading import Reading
 
@@ -56,17 +56,11 @@ def length(reading: Reading, one: str, other: str) -> str:
 
 
 def _lengths(reading: Reading) -> Iterator[str]:
-    """Each link by as many distances of its points as fix it."""
+    """Each link by the distances of its points that fix it."""
     for link in reading.mechanism.moving:
-        points = [point for point in reading.mechanism.named(link) if point in reading.plot.position]
-        for k, point in enumerate(points[1:], start=1):
-            for other in points[max(0, k - 2) : k] if not _in_line(reading, points) else points[k - 1 : k]:
-                yield f"{names.pair(other, point)} = {given(reading.distance(other, point) * 1000)} mm"
-
-
-def _in_line(reading: Reading, points: list[str]) -> bool:
-    arms = [reading.plot.arm(one, other) for one, other in pairwise(points)]
-    return all(abs(float(cross(arms[0], arm))) <= reading.noise * abs(complex(arms[0])) for arm in arms)
+        in_line = not [*beside(reading, link)]
+        for side in in_a_row(reading, link) if in_line else sides(reading, link):
+            yield Size(side.name, millimetres(reading, side.length), "mm").text
 
 
 def _offsets(reading: Reading) -> Iterator[str]:
@@ -82,28 +76,19 @@ def _offsets(reading: Reading) -> Iterator[str]:
 
 def _radii(reading: Reading) -> Iterator[str]:
     for gear in reading.mechanism.of(Gear):
-        for link, _, radius in gear.circles:
-            yield _radius(reading, link, radius)
+        for link, _, size in gear.circles:
+            yield radius(reading, link, size).text
     for roll in reading.mechanism.of(Roll):
-        yield _radius(reading, roll.wheel, roll.radius)
-    for centre, radius in reading.circles:
-        yield f"{reading.circle(centre, radius)} = {given(radius * 1000)} mm"
-
-
-def _radius(reading: Reading, link: str, radius: float) -> str:
-    return f"{reading.radius(link, radius)} = {given(radius * 1000)} mm"
+        yield radius(reading, roll.wheel, roll.radius).text
+    for centre, size in reading.circles:
+        yield circle(reading, centre, size).text
 
 
 def _rates(reading: Reading) -> Iterator[str]:
-    facts = reading.plot.facts
-    table = zip(reading.mechanism.drivers, facts.values, facts.rates, facts.accelerations, strict=True)
-    for driver, value, rate, more in table:
-        turning = driver.kind != "slide"
+    for k, driver in enumerate(reading.mechanism.drivers):
+        place, *rates = driven(reading, k, driver)
         if driver.kind == "angle" and driver.value is not None:
-            yield f"{reading.against(driver, 'φ')} = {given(degrees(float(value)))}°"
-        units = ("rad/s", "rad/s²") if turning else ("m/s", "m/s²")
-        symbols = ("ω", "α") if turning else ("ṡ", "s̈")
-        for symbol, size, unit in zip(symbols, (float(rate), float(more)), units, strict=True):
-            if size:
-                name = reading.against(driver, symbol) if turning else names.of_slide(symbol, driver.link)
-                yield f"{name} = {given(abs(size) if turning else size)} {unit}"
+            yield place.text
+        for size in rates:
+            if size.value:
+                yield replace(size, value=size.value if driver.kind == "slide" else abs(size.value)).text

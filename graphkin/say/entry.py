@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from graphkin.construction import Plane
 from graphkin.planning.acts import Act
 from graphkin.say.figures import Formula, written
 from graphkin.say.numbers import number
@@ -10,9 +11,10 @@ from graphkin.value import frozen
 
 @frozen
 class Heading:
-    """The title, or the name of one of the three parts."""
+    """The title, or the name of a part; `plane`: what that part draws."""
 
     text: str
+    plane: Plane | None = None
 
 
 @frozen
@@ -41,9 +43,13 @@ class Calculation:
     @property
     def text(self) -> str:
         """The whole chain without its note; nothing is 0 of a unit."""
-        result = f"{number(self.value)} {self.unit}".rstrip() if self.value else "0"
         figures = [self.figures] if self.figures and self.value else []
-        return " = ".join([self.name, *self.formulas, *figures, result])
+        return " = ".join([self.name, *self.formulas, *figures, self.result])
+
+    @property
+    def result(self) -> str:
+        """The value with its unit."""
+        return f"{number(self.value)} {self.unit}".rstrip() if self.value else "0"
 
     @property
     def figures(self) -> str:

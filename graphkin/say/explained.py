@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.planning.by_pose import by_pose
-from graphkin.say.asked import asked
-from graphkin.say.entry import Entry, VectorEquation
+from graphkin.say.answers import Answers
+from graphkin.say.asked import Asked, asked
+from graphkin.say.deviation import deviations
+from graphkin.say.entry import Calculation, Entry, Sentence, VectorEquation
 from graphkin.say.equations import worded
 from graphkin.say.given import given, solving
 from graphkin.say.layout import lines
@@ -58,15 +62,42 @@ def derivation(
     """
     reading = Reading(method, plot, scales, lang, ruler, apart=as_planned)
     goal = asked(reading, everything, only)
+    body = list(_drawn(goal, as_planned))
     yield from given(reading)
     yield from goal.question()
-    yield from solving(reading)
+    yield from solving(reading, _leaves_out(body))
+    yield from body
+    answers = Answers(goal, {entry.name: entry.value for entry in body if isinstance(entry, Calculation)})
+    yield from answers.entries()
+    if ruler is not None:
+        yield from deviations(answers, asked(replace(reading, plot=ruler.right, ruler=None), everything, only))
+
+
+def _drawn(goal: Asked, as_planned: bool) -> Iterator[Entry]:
+    """The mechanism, its instant centres where they are asked for, and the polygons that are needed."""
+    reading = goal.reading
+    method, plot = reading.method, reading.plot
     posed = None if as_planned else by_pose(method, plot)
-    drawn = reading if posed is None else Reading(*posed, scales, lang, ruler)
+    drawn = reading if posed is None else Reading(*posed, reading.scales, reading.lang, reading.ruler)
     yield from PositionReader(drawn, goal.levers, reading, angles=goal.angles).entries()
-    for number, (plane, parts) in enumerate(goal.parts.items(), start=2):
-        yield from polygon(reading, plane, parts, number)
-    yield from goal.answers()
+    for number, part in enumerate(_parts(reading, goal, centred=not as_planned), start=2):
+        yield from part(number=number)
+
+
+def _leaves_out(body: list[Entry]) -> bool:
+    """Whether acts of the drawing are not told: their numbers are missing then."""
+    acts = [entry.act for entry in body if isinstance(entry, Sentence) and entry.act is not None]
+    told = {act.number for act in acts if act.numbered}
+    return len(told) < max(told, default=0)
+
+
+def _parts(reading: Reading, goal: Asked, centred: bool) -> list[Callable[..., Iterator[Entry]]]:
+    """What follows the mechanism's drawing: its instant centres where they are asked for, and its polygons."""
+    parts: list[Callable[..., Iterator[Entry]]]
+    parts = [partial(polygon, reading, plane, steps) for plane, steps in goal.parts.items()]
+    if centred and (found := goal.centred) is not None:
+        parts.insert(1 if found.from_velocities and parts else 0, found.entries)
+    return parts
 
 
 def vector_equations(

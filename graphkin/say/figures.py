@@ -7,7 +7,8 @@ and whoever puts the figures into a calculator gets it.
 
 from __future__ import annotations
 
-from math import floor, log10, radians, sin
+from math import cos, floor, log10, radians, sin
+from typing import Literal
 
 from graphkin.say.numbers import DIGITS, number
 from graphkin.value import frozen
@@ -73,17 +74,24 @@ class Operand(Formula):
 
 
 @frozen
-class Sine(Formula):
-    """`sin 100°`."""
+class Turned(Formula):
+    """`sin 100°`, `cos 60°`; the angle in degrees."""
 
+    function: Literal["sin", "cos"]
     angle: float
-    """[deg]"""
 
     def text(self, digits: int = DIGITS) -> str:
-        return f"sin {number(self.angle, digits=digits)}°"
+        return f"{self.function} {number(self.angle, digits=digits)}°"
 
     def worth(self, digits: int) -> float:
-        return sin(radians(as_read(number(self.angle, digits=digits))))
+        return self.of(as_read(number(self.angle, digits=digits)))
+
+    @property
+    def value(self) -> float:
+        return self.of(self.angle)
+
+    def of(self, angle: float) -> float:
+        return sin(radians(angle)) if self.function == "sin" else cos(radians(angle))
 
 
 @frozen
@@ -153,13 +161,13 @@ def signed_sum(parts: list[tuple[int, float]]) -> Formula:
     return total
 
 
-def written(formula: Formula, result: float) -> str:
-    """A formula with as many digits as give its result as that is printed."""
-    printed = number(result)
+def written(formula: Formula, result: float, digits: int = DIGITS) -> str:
+    """A formula with as many digits as give its result as that is printed, with so many `digits`."""
+    printed = number(result, digits=digits)
     room = half_unit(printed) * (1 + _CLOSE)
-    found = range(DIGITS, _MOST_DIGITS)
-    digits = next((d for d in found if abs(formula.worth(d) - as_read(printed)) <= room), _MOST_DIGITS)
-    return formula.text(digits)
+    found = range(digits, _MOST_DIGITS)
+    enough = next((d for d in found if abs(formula.worth(d) - as_read(printed)) <= room), _MOST_DIGITS)
+    return formula.text(enough)
 
 
 def as_read(text: str) -> float:

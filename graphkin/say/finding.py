@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from math import degrees
+from typing import assert_never
 
 from graphkin.errors import Lang
-from graphkin.finding.answers import Findings, Interval, Phase, Position, SlowPoint, Speeds
-from graphkin.finding.conditions import Comparison, Extreme, Scaling, Slowest
+from graphkin.finding.answers import Findings, Interval, OutputStroke, Phase, Position, SlowPoint, Speeds
+from graphkin.finding.conditions import Comparison, Condition, Extreme, Scaling, Slowest
 from graphkin.mechanism import Driver
 from graphkin.quantities import driven
 from graphkin.say import names
 from graphkin.say.catalogue import say
-from graphkin.say.names import in_signs
-from graphkin.say.numbers import exact, quantity
+from graphkin.say.figures import Operand, written
+from graphkin.say.numbers import exact, in_print, number, quantity
 
 _SIGNS = "φ", "s"
 """Of what a driver turns, and of what it slides."""
+_DIGITS = 6
+"""Of what is computed."""
 _MARKED = re.compile("\0([^\0]+)\0")
 """A driver's name where it stands for its value."""
 
@@ -60,40 +64,37 @@ def _values(found: Findings, position: Position, called: Callable[[str], str] = 
 
 
 def lines(found: Findings, lang: Lang = "en") -> Iterator[str]:
-    """Everything found, for the terminal; nothing twice."""
-    for line in dict.fromkeys(_lines(found, lang)):
-        yield in_signs(_MARKED.sub(r"\1", line), lang)
-
-
-def signed_lines(found: Findings, lang: Lang) -> Iterator[str]:
-    """The same for the sheet: in signs in either language, drivers with the letter of their value."""
+    """Everything found, nothing twice: in signs in either language, drivers with the letter of their value."""
     named = {driver.name: f"{_SIGNS[driver.kind == 'slide']}_{driver.name}" for driver in found.drivers}
     factors = [name for position in found.positions for name in position.factors]
     rates = [name for d in found.drivers for name in (_letter(d), f"omega {d.link}")]
     typed = {name: names.asked(name) for name in (*found.quantities, *factors, *rates)}
     signs = re.compile("|".join(map(re.escape, sorted(typed, key=len, reverse=True))))
-    for line in dict.fromkeys([_headed(found, lang), *list(_lines(found, lang))[1:]]):
-        signed = signs.sub(lambda met: typed[met[0]], line)
-        yield _typeset(_MARKED.sub(lambda met: named[met[1]], signed)).replace("  (", " (")
+    for line in dict.fromkeys(_lines(found, lang)):
+        signed = in_print(_MARKED.sub(lambda met: named[met[1]], signs.sub(lambda met: typed[met[0]], line)))
+        yield signed.replace(", ", say("common.and", lang))
 
 
-def _headed(found: Findings, lang: Lang) -> str:
-    """What was looked for, in the words of the language."""
-    wanted, first, *_ = found.condition, *_lines(found, lang)
-    if isinstance(wanted, Extreme):
-        return first.replace(wanted.text, say(f"finding.asked {wanted.which}", lang, of=wanted.quantity), 1)
-    if isinstance(wanted, Slowest):
-        return first.replace(wanted.text, say("finding.asked slowest", lang, of=wanted.of), 1)
-    return first
-
-
-def _typeset(text: str) -> str:
-    return text.replace(" deg", "°").replace("^2", "²").replace("= -", "= −")
+def heading(condition: Condition, lang: Lang) -> str:
+    """What is looked for, in the words of the language."""
+    match condition:
+        case Extreme():
+            return say(f"finding.asked {condition.which}", lang, of=condition.quantity)
+        case Slowest():
+            return say("finding.asked slowest", lang, of=condition.of)
+        case Scaling():
+            wanted, by = condition.text.rsplit(" by ", 1)
+            return say("finding.asked speed", lang, by=by, wanted=wanted)
+        case Comparison():
+            return condition.text
+        case _:
+            assert_never(condition)
 
 
 def _lines(found: Findings, lang: Lang) -> Iterator[str]:
     wanted = found.condition
-    yield f"{wanted.text}" + (say("finding.in brackets", lang, text=_looked(found, lang)) if found.looked else "")
+    looked = say("common.note", lang, note=_looked(found, lang)) if found.looked else ""
+    yield heading(wanted, lang) + looked
     if isinstance(wanted, Slowest):
         yield from (f"  {_slow(found, entry, lang)}" for entry in found.slow)
     elif isinstance(wanted, Scaling):
@@ -147,7 +148,7 @@ def _line(found: Findings, position: Position, lang: Lang) -> str:
     if position.factors:
         zero = say("common.and", lang).join(f"{name} = 0" for name in position.factors)
         return line + say("finding.because", lang, zero=zero)
-    return line + (f"  ({said})" if said else "")
+    return line + (say("common.note", lang, note=said) if said else "")
 
 
 def _interval(found: Findings, part: Interval, lang: Lang) -> str:
@@ -155,7 +156,8 @@ def _interval(found: Findings, part: Interval, lang: Lang) -> str:
     ends = []
     for position in (part.begin, part.end):
         said = say("finding.kind end", lang) if position.kind == "end" else ""
-        ends.append(_driven(driver, position.drivers[found.swept]) + (f" ({said})" if said else ""))
+        noted = say("common.note", lang, note=said) if said else ""
+        ends.append(_driven(driver, position.drivers[found.swept]) + noted)
     span = f"{_marked(driver)} " + say("finding.interval", lang, begin=ends[0], end=ends[1])
     at = f"{_marked(driver)} = {_driven(driver, part.peak.drivers[found.swept])}"
     peak = {"what": say(f"finding.kind {part.peak.kind}", lang), "values": _values(found, part.peak), "at": at}
@@ -170,12 +172,18 @@ def _swing(found: Findings, lang: Lang) -> Iterator[str]:
     if found.stroke is not None:
         yield _phase(found, "advance", found.stroke.advance, lang)
         yield _phase(found, "retreat", found.stroke.retreat, lang)
-        yield say("finding.ratio", lang, value=exact(found.stroke.ratio))
+        yield say("finding.ratio", lang, value=_ratio(found.stroke))
+
+
+def _ratio(stroke: OutputStroke) -> str:
+    """`234.071/125.929 = 1.85876`: the driver's angles over advance and return."""
+    figures = Operand(degrees(stroke.advance.angle)) / Operand(degrees(stroke.retreat.angle))
+    return f"{written(figures, stroke.ratio, _DIGITS)} = {number(stroke.ratio, digits=_DIGITS)}"
 
 
 def _phase(found: Findings, name: str, phase: Phase, lang: Lang) -> str:
     called = say(f"finding.phase {name}", lang, way=say("finding.up" if phase.up else "finding.down", lang))
-    driver, angle = _marked(found.drivers[found.swept]), quantity(phase.angle, "rad")
+    driver, angle = found.drivers[found.swept].name, quantity(phase.angle, "rad")
     text = say("finding.phase", lang, name=called, driver=driver, angle=angle)
     if phase.time is None or phase.mean is None:
         return text
@@ -228,4 +236,4 @@ def caption(found: Findings, position: Position) -> str:
     driver, value = found.drivers[found.swept], position.drivers[found.swept]
     at = f"{_SIGNS[driver.kind == 'slide']}_{driver.name} = {_driven(driver, value)}"
     values = _values(found, position, names.asked)
-    return _typeset(f"{at}: {values}" if values else at)
+    return in_print(f"{at}: {values}" if values else at)

@@ -10,22 +10,25 @@ from graphkin.finding.conditions import Comparison, Extreme, Scaling, Slowest
 from graphkin.finding.dimensions import DimensionPlace
 from graphkin.finding.varying import VaryingTable
 from graphkin.quantities import EDGE
+from graphkin.quantities.typed import rewritten
 from graphkin.say.catalogue import say
-from graphkin.say.numbers import exact, quantity
+from graphkin.say.finding import heading
+from graphkin.say.names import asked
+from graphkin.say.numbers import exact, in_print, quantity
 from graphkin.say.text_table import table
 
 
 def table_lines(found: VaryingTable, lang: Lang = "en") -> Iterator[str]:
     """A row for each value."""
-    yield f"{found.condition}"
     unit = {"length": "mm", "angle": "deg"}.get(found.place.kind)
     shown = [entry.found for entry in found.rows if entry.found is not None]
+    yield rewritten(heading(shown[0].condition, lang), asked) if shown else found.condition
     heads = [f"{found.name} [{unit}]" if unit else found.name, *(header(shown[0], lang) if shown else [])]
     rows = [heads]
     for row in found.rows:
         cells = summary(row.found) if row.found is not None else ["-"] * (len(heads) - 1)
         rows.append([_shown(row.value, found.place), *cells])
-    lines = table(rows)
+    lines = table([[in_print(cell) for cell in row] for row in rows])
     yield lines[0]
     for row, line in zip(found.rows, lines[1:]):
         yield line if row.error is None else f"{line}  {row.error.message(lang)}"

@@ -9,6 +9,7 @@ from graphkin.mechanism import Driver, Pose
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.given_dimensions import dimensions
+from graphkin.say.given_sizes import Size, driven
 from graphkin.say.numbers import given as given_figure
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
@@ -30,8 +31,11 @@ def given(reading: Reading) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.posed", poses=between.join(poses)))
 
 
-def solving(reading: Reading) -> Iterator[Entry]:
-    """The head of the solution itself: what plays no part in it, and the paper's scales."""
+def solving(reading: Reading, leaves_out: bool) -> Iterator[Entry]:
+    """The head of the solution itself: what plays no part in it, and the paper's scales.
+
+    leaves_out  whether steps of the drawing are not told
+    """
     yield Heading(reading.say("solution.solution"))
     if idle := reading.method.structure.idle:
         yield Sentence(reading.say("derivation.idle", links=reading.listed([reading.link(link) for link in idle])))
@@ -39,6 +43,8 @@ def solving(reading: Reading) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.redundant", line=line))
     yield Sentence(reading.say("derivation.scales", scales=reading.say("common.and").join(_scales(reading))))
     yield Sentence(reading.say("derivation.by hand" if reading.ruler else "derivation.exactly"))
+    if leaves_out:
+        yield Sentence(reading.say("derivation.numbers left out"))
 
 
 def _scales(reading: Reading) -> Iterator[str]:
@@ -62,18 +68,17 @@ def _pose(reading: Reading, pose: Pose) -> str:
 
 
 def _driver(reading: Reading, k: int, driver: Driver) -> str:
-    facts = reading.plot.facts
-    value, rate, more = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
-    posed = driver.value is None and abs(value - float(reading.method.facts().values[k])) < 1e-12
+    place, rate, more = driven(reading, k, driver)
+    now, drawn = (float(facts.values[k]) for facts in (reading.plot.facts, reading.method.facts()))
+    shown = None if driver.value is None and abs(now - drawn) < 1e-12 else place
+    rates: Iterator[str]
     if driver.kind == "slide":
-        return _slide(reading, driver, None if posed else value, rate, more)
-    return reading.say("common.and").join(
-        [
-            _angle(reading, driver, None if posed else value),
-            sensed(reading.against(driver, "ω"), rate, "rad/s", reading.lang),
-            sensed(reading.against(driver, "α"), more, "rad/s²", reading.lang),
-        ]
-    )
+        start = _slide(reading, driver, shown)
+        rates = (size.text if size.value else f"{size.symbol} = 0" for size in (rate, more))
+    else:
+        start = _angle(reading, driver, shown)
+        rates = (sensed(size.symbol, size.value, size.unit, reading.lang) for size in (rate, more))
+    return reading.say("common.and").join([start, *rates])
 
 
 def _kind(reading: Reading, slide: str) -> str:
@@ -81,32 +86,23 @@ def _kind(reading: Reading, slide: str) -> str:
     return "roll" if slide in reading.contact_slides else "slide"
 
 
-def _slide(reading: Reading, driver: Driver, value: float | None, rate: float, more: float) -> str:
-    position, speed, change = (names.of_slide(symbol, driver.link) for symbol in ("s", "ṡ", "s̈"))
-    kind = _kind(reading, driver.link)
-    if value is None:
-        start = reading.say(f"derivation.driven {kind} free", slide=reading.slide_name(driver.link))
-    else:
-        place = f"{position} = {given_figure(value * 1000)} mm"
-        start = reading.say(f"derivation.driven {kind}", slide=reading.slide_name(driver.link), place=place)
-    return reading.say("common.and").join(
-        [
-            start,
-            f"{speed} = {given_figure(rate)} m/s" if rate else f"{speed} = 0",
-            f"{change} = {given_figure(more)} m/s²" if more else f"{change} = 0",
-        ]
-    )
+def _slide(reading: Reading, driver: Driver, place: Size | None) -> str:
+    """Where the slide stands; nothing of one that a pose has fixed."""
+    kind, slide = _kind(reading, driver.link), reading.slide_name(driver.link)
+    if place is None:
+        return reading.say(f"derivation.driven {kind} free", slide=slide)
+    return reading.say(f"derivation.driven {kind}", slide=slide, place=place.text)
 
 
-def _angle(reading: Reading, driver: Driver, value: float | None) -> str:
+def _angle(reading: Reading, driver: Driver, place: Size | None) -> str:
     """Where the driven line stands; nothing of a wheel, or of one that a pose has fixed."""
     link = reading.link(driver.link)
     if driver.vector is None:
         return reading.say("derivation.driven wheel", link=link)
     line = "".join(names.point(p) for p in driver.vector)
-    if value is None:
+    if place is None:
         return reading.say("derivation.driven line free", line=line, link=link)
-    angle = f"{reading.against(driver, 'φ')} = {given_figure(degrees(value))}°"
+    angle = place.text
     if driver.from_vector is None:
         return reading.say("derivation.driven link", line=line, link=link, angle=angle)
     other = "".join(names.point(p) for p in driver.from_vector)

@@ -1,19 +1,18 @@
-"""What a problem gives of the links themselves: lengths, guides, radii."""
+"""What a problem gives of the links themselves, in sentences: lengths, guides, radii."""
 
 from __future__ import annotations
 
 from cmath import phase
 from collections.abc import Callable, Iterator, Mapping
-from itertools import combinations
 from math import degrees as in_degrees
 from math import remainder
 from typing import Any
 
-from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Roll, Slide
 from graphkin.say import names
 from graphkin.say.equivalents import points_of
+from graphkin.say.given_sizes import Size, beside, circle, millimetres, radius, sides
 from graphkin.say.guide_angle import guide_angle
 from graphkin.say.numbers import degrees, given
 from graphkin.say.reading import Reading
@@ -40,21 +39,14 @@ def dimensions(reading: Reading) -> Iterator[str]:
 def _lengths(reading: Reading) -> Iterator[str]:
     """`l_AB = 24 mm` of every bar; of a link of more points the sides that fix it, each once."""
     for link in reading.mechanism.moving:
-        points = reading.mechanism.named(link)
-        sides = [pair for pair in combinations(points, 2) if points.index(pair[0]) < 2]
-        for first, second in sides:
-            length = abs(reading.mechanism.links[link].arm(first, second))
-            yield f"l_{names.pair(first, second)} = {_mm(reading, length)}"
+        for side in sides(reading, link):
+            yield Size(f"l_{side.name}", millimetres(reading, side.length), "mm").text
 
 
 def _senses(reading: Reading) -> Iterator[str]:
     """`B→C→E counter-clockwise` of every further point that is not in line with the first two."""
     for link in reading.mechanism.moving:
-        points, shape = reading.mechanism.named(link), reading.mechanism.links[link]
-        for third in points[2:]:
-            side = float(cross(shape.arm(points[0], points[1]), shape.arm(points[0], third)))
-            if abs(side) > reading.noise * abs(shape.arm(points[0], third)):
-                yield reading.way_round((points[0], points[1], third), side > 0)
+        yield from (reading.way_round(corners, ccw) for corners, ccw in beside(reading, link))
 
 
 # --- pairs --------------------------------------------------------------------------------------
@@ -113,12 +105,12 @@ def _line(reading: Reading, line: Line) -> str:
 
 def _circular(reading: Reading, pair: CircularSlot) -> str:
     words = {"pin": names.point(pair.point), "centre": names.point(pair.centre), "link": reading.link(pair.guide)}
-    return reading.say("solution.circular slot", radius=_circle(reading, pair.centre, pair.radius), **words)
+    return reading.say("solution.circular slot", radius=circle(reading, pair.centre, pair.radius).text, **words)
 
 
 def _gear(reading: Reading, pair: Gear) -> str:
     sizes = zip(pair.links, pair.radii, strict=True)
-    radii = [f"{reading.radius(link, size)} = {_mm(reading, size)}" for link, size in sizes]
+    radii = [radius(reading, link, size).text for link, size in sizes]
     key = "solution.internal gears" if pair.internal else "solution.gears"
     return reading.say(key, wheels=reading.listed([reading.link(link) for link in pair.links]),
                        radii=reading.say("common.and").join(radii))  # fmt: skip
@@ -126,10 +118,10 @@ def _gear(reading: Reading, pair: Gear) -> str:
 
 def _roll(reading: Reading, pair: Roll) -> str:
     words = {"wheel": reading.link(pair.wheel), "centre": names.point(pair.centre), "track": reading.link(pair.track)}
-    words["radius"] = f"{reading.radius(pair.wheel, pair.radius)} = {_mm(reading, pair.radius)}"
+    words["radius"] = radius(reading, pair.wheel, pair.radius).text
     if pair.line is None:
         about = names.point(pair.track_centre or "")
-        other = f"{reading.radius(pair.track, pair.track_radius)} = {_mm(reading, pair.track_radius)}"
+        other = radius(reading, pair.track, pair.track_radius).text
         where = reading.say("solution.inside" if pair.internal else "solution.outside")
         return reading.say("solution.rolls on circle", about=about, other=other, where=where, **words)
     side = reading.say("solution.wheel left" if pair.left else "solution.wheel right", centre=words["centre"])
@@ -169,7 +161,7 @@ def _profile(reading: Reading, pair: Cam, k: int) -> str:
     if not profile.radius:
         return reading.say("solution.knife edge", link=link, point=centre)
     return reading.say("solution.circle", link=link, centre=centre,
-                       radius=_circle(reading, profile.centre or "", profile.radius))  # fmt: skip
+                       radius=circle(reading, profile.centre or "", profile.radius).text)  # fmt: skip
 
 
 GIVEN: Mapping[type[Pair], Callable[[Reading, Any], str]] = {
@@ -184,14 +176,5 @@ GIVEN: Mapping[type[Pair], Callable[[Reading, Any], str]] = {
 
 def _place(reading: Reading, place: complex) -> str:
     """Coordinates of the mechanism itself, in mm."""
-    x, y = (given(value * 1000, reading.noise * 1000) for value in (place.real, place.imag))
+    x, y = (given(millimetres(reading, value)) for value in (place.real, place.imag))
     return f"({x}, {y})"
-
-
-def _circle(reading: Reading, centre: str, radius: float) -> str:
-    """`r_P = 142.3 mm`."""
-    return f"{reading.circle(centre, radius)} = {_mm(reading, radius)}"
-
-
-def _mm(reading: Reading, length: float) -> str:
-    return f"{given(length * 1000, reading.noise * 1000)} mm"

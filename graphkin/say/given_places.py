@@ -10,6 +10,7 @@ from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Cam
 from graphkin.say import names
+from graphkin.say.given_sizes import driven
 from graphkin.say.numbers import given
 from graphkin.say.reading import Reading
 
@@ -52,6 +53,6 @@ def face_offsets(reading: Reading) -> Iterator[str]:
 
 def driven_slides(reading: Reading) -> Iterator[str]:
     """`s_ram = 90 mm`: where a driven slide stands."""
-    for driver, value in zip(reading.mechanism.drivers, reading.plot.facts.values, strict=True):
+    for k, driver in enumerate(reading.mechanism.drivers):
         if driver.kind == "slide":
-            yield f"{names.of_slide('s', driver.link)} = {given(float(value) * 1000)} mm"
+            yield driven(reading, k, driver)[0].text

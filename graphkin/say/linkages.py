@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from math import degrees
 
 from graphkin.errors import Lang
 from graphkin.linkages import FAMILY, FoundLinkage, Linkage, Report, filed, inverted, report
@@ -11,14 +12,19 @@ from graphkin.linkages.equal import EVEN
 from graphkin.linkages.linkage import LinkagePosition
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.say.catalogue import LANGUAGES, in_both, say
-from graphkin.say.numbers import Figure, angle, exact, millimetres, number
+from graphkin.say.figures import figures, written
+from graphkin.say.numbers import angle, exact, millimetres, number
+from graphkin.say.transmission import cosine
+
+_DIGITS = 5
+"""Of K."""
 
 HELD_BLOCKS = ("oscillating guide bar", "rotating guide bar", "slider-crank", "rocker-slider")
 """Kinds that have a name of their own where the block is joined to the frame."""
 
 
 def kind_name(report: Report, lang: Lang) -> str:
-    """`crank-rocker`, `offset slider-crank`, `change-point linkage: parallelogram`."""
+    """`crank-rocker`, `offset slider-crank`, `change-point linkage (parallelogram)`."""
     if report.linkage.block and report.kind in HELD_BLOCKS:
         return say(f"linkages.block {report.kind}", lang)
     kind = say(f"linkages.kind {report.kind}", lang)
@@ -27,17 +33,23 @@ def kind_name(report: Report, lang: Lang) -> str:
     family = say(f"linkages.kind {report.family}", lang)
     if report.family in ("in-line", "offset"):
         return f"{family} {kind}" if lang == "en" else f"{family}{kind}"
-    return f"{kind}{say('common.colon', lang)}{family}"
+    return kind + say("common.note", lang, note=family)
 
 
 def found_lines(found: FoundLinkage, report: Report, lang: Lang) -> Iterator[str]:
     """Lines of a linkage found in a mechanism: which links it is made of first."""
-    links = say("common.list", lang).join(found.links)
-    yield say("linkages.links", lang, links=links)
+    yield say("linkages.links", lang, links=say("common.list", lang).join(_links(found, lang)))
     yield from lines(report, lang)
     if found.driven != "driver":
         key = "behind" if found.before is not None else found.driven
         yield say(f"linkages.found {key}", lang, driver=report.driver)
+
+
+def _links(found: FoundLinkage, lang: Lang) -> Iterator[str]:
+    """What the links are called; a pin that runs in a slot is none, and called so."""
+    pin = found.linkage.names[1] if "bar" in found.linkage.called else ""
+    for link in found.links:
+        yield say("linkages.pin", lang, point=link) if link == pin else link
 
 
 def lines(report: Report, lang: Lang) -> Iterator[str]:
@@ -47,7 +59,7 @@ def lines(report: Report, lang: Lang) -> Iterator[str]:
     yield f"{kind_name(report, lang)}{say('common.colon', lang)}{sizes}"
     yield say("linkages.drives", lang, driver=report.driver, output=report.output)
     yield _sums(report, lang)
-    yield say(f"linkages.why {report.kind}", lang, **_parts(report))
+    yield say(f"linkages.why {report.kind}", lang, **_parts(report), reach=_reach(report))
     yield from _equal(report, lang)
     yield from _turns(report, lang)
     yield from _limits(report, lang)
@@ -57,18 +69,29 @@ def lines(report: Report, lang: Lang) -> Iterator[str]:
     yield from _advantage(report, lang)
 
 
-def amount(report: Report, value: float, lang: Lang) -> str:
+def amount(report: Report, value: float) -> str:
     """A driver's value: an angle, or a slider's place."""
-    return millimetres(value) if report.driver_slides else angle(value, lang)
+    return millimetres(value) if report.driver_slides else angle(value)
 
 
-def _place(report: Report, value: float, lang: Lang) -> str:
-    return millimetres(value) if report.output_slides else angle(value, lang)
+def _place(report: Report, value: float) -> str:
+    return millimetres(value) if report.output_slides else angle(value)
 
 
 def _parts(report: Report) -> dict[str, str]:
     """What the links are called."""
     return {"driver": report.driver, "output": report.output, **report.linkage.called}
+
+
+def _reach(report: Report) -> str:
+    """`CD + |e| = 600 + 575 = 1175 mm > DE = 150 mm`: why a crank does not turn fully; "" of what has no rod."""
+    names, sizes = report.linkage.called, report.linkage.sizes
+    if report.kind != "rocker-slider":
+        return ""
+    crank, rod = names["crank"], names["coupler"]
+    parts, total = (sizes[crank], abs(sizes["e"])), sizes[crank] + abs(sizes["e"])
+    figures = " + ".join(exact(part * 1e3) for part in parts)
+    return f"{crank} + |e| = {figures} = {millimetres(total)} > {rod} = {millimetres(sizes[rod])}"
 
 
 def _sums(report: Report, lang: Lang) -> str:
@@ -91,13 +114,14 @@ def _sums(report: Report, lang: Lang) -> str:
 
 def _equal(report: Report, lang: Lang) -> Iterator[str]:
     """Links of one length each, where that is so."""
-    sizes = [(name, value) for name, value in report.linkage.sizes.items() if name != "e"]
-    total = sum(value for _, value in sizes)
-    pairs = [
-        f"{one} = {other}" for k, (one, a) in enumerate(sizes) for other, b in sizes[:k] if abs(a - b) <= EVEN * total
-    ]
-    if pairs:
-        yield say("linkages.equal", lang, pairs=say("common.list", lang).join(pairs))
+    sizes = {name: value for name, value in report.linkage.sizes.items() if name != "e"}
+    total = sum(sizes.values())
+    alike: list[list[str]] = []
+    for name, value in sizes.items():
+        group = next((group for group in alike if abs(sizes[group[0]] - value) <= EVEN * total), None)
+        alike.append([name]) if group is None else group.append(name)
+    if equal := [" = ".join(group) for group in alike if len(group) > 1]:
+        yield say("linkages.equal", lang, pairs=say("common.list", lang).join(equal))
 
 
 def _turns(report: Report, lang: Lang) -> Iterator[str]:
@@ -123,7 +147,7 @@ def _limits(report: Report, lang: Lang) -> Iterator[str]:
     if span.full:
         yield say("linkages.turns", lang, driver=report.driver)
     else:
-        low, high = (amount(report, value, lang) for value in (span.low, span.high))
+        low, high = (amount(report, value) for value in (span.low, span.high))
         yield say("linkages.range", lang, driver=report.driver, low=low, high=high)
     if not report.limits:
         yield say("linkages.no limits", lang, output=report.output)
@@ -131,11 +155,11 @@ def _limits(report: Report, lang: Lang) -> Iterator[str]:
     for nth, end in enumerate(report.limits, start=1):
         text = say(
             "linkages.limit", lang, number=nth, how=_how(report, end, lang), driver=report.driver,
-            value=amount(report, end.driver, lang), output=report.output, place=_place(report, end.output, lang),
+            value=amount(report, end.driver), output=report.output, place=_place(report, end.output),
         )  # fmt: skip
-        yield text + ("" if end.gamma is None else say("linkages.and gamma", lang, gamma=angle(end.gamma, lang)))
+        yield text + ("" if end.gamma is None else say("linkages.and gamma", lang, gamma=angle(end.gamma)))
     if report.swing is not None:
-        yield say("linkages.swing", lang, output=report.output, value=angle(report.swing, lang))
+        yield say("linkages.swing", lang, output=report.output, value=angle(report.swing))
     elif report.stroke is not None:
         yield say("linkages.stroke", lang, output=report.output, value=millimetres(report.stroke))
 
@@ -147,9 +171,15 @@ def _ratio(report: Report, lang: Lang) -> Iterator[str]:
     elif report.slow is None:
         yield say("linkages.no quick return", lang)
     else:
-        yield say("linkages.theta", lang, theta=angle(report.theta, lang), k=Figure(report.k))
+        yield say("linkages.theta", lang, theta=angle(report.theta), k=_k(report.theta, report.k))
         one, other = (number + 1 for number in report.slow)
         yield say("linkages.slow", lang, one=one, other=other, driver=report.timed_by or report.driver)
+
+
+def _k(theta: float, k: float) -> str:
+    """`(180 + 29.859)/(180 − 29.859) = 1.3977`."""
+    half, found = figures(180.0, degrees(theta))
+    return f"{written((half + found) / (half - found), k, _DIGITS)} = {number(k, digits=_DIGITS)}"
 
 
 def _gamma(report: Report, lang: Lang) -> Iterator[str]:
@@ -160,19 +190,21 @@ def _gamma(report: Report, lang: Lang) -> Iterator[str]:
         yield say("linkages.level", lang)
     else:
         for end in report.critical:
-            words = {"gamma": angle(end.gamma or 0.0, lang), "how": _how(report, end, lang)}
-            yield say("linkages.gamma", lang, **words, driver=report.driver, value=amount(report, end.driver, lang))
-        values = say("common.list", lang).join(amount(report, end.driver, lang) for end in report.least)
-        words = {"gamma": angle(least, lang), "alpha": angle(alpha, lang)}
+            words = {"gamma": angle(end.gamma or 0.0), "how": _how(report, end, lang)}
+            words["cosine"] = say("linkages.cosine", lang, cosine=found) if (found := cosine(report, end)) else ""
+            yield say("linkages.gamma", lang, **words, driver=report.driver, value=amount(report, end.driver))
+        values = say("common.list", lang).join(amount(report, end.driver) for end in report.least)
+        words = {"gamma": angle(least), "alpha": angle(alpha)}
         yield say("linkages.least", lang, **words, driver=report.driver, values=values)
 
 
 def _dead(report: Report, lang: Lang) -> Iterator[str]:
     for driver, values in report.dead.items():
         if values:
-            told = (millimetres(value) if driver == report.slide else angle(value, lang) for value in values)
+            told = (millimetres(value) if driver == report.slide else angle(value) for value in values)
             said = say("common.list", lang).join(told)
-            yield say("linkages.dead", lang, driver=driver, values=said)
+            along = report.output != driver == report.slide and driver == "s"
+            yield say("linkages.dead along" if along else "linkages.dead", lang, driver=driver, values=said)
         else:
             yield say("linkages.no dead", lang, driver=driver)
 
@@ -181,9 +213,9 @@ def _advantage(report: Report, lang: Lang) -> Iterator[str]:
     found = report.advantage
     if found is None:
         return
-    unit = " N/(N m)" if report.output_slides else ""
+    unit = " N/(N·m)" if report.output_slides else ""
     endless = say("linkages.endless", lang) if found.endless else ""
-    value, at = f"{number(found.least)}{unit}", amount(report, found.at, lang)
+    value, at = f"{number(found.least)}{unit}", amount(report, found.at)
     yield say("linkages.advantage", lang, value=value, driver=report.driver, at=at, endless=endless)
 
 

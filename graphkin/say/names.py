@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 
 from graphkin.construction import Plane
 from graphkin.errors import Lang
@@ -19,6 +20,7 @@ SLIDING: dict[Plane, str] = {"position": "s", "velocity": "ṡ", "acceleration":
 _RAISED = {"n": "ⁿ", "t": "ᵗ", "k": "ᵏ", "r": "ʳ"}
 
 
+@lru_cache(4096)
 def point(name: str) -> str:
     """A point of the mechanism or of a polygon (`B_guide` on a link called by a word), or a link.
 

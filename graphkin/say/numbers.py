@@ -13,11 +13,10 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 from collections.abc import Callable
-from decimal import Decimal
 from itertools import pairwise
 
-from graphkin.errors import Lang
 from graphkin.quantities import EDGE, IN_GRAVITY
 from graphkin.quantities.digits import significant
 
@@ -37,9 +36,15 @@ def number(value: float, zero: float = 0.0, digits: int = DIGITS) -> str:
     text = significant(value, digits)
     mantissa, _, exponent = text.partition("e")
     if exponent:
-        written_out = int(exponent) in _PLAIN
-        text = format(Decimal(text), "f") if written_out else f"{mantissa}e{int(exponent)}"
+        text = _in_full(text) if int(exponent) in _PLAIN else f"{mantissa}e{int(exponent)}"
     return text.replace("-", "−")
+
+
+def _in_full(text: str) -> str:
+    """`1.20e-05` with all its zeros."""
+    from decimal import Decimal
+
+    return format(Decimal(text), "f")
 
 
 def given(value: float, zero: float = 0.0) -> str:
@@ -48,9 +53,14 @@ def given(value: float, zero: float = 0.0) -> str:
     return number(value, zero, _COMPUTED if whole else DIGITS)
 
 
+def direction(vector: complex, read: Callable[[float], float] = float) -> float:
+    """Of a vector, counter-clockwise from +x, from 0 to 360 [deg]; as a protractor reads it."""
+    return read(round(cmath.phase(vector) * 180 / cmath.pi, 6) % 360) % 360
+
+
 def degrees(vector: complex, read: Callable[[float], float] = float) -> str:
-    """Direction of a vector, counter-clockwise from +x, from 0 to 360: `153.4°`; as a protractor reads it."""
-    angle = read(round(cmath.phase(vector) * 180 / cmath.pi, 6) % 360) % 360
+    """The same in print: `153.4°`."""
+    angle = direction(vector, read)
     return f"{number(angle if float(f'{angle:.4g}') < 360 else 0.0)}°"
 
 
@@ -85,6 +95,14 @@ def quantity(value: float, unit: str, *, gravity: bool = False) -> str:
     return f"{text} ({exact(value * IN_GRAVITY.factor)} {IN_GRAVITY.name})" if gravity and unit == "m/s^2" else text
 
 
+_MINUS = re.compile(r"(?<![\w)])-(?=\d)")
+
+
+def in_print(text: str) -> str:
+    """A text with the signs of print: a minus sign, °, ²."""
+    return _MINUS.sub("−", text.replace(" deg", "°").replace("^2", "²"))
+
+
 def at_edge(value: float, unit: str) -> str:
     """`41.2°`, `20 mm`, `0.36 m/s`."""
     name = "°" if unit == "rad" else f" {EDGE[unit].name}".rstrip()
@@ -97,15 +115,15 @@ def at_edge(value: float, unit: str) -> str:
 
 def millimetres(length: float) -> str:
     """`20 mm`; less than a millionth of one is none."""
-    return f"{significant(length * 1e3, _COMPUTED)} mm" if abs(length) > 1e-9 else "0 mm"
+    return f"{significant(length * 1e3, _COMPUTED)} mm".replace("-", "−") if abs(length) > 1e-9 else "0 mm"
 
 
-def angle(value: float, lang: Lang = "en") -> str:
-    """`32.984 deg`, `32.984°`."""
+def angle(value: float) -> str:
+    """`32.984°`."""
     degrees, text = math.degrees(value), f"{math.degrees(value):.3f}"
     if abs(float(text) - degrees) <= 1e-7:
         text = text.rstrip("0").rstrip(".")
-    return f"{'0' if text == '-0' else text}{' deg' if lang == 'en' else '°'}"
+    return f"{'0' if text == '-0' else text}°".replace("-", "−")
 
 
 class Figure(float):

@@ -36,7 +36,7 @@ from graphkin.say.together import solved_together
 def polygon(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], number: int) -> Iterator[Entry]:
     """Pole, known motions, equations, and what is read off each, in the order of the construction."""
     drawn = Polygon(reading, plane, standing(reading.method, plane, parts, reading.rested))
-    yield Heading(reading.say(f"derivation.plane {plane}", number=number))
+    yield Heading(reading.say(f"derivation.plane {plane}", number=number), plane)
     for part in drawn.parts:
         if isinstance(part, Equation):
             yield from equation(drawn, part)

@@ -17,9 +17,9 @@ from graphkin.planning.acts import Act, made
 from graphkin.planning.labels import Labels
 from graphkin.planning.needed import Fact, at_rest, turning
 from graphkin.say import names
-from graphkin.say.catalogue import say, set_close
+from graphkin.say.catalogue import say_close
 from graphkin.say.noise import ROUNDING, Usual
-from graphkin.say.numbers import degrees, number
+from graphkin.say.numbers import degrees, direction, number
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ class Reading:
     apart: bool = False
 
     def say(self, key: str, /, **words: object) -> str:
-        return set_close(key, **words) if self.lang == "zh" else say(key, self.lang, **words)
+        return say_close(key, self.lang, **words)
 
     def too_short(self, length_mm: float) -> str:
         """A note on a length that no pencil draws."""
@@ -187,6 +187,10 @@ class Reading:
     def angle(self, vector: Value) -> str:
         """A measured direction."""
         return degrees(vector, self.ruler.angle) if self.ruler else degrees(vector)
+
+    def direction(self, vector: Value) -> float:
+        """The same as a number [deg]."""
+        return direction(vector, self.ruler.angle) if self.ruler else direction(vector)
 
     def on_paper(self, length: float) -> str:
         """A length of the mechanism in mm on paper, as a figure."""

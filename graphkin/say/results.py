@@ -12,11 +12,14 @@ from graphkin.mechanism import Mechanism
 from graphkin.quantities import EDGE, Unit, driven, read
 from graphkin.say.catalogue import say
 from graphkin.say.centre_explained import place
-from graphkin.say.names import in_signs
+from graphkin.say.names import in_signs, of_slide
 from graphkin.say.numbers import exact
 from graphkin.say.text_table import table
 
 Json = Mapping[str, Any]
+
+_SLIDING = (("s", "s", EDGE["m"]), ("v", "ṡ", EDGE["m/s"]), ("a", "s̈", EDGE["m/s^2"]))
+"""A displacement and its rates: in the data, in print, their units."""
 
 
 def given_values(mechanism: Mechanism, values: Sequence[float], lang: Lang) -> str:
@@ -58,8 +61,11 @@ def _rows(mechanism: Mechanism, position: Json) -> Iterator[list[str]]:
             drawn, right = (abs(each) if along is None else float(dot(along, each)) for each in (arrow, other))
             yield _row(f"{key} {point}", drawn, right, EDGE[unit], abs(arrow - other))
     for slide, motion in position["slides"].items():
-        for key, shown in (("s", EDGE["m"]), ("v", EDGE["m/s"]), ("a", EDGE["m/s^2"])):
-            yield _row(f"{key} {slide}", motion[key] * shown.factor, exact["slides"][slide][key] * shown.factor, shown)
+        if not mechanism.pair(slide).given:
+            continue  # how far one point is along a line that has no name: its motion stands with the points
+        for key, symbol, shown in _SLIDING:
+            name = f"s {slide}" if key == "s" else of_slide(symbol, slide)
+            yield _row(name, motion[key] * shown.factor, exact["slides"][slide][key] * shown.factor, shown)
 
 
 def _along(mechanism: Mechanism, question: str) -> complex | None:

@@ -8,11 +8,12 @@ from graphkin.construction import Image, Measure
 from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.say import names
+from graphkin.say.contact_points import contacted, same_velocity
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Operand, figures, signed_sum
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
-from graphkin.say.rolling import checked, contacted, same_velocity
+from graphkin.say.rolling import checked
 
 # --- rotations ----------------------------------------------------------------------------------
 

@@ -12,7 +12,7 @@ from graphkin.geometry import cross, dot
 from graphkin.pairs import Pair, Slot
 from graphkin.say import names
 from graphkin.say.entry import Calculation
-from graphkin.say.figures import Formula, Operand, Sine
+from graphkin.say.figures import Formula, Operand, Turned
 from graphkin.say.guide_angle import guide_angle
 from graphkin.say.numbers import degrees, number
 from graphkin.say.paper_lengths import PaperLengths
@@ -67,7 +67,7 @@ class Tangents(PaperLengths):
         if angle is not None and angle.corner == step.pivot and not self._beside(step):
             formula = angle.distance
             length, turned = reading.distance(angle.corner, angle.through), abs(in_degrees(angle.angle))
-            figures = Operand(length) * Sine(turned)
+            figures = Operand(length) * Turned("sin", turned)
         slot = None if pair.stands_for is None else pair.stands_for.equivalent
         if pair.stands_for is not None and isinstance(slot, Slot) and abs(offset - abs(slot.offset)) <= reading.noise:
             formula = reading.rim(pair.stands_for)
@@ -84,7 +84,7 @@ class Tangents(PaperLengths):
         arm = link.arm(step.pivot, slot.line.origin)
         aside, radius = abs(float(cross(slot.line.direction, arm))), abs(slot.offset)
         turned = abs(in_degrees(float(np.angle(slot.line.direction / arm))))
-        length, sine, rim = Operand(abs(arm)), Sine(min(turned, 180 - turned)), Operand(radius)
+        length, sine, rim = Operand(abs(arm)), Turned("sin", min(turned, 180 - turned)), Operand(radius)
         name, symbol = f"l_{names.pair(step.pivot, slot.line.origin)} {sine.text()}", reading.rim(pair)
         ways = {
             aside + radius: (f"{name} + {symbol}", length * sine + rim),

@@ -29,14 +29,15 @@ from graphkin.say.figures import Operand
 from graphkin.say.numbers import degrees, number
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
-from graphkin.say.rolling import relation_of, turned
+from graphkin.say.rolling_relation import relation_of, turned
 
 # --- position -----------------------------------------------------------------------------------
 
 
 def fitted(reading: Reading, step: Fit) -> Iterator[Entry]:
     """A group's position by trial (样板法), or a train's by its relations; then what it comes to."""
-    members = list(dict.fromkeys(link for base in step.angles for link in _members(reading, base)))
+    turning = {link for base in step.angles for link in _members(reading, base)}
+    members = [link for link in reading.mechanism.moving if link in turning | _blocks(reading, step)]
     links = reading.listed([reading.link(link) for link in members])
     turns = [turned(reading, contact) for contact in step.contacts]
     if not step.closures and all(turn.nothing for turn in turns):
@@ -47,14 +48,29 @@ def fitted(reading: Reading, step: Fit) -> Iterator[Entry]:
     if step.closures:
         lengths = reading.listed(_arms(reading, step))
         words = {"links": links, "template": reading.link(_template(reading, step)), "lengths": lengths}
+        words |= {} if step.contacts else {"cls": reading.say(f"structure.class {_class(reading, members)}")}
         key = "contacts.fit geared" if step.contacts else "contacts.fit"
         yield Sentence(reading.say(key, relations=relations, **words))
     else:
         yield Sentence(reading.say("contacts.fit train", links=links, relations=relations))
-    found = [_angle(reading, link) for link in members]
+    found = [_angle(reading, link) for link in members if link in turning]
     found += [_slide(reading, slide) for slide in step.slides]
     values = reading.say("common.and").join(value for value in found if value)
     yield Sentence(reading.say("contacts.fitted", values=values))
+
+
+def _class(reading: Reading, members: list[str]) -> int:
+    """That of the group some links make up."""
+    from graphkin.assur import groups
+
+    called = {reading.mechanism.called(link) for link in members}
+    return max((group.cls for group in groups(reading.method) if called & {*group.links}), default=3)
+
+
+def _blocks(reading: Reading, step: Fit) -> set[str]:
+    """The links that only slide, of a group."""
+    structure = reading.method.structure
+    return {structure.block(structure.slides[slide]) for slide in step.slides}
 
 
 def _members(reading: Reading, base: str) -> list[str]:
@@ -115,7 +131,8 @@ def _slide(reading: Reading, slide: str) -> str:
         return f"{names.of_slide('s', slide)} = {value} mm"
     if pair.line.named:
         ends = names.pair(pair.line.origin, pair.point)
-        return f"l_{ends} = {number(reading.distance(pair.line.origin, pair.point) * 1000)} mm"
+        exactly = float(abs(reading.plot.arm(pair.line.origin, pair.point)))
+        return f"l_{ends} = {number(exactly * 1000, reading.noise * 1000)} mm"
     return ""
 
 

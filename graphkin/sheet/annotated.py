@@ -92,11 +92,10 @@ class Annotated:
     def _asked(self) -> Iterator[Rotation]:
         """The rates of links that are asked for, and that the planes drawn give."""
         machine = self.reading.mechanism
-        for text in machine.ask:
-            quantity = read(machine, text)
-            for half in quantity.halves if quantity is not None else ():
-                if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
-                    yield half
+        asked = [quantity for text in machine.ask if (quantity := read(machine, text)) is not None]
+        for half in dict.fromkeys(half for quantity in asked for half in quantity.halves):
+            if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
+                yield half
 
     def _arc(self, rotation: Rotation, free: FreeRoom) -> list[Mark]:
         """An arc in the sense in which the link turns, about one of its points, with its letter."""

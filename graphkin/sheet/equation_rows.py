@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import cached_property
 from itertools import chain
 
 from graphkin.say.entry import Entry, Sentence, VectorEquation
@@ -26,7 +27,7 @@ class EquationBlock:
     columns: tuple[tuple[Label, Label, Label], ...]
     page: int | None = None
 
-    @property
+    @cached_property
     def widths(self) -> list[float]:
         return [max(width(label, size) for label, size in zip(column, _SIZES, strict=True)) for column in self.columns]
 

@@ -6,7 +6,7 @@ from graphkin.errors import Lang
 from graphkin.finding import Findings
 from graphkin.planning import Method
 from graphkin.running.reaching import moved_to
-from graphkin.say.finding import caption, signed_lines
+from graphkin.say.finding import caption, lines
 from graphkin.sheet import Sheet
 from graphkin.sheet.gallery_sheet import MOST, side_by_side
 
@@ -24,5 +24,5 @@ def drawn(method: Method, found: Findings, lang: Lang = "en", *, paper: str | No
     captions = [caption(found, position) for position in shown]
     slowest = {entry.position.t: entry for entry in found.slow}
     slow = [slowest.get(position.t) for position in shown]
-    sheet = side_by_side(method, plots, captions, lang, paper=paper, told=[*signed_lines(found, lang)], slow=slow)
+    sheet = side_by_side(method, plots, captions, lang, paper=paper, told=[*lines(found, lang)], slow=slow)
     return sheet, len(positions) - len(shown)

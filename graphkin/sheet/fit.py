@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from graphkin.sheet.marks import Place
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import Room
 from graphkin.sheet.scales import finest, finest_each
@@ -130,6 +131,11 @@ def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tu
     left, top, right, bottom = bounds(draw(Window(0j, scale)).marks)
     whole = Room(0.0, 0.0, right - left + 2 * margin, bottom - top + 2 * margin)
     return Window(complex(margin - left, margin - top), scale), whole
+
+
+def magnified(window: Window, part: Place, shown: Place, times: float) -> Window:
+    """Through which what lies at one place of the paper is seen at another, so many times as large."""
+    return Window(shown + (window.origin - part) * times, window.scale / times)
 
 
 def corners(places: Sequence[complex]) -> tuple[complex, complex]:

@@ -3,32 +3,35 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from graphkin.sheet.lettering import Label, Run, point_label
 
 _RAISED = dict(zip("ⁿᵗᵏʳ²³", "ntkr23", strict=True))
 _LOW = r"(?:[^\s()（）/|²³·、。，；：,;.]|[,.](?=\w))+"
-_SIGN = re.compile(rf"([A-Za-zα-ωṡ]\u0308?)([ⁿᵗᵏʳ]*)(?:_({_LOW})|(\d+))([²³]?)(?![A-Za-z])")
+_SIGN = (
+    r"(?P<letter>[A-Za-zα-ωṡ]\u0308?)(?P<part>[ⁿᵗᵏʳ]*)"
+    rf"(?:_(?P<low>{_LOW})|(?P<digits>\d+))(?P<power>[²³]?)(?![A-Za-z])"
+)
 _POINT = re.compile(r"[A-Z][0-9]*′*")
-_POINTS = re.compile(rf"(?:(?<=[⊥∥→·△])|(?<=× ))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)")
+_POINTS = rf"(?:(?<=[⊥∥→·△])|(?<=× ))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)"
 _NODE = re.compile(r"[a-z]\d*(?:,\d+(?=′))?′*")
-_STRETCH = re.compile(
+_STRETCH = (
     r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+|[a-z]\d+′*)+(?![A-Za-z²³])"
     r"|(?<=[·△])(?:[a-z]\d*)+(?![A-Za-z])|(?<![A-Za-z/])(?<!\d )[a-z]{2}(?= = )"
 )
-_ANY = re.compile(f"(?P<points>{_POINTS.pattern})|(?P<stretch>{_STRETCH.pattern})|(?P<sign>{_SIGN.pattern})")
+_ANY = re.compile(f"(?P<points>{_POINTS}|{_STRETCH})|{_SIGN}")
 
 
+@lru_cache(4096)
 def formula(text: str) -> Label:
     """Quantities with their subscripts, powers raised, points in italics; what is neither stays as it is."""
+    text = text.replace("\u2034", 3 * "\u2032").replace("\u2033", 2 * "\u2032")  # fonts have but one prime
     runs: list[Run] = []
     at = 0
     for found in _ANY.finditer(text):
         runs += _upright(text[at : found.start()])
-        if found["sign"]:
-            runs += _sign(found["sign"])
-        else:
-            runs += _points(found["points"] or found["stretch"])
+        runs += _points(found["points"]) if found["points"] else _sign(found)
         at = found.end()
     return tuple(runs + _upright(text[at:]))
 
@@ -42,16 +45,14 @@ def _upright(text: str) -> list[Run]:
     return [Run(text)] if text else []
 
 
-def _sign(text: str) -> list[Run]:
+def _sign(found: re.Match[str]) -> list[Run]:
     """A letter, what stands below it, and its part or power above that."""
-    match = _SIGN.fullmatch(text)
-    assert match is not None
-    letter, part, low, digits, power = match.groups()
+    letter, part, low, digits, power = found.group("letter", "part", "low", "digits", "power")
     below = re.findall(r"[^\W\d_]+|[^A-Za-z]+", _spaced(low or digits))
-    found = [Run(letter, True), *(Run(piece, _italic(piece), "sub") for piece in below)]
+    runs = [Run(letter, True), *(Run(piece, _italic(piece), "sub") for piece in below)]
     if part:
-        found.append(Run("".join(_RAISED[c] for c in part), True, "sup", back=True))
-    return [*found, Run(_RAISED[power], place="sup")] if power else found
+        runs.append(Run("".join(_RAISED[c] for c in part), True, "sup", back=True))
+    return [*runs, Run(_RAISED[power], place="sup")] if power else runs
 
 
 def _spaced(low: str) -> str:

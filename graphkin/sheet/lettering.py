@@ -159,6 +159,7 @@ def _mixed(text: str, place: Literal["base", "sub", "sup"]) -> Label:
     return tuple(Run(part, part[0].isalpha() and part[0].isascii(), place) for part in parts)
 
 
+@lru_cache(4096)
 def point_label(name: str) -> Label:
     """A point of the mechanism or of a polygon: `B`, `O1`, `b3'`, `n'`, `b@guide`: digits as subscripts.
 
@@ -184,6 +185,7 @@ def _equivalent(found: re.Match[str]) -> str:
     return f"@e{number + 1 if number else ''}"
 
 
+@lru_cache(4096)
 def vector_label(name: str) -> Label:
     """`v_CB`, `a^n_B3D`, `v_B@guide`: the part stands above the subscript; `v_DG+v_S4D` are two in one."""
     if "+" in name:

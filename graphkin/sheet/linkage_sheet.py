@@ -136,7 +136,7 @@ _WORDS: dict[str, dict[Lang, str]] = {
 
 
 def _degrees(angle: float) -> str:
-    return degrees(angle, "zh")
+    return degrees(angle)
 
 
 def _limit_caption(report: Report, lang: Lang) -> tuple[str, ...]:
@@ -149,7 +149,7 @@ def _limit_caption(report: Report, lang: Lang) -> tuple[str, ...]:
 
 
 def _gamma_caption(report: Report, lang: Lang) -> tuple[str, ...]:
-    values = ", ".join(amount(report, end.driver, "zh") for end in report.least)
+    values = ", ".join(amount(report, end.driver) for end in report.least)
     words = {"gamma": _degrees(report.gamma_min or 0.0), "alpha": _degrees(report.alpha_max or 0.0)}
     found = [_WORDS["gamma"][lang].format(driver=report.driver)]
     letter = "s" if report.driver == report.slide else "φ"

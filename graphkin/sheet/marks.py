@@ -17,10 +17,10 @@ from graphkin.value import frozen
 Place = complex
 Fill = Literal["none", "paper", "ink", "grey", "tint"]
 """A tint hides nothing under it."""
-Layer = Plane | Literal["centres"]
-"""What a mark belongs to: a plane of the construction, or the instant centres over the mechanism."""
+Layer = Plane | Literal["centres", "detail"]
+"""What a mark belongs to: a plane of the construction, the instant centres over the mechanism, a detail of a plane."""
 Half = Literal["", "left", "right"]
-Form = Literal["bar", "guide", "block", "slot", "wheel", "arc"]
+Form = Literal["bar", "guide", "block", "slot", "wheel", "arc", "path"]
 
 
 @frozen
@@ -29,9 +29,10 @@ class Shows:
 
     form    "bar": corners at `points`, one by one; "guide": on a line of the link, reaching over `points`;
             "block": about its point, sides along and across the line; "slot": its middle on the line, sides along it,
-            reaching over `points`; "wheel": a circle about its point; "arc": about the first point, past the second
+            reaching over `points`; "wheel": a circle about its point; "arc": about the first point, past the second;
+            "path": where the point goes as the driver `line` moves
     points  of the plane, as their marks are called
-    line    the slide, roll or cam whose line it is
+    line    the slide, roll or cam whose line it is; of a path the driver
     """
 
     link: str

@@ -16,6 +16,7 @@ from graphkin.planning import Method
 from graphkin.planning.acts import pages
 from graphkin.say.plane import Polygon as Spoken
 from graphkin.sheet.annotated import Annotated
+from graphkin.sheet.detail import detailed
 from graphkin.sheet.drafted import Drafted
 from graphkin.sheet.equation_rows import EquationBlock, head_of, laid_out
 from graphkin.sheet.fit import Extent
@@ -33,7 +34,7 @@ from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import PLANES, Window
 from graphkin.value import frozen
 
-_CROWDED, _EASED = 8, 4
+_CROWDED, _EASED = 10, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
 _COARSER = 1.34
 """So much coarser a figure may be drawn to have room for its equations over it."""
@@ -135,11 +136,16 @@ def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
 
 @frozen
 class _Composed:
-    """All of it on a divided paper; `stages`: over the lines of the pencil, for single steps."""
+    """All of it on a divided paper.
+
+    stages   over the lines of the pencil, for single steps
+    details  what lies too close together is drawn once more, magnified
+    """
 
     work: _Work
     layout: Layout
     stages: bool = False
+    details: bool = False
 
     @cached_property
     def crammed(self) -> bool:
@@ -152,12 +158,17 @@ class _Composed:
 
     @cached_property
     def page(self) -> Page:
-        return self.work.page(self.layout, self.stages)
+        return self.work.page(self.layout, self.stages, self.details)
 
     @cached_property
     def near(self) -> Lettered:
         """Each label near what it names."""
         return self.page.lettered(far=False)
+
+    @property
+    def detailed(self) -> _Composed:
+        """With details, where labels want them."""
+        return replace(self, details=True) if self.near.lost or self.near.crowded else self
 
     @property
     def crowd(self) -> bool:
@@ -175,8 +186,8 @@ def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iter
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
     from graphkin.sheet.captions import Captions  # all the words of a solution
 
-    layout, drawing = _whole(work, paper).layout, work.drawing
-    whole = _Composed(work, layout, stages=True).lettered.sheet
+    found, drawing = _whole(work, paper), work.drawing
+    layout, whole = found.layout, replace(found, stages=True).lettered.sheet
     others = {} if work.planes == PLANES else scales_of(drawing.method, drawing.plot, work.lang)
     captions = Captions.of(drawing.reading({**others, **layout.scales}), work.planes)
     strip = None if work.tight else layout.strip
@@ -188,7 +199,7 @@ def _cut(work: _Work, paper: str | None, large: bool | None) -> _Composed:
     best = _divided(work, paper, large)
     if len(work.planes) > 1 or not (work.tight or paper is None):
         return best
-    return _Composed(work, cut_to(best.layout, work.planes[0], work.extent(best.layout, work.planes[0])))
+    return replace(best, layout=cut_to(best.layout, work.planes[0], work.extent(best.layout, work.planes[0])))
 
 
 def _divided(work: _Work, paper: str | None, large: bool | None) -> _Composed:
@@ -205,12 +216,12 @@ def _divided(work: _Work, paper: str | None, large: bool | None) -> _Composed:
     if best.crammed:
         return _divided(work, paper, large=True) if small else best
     best = work.roomier(best, papers)
-    crowded, lost = best.near.crowded, best.near.lost
-    if small and (lost or (crowded > _CROWDED and large is None)):
+    found = best.detailed
+    if small and (found.near.lost or (found.near.crowded > _CROWDED and large is None)):
         larger = work.roomier(_Composed(work, work.layout(LARGE)), LARGE)
-        eased = larger.near.crowded <= crowded - _EASED
-        return larger if (larger.near.lost, not eased) < (lost, True) else best
-    return best
+        eased = larger.near.crowded <= best.near.crowded - _EASED
+        return larger.detailed if (larger.near.lost, not eased) < (best.near.lost, True) else found
+    return found
 
 
 @frozen
@@ -286,15 +297,15 @@ class _Work:
                 composed = other if other.near.lost < composed.near.lost else composed
         return composed
 
-    def page(self, layout: Layout, stages: bool) -> Page:
+    def page(self, layout: Layout, stages: bool, details: bool) -> Page:
         """Everything on a divided paper."""
         method, plot = self.drawing.method, self.drawing.plot
-        panels = [self.panel(layout, plane, stages) for plane in self.planes]
+        panels = [self.panel(layout, plane, stages, details) for plane in self.planes]
         foot = Strip(layout.strip, [] if stages else self.found, self.notes, equations=[] if stages else self.apart)
         strip = None if self.tight else foot
         return Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, strip)
 
-    def panel(self, layout: Layout, plane: Plane, stages: bool) -> Panel:
+    def panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:
         """One plane's figure under its heading; with `stages`, over the lines of the pencil."""
         drawing, room = self.drawing, layout.rooms[plane]
         window = layout.window(plane, self.extent(layout, plane))
@@ -307,7 +318,9 @@ class _Work:
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         more = self.drafted(layout, plane, window) if drawing.style == "construction" else None
-        return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
+        panel = Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
+        wanted = details and plane != "position"
+        return detailed(panel, partial(drawing.figure, plane), plane) if wanted else panel
 
     def extent(self, layout: Layout, plane: Plane) -> Extent:
         """With its equations over it, where they have room there."""

@@ -11,7 +11,7 @@ from graphkin.errors import Lang
 from graphkin.say.catalogue import say
 from graphkin.sheet.formula import points_label
 from graphkin.sheet.lettering import Label, number, plain, point_label
-from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
+from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.paper import LEAST
 from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import arrow
@@ -67,7 +67,9 @@ class Paths:
 
     def _drawn(self, curve: PointPath, window: Window) -> Iterator[Mark | Wanted]:
         places = _on_paper(curve, window)
-        yield Stroke(places, "outline", closed=curve.closed)
+        owner = curve.course.method.mechanism.owners[curve.point][0]
+        shows = Shows(owner, "path", (curve.point,), curve.course.driver.name)
+        yield Stroke(places, "outline", closed=curve.closed, shows=shows)
         middle = complex(np.mean(places))
         named = places[len(places) // 8]
         yield Wanted(_named(curve, self.lang), named, gap=1.2, away=named - middle, size=LEAST)

@@ -33,6 +33,8 @@ SIZE = 3.0
 """Letters of the table [mm]."""
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
 _MOST_ROWS = 12
+Cell = tuple[float | None, float]
+"""Widths of a number up to its point, None where it is no number, and of the whole of what is written [mm]."""
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
 
 
@@ -46,21 +48,7 @@ class Table:
     @cached_property
     def widths(self) -> list[float]:
         """Width of each column [mm]."""
-        found = []
-        for k, head in enumerate(self.head):
-            cells = [self.before(row[k], k) + width(row[k], SIZE) for row in self.rows]
-            found.append(max([width(head, SIZE), *cells]))
-        return found
-
-    def before(self, cell: Label, column: int) -> float:
-        """What a number leaves free before it [mm]."""
-        own = _whole(cell)
-        return self._points[column] - own if own is not None else 0.0
-
-    @cached_property
-    def _points(self) -> list[float]:
-        """How far before its point the widest number of each column begins [mm]."""
-        return [max((_whole(row[k]) or 0.0 for row in self.rows), default=0.0) for k in range(len(self.head))]
+        return self._widths(0, len(self.rows))
 
     @cached_property
     def wide(self) -> float:
@@ -71,9 +59,51 @@ class Table:
         """What is free after each column; less before a column without a heading [mm]."""
         return [_GAP if label else _CLOSE for label in self.head[1:]] + [0.0]
 
+    def before(self, cell: Label, column: int) -> float:
+        """What a number leaves free before it [mm]."""
+        own = _whole(cell)
+        return self._points[column] - own if own is not None else 0.0
+
     def cut(self, count: int) -> Iterator[Table]:
         for k in range(0, len(self.rows), count):
             yield Table(self.head, self.rows[k : k + count])
+
+    def wides(self, count: int) -> list[float]:
+        """How wide the parts are into which it would be cut [mm]."""
+        if count not in self._tried:
+            parts, gaps = range(0, len(self.rows), count), sum(self.gaps)
+            self._tried[count] = [sum(self._widths(k, k + count)) + gaps for k in parts]
+        return self._tried[count]
+
+    @cached_property
+    def _tried(self) -> dict[int, list[float]]:
+        """What is known of its parts, by their rows: it is tried on many papers."""
+        return {}
+
+    def _widths(self, first: int, last: int) -> list[float]:
+        """Width of each column, were there only some of the rows [mm]."""
+        found = []
+        for head, cells in self._cells:
+            some = cells[first:last]
+            point = _point(some)
+            wide = [(point - own if own is not None else 0.0) + whole for own, whole in some]
+            found.append(max([head, *wide]))
+        return found
+
+    @cached_property
+    def _points(self) -> list[float]:
+        """How far before its point the widest number of each column begins [mm]."""
+        return [_point(cells) for _, cells in self._cells]
+
+    @cached_property
+    def _cells(self) -> list[tuple[float, list[Cell]]]:
+        """Of each column: the width of its heading, and its cells."""
+        cells = [[(_whole(cell), width(cell, SIZE)) for cell in row] for row in self.rows]
+        return [(width(head, SIZE), [row[k] for row in cells]) for k, head in enumerate(self.head)]
+
+
+def _point(cells: list[Cell]) -> float:
+    return max((own or 0.0 for own, _ in cells), default=0.0)
 
 
 @lru_cache(4096)
@@ -171,7 +201,8 @@ class _Results:
             values = zip((speed, *sizes), ("v", "a_k", "a_r"), strict=True)
             first = bold(label) if self.asked(spoken, "v", "a_k", "a_r") else label
             found.append((first, *(self.told(spoken, value, kind) for value, kind in values)))
-        return Table(head, tuple(found))
+        told = [k for k in range(len(head)) if not k or any(run.text for row in found for run in row[k])]
+        return Table(tuple(head[k] for k in told), tuple(tuple(row[k] for k in told) for row in found))
 
     def slide(self, name: str) -> Label:
         """What people call it; a name of the file in italics."""
@@ -249,13 +280,12 @@ def arranged(found: list[Table], room: float) -> list[list[Table]]:
 def _cut(tier: list[Table], room: float) -> list[Table]:
     """Tables cut to as few rows as their room allows."""
     for rows in range(3, _MOST_ROWS + 1):
-        parts = [part for table in tier for part in table.cut(rows)]
-        if _across(parts) <= room:
-            return parts
+        if _across([wide for table in tier for wide in table.wides(rows)]) <= room:
+            return [part for table in tier for part in table.cut(rows)]
     kept: list[Table] = []
     for table in tier:
         part = next(table.cut(_MOST_ROWS))
-        if _across([*kept, part]) <= room:
+        if _across([each.wide for each in (*kept, part)]) <= room:
             kept.append(part)
     return kept
 
@@ -265,8 +295,8 @@ def height_of(tiers: list[list[Table]]) -> float:
     return sum(PITCH * (1 + max((len(table.rows) for table in tier), default=0)) + 2.5 for tier in tiers)
 
 
-def _across(parts: list[Table]) -> float:
-    return sum(part.wide for part in parts) + _BETWEEN * max(0, len(parts) - 1)
+def _across(wides: list[float]) -> float:
+    return sum(wides) + _BETWEEN * max(0, len(wides) - 1)
 
 
 def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:

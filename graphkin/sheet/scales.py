@@ -21,6 +21,7 @@ KEYS: dict[Plane, str] = {"position": "length", "velocity": "velocity", "acceler
 """Key of a plane's scale in the mechanism file."""
 SERIES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0)
 """What a scale begins with: 1-2-5 (ISO 5455, the first series of GB/T 14690) and between them its second series."""
+_NONE = 1e-300
 _CLOSE = 1 - 1e-9
 """A scale that is too fine by rounding alone still fits."""
 
@@ -65,26 +66,36 @@ def finest(size: complex, room: complex) -> float:
 
 def finest_each(least: Any) -> Any:
     """The scale of the series next above each of many values (0.01 where there is none), as `finest` takes it."""
-    series = _series(_next(np.min(least)), _next(np.max(least)))
+    finest, coarsest = float(least.min()), float(least.max())
+    if not finest > _NONE:
+        return np.full(least.shape, _next(0.0))
+    series = _series(_power(finest), _power(coarsest))
     return series[np.searchsorted(series, least * _CLOSE)]
 
 
-@lru_cache(256)
-def _series(finest: float, coarsest: float) -> Any:
-    """All scales from one to another, the finest first."""
-    series = [coarsest]
-    while series[-1] > finest:
-        series.append(finer(series[-1]))
-    return np.array(series[::-1])
+@lru_cache(64)
+def _series(first: int, last: int) -> Any:
+    """All scales from one power of ten to the one after another, the finest first."""
+    return np.array(sorted({scale for power in range(first, last + 1) for scale in _steps(power)}))
 
 
 def _next(least: float) -> float:
     """The scale of the series next above a value."""
-    if not least > 1e-300:
+    if not least > _NONE:
         return 0.01
-    power = math.floor(math.log10(least))
-    steps = (*(float(f"{step}e{power}") for step in SERIES), float(f"1e{power + 1}"))
+    steps = _steps(_power(least))
     return next((scale for scale in steps if scale >= least * _CLOSE), steps[-1])
+
+
+def _power(value: float) -> int:
+    """The power of ten next below it."""
+    return math.floor(math.log10(value))
+
+
+@lru_cache(64)
+def _steps(power: int) -> tuple[float, ...]:
+    """The scales of the series from a power of ten to the next."""
+    return (*(float(f"{step}e{power}") for step in SERIES), float(f"1e{power + 1}"))
 
 
 def finer(scale: float) -> float:

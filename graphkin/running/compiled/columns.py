@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
-
-import numpy as np
 
 from graphkin.construction.kinds import Fit
 from graphkin.geometry import Value
@@ -14,27 +12,18 @@ from graphkin.value import frozen
 
 @frozen
 class Column:
-    """Where one real quantity, or its negative, is found: a row of the block, one of what was given, else a number.
-
-    alone   it is that row, and no other quantity is found there
-    """
+    """Where a real quantity, or its negative, is found: in a row, a part of a vector, what was given, or a number."""
 
     row: int | None = None
+    part: int | None = None
     given: int | None = None
     number: float = 0.0
     sign: int = 1
-    alone: bool = False
 
     @property
     def known(self) -> float | None:
         """The number that it is at all positions."""
-        return self.sign * self.number if self.row is None and self.given is None else None
-
-    def of(self, rows: Sequence[np.ndarray] | np.ndarray, given: Sequence[np.ndarray]) -> Value:
-        """The quantity without its sign, () or (n,)."""
-        if self.row is not None:
-            return rows[self.row]
-        return self.number if self.given is None else given[self.given][()]
+        return self.sign * self.number if self.row is self.part is self.given is None else None
 
 
 @frozen
@@ -53,10 +42,9 @@ class Vector:
 
 @frozen
 class Pair:
-    """A vector whose parts lie side by side, by its number among these; `alone`: no other quantity is this vector."""
+    """A vector whose parts lie side by side, by its number among these."""
 
     number: int
-    alone: bool = False
 
 
 @frozen
@@ -67,30 +55,68 @@ class Judged:
     which: int
 
 
-Place = Column | Vector | Pair | Judged
+@frozen
+class Late:
+    """What a second run tells where somebody wants to know: a number of its own, or its negative."""
+
+    number: int
+    sign: int
+
+
+Place = Column | Vector | Pair | Judged | Late
 """Where a quantity of the plot comes from."""
+
+Own = Column | Pair
+"""What can be handed out as it lies there."""
 
 
 @frozen
 class Columns:
     """Where the quantities of a table come from; of most there is nothing to be done where they are read.
 
-    known       those that are the same at all positions
-    pairs, rows names, and what they are alone in
+    known        all names; what is the same at all positions has its value already
+    pairs, rows  names of what is handed out as it lies there
+    others       what is worked out, or copied
     """
 
-    places: Mapping[Any, Place]
     known: Mapping[Any, Value]
     pairs: tuple[tuple[Any, int], ...]
     rows: tuple[tuple[Any, int], ...]
+    others: tuple[tuple[Any, Place], ...]
 
     @classmethod
-    def of(cls, places: Mapping[Any, Place]) -> Columns:
-        known = {name: place.known for name, place in places.items() if isinstance(place, Column | Vector)}
-        alone = [(name, place) for name, place in places.items() if isinstance(place, Column | Pair) and place.alone]
-        return cls(
-            places,
-            {name: value for name, value in known.items() if value is not None},
-            tuple((name, place.number) for name, place in alone if isinstance(place, Pair)),
-            tuple((name, place.row) for name, place in alone if isinstance(place, Column) and place.row is not None),
-        )
+    def of(cls, places: Mapping[Any, Place], owned: Mapping[Any, Own]) -> Columns:
+        known = {name: place.known if isinstance(place, Column | Vector) else None for name, place in places.items()}
+        pairs = tuple((name, place.number) for name, place in owned.items() if isinstance(place, Pair))
+        columns = [(name, place.row) for name, place in owned.items() if isinstance(place, Column)]
+        rows = tuple((name, row) for name, row in columns if row is not None)
+        others = tuple((name, place) for name, place in places.items() if known[name] is None and name not in owned)
+        return cls(known, pairs, rows, others)
+
+
+def told_apart(tables: Mapping[str, Mapping[Any, Place]]) -> dict[str, Columns]:
+    """By table; what lies somewhere is handed out as it is to one quantity, if no other table tells it, too."""
+    users: dict[object, set[str]] = {}
+    for table, places in tables.items():
+        for place in places.values():
+            users.setdefault(_where(place), set()).add(table)
+    return {
+        table: Columns.of(places, {
+            name: place for name, place in _first_ones(places).items() if len(users[_where(place)]) == 1
+        })
+        for table, places in tables.items()
+    }  # fmt: skip
+
+
+def _first_ones(places: Mapping[Any, Place]) -> dict[Any, Own]:
+    """The first quantity that is what lies at each place, and nothing is to be done with it."""
+    first: dict[object, tuple[Any, Own]] = {}
+    for name, place in places.items():
+        if isinstance(place, Pair) or (isinstance(place, Column) and place.row is not None and place.sign == 1):
+            first.setdefault(_where(place), (name, place))
+    return dict(first.values())
+
+
+def _where(place: Place) -> object:
+    """The row or the pair that a quantity lies in; else nothing that could be shared."""
+    return (Pair, place.number) if isinstance(place, Pair) else (Column, getattr(place, "row", None))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Mapping, MutableMapping, Sequence
-from dataclasses import fields, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import field, fields, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -11,10 +12,10 @@ import numpy as np
 from graphkin.construction.fitting import sense_and_sine
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
-from graphkin.running.compiled.columns import Column, Columns, Judged, Pair, Place, Vector
+from graphkin.running.compiled.columns import Column, Columns, Judged, Late, Pair, Place, Vector
 from graphkin.value import frozen
 
-TABLES = tuple(field.name for field in fields(Plot) if field.name not in ("facts", "near", "follows"))
+TABLES = tuple(each.name for each in fields(Plot) if each.name not in ("facts", "near", "follows"))
 
 
 @frozen
@@ -29,7 +30,7 @@ class Patch:
 class Numbers:
     """What a program gives: real numbers (rows, n) and vectors (pairs, n), beside what it was given, () or (n,).
 
-    What is one quantity alone is handed out as it lies there, all else as a copy: what is done with an array that was
+    What belongs to one quantity is handed out as it lies there, all else as a copy: what is done with an array that was
     read changes no other.
     """
 
@@ -42,23 +43,30 @@ class Numbers:
         """Of positions."""
         return int(self.block.shape[1])
 
-    def read(self, column: Column | Vector | Pair) -> Value:
+    def read(self, place: Column | Vector | Pair) -> Value:
         """A scalar, or an array of its own (n,)."""
-        if isinstance(column, Pair):
-            found = self.vectors[column.number]
-            return found if column.alone else found.copy()
-        if isinstance(column, Column):
-            found = column.of(self.block, self.given)
-            if column.alone:
-                return found
-            return np.multiply(column.sign, found) if np.ndim(found) else column.sign * found
-        x, y = (part.of(self.block, self.given) for part in (column.x, column.y))
+        if isinstance(place, Pair):
+            return self.vectors[place.number].copy()
+        if isinstance(place, Column):
+            return self._signed(place)
+        x, y = self._signed(place.x), self._signed(place.y)
         if not np.ndim(x) and not np.ndim(y):
-            return complex(column.x.sign * x, column.y.sign * y)
+            return complex(x, y)
         vector = np.empty(self.count, dtype=complex)
-        np.multiply(column.x.sign, x, out=vector.real)
-        np.multiply(column.y.sign, y, out=vector.imag)
+        vector.real, vector.imag = x, y
         return vector
+
+    def _signed(self, column: Column) -> Value:
+        found = self._unsigned(column)
+        return found.copy() if column.sign > 0 and isinstance(found, np.ndarray) else column.sign * found
+
+    def _unsigned(self, column: Column) -> Value:
+        if column.row is not None:
+            return self.block[column.row]
+        if column.part is not None:
+            vector = self.vectors[column.part // 2]
+            return vector.imag if column.part % 2 else vector.real
+        return column.number if column.given is None else self.given[column.given][()]
 
 
 @frozen
@@ -67,13 +75,17 @@ class Told:
 
     standing  facts with the drivers at other values
     columns   where each quantity is found, by table and name
+    late      gives what is worked out late (k, n) of what was given
     patches   positions told otherwise
+    judged    senses and sines of groups, once they were asked for
     """
 
     standing: Facts
     columns: Mapping[str, Columns]
     numbers: Numbers
+    late: Callable[[Sequence[np.ndarray]], np.ndarray]
     patches: Sequence[Patch] = ()
+    judged: dict[str, tuple[Value, Value]] = field(default_factory=dict)
 
     @property
     def facts(self) -> Facts:
@@ -81,60 +93,37 @@ class Told:
         given = self.numbers.given[: len(self.standing.values)]
         return replace(self.standing, values=tuple(value[()] for value in given))
 
-    def ready(self, columns: Columns) -> dict[Any, Value]:
-        """What of a table is read as it lies there, without any work."""
-        if self.patches:
-            return {}
-        found = {**columns.known}
-        found.update((name, self.numbers.vectors[number]) for name, number in columns.pairs)
-        found.update((name, self.numbers.block[row]) for name, row in columns.rows)
+    def table(self, name: str) -> dict[Any, Value]:
+        """Quantities by name: most are read as they lie there, the others get arrays of their own."""
+        columns, vectors, block = self.columns[name], self.numbers.vectors, self.numbers.block
+        found = dict(columns.known)
+        for key, number in columns.pairs:
+            found[key] = vectors[number]
+        for key, row in columns.rows:
+            found[key] = block[row]
+        for key, place in columns.others:
+            found[key] = self._worked_out(place)
+        for patch in self.patches:
+            for key, value in getattr(patch.plot, name).items():
+                found[key] = _patched(found[key], self.numbers.count, patch.rows, value)
         return found
 
-    def looked_up(self, table: str, name: Hashable, place: Place) -> Value:
-        """A quantity of a table, in an array of its own."""
-        if isinstance(place, Judged):
-            found = sense_and_sine(place.step, LazyPlot.of(self))[place.which]
-        else:
-            found = self.numbers.read(place)
-        patches = [(patch.rows, getattr(patch.plot, table)[name]) for patch in self.patches]
-        return _patched(found, self.numbers.count, patches) if patches else found
+    @cached_property
+    def _late(self) -> np.ndarray:
+        return self.late(self.numbers.given)
 
-
-class LazyQuantities(MutableMapping[Any, Value]):
-    """Quantities by name, each made when it is first read."""
-
-    def __init__(self, told: Told, table: str) -> None:
-        self.told, self.table = told, table
-        self.columns: dict[Any, Place | None] = {**told.columns[table].places}
-        self.read = told.ready(told.columns[table])
-
-    def __getitem__(self, name: Hashable) -> Value:
-        if name in self.read:
-            return self.read[name]
-        if (place := self.columns[name]) is None:
-            raise KeyError(name)
-        return self.read.setdefault(name, self.told.looked_up(self.table, name, place))
-
-    def __setitem__(self, name: Hashable, value: Value) -> None:
-        self.columns.setdefault(name, None)
-        self.read[name] = value
-
-    def __delitem__(self, name: Hashable) -> None:
-        del self.columns[name]
-        self.read.pop(name, None)
-
-    def __iter__(self) -> Iterator[Any]:
-        return iter(self.columns)
-
-    def __len__(self) -> int:
-        return len(self.columns)
-
-    def __repr__(self) -> str:
-        return repr(dict(self))
+    def _worked_out(self, place: Place) -> Value:
+        if isinstance(place, Late):
+            return place.sign * self._late[place.number]
+        if not isinstance(place, Judged):
+            return self.numbers.read(place)
+        if (name := place.step.name) not in self.judged:
+            self.judged[name] = sense_and_sine(place.step, LazyPlot.of(self))
+        return self.judged[name][place.which]
 
 
 class LazyPlot(Plot):
-    """A finished plot; of what it holds, only what is read is put into arrays by itself."""
+    """A finished plot, whose tables are filled when they are first read."""
 
     @classmethod
     def of(cls, told: Told) -> LazyPlot:
@@ -143,21 +132,24 @@ class LazyPlot(Plot):
         plot.__dict__ |= {"near": {}, "_told": told}
         return plot
 
+    def __reduce__(self) -> tuple[type[Plot], tuple[Any, ...]]:
+        """Sent elsewhere it is a plain plot."""
+        return Plot, tuple(getattr(self, each.name) for each in fields(Plot))
+
     def __getattr__(self, name: str) -> Any:
         """Tables and facts, which a plot has as attributes, when they are first asked for."""
         known = self.__dict__
         if "_told" not in known or name not in ("facts", *TABLES):
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         told: Told = known["_told"]
-        return known.setdefault(name, told.facts if name == "facts" else LazyQuantities(told, name))
+        return known.setdefault(name, told.facts if name == "facts" else told.table(name))
 
 
-def _patched(value: Value, count: int, patches: Sequence[tuple[np.ndarray, Value]]) -> Value:
+def _patched(value: Value, count: int, here: np.ndarray, found: Value) -> Value:
     """A quantity with other values at some positions; a scalar remains one where they are no other."""
     if not np.ndim(value):
-        if all(np.all(np.equal(found, value)) for _, found in patches):
+        if np.all(np.equal(found, value)):
             return value
         value = np.full(count, value)
-    for here, found in patches:
-        value[here] = found
+    value[here] = found
     return value

@@ -50,9 +50,12 @@ class Operations:
     def __init__(self) -> None:
         self.operations: list[Operation] = []
         self._places: dict[Operation, int] = {}
+        self._numbers: dict[float, int] = {}
 
     def number(self, value: float) -> int:
-        return self._entered(Operation(NUMBER, number=float(value)))
+        if (place := self._numbers.get(value)) is None:
+            place = self._numbers[value] = self._entered(Operation(NUMBER, (), float(value)))
+        return place
 
     def given(self, which: int) -> int:
         return self._entered(Operation(GIVEN, number=which))
@@ -63,20 +66,25 @@ class Operations:
 
     def number_at(self, place: int) -> float | None:
         """The number at a place, None where another kind of operation stands."""
-        operation = self.operations[place]
-        return operation.number if operation.does == NUMBER else None
+        does, _, number = self.operations[place]
+        return number if does == NUMBER else None
+
+    def known(self, operation: Operation) -> int | None:
+        """Where an operation stands, if it is entered."""
+        return self._places.get(operation)
 
     def _entered(self, operation: Operation) -> int:
-        place = self._places.setdefault(operation, len(self.operations))
-        if place == len(self.operations):
+        count = len(self.operations)
+        place = self._places.setdefault(operation, count)
+        if place == count:
             self.operations.append(operation)
         return place
 
     def _done(self, does: str, *of: int) -> int:
         """A function of operations: a number where all of them are."""
-        numbers = [self.number_at(place) for place in of]
-        if None in numbers:
+        if any(self.operations[place].does != NUMBER for place in of):
             return self._entered(Operation(does, of))
+        numbers = [self.operations[place].number for place in of]
         try:
             return self.number(WITH_NUMBERS[does](*numbers))
         except (ValueError, ZeroDivisionError) as error:

@@ -12,10 +12,8 @@ notes that something failed somewhere; then the program is run again to see at w
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, TypeGuard
 
 import numpy as np
 
@@ -23,12 +21,11 @@ from graphkin.construction.construction import Construction
 from graphkin.construction.pencil import replay
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
-from graphkin.running.compiled.calls import Calls, written_out
-from graphkin.running.compiled.columns import Column, Columns, Judged, Pair, Place, Vector
+from graphkin.running.compiled.calls import Calls
+from graphkin.running.compiled.layout import Layout, laid_out
 from graphkin.running.compiled.lazy_plot import TABLES, LazyPlot, Numbers, Patch, Told
-from graphkin.running.compiled.operations import NUMBER
-from graphkin.running.compiled.recorder import Written, record
-from graphkin.running.compiled.tape import Tape
+from graphkin.running.compiled.memory import lent
+from graphkin.running.compiled.recorder import record
 from graphkin.value import frozen
 
 CHUNK = 8192
@@ -36,10 +33,11 @@ CHUNK = 8192
 FLAT_SINE = 1e-5
 """Crossings under a smaller angle are dead points but for rounding: such positions are replayed plainly."""
 
-PLANES = ("position", "velocity", "acceleration")
-"""Tables of vectors; the others are of numbers."""
-
-Registers = list[np.ndarray]
+Registers = np.ndarray
+"""Sines, and after them what is worked with (k, size)."""
+Chunk = tuple[Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray]]
+"""What is given, rows, parts of vectors, registers."""
+_NONE = np.empty(0, dtype=int)
 
 
 def compiled_program(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> Program:
@@ -48,73 +46,10 @@ def compiled_program(constructions: Sequence[Construction], facts: Facts, near: 
     near  what a position close by can tell: angles by base link, displacements by `slide_key`
     """
     recording = record(constructions, facts, near)
-    tape = recording.tape
-    tables: dict[str, Mapping[Any, Value]] = {name: getattr(recording.plot, name) for name in TABLES}
-    sines = [value.real_at for value in (*tables["sines"].values(), *recording.sound) if isinstance(value, Written)]
-    vectors = [value for name in PLANES for value in tables[name].values()]
-    numbers = [value for name in tables if name not in PLANES for value in tables[name].values()]
-    shown, parts = ([place for value in of for place in _places(value, tape)] for of in (numbers, vectors))
+    tables = {name: getattr(recording.plot, name) for name in TABLES}
     given = len(facts.values) + len(recording.sides) + len(recording.near)
-    calls = written_out(tape, given, sines, shown, parts)
-    pairs: dict[Vector, Pair] = {}
-    columns: Mapping[str, Mapping[Any, Place]] = {
-        name: {key: _found(value, tape, calls, pairs if name in PLANES else None) for key, value in table.items()}
-        for name, table in tables.items()
-    }
-    told = {name: Columns.of(table) for name, table in _told_apart(columns).items()}
-    return Program(tuple(constructions), facts, recording.sides, recording.near, calls, told, (*pairs,), [])
-
-
-def _places(value: Value, tape: Tape) -> tuple[int, ...]:
-    """Where what is shown stands in the tape; a negative is shown by what it is the negative of."""
-    if not isinstance(value, Written):
-        return ()
-    return tuple(tape.unsigned(place)[0] for place in (value.real_at, value.imag_at))
-
-
-def _found(value: Value, tape: Tape, calls: Calls, pairs: dict[Vector, Pair] | None) -> Place:
-    """Where a quantity of the plot is found after a run; a vector that takes work is entered among the pairs."""
-    if isinstance(value, Judged):
-        return value
-    if isinstance(value, Written):
-        x, y = (_column(*tape.unsigned(place), tape, calls) for place in (value.real_at, value.imag_at))
-    else:
-        x, y = (Column(number=float(part)) for part in (np.real(value), np.imag(value)))
-    if pairs is None:
-        return x
-    vector = Vector(x, y)
-    return vector if x.row is None and y.row is None else pairs.setdefault(vector, Pair(len(pairs)))
-
-
-def _told_apart(columns: Mapping[str, Mapping[Any, Place]]) -> dict[str, dict[Any, Place]]:
-    """The same, with those marked that are alone in their row."""
-    used = Counter(_row(place) for table in columns.values() for place in table.values())
-    return {
-        name: {
-            key: replace(place, alone=True) if _as_it_is(place) and used[_row(place)] == 1 else place
-            for key, place in table.items()
-        }
-        for name, table in columns.items()
-    }
-
-
-def _as_it_is(place: Place) -> TypeGuard[Column | Pair]:
-    """Whether it is what lies there, and nothing is to be done with it."""
-    return isinstance(place, Pair) or (isinstance(place, Column) and place.row is not None and place.sign == 1)
-
-
-def _row(place: Place) -> object:
-    """What a quantity lies in: a row of numbers, a pair; else nothing that could be shared."""
-    return (Pair, place.number) if isinstance(place, Pair) else (Column, getattr(place, "row", None))
-
-
-def _column(place: int, sign: int, tape: Tape, calls: Calls) -> Column:
-    operation = tape.operations[place]
-    if place in calls.rows:
-        return Column(row=calls.rows[place], sign=sign)
-    if operation.does == NUMBER:
-        return Column(number=sign * operation.number)
-    return Column(given=int(operation.number), sign=sign)
+    layout = laid_out(recording, tables, given)
+    return Program(tuple(constructions), facts, recording.sides, recording.near, layout, [])
 
 
 @frozen
@@ -124,8 +59,7 @@ class Program:
     facts    with the drivers at any values
     sides    the side of each choice that the steps have
     near     what a run must be given of positions close by, where links are fitted or roll
-    columns  where each quantity of a plot is found, by table and name
-    pairs    vectors whose parts are laid side by side, in the order of their numbers
+    layout   its calls, and where each quantity of a plot is found after them
     spare    registers that no run has in hand: a run takes a set from here, or new ones, so runs never share any
     """
 
@@ -133,10 +67,12 @@ class Program:
     facts: Facts
     sides: Mapping[int, int]
     near: tuple[str, ...]
-    calls: Calls
-    columns: Mapping[str, Columns]
-    pairs: tuple[Vector, ...]
+    layout: Layout
     spare: list[Registers]
+
+    @property
+    def calls(self) -> Calls:
+        return self.layout.calls
 
     def run(
         self, values: Sequence[Value], sides: Mapping[int, Value] | None = None, near: Mapping[str, Value] | None = None
@@ -144,78 +80,91 @@ class Program:
         """The plot at driver values, crossings taken on given sides, from positions close by: each scalar or (n,), one
         at least (n,)."""
         taken, near = self.sides if sides is None else {**self.sides, **sides}, near or {}
-        given = tuple(
-            np.array(value, dtype=float) for value in (*values, *taken.values(), *(near[name] for name in self.near))
-        )
-        count = max(value.size for value in given)
-        block, vectors = np.empty((self.calls.kept, count)), np.empty((len(self.pairs), count), dtype=complex)
-        failed = self._filled(block, vectors, given)
-        told = Told(self.facts, self.columns, Numbers(block, vectors, given))
-        # not least > .. : NaN, too
-        if failed or not np.minimum.reduce(block[: self.calls.sines], axis=None, initial=1.0) > FLAT_SINE:
-            doubtful = self._doubtful(block, given, failed)
-            parts = np.array_split(doubtful, -(-doubtful.size // CHUNK)) if doubtful.size else []
+        told, doubtful = self._tried(values, taken, near)
+        if doubtful.size:
+            parts = np.array_split(doubtful, -(-doubtful.size // CHUNK))
             patches = [Patch(part, self._replayed(part, told.facts.values, taken, near)) for part in parts]
             told = replace(told, patches=patches)
         return LazyPlot.of(told)
 
+    def tried(
+        self, values: Sequence[Value], sides: Mapping[int, Value], near: Mapping[str, Value]
+    ) -> tuple[Plot, np.ndarray]:
+        """The same, and at which positions it is not to be relied on (m,), for plain replay does them otherwise."""
+        told, doubtful = self._tried(values, {**self.sides, **sides}, near)
+        return LazyPlot.of(told), doubtful
+
+    def _tried(
+        self, values: Sequence[Value], taken: Mapping[int, Value], near: Mapping[str, Value]
+    ) -> tuple[Told, np.ndarray]:
+        given = tuple(
+            np.array(value, dtype=float) for value in (*values, *taken.values(), *(near[name] for name in self.near))
+        )
+        block, vectors = self._room(max(value.size for value in given))
+        sound = self._filled(block, vectors, given)
+        doubtful = _NONE if sound else self._doubtful(block, vectors, given)
+        return Told(self.facts, self.layout.columns, Numbers(block, vectors, given), self._late), doubtful
+
+    def _late(self, given: Sequence[np.ndarray]) -> np.ndarray:
+        """What is asked for late (k, n)."""
+        calls, count = self.layout.late_calls, max(value.size for value in given)
+        found, none = np.empty((calls.rows, count)), np.empty((0, count), dtype=complex)
+        with np.errstate(all="ignore"):
+            for _, chunk in _chunks(found, none, given, [*np.empty((calls.registers, min(count, CHUNK)))]):
+                calls.run(*chunk)
+        return found
+
+    def _room(self, count: int) -> tuple[np.ndarray, np.ndarray]:
+        """For rows without the sines (rows, n), and vectors (pairs, n)."""
+        numbers = (self.calls.rows - self.calls.sines) * count
+        room = lent(numbers + self.calls.parts * count)
+        return room[:numbers].reshape(-1, count), room[numbers:].view(complex).reshape(-1, count)
+
     # --- running ------------------------------------------------------------------------------
 
     def _filled(self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray]) -> bool:
-        """Fill the block, and the vectors; whether a division or a root failed anywhere."""
+        """Fill the block, and the vectors; whether no division or root failed, and no crossing is flat."""
         failures: list[str] = []
 
         def note(failure: str, _: int) -> None:
             failures.append(failure)
 
         with np.errstate(call=note, divide="call", invalid="call", over="ignore", under="ignore"):
-            for here, parts, rows, registers in self._chunks(block, given):
-                self.calls.run(parts, rows, registers)
-                self._side_by_side(vectors[:, here], rows, parts)
-        return bool(failures)
+            for _, chunk, sines in self._chunks(block, vectors, given):
+                self.calls.run(*chunk)
+                if not np.minimum.reduce(sines, axis=None, initial=1.0) > FLAT_SINE:  # NaN, too
+                    failures.append("flat")
+        return not failures
 
-    def _side_by_side(self, vectors: np.ndarray, rows: Sequence[np.ndarray], given: Sequence[np.ndarray]) -> None:
-        """The parts of each vector laid where they are read, while they are still in the cache."""
-        for vector, pair in zip(vectors, self.pairs):
-            for part, column in ((vector.real, pair.x), (vector.imag, pair.y)):
-                if column.sign == 1:
-                    part[:] = column.of(rows, given)
-                else:
-                    np.negative(column.of(rows, given), out=part)
+    def _doubtful(self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray]) -> np.ndarray:
+        """Positions at which something failed, or that are dead points: their numbers (m,)."""
+        sound = np.ones(block.shape[1], dtype=bool)
+        with np.errstate(all="ignore"):
+            for here, chunk, sines in self._chunks(block, vectors, given):
+                self.calls.run_watched(*chunk, _Watched(sound[here]))
+                sound[here] &= np.all(sines > FLAT_SINE, axis=0)
+        return np.flatnonzero(~sound)
 
     def _chunks(
-        self, block: np.ndarray, given: Sequence[np.ndarray]
-    ) -> Iterator[tuple[slice, Sequence[np.ndarray], Sequence[np.ndarray], Registers]]:
-        """Where a chunk lies, and what it is done with: what is given, rows of the result, registers."""
-        count, parts = block.shape[1], len(self.calls.rows) - self.calls.kept
-        borrowed = self._borrowed(min(count, CHUNK))
-        for begin in range(0, count, CHUNK):
-            here = slice(begin, min(begin + CHUNK, count))
-            size = here.stop - begin
-            values = given if size == count else [value[here] if value.ndim else value for value in given]
-            work = borrowed if size == borrowed[0].size else [register[:size] for register in borrowed]
-            yield here, values, [*block[:, here], *work[:parts]], work[parts : parts + self.calls.registers]
-        self.spare.append(borrowed)
+        self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray]
+    ) -> Iterator[tuple[slice, Chunk, np.ndarray]]:
+        """Where a chunk lies, what it is done with, and where its sines are found, which nobody keeps."""
+        size, sines = min(block.shape[1], CHUNK), self.calls.sines
+        registers = self._borrowed(size)
+        for here, (values, rows, sides, rooms) in _chunks(block, vectors, given, [*registers]):
+            yield here, (values, rooms[:sines] + rows, sides, rooms[sines:]), registers[:sines, : rooms[0].size]
+        self.spare.append(registers)
 
     def _borrowed(self, size: int) -> Registers:
         try:
             registers = self.spare.pop()
         except IndexError:
-            registers = []
-        if registers and registers[0].size == size:
+            registers = None
+        if registers is not None and registers.shape[1] == size:
             return registers
-        return list(np.empty((max(len(self.calls.rows) - self.calls.kept + self.calls.registers, 1), size)))
+        return np.empty((self.calls.sines + max(self.calls.registers, 1), size))
 
     # --- positions that fail ------------------------------------------------------------------
-
-    def _doubtful(self, block: np.ndarray, given: Sequence[np.ndarray], failed: bool) -> np.ndarray:
-        """Positions at which something failed, or that are dead points: their numbers (m,)."""
-        sound: np.ndarray = np.all(block[: self.calls.sines] > FLAT_SINE, axis=0)
-        if failed:
-            with np.errstate(all="ignore"):
-                for here, parts, rows, registers in self._chunks(block, given):
-                    self.calls.run_watched(parts, rows, registers, _Watched(sound[here]))
-        return np.flatnonzero(~sound)
 
     def _replayed(
         self, here: np.ndarray, values: Sequence[Value], sides: Mapping[int, Value], near: Mapping[str, Value]
@@ -228,6 +177,26 @@ class Program:
         for construction in self.constructions:
             replay(construction, plot, sides if construction.plane == "position" else None)
         return plot
+
+
+def _chunks(
+    block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray], registers: list[np.ndarray]
+) -> Iterator[tuple[slice, tuple[Sequence[np.ndarray], list[np.ndarray], list[np.ndarray], list[np.ndarray]]]]:
+    """Where each chunk lies, and what of all this belongs to it."""
+    count = block.shape[1]
+    if count <= CHUNK:
+        yield slice(None), (given, [*block], _sides(vectors), registers)
+        return
+    for begin in range(0, count, CHUNK):
+        here = slice(begin, min(begin + CHUNK, count))
+        values = [value[here] if value.ndim else value for value in given]
+        rooms = [register[: here.stop - begin] for register in registers]
+        yield here, (values, [*block[:, here]], _sides(vectors[:, here]), rooms)
+
+
+def _sides(vectors: np.ndarray) -> list[np.ndarray]:
+    """The parts of vectors (k, n), x and y of each."""
+    return [side for vector in vectors for side in (vector.real, vector.imag)]
 
 
 class _Watched:

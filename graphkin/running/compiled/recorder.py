@@ -129,19 +129,34 @@ class Written:
 
     def __mul__(self, other: Value) -> Written:
         tape, times = self.tape, self._lifted(other)
-        (a, b), (c, d) = (self.real_at, self.imag_at), (times.real_at, times.imag_at)
-        return Written(
-            tape,
-            tape.subtract(tape.multiply(a, c), tape.multiply(b, d)),
-            tape.add(tape.multiply(a, d), tape.multiply(b, c)),
-        )
+        if self._is_real and times._is_real:
+            return Written(tape, tape.multiply_numbers(self.real_at, times.real_at))
+        (k, a, b), (m, c, d) = self._drawn_out(), times._drawn_out()
+        if self._is_real or times._is_real:
+            number = tape.multiply(tape.number(k * m), a if self._is_real else c)
+            parts = (c, d) if self._is_real else (a, b)
+            x, y = (tape.multiply(number, part) for part in parts)
+        else:
+            x = tape.times(k * m, tape.subtract(tape.multiply(a, c), tape.multiply(b, d)))
+            y = tape.times(k * m, tape.add(tape.multiply(a, d), tape.multiply(b, c)))
+        if known := times.number:
+            tape.know_multiple((x, y), known, (self.real_at, self.imag_at))
+        return Written(tape, x, y)
+
+    def _drawn_out(self) -> tuple[float, int, int]:
+        """The number that both parts begin with, and these parts."""
+        return (1.0, self.real_at, self.imag_at) if self._is_real else self.tape.drawn_out(self.real_at, self.imag_at)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Value) -> Written:
         tape, by = self.tape, self._lifted(other)
+        if self._is_real and by._is_real:
+            return Written(tape, tape.multiply_numbers(self.real_at, tape.reciprocal(by.real_at)))
         if by._is_real:
             return Written(tape, tape.divide(self.real_at, by.real_at), tape.divide(self.imag_at, by.real_at))
+        if (known := tape.quotient((self.real_at, self.imag_at), (by.real_at, by.imag_at))) is not None:
+            return Written(tape, *known)
         square = (by * by.conjugate()).real_at
         whole = self * by.conjugate()
         return Written(tape, tape.divide(whole.real_at, square), tape.divide(whole.imag_at, square))
@@ -238,7 +253,7 @@ def _leg(hypotenuse: Value, other: Value) -> Value:
     positions by plain replay.
     """
     if isinstance(hypotenuse, Written) or isinstance(other, Written):
-        return np.sqrt((hypotenuse - other) * (hypotenuse + other))
+        return np.sqrt(hypotenuse * hypotenuse - other * other)
     return leg(hypotenuse, other)
 
 

@@ -7,120 +7,110 @@ fails: `risky` operations are never crossed out, so that whoever carries the tap
 
 from __future__ import annotations
 
-from graphkin.running.compiled.operations import SIDE, Operation, Operations
+import math
+
+from graphkin.running.compiled.operations import Operation
+from graphkin.running.compiled.products import Powers, Products, together
 
 
-class Tape(Operations):
+class Tape(Products):
     """Each method enters an operation, and gives the place of its result."""
 
     def __init__(self) -> None:
         super().__init__()
-        self._lengths: dict[frozenset[int], int] = {}
+        self._straight: dict[int, int] = {}
+        self._sums: dict[tuple[int, int], int] = {}
+        self._differences: dict[tuple[int, int], int] = {}
+        self._lengths: dict[frozenset[tuple[tuple[int, int], ...]], tuple[float, Powers]] = {}
+        self._multiples: dict[tuple[int, int], tuple[complex, tuple[int, int]]] = {}
 
     # --- sums -------------------------------------------------------------------------------------
 
     def add(self, a: int, b: int) -> int:
+        key = (a, b) if a < b else (b, a)
+        if (found := self._sums.get(key)) is None:
+            found = self._sums[key] = self._added(a, b)
+        return found
+
+    def subtract(self, a: int, b: int) -> int:
+        """b - a is entered as the negative of a - b: both are met in one drawing, one is enough."""
+        if (found := self._differences.get((a, b))) is None:
+            found = self._differences[a, b] = self._subtracted(a, b)
+        return found
+
+    def _added(self, a: int, b: int) -> int:
         for one, other in ((a, b), (b, a)):
             if self.number_at(one) == 0:
                 return other
             if (inside := self._inside(one, "negative")) is not None:
                 return self.subtract(other, inside)
-        square = self._known_square(a, b)
-        return self._done("add", min(a, b), max(a, b)) if square is None else square
+            if (rest := self._with(one, other)) is not None:
+                return rest
+        found = self._drawn_together(a, b, 1)
+        return self._done("add", min(a, b), max(a, b)) if found is None else found
 
-    def subtract(self, a: int, b: int) -> int:
-        """b - a is entered as the negative of a - b: both are met in one drawing, one is enough."""
-        if self.number_at(b) == 0:
-            return a
-        if self.number_at(a) == 0:
-            return self.negative(b)
+    def _subtracted(self, a: int, b: int) -> int:
         if a == b:
             return self.number(0.0)
-        if (rest := self._beside("add", b, a)) is not None:
-            return rest
-        if (rest := self._beside("add", a, b)) is not None:
-            return self.negative(rest)
+        if self.number_at(a) == 0:
+            return self.negative(b)
+        if (number := self.number_at(b)) is not None:
+            return self.add(a, self.number(-number))
         if (inside := self._inside(b, "negative")) is not None:
             return self.add(a, inside)
         if (inside := self._inside(a, "negative")) is not None:
             return self.negative(self.add(inside, b))
-        return self._done("subtract", a, b) if a < b else self.negative(self._done("subtract", b, a))
+        for whole, part, sign in ((a, b, 1), (b, a, -1)):
+            if (rest := self._left_over(whole, part)) is not None:
+                return rest if sign > 0 else self.negative(rest)
+        if self.number_at(a) is not None or a > b:
+            return self.negative(self.subtract(b, a))
+        found = self._drawn_together(a, b, -1)
+        return self._done("subtract", a, b) if found is None else found
 
-    def negative(self, a: int) -> int:
-        if (inside := self._inside(a, "negative")) is not None:
-            return inside
-        return self._done("negative", a)
-
-    def unsigned(self, place: int) -> tuple[int, int]:
-        """What a place is the negative of, and -1; else itself, and 1."""
-        inside = self._inside(place, "negative")
-        return (place, 1) if inside is None else (inside, -1)
-
-    # --- products ---------------------------------------------------------------------------------
-
-    def multiply(self, a: int, b: int) -> int:
-        for one, other in ((a, b), (b, a)):
-            found = self._by_number(one, other)
-            if found is None and (inside := self._inside(one, "negative")) is not None:
-                found = self.negative(self.multiply(inside, other))
-            if found is None:
-                found = self._cancelled(one, other)
-            if found is not None:
-                return found
-        if a == b:
-            a = b = self._bare(a)
-        return self._done("multiply", min(a, b), max(a, b))
-
-    def _by_number(self, one: int, other: int) -> int | None:
-        """A product with 0, 1 or -1; numbers of two factors are drawn together."""
-        number, factors = self.number_at(one), self.operations[other]
-        if number == 0:
-            return one
-        if number in (1.0, -1.0):
-            return other if number == 1 else self.negative(other)
-        if number is not None and factors.does == "multiply":
-            for first, second in (factors.of, factors.of[::-1]):
+    def _with(self, one: int, other: int) -> int | None:
+        """one + (x - one) is x; the numbers of two sums are drawn together."""
+        operation, number = self.operations[other], self.number_at(one)
+        if operation.does == "subtract" and operation.of[1] == one:
+            return operation.of[0]
+        if number is not None and operation.does == "add":
+            for first, second in (operation.of, operation.of[::-1]):
                 if (more := self.number_at(first)) is not None:
-                    return self.multiply(self.number(number * more), second)
+                    return self.add(second, self.number(number + more))
         return None
 
-    def _cancelled(self, one: int, other: int) -> int | None:
-        """(1/d) d is 1, (1/d) (d x) is x, so it is with a side for 1/d; and a root times itself is its square."""
-        if one == other and (square := self._inside(one, "sqrt")) is not None:
-            return square
-        divisor = one if self.operations[one].does == SIDE else self._inside(one, "reciprocal")
-        if divisor is None:
+    def _left_over(self, whole: int, part: int) -> int | None:
+        """(x + part) - part is x, and (part - x) - part is -x."""
+        if (rest := self._beside("add", part, whole)) is not None:
+            return rest
+        operation = self.operations[whole]
+        return self.negative(operation.of[1]) if operation.does == "subtract" and operation.of[0] == part else None
+
+    def _drawn_together(self, a: int, b: int, sign: int) -> int | None:
+        """x y + x y is 2 x y; x u u + x v v is x times the square of a length that is known."""
+        (number, one), (more, other) = self.scaled(a), self.scaled(b)
+        powers, others = self.factored(one), self.factored(other)
+        if powers == others:
+            return self.times(number + sign * more, one)
+        if sign * more != number:
             return None
-        return self.number(1.0) if divisor == other else self._beside("multiply", divisor, other)
-
-    def _side_of(self, product: int) -> tuple[int, int] | None:
-        """The side and the other factor, where a side is one of two factors."""
-        operation = self.operations[product]
-        sides = [of for of in operation.of if self.operations[of].does == SIDE] if operation.does == "multiply" else []
-        return (sides[0], operation.of[1 - operation.of.index(sides[0])]) if sides else None
-
-    def _bare(self, a: int) -> int:
-        """What is as long, where a sign makes no difference."""
-        for does in ("absolute", "negative"):
-            if (inside := self._inside(a, does)) is not None:
-                return inside
-        found = self._side_of(a)
-        return a if found is None else found[1]
-
-    def divide(self, a: int, b: int) -> int:
-        return self.multiply(a, self.reciprocal(b))
-
-    def reciprocal(self, a: int) -> int:
-        if (inside := self._inside(a, "negative")) is not None:
-            return self.negative(self.reciprocal(inside))
-        if (found := self._side_of(a)) is not None:
-            return self.multiply(found[0], self.reciprocal(found[1]))
-        return self._done("reciprocal", a)
+        common = _common(powers, others)
+        rests = together(powers, common, -1), together(others, common, -1)
+        if any(power % 2 for rest in rests for power in rest.values()):
+            return None
+        known = self._lengths.get(frozenset(_key(rest, 2) for rest in rests))
+        if known is None:
+            return None
+        length, rest = known
+        return self.times(number * length**2, self.product(together(common, rest, 2)))
 
     # --- lengths and signs ------------------------------------------------------------------------
 
     def sqrt(self, a: int) -> int:
-        return self._done("sqrt", a)
+        number, rest = self.scaled(a)
+        if number < 0 or rest == self.one:
+            return self._done("sqrt", a)
+        return self.times(math.sqrt(number), self._done("sqrt", rest))
 
     def length(self, x: int, y: int) -> int:
         """Of a vector; squares are quicker than `hypot` and lengths of mechanisms don't overflow."""
@@ -128,27 +118,37 @@ class Tape(Operations):
             return self.absolute(x)
         if self.number_at(x) == 0:
             return self.absolute(y)
-        known = self._lengths.get(self._vector(x, y))
-        return self.sqrt(self.add(self.multiply(x, x), self.multiply(y, y))) if known is None else known
+        number, x, y = self.drawn_out(x, y)
+        found = self.sqrt(self.add(self.multiply(x, x), self.multiply(y, y)))
+        self.know_length(x, y, found)
+        return self.times(number, found)
 
     def know_length(self, x: int, y: int, length: int) -> None:
         """A length that a compass has laid off: it will not be measured again."""
-        self._lengths[self._vector(x, y)] = length
+        number, x, y = self.drawn_out(self.unsigned(x)[0], self.unsigned(y)[0])
+        (size, rest), powers, others = self.scaled(length), self.factored(x), self.factored(y)
+        common = _common(powers, others)
+        key = frozenset(_key(together(each, common, -1)) for each in (powers, others))
+        self._lengths.setdefault(key, (size / number, together(self.factored(rest), common, -1)))
 
-    def _vector(self, x: int, y: int) -> frozenset[int]:
-        """What a vector is found by where only its length counts."""
-        return frozenset((self._bare(x), self._bare(y)))
+    def know_multiple(self, vector: tuple[int, int], times: complex, of: tuple[int, int]) -> None:
+        """A vector that is another one turned and stretched by numbers."""
+        self._multiples[vector] = times, of
 
-    def _known_square(self, a: int, b: int) -> int | None:
-        """Of a length that is known, where two squares are added."""
-        roots = [of for place in (a, b) if (of := self._root(place)) is not None]
-        known = self._lengths.get(frozenset(roots)) if len(roots) == 2 else None
-        return None if known is None else self.multiply(known, known)
+    def quotient(self, a: tuple[int, int], b: tuple[int, int]) -> tuple[int, int] | None:
+        """A vector divided by another along which it lies, or of which it is a known multiple; None where it is not."""
+        times, of = self._multiples.get(a, (0j, None))
+        if of == b:
+            return self.number(times.real), self.number(times.imag)
+        (number, *ours), (by, *theirs) = self.drawn_out(*a), self.drawn_out(*b)
+        signs, powers = zip(*(self._share(one, other) for one, other in zip(ours, theirs)))
+        if powers[0] != powers[1] or signs[0] != signs[1]:
+            return None
+        return self.times(signs[0] * number / by, self.product(powers[0])), self.number(0.0)
 
-    def _root(self, place: int) -> int | None:
-        """What a place is the square of."""
-        operation = self.operations[place]
-        return operation.of[0] if operation.does == "multiply" and operation.of[0] == operation.of[1] else None
+    def _share(self, a: int, b: int) -> tuple[int, Powers]:
+        (a, sign), (b, other) = self.unsigned(a), self.unsigned(b)
+        return sign * other, together(self.factored(a), self.factored(b), -1)
 
     def absolute(self, a: int) -> int:
         if (inside := self._inside(a, "negative")) is not None:
@@ -169,12 +169,19 @@ class Tape(Operations):
     # --- angles -----------------------------------------------------------------------------------
 
     def angle(self, x: int, y: int) -> int:
-        """Of a vector, from -pi to pi."""
+        """Of a vector, from -pi to pi; of a length with a side along x it is 0 or pi."""
+        side, length = self._sides(x)
+        if self.number_at(y) == 0 and side != self.one and self.operations[length].does == "sqrt":
+            found = self.multiply(self.number(math.pi / 2), self.subtract(self.one, side))
+            self._straight[self.unsigned(found)[0]] = side
+            return found
         return self._done("arctan2", y, x)
 
     def turned(self, angle: int) -> tuple[int, int]:
         """Cosine and sine. Of an angle that was measured they are quotients of lengths: no angle is needed for them."""
         operation = self.operations[angle]
+        if angle in self._straight:
+            return self._straight[angle], self.number(0.0)
         match operation.does:
             case "given":
                 return self._half_tangent(angle)
@@ -211,3 +218,14 @@ class Tape(Operations):
             self.subtract(self.multiply(cos, more_cos), self.multiply(sin, more_sin)),
             self.add(self.multiply(sin, more_cos), self.multiply(cos, more_sin)),
         )
+
+
+def _common(powers: Powers, others: Powers) -> Powers:
+    """The factors that two products share."""
+    shared = {factor: (power, others[factor]) for factor, power in powers.items() if power * others.get(factor, 0) > 0}
+    return {factor: min(pair, key=abs) for factor, pair in shared.items()}
+
+
+def _key(powers: Powers, root: int = 1) -> tuple[tuple[int, int], ...]:
+    """Powers as a name, or those of the root."""
+    return tuple(sorted((factor, power // root) for factor, power in powers.items()))

@@ -3,7 +3,7 @@
 from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
-    "finding": ("(1) Instant centres", "(1) 求瞬心"),
+    "finding": ("({number}) Instant centres", "({number}) 求瞬心"),
     "count": (
         "The mechanism has N = {n} links, the frame included: K = N(N−1)/2 = {n}×{less}/2 = {count} instant centres.",
         "机构共有 N = {n} 个构件（含机架），瞬心总数 K = N(N−1)/2 = {n}×{less}/2 = {count}。",
@@ -46,14 +46,14 @@ PHRASES: Phrases = {
     ),
     "normal of contact": (
         "the common normal n–n at the contact of links {first} and {second}",
-        "构件 {first}、{second} 接触点处的公法线 n–n",
+        "构件 {first}、{second} 接触点处的公法线（n–n）",
     ),
     "normal of slot": (
-        "the normal of the slot through {point}, where links {first} and {second} touch",
+        "the normal of the slot through {point} (where links {first} and {second} touch)",
         "构件 {first}、{second} 接触处 {point} 的槽的法线",
     ),
     "normal of circular slot": (
-        "the normal n–n of the circular slot, through its centre {point}, where links {first} and {second} touch",
+        "the normal n–n of the circular slot through its centre {point} (where links {first} and {second} touch)",
         "构件 {first}、{second} 接触处圆弧槽的公法线 n–n（过槽的圆心 {point}）",
     ),
     "met": ("where the two lines meet, {place}", "两线交点，{place}"),

@@ -19,6 +19,10 @@ PHRASES: Phrases = {
     "fault": ("fault", "缺陷"),
     "note": ("not judged", "未判断"),
     "unit": ("unit", "单位"),
+    "plane position": ("mechanism", "机构图"),
+    "plane centres": ("instant centres", "瞬心"),
+    "plane velocity": ("velocity", "速度图"),
+    "plane acceleration": ("acceleration", "加速度图"),
     # --- faults
     "fault changed": (
         "the mechanism, the drivers or the scales in the file were changed after drawing",

@@ -86,8 +86,8 @@ PHRASES: Phrases = {
     ),
     # --- groups: position
     "fit": (
-        "Links {links} form a group of Class III or higher. Ruler and compass do not give its position. On paper a template is tried: link {template} on tracing paper is shifted until {lengths} fit. Here the fit is found numerically:",
-        "构件 {links} 组成Ⅲ级（或更高级）杆组，其位置不能用直尺和圆规直接作出。作图时用样板法：将构件 {template} 描在透明纸上试移，直至 {lengths} 均相符；此处用数值法求得：",
+        "Links {links} form a group of Class {cls}. Ruler and compass do not give its position. On paper a template is tried: link {template} on tracing paper is shifted until {lengths} fit. Here the fit is found numerically:",
+        "构件 {links} 组成{cls}级杆组，其位置不能用直尺和圆规直接作出。作图时用样板法：将构件 {template} 描在透明纸上试移，直至 {lengths} 均相符；此处用数值法求得：",
     ),
     "fit geared": (
         "Links {links} are coupled by their joints and by pure rolling. Ruler and compass do not give their position. On paper a template is tried: link {template} on tracing paper is shifted until {lengths} fit, and {relations} (Δθ: turned since the drawn position). Here the fit is found numerically:",

@@ -4,8 +4,8 @@ from graphkin.say.catalogue import Phrases
 
 PHRASES: Phrases = {
     "stage theta": (
-        "Angle between the crank's limit positions: θ = 180°(K − 1)/(K + 1) = 180° × {less:n}/{more:n} = {theta:deg}. Choose the scale.",
-        "求极位夹角：θ = 180°(K − 1)/(K + 1) = 180° × {less:n}/{more:n} = {theta:deg}，并确定比例尺 μl。",
+        "Angle between the crank's limit positions: θ = 180°(K − 1)/(K + 1) = {of_K} = {theta:deg}. Choose the scale.",
+        "求极位夹角：θ = 180°(K − 1)/(K + 1) = {of_K} = {theta:deg}，并确定比例尺 μ_l。",
     ),
     "stage rocker limits": (
         "Draw the angle C1DC2 = ψ = {psi:deg} with C1D = C2D = {c:mm}: the rocker's two limit positions.",
@@ -52,24 +52,24 @@ PHRASES: Phrases = {
         "取优弧 C1C2 的中点 N。以 N 为圆心、过 C1 作圆，以 C2 为圆心、2b = {twice:mm} 为半径作弧，两者交于 E；C2E 交外接圆于 A 点（AE = AC1）。",
     ),
     "stage A by gamma": (
-        "Try points A along the circle until the least transmission angle is γmin = {gamma_min:deg} (found numerically; ruler and compass do not give it).",
-        "在圆上试取 A 点，直至最小传动角 γmin = {gamma_min:deg}（用数值方法求得，尺规不能直接作出）。",
+        "Try points A along the circle until the least transmission angle is γ_min = {gamma_min:deg} (found numerically; ruler and compass do not give it).",
+        "在圆上试取 A 点，直至最小传动角 γ_min = {gamma_min:deg}（用数值方法求得，尺规不能直接作出）。",
     ),
     "stage A at best": (
         "A may be anywhere on the admissible arcs: take the point with the largest least transmission angle (found numerically along the arcs).",
         "A 点可在许用圆弧上任选：取最小传动角为最大的一点（沿圆弧用数值方法求得）。",
     ),
     "stage rocker lengths": (
-        "Measure AC1 = {AC1:mm}, AC2 = {AC2:mm}, AD = {d:mm}. Crank lAB = |AC2 − AC1|/2 = {a:mm}, coupler lBC = (AC1 + AC2)/2 = {b:mm}.",
-        "量得 AC1 = {AC1:mm}，AC2 = {AC2:mm}，AD = {d:mm}。解得曲柄 lAB = |AC2 − AC1|/2 = {a:mm}，连杆 lBC = (AC1 + AC2)/2 = {b:mm}。",
+        "Measure AC1 = {AC1:mm}, AC2 = {AC2:mm}, AD = {d:mm}. Crank l_AB = |AC2 − AC1|/2 = {half_less} = {a:mm}, coupler l_BC = (AC1 + AC2)/2 = {half_more} = {b:mm}.",
+        "量得 AC1 = {AC1:mm}，AC2 = {AC2:mm}，AD = {d:mm}。解得曲柄 l_AB = |AC2 − AC1|/2 = {half_less} = {a:mm}，连杆 l_BC = (AC1 + AC2)/2 = {half_more} = {b:mm}。",
     ),
     "stage slider lengths": (
-        "Measure AC1 = {AC1:mm}, AC2 = {AC2:mm}. Crank lAB = |AC2 − AC1|/2 = {a:mm}, rod lBC = (AC1 + AC2)/2 = {b:mm}.",
-        "量得 AC1 = {AC1:mm}，AC2 = {AC2:mm}。解得曲柄 lAB = |AC2 − AC1|/2 = {a:mm}，连杆 lBC = (AC1 + AC2)/2 = {b:mm}。",
+        "Measure AC1 = {AC1:mm}, AC2 = {AC2:mm}. Crank l_AB = |AC2 − AC1|/2 = {half_less} = {a:mm}, rod l_BC = (AC1 + AC2)/2 = {half_more} = {b:mm}.",
+        "量得 AC1 = {AC1:mm}，AC2 = {AC2:mm}。解得曲柄 l_AB = |AC2 − AC1|/2 = {half_less} = {a:mm}，连杆 l_BC = (AC1 + AC2)/2 = {half_more} = {b:mm}。",
     ),
     "stage theta swing": (
-        "The bar's swing equals the angle between the crank's limit positions: ψ = θ = 180°(K − 1)/(K + 1) = 180° × {less:n}/{more:n} = {theta:deg}.",
-        "导杆的摆角等于极位夹角：ψ = θ = 180°(K − 1)/(K + 1) = 180° × {less:n}/{more:n} = {theta:deg}。",
+        "The bar's swing equals the angle between the crank's limit positions: ψ = θ = 180°(K − 1)/(K + 1) = {of_K} = {theta:deg}.",
+        "导杆的摆角等于极位夹角：ψ = θ = 180°(K − 1)/(K + 1) = {of_K} = {theta:deg}。",
     ),
     "stage guide pivots": ("Lay off the frame AC = {frame:mm}.", "作机架 AC = {frame:mm}。"),
     "stage guide limits": (
@@ -85,8 +85,8 @@ PHRASES: Phrases = {
         "作与 Cm 平行、距离为曲柄长 {crank:mm} 的直线，与角平分线交于 A 点。",
     ),
     "stage guide lengths": (
-        "From A draw AB1 at right angles to Cm and AB2 to Cn. Measure the crank lAB = AB1 = {a:mm} and the frame lAC = {d:mm}.",
-        "过 A 作 AB1 ⊥ Cm、AB2 ⊥ Cn。量得曲柄 lAB = AB1 = {a:mm}，机架 lAC = {d:mm}。",
+        "From A draw AB1 at right angles to Cm and AB2 to Cn. Measure the crank l_AB = AB1 = {a:mm} and the frame l_AC = {d:mm}.",
+        "过 A 作 AB1 ⊥ Cm、AB2 ⊥ Cn。量得曲柄 l_AB = AB1 = {a:mm}，机架 l_AC = {d:mm}。",
     ),
     "stage coupler laid": (
         "Draw the given positions of the coupler: B1C1, B2C2, .. of length {b1:mm}.",
@@ -117,12 +117,12 @@ PHRASES: Phrases = {
         "D 可在 C1C2 的中垂线上任选；为使传动角较大，取 D ({D_x:n}, {D_y:n})。",
     ),
     "stage coupler lengths": (
-        "Measure lAB = AB1 = {a:mm}, lBC = {b:mm}, lCD = C1D = {c:mm}, lAD = {d:mm}.",
-        "量得 lAB = AB1 = {a:mm}，lBC = {b:mm}，lCD = C1D = {c:mm}，lAD = {d:mm}。",
+        "Measure l_AB = AB1 = {a:mm}, l_BC = {b:mm}, l_CD = C1D = {c:mm}, l_AD = {d:mm}.",
+        "量得 l_AB = AB1 = {a:mm}，l_BC = {b:mm}，l_CD = C1D = {c:mm}，l_AD = {d:mm}。",
     ),
     "stage ratios": (
-        "Freudenstein's equation cos(φ − ψ) = R1 cos ψ − R2 cos φ + R3 for the three pairs gives R1 = {R1:n}, R2 = {R2:n}, R3 = {R3:n}; a = d/R1 = {a:mm}, c = d/R2 = {c:mm}.",
-        "将三组对应角代入 cos(φ − ψ) = R1 cos ψ − R2 cos φ + R3，解得 R1 = {R1:n}，R2 = {R2:n}，R3 = {R3:n}；a = d/R1 = {a:mm}，c = d/R2 = {c:mm}。",
+        "Freudenstein's equation cos(φ − ψ) = R1 cos ψ − R2 cos φ + R3 for the three pairs gives R1 = {R1:n}, R2 = {R2:n}, R3 = {R3:n}; a = d/R1 = {of_R1} = {a:mm}, c = d/R2 = {of_R2} = {c:mm}.",
+        "将三组对应角代入 cos(φ − ψ) = R1 cos ψ − R2 cos φ + R3，解得 R1 = {R1:n}，R2 = {R2:n}，R3 = {R3:n}；a = d/R1 = {of_R1} = {a:mm}，c = d/R2 = {of_R2} = {c:mm}。",
     ),
     "stage frame laid": ("Lay off the frame AD = {d:mm}.", "作机架 AD = {d:mm}。"),
     "stage angles laid": (
@@ -130,8 +130,8 @@ PHRASES: Phrases = {
         "与 AD 成 φ = {phi1:deg}、{phi2:deg}、{phi3:deg} 作 AB1、AB2、AB3，成 ψ = {psi1:deg}、{psi2:deg}、{psi3:deg} 作 DC1、DC2、DC3。",
     ),
     "stage angles coupler": (
-        "Measure lBC = B1C1 = {b:mm}; at the other positions it is {b2:mm} and {b3:mm}.",
-        "量得 lBC = B1C1 = {b:mm}；另两位置为 {b2:mm}、{b3:mm}。",
+        "Measure l_BC = B1C1 = {b:mm}; at the other positions it is {b2:mm} and {b3:mm}.",
+        "量得 l_BC = B1C1 = {b:mm}；另两位置为 {b2:mm}、{b3:mm}。",
     ),
     "stage crank laid": (
         "Lay off the crank AB = {a:mm} at φ = {phi1:deg}, {phi2:deg}, {phi3:deg} to AD.",
@@ -146,8 +146,8 @@ PHRASES: Phrases = {
         "作 B1B2'、B2'B3' 的中垂线，交点为 C1。",
     ),
     "stage inverted lengths": (
-        "Measure lBC = B1C1 = {b:mm}, lCD = C1D = {c:mm}; DC1 makes an angle of {psi01:deg} with AD.",
-        "量得 lBC = B1C1 = {b:mm}，lCD = C1D = {c:mm}；DC1 与 AD 成 {psi01:deg}。",
+        "Measure l_BC = B1C1 = {b:mm}, l_CD = C1D = {c:mm}; DC1 makes an angle of {psi01:deg} with AD.",
+        "量得 l_BC = B1C1 = {b:mm}，l_CD = C1D = {c:mm}；DC1 与 AD 成 {psi01:deg}。",
     ),
     # --- why something is no solution, or a poor one
     "reason minor": (
@@ -163,10 +163,10 @@ PHRASES: Phrases = {
         "A 到 C1、C2 的距离相等：曲柄长度为零。",
     ),
     "reason change point": (
-        "The links come to lie in one line (a change point, γmin = 0): the crank does not carry the linkage through.",
-        "各杆可共线（变点机构，γmin = 0），曲柄不能可靠地带动机构连续转动。",
+        "The links come to lie in one line (a change point, γ_min = 0): the crank does not carry the linkage through.",
+        "各杆可共线（变点机构，γ_min = 0），曲柄不能可靠地带动机构连续转动。",
     ),
-    "reason low gamma": ("γmin = {gamma:deg} is below the usual 40°.", "γmin = {gamma:deg}，小于一般要求的 40°。"),
+    "reason low gamma": ("γ_min = {gamma:deg} is below the usual 40°.", "γ_min = {gamma:deg}，小于一般要求的 40°。"),
     "reason range": (
         "The {name} must be between {low:mm} and {high:mm} for these values.",
         "在所给条件下，{name}应在 {low:mm} 与 {high:mm} 之间。",

@@ -72,7 +72,7 @@ PHRASES: Phrases = {
     ),
     "along": ("Projected along the direction of {slide}:", "向 {slide} 的方向投影，得"),
     "square": (
-        "The length of the side that changes, from squares of both sides, which eliminates {angle}:",
+        "Squaring the magnitudes of both sides eliminates {angle} and leaves the length that changes:",
         "两端取模的平方，消去 {angle}，得",
     ),
     "each across": (
@@ -89,7 +89,7 @@ PHRASES: Phrases = {
     ),
     # rates
     "rates": (
-        "The scalar product of both sides with a direction across the other unknown's vector eliminates it; each is found so:",
+        "Each unknown is found from the scalar product of both sides with the unit vector at right angles to the other unknown's vector, which eliminates that one:",
         "为逐一求出各未知量，将等式两端点乘与另一未知矢量垂直的单位矢量以消去之，得",
     ),
     "rolling relation": (
@@ -128,6 +128,10 @@ PHRASES: Phrases = {
     "turning angular velocity": ("angular velocity of link {link}", "构件 {link} 的角速度"),
     "turning angular acceleration": ("angular acceleration of link {link}", "构件 {link} 的角加速度"),
     "relative direction": ("direction of link {link} relative to link {other}", "构件 {link} 相对构件 {other} 的方位角"),
+    "relative direction given": (
+        "direction of link {link} relative to link {other} (given: {vector} turned by {angle}° from {seen})",
+        "构件 {link} 相对构件 {other} 的方位角（题给 {vector} 相对 {seen} 转过 {angle}°）",
+    ),
     "relative angular velocity": (
         "angular velocity of link {link} relative to link {other}",
         "构件 {link} 相对构件 {other} 的角速度",

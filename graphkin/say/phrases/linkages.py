@@ -33,8 +33,8 @@ PHRASES: Phrases = {
     "kind block": ("oscillating block", "摇块"),
     # --- why it is of its kind
     "why crank-rocker": (
-        "The shortest link {crank} lies next to the frame and drives: it turns fully, {rocker} rocks.",
-        "最短杆 {crank} 是连架杆且为原动件，能整周转动，为曲柄；{rocker} 只能摆动，为摇杆。",
+        "The shortest link {driver} lies next to the frame and drives: it turns fully, {output} rocks.",
+        "最短杆 {driver} 是连架杆且为原动件，能整周转动，为曲柄；{output} 只能摆动，为摇杆。",
     ),
     "why rocker-crank": (
         "The driven link {driver} rocks; {output}, the shortest link, turns fully. It needs help past two dead points.",
@@ -61,8 +61,8 @@ PHRASES: Phrases = {
         "{crank} + |e| 不大于 {coupler}，{crank} 能整周转动，为曲柄。",
     ),
     "why rocker-slider": (
-        "{crank} + |e| is more than {coupler}: the rod does not reach the guide everywhere, so {crank} only rocks.",
-        "{crank} + |e| 大于 {coupler}，{crank} 不能整周转动，只能摆动。",
+        "{reach}: the rod does not reach the guide everywhere, so {crank} only rocks.",
+        "{reach}，故 {crank} 不能整周转动，只能摆动。",
     ),
     "why oscillating guide bar": (
         "{crank} + |e| is less than the frame {frame}: the crank turns fully, the bar {bar} only swings.",
@@ -108,39 +108,44 @@ PHRASES: Phrases = {
         "limit {number}: {how}; {driver} at {value}, {output} at {place}",
         "极限位置 {number}：{how}；{driver} 在 {value}，{output} 在 {place}",
     ),
-    "and gamma": (", gamma {gamma}", "，γ = {gamma}"),
+    "and gamma": (", γ = {gamma}", "，γ = {gamma}"),
     "no limits": ("{output} turns fully: no limits, no swing, no K", "{output} 作整周转动，没有极限位置、摆角和 K"),
-    "swing": ("swing of {output}: psi = {value}", "{output} 的摆角 ψ = {value}"),
+    "swing": ("swing of {output}: ψ = {value}", "{output} 的摆角 ψ = {value}"),
     "stroke": ("stroke of {output}: H = {value}", "{output} 的行程 H = {value}"),
     "theta": (
-        "between the crank positions: theta = {theta}, K = (180 + theta)/(180 - theta) = {k:n}",
-        "极位夹角 θ = {theta}，行程速度变化系数（行程速比系数）K = (180° + θ)/(180° − θ) = {k:n}",
+        "angle between the crank's limit positions: θ = {theta}; time ratio K = (180° + θ)/(180° − θ) = {k}",
+        "极位夹角 θ = {theta}；行程速度变化系数（行程速比系数）K = (180° + θ)/(180° − θ) = {k}",
     ),
-    "no quick return": ("theta = 0, K = 1: no quick return", "θ = 0，K = 1：无急回特性"),
+    "no quick return": ("θ = 0, K = 1: no quick return", "θ = 0，K = 1：无急回特性"),
     "slow": (
-        "slow stroke: limit {one} to {other} while {driver} turns counter-clockwise (omega > 0), {other} to {one} while clockwise",
+        "slow stroke: limit {one} to {other} while {driver} turns counter-clockwise (ω > 0), {other} to {one} while clockwise",
         "慢行程：{driver} 逆时针转动（ω > 0）时由极限位置 {one} 到 {other}；顺时针转动时由 {other} 到 {one}",
     ),
     "no ratio": ("no K: the driver does not turn fully", "无 K：原动件不作整周转动"),
     "undetermined": ("no K: at the change points the output may go either way", "无 K：经过变点时从动件运动不确定"),
     "gamma": (
-        "transmission angle {gamma} with {how} ({driver} at {value})",
-        "传动角 {gamma}：{how}（{driver} 在 {value}）",
+        "transmission angle, {how} ({driver} at {value}): {cosine}γ = {gamma}",
+        "传动角：{how}（{driver} 在 {value}）时，{cosine}γ = {gamma}",
     ),
     "least": (
-        "least transmission angle gamma_min = {gamma}, largest pressure angle alpha_max = {alpha}, {driver} at {values}",
-        "最小传动角 γmin = {gamma}，最大压力角 αmax = {alpha}，{driver} 在 {values}",
+        "least transmission angle γ_min = {gamma}, greatest pressure angle α_max = 90° − γ_min = {alpha}, {driver} at {values}",
+        "最小传动角 γ_min = {gamma}，最大压力角 α_max = 90° − γ_min = {alpha}，{driver} 在 {values}",
     ),
     "level": (
-        "transmission angle 90 deg at every position: the block pushes the bar along its motion",
-        "传动角恒为 90°：滑块对导杆的作用力始终与受力点速度同向",
+        "transmission angle γ = 90° at every position: the block pushes the bar along its motion",
+        "传动角恒为 γ = 90°：滑块对导杆的作用力始终与受力点速度同向",
     ),
     "no gamma": ("no transmission angle: the coupler itself is driven", "连杆为原动件，不讨论传动角"),
     "dead": (
         "{driver} driving: dead points with {driver} at {values}",
         "{driver} 主动时：死点位置在 {driver} = {values}",
     ),
-    "no dead": ("{driver} driving: no dead point, gamma never becomes 0", "{driver} 主动时：无死点（γ 不为 0）"),
+    "dead along": (
+        "the block driving along the bar ({driver}: its displacement): dead points with {driver} = {values}",
+        "滑块沿导杆主动时（{driver} 为其位移）：死点位置在 {driver} = {values}",
+    ),
+    "cosine": ("{cosine}, ", "{cosine}，"),
+    "no dead": ("{driver} driving: no dead point, γ never becomes 0", "{driver} 主动时：无死点（γ 不为 0）"),
     "advantage": (
         "least mechanical advantage {value} with {driver} at {at}{endless}",
         "最小机械增益 {value}，{driver} 在 {at}{endless}",
@@ -164,6 +169,7 @@ PHRASES: Phrases = {
         "{driver} 由前一机构带动；活动范围、极限位置和 K 是在整个机构中的",
     ),
     "links": ("links {links}", "构件 {links}"),
+    "pin": ("pin {point}", "销 {point}"),
     "frame": ("frame", "机架"),
     # --- files
     "title fourbar": ("Four-bar linkage", "铰链四杆机构"),

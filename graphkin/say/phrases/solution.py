@@ -77,12 +77,12 @@ PHRASES: Phrases = {
     "place": ("the place of {point}", "点 {point} 的位置"),
     "place at": ("{point} is at {place} mm.", "{point} 位于 {place} mm。"),
     "centre": ("instant centre {name}", "瞬心 {name}"),
-    "centre at": (
-        "{name} lies at {place} mm (the point at which both links have one velocity).",
-        "{name} 位于 {place} mm（两构件在该点速度相同）。",
+    "centre at": ("{name}: {place}.", "{name}：{place}。"),
+    # --- read by hand
+    "exactly": ("Beside the exact values", "与精确值比较"),
+    "beside": (
+        "{name}: as drawn {read}, exactly {exact}{off}.",
+        "{name}：作图值 {read}，精确值 {exact}{off}。",
     ),
-    "centre far": (
-        "{name} lies at infinity (both links turn alike at this instant).",
-        "{name} 在无穷远处（此瞬时两构件角速度相同）。",
-    ),
+    "off": ("; off by {part} %", "，误差 {part} %"),
 }

@@ -4,43 +4,73 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from functools import reduce
 
 import numpy as np
+from numpy.typing import NDArray
 
-from graphkin.construction import Facts
 from graphkin.geometry import Value
 from graphkin.mechanism import Driver, Link, Mechanism
 from graphkin.pairs import Slide
 
+__all__ = ["coincidences", "count_of", "cut", "single", "stacked", "topology"]
+
+SAME_PLACE = 1e-9
+"""Points of a link nearer than this to each other do not give its axis [size]; as `Link.axis` has it."""
+
 
 def topology(mechanism: Mechanism) -> tuple[object, ...]:
-    """All of a mechanism but its numbers: what has the same is drawn by the same steps."""
+    """All of a mechanism but its numbers: what has the same, and `coincidences`, is drawn by the same steps."""
     return (
         tuple((name, tuple(link.points)) for name, link in mechanism.links.items()),
         tuple(_without_numbers(pair) for pair in mechanism.pairs),
-        tuple(replace(driver, value=None, rate=0.0, acceleration=0.0, also=()) for driver in mechanism.drivers),
+        tuple(_undriven(driver) for driver in mechanism.drivers),
         tuple(replace(pose, value=0.0) for pose in mechanism.poses),
         tuple(mechanism.sketch),
     )
 
 
+def _undriven(driver: Driver) -> Driver:
+    value = None if driver.value is None else 0.0
+    return replace(driver, value=value, rate=0.0, acceleration=0.0, also=())
+
+
 def _without_numbers(pair: object) -> object:
     if isinstance(pair, Slide):
-        return replace(pair, line=replace(pair.line, direction=0j), tilt=0.0)
+        stands = type(pair.stands_for)
+        return stands, replace(pair, line=replace(pair.line, direction=0j), tilt=0.0, stands_for=None)
     return type(pair), getattr(pair, "joins", ())
 
 
+def coincidences(mechanism: Mechanism) -> NDArray[np.int8]:
+    """What numbers happen to be, as far as the steps hang on it: (k,), or (k, b) of many mechanisms side by side.
+
+    Points of a link that lie in one place (0) or nearly so (1), and lines that are their links' own axes.
+    """
+    found: list[Value] = [slide.line.direction == 1 for slide in mechanism.slides]
+    for link in mechanism.links.values():
+        points = [*link.points.values()]
+        size = reduce(np.maximum, (np.abs(z - points[0]) for z in points), 0.0)
+        for k, z in enumerate(points):
+            apart = [np.abs(z - other) for other in points[:k]]
+            found += [np.where(far == 0, 0, np.where(far <= SAME_PLACE * size, 1, 2)) for far in apart]
+    return np.array(np.broadcast_arrays(*found), dtype=np.int8) if found else np.zeros(0, dtype=np.int8)
+
+
 def stacked(mechanisms: Sequence[Mechanism]) -> Mechanism:
-    """One mechanism whose numbers are arrays (n,) over mechanisms of one topology, with hinges and slides alone."""
+    """One mechanism whose numbers are arrays (n,) over mechanisms of one topology; of pairs only those of slides."""
     first = mechanisms[0]
     links = {
         name: Link(name, {point: _array(m.links[name].points[point] for m in mechanisms) for point in link.points})
         for name, link in first.links.items()
     }
     sketch = {point: _array(m.sketch[point] for m in mechanisms) for point in first.sketch}
-    slides = tuple(_slides([m.slides[k] for m in mechanisms]) for k in range(len(first.slides)))
+    slides = iter([_slides([m.slides[k] for m in mechanisms]) for k in range(len(first.slides))])
+    pairs = tuple(next(slides) if isinstance(pair, Slide) else pair for pair in first.pairs)
+    values = [_array(m.poses[k].value for m in mechanisms) for k in range(len(first.poses))]
+    poses = tuple(replace(pose, value=value) for pose, value in zip(first.poses, values, strict=True))
     drivers = tuple(_drivers([m.drivers[k] for m in mechanisms]) for k in range(len(first.drivers)))
-    return replace(first, links=links, pairs=slides, drivers=drivers, sketch=sketch)
+    return replace(first, links=links, pairs=pairs, drivers=drivers, poses=poses, sketch=sketch)
 
 
 def _slides(slides: Sequence[Slide]) -> Slide:
@@ -49,8 +79,10 @@ def _slides(slides: Sequence[Slide]) -> Slide:
 
 
 def _drivers(drivers: Sequence[Driver]) -> Driver:
-    value, rate = _array(driver.value or 0.0 for driver in drivers), _array(driver.rate for driver in drivers)
-    return replace(drivers[0], value=value, rate=rate, acceleration=_array(driver.acceleration for driver in drivers))
+    rate, acceleration = _array(driver.rate for driver in drivers), _array(driver.acceleration for driver in drivers)
+    given = [driver.value for driver in drivers if driver.value is not None]
+    value: Value = _array(given) if len(given) == len(drivers) else None
+    return replace(drivers[0], value=value, rate=rate, acceleration=acceleration)
 
 
 def _array(numbers: Iterable[complex]) -> Value:
@@ -63,18 +95,6 @@ def cut(value: Value, part: slice | int, count: int = 0) -> Value:
     if not shared:
         return value[..., part]
     return value if np.ndim(value) == 0 or isinstance(part, slice) else value[..., 0]
-
-
-def facts_in(facts: Facts, part: slice) -> Facts:
-    return replace(
-        facts,
-        shapes={link: {point: cut(z, part) for point, z in shape.items()} for link, shape in facts.shapes.items()},
-        lines={slide: (guide, origin, cut(z, part)) for slide, (guide, origin, z) in facts.lines.items()},
-        turns={body: replace(turn, constant=cut(turn.constant, part)) for body, turn in facts.turns.items()},
-        values=tuple(cut(value, part) for value in facts.values),
-        rates=tuple(cut(value, part) for value in facts.rates),
-        accelerations=tuple(cut(value, part) for value in facts.accelerations),
-    )
 
 
 def count_of(mechanism: Mechanism) -> int:

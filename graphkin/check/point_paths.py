@@ -1,0 +1,126 @@
+"""The curve of a point on a drawing, beside where the point goes by the analysis."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from typing import cast
+
+import numpy as np
+import shapely
+
+from graphkin.analytic import motion
+from graphkin.check.shown import Shown
+from graphkin.errors import GraphkinError
+from graphkin.mechanism import Driver, Mechanism
+
+Pair = tuple[complex, complex]
+"""Where something is drawn, and where it should be."""
+Places = Callable[[np.ndarray], np.ndarray]
+"""Where a point is on paper [mm] at values of a driver [rad, m]; nan where these are not reached."""
+_LOOK, _SOUGHT = 361, 4
+"""Positions of the first look, and how often the end of what is reached is sought between two."""
+_FINE, _HALVED = 0.002, 4
+"""How far chords of the curve may stand off it [mm], and how often they are halved at most."""
+_GONE = 0.2
+"""What is farther from all that is drawn is missing: chords stand off, and a curve ends a little before dead points
+[mm]."""
+
+
+def worst_of_path(
+    mark: Shown, mechanism: Mechanism, values: Sequence[float], scale: float, origin: complex
+) -> Pair | None:
+    """The corner that is farthest off the curve, or the place of the curve that is missing; None where the mark names
+    no point and driver.
+
+    values  of the drivers at the drawn position [rad, m]; scale [m/mm]; origin on paper [mm]
+    """
+    point, driver = mark.attributes.get("data-points", ""), mark.attributes.get("data-line", "")
+    names = [each.name for each in mechanism.drivers]
+    if point not in mechanism.points or driver not in names or not mark.plain or len(mark.lines) != 1:
+        return None
+
+    at = names.index(driver)
+    rate = mechanism.drivers[at].rate
+    paces = [other.rate / rate if rate else 0.0 for other in mechanism.drivers]
+
+    def places(value: np.ndarray) -> np.ndarray:
+        """The other drivers keep pace with this one."""
+        moved = [given + pace * (value - values[at]) for given, pace in zip(values, paces, strict=True)]
+        moved[at] = value
+        return cast(np.ndarray, np.asarray(motion(mechanism, moved).position[point]) / scale + origin)
+
+    try:
+        curve = _curve(places, *_reached(places, values[at], mechanism.drivers[at], _across(mark) * scale))
+    except GraphkinError:
+        return None
+    corners = np.array(mark.lines[0])
+    return max([*_off(corners, curve), *_missing(corners, curve)], key=lambda pair: abs(pair[0] - pair[1]))
+
+
+def _across(mark: Shown) -> float:
+    """A way that no slide leaves that draws such a curve [mm]."""
+    places = np.array(mark.lines[0])
+    return 10.0 * float(np.ptp(places.real) + np.ptp(places.imag))
+
+
+def _reached(places: Places, here: float, driver: Driver, across: float) -> tuple[float, float]:
+    """Values of the driver: a turn from here on in its sense, or from end to end of what it reaches."""
+    far = across if driver.kind == "slide" else math.tau
+    low, high = _ends(places, here, far)
+    if driver.kind != "slide" and high - low >= 2 * math.tau:
+        return here, here + math.copysign(math.tau, driver.rate or 1.0)
+    return low, high
+
+
+def _ends(places: Places, here: float, far: float) -> tuple[float, float]:
+    """How far the driver gets in either sense: between the last value reached and the first that is not."""
+    ends = [(here, here - far), (here, here + far)]
+    for _ in range(_SOUGHT):
+        values = np.array([np.linspace(*end, _LOOK) for end in ends])
+        gone = np.isnan(places(values.ravel())).reshape(values.shape)
+        first = np.where(gone.any(axis=1), gone.argmax(axis=1), _LOOK)
+        ends = [(row[min(k, _LOOK) - 1], row[min(k, _LOOK - 1)]) for row, k in zip(values, first, strict=True)]
+        if not gone.any():
+            break
+    return float(ends[0][0]), float(ends[1][0])
+
+
+def _curve(places: Places, low: float, high: float) -> np.ndarray:
+    """The curve as a line so fine that no chord stands off it [mm]; close by dead points, where it runs on fast."""
+    value = (low + high) / 2 - (high - low) / 2 * np.cos(np.linspace(0.0, np.pi, 4 * _LOOK))
+    begin, end = value[:-1], value[1:]
+    values, there = [value], [places(value)]
+    first, last = there[0][:-1], there[0][1:]
+    for _ in range(_HALVED):
+        middle = (begin + end) / 2
+        between = places(middle)
+        values, there = [*values, middle], [*there, between]
+        off = np.abs(between - (first + last) / 2) > _FINE
+        begin, end = np.r_[begin[off], middle[off]], np.r_[middle[off], end[off]]
+        first, last = np.r_[first[off], between[off]], np.r_[between[off], last[off]]
+        if not off.any():
+            break
+    curve: np.ndarray = np.concatenate(there)[np.argsort(np.concatenate(values), kind="stable")]
+    return curve
+
+
+def _off(corners: np.ndarray, curve: np.ndarray) -> Iterator[Pair]:
+    """Each corner, and the place of the curve next to it."""
+    line = shapely.linestrings(_xy(curve[np.isfinite(curve)]))
+    there = shapely.line_interpolate_point(line, shapely.line_locate_point(line, shapely.points(_xy(corners))))
+    yield from zip(corners, shapely.get_x(there) + 1j * shapely.get_y(there), strict=True)
+
+
+def _missing(corners: np.ndarray, curve: np.ndarray) -> Iterator[Pair]:
+    """The place of the curve that is too far off what is drawn, beside the drawn place next to it."""
+    drawn = shapely.linestrings(_xy(corners))
+    off = np.nan_to_num(shapely.distance(drawn, shapely.points(_xy(curve))))
+    if off.max() > _GONE:
+        place = complex(curve[int(off.argmax())])
+        next_to = drawn.interpolate(drawn.project(shapely.Point(place.real, place.imag)))
+        yield complex(next_to.x, next_to.y), place
+
+
+def _xy(places: np.ndarray) -> np.ndarray:
+    return np.stack([places.real, places.imag], axis=-1)

@@ -1,0 +1,157 @@
+"""Errors in answers: what they name, how they are written, and what a drawing of them lacks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import ClassVar
+
+from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+
+__all__ = [
+    "AnsweredTwice",
+    "LetterTwice",
+    "NoLetters",
+    "NoPaperScale",
+    "NoScaleDrawn",
+    "NoSenseDrawn",
+    "NotAQuestion",
+    "NotAnAnswer",
+    "OffTheDrawing",
+    "SenseDisputed",
+]
+
+Words = Mapping[str, Mapping[Lang, str]]
+
+
+class OffTheDrawing(GraphkinError):
+    """Quantities that nobody wrote down, and that the drawing determines: no fault, but said."""
+
+    where: Where
+    quantities: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: read from the drawing: {listed} (its arrow over the length of the link, with the arrow's sense).",
+        "zh": "{where}：由图量得：{listed}（所画矢量的大小除以杆长，转向由矢量判定）。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "listed": _listed(self.quantities, lang)}
+
+
+class NoSenseDrawn(GraphkinError):
+    """Rotations whose arrow is drawn along the link, where it turns the link neither way."""
+
+    where: Where
+    quantities: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {listed} cannot be read from the drawing: its arrow lies along the link.",
+        "zh": "{where}：无法由图量得 {listed}：所画矢量沿杆的方向。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "listed": _listed(self.quantities, lang)}
+
+
+def _listed(names: tuple[str, ...], lang: Lang) -> str:
+    return ("、" if lang == "zh" else ", ").join(names)
+
+
+class NotAQuestion(Choice):
+    """A name of an answer that means nothing for this mechanism."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given!r} names no quantity of this mechanism and is passed over. {hint}",
+        "zh": "{where}：{given!r} 不是本机构的量，已略过。{hint}",
+    }
+
+
+class NotAnAnswer(GraphkinError):
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given!r} does not read as a value. Write a number, with its unit and sense where wanted: "
+        "\"62.2 rad/s^2 ccw\".",
+        "zh": "{where}：{given!r} 不能读作数值。请写数，必要时带单位和转向，例如 \"62.2 rad/s^2 逆时针\"。",
+    }  # fmt: skip
+
+
+class AnsweredTwice(GraphkinError):
+    """Two different values for one question."""
+
+    where: Where
+    question: str
+    first: str
+    second: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {question} is answered twice, {first!r} and {second!r}. Leave one.",
+        "zh": "{where}：{question} 有两个答案 {first!r} 和 {second!r}，请只保留一个。",
+    }
+
+
+class SenseDisputed(GraphkinError):
+    """A word for the sense that contradicts the sign, or both words."""
+
+    where: Where
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: sign and words of {given!r} say different senses. Counter-clockwise is positive; write one of both.",
+        "zh": "{where}：{given!r} 的正负号与转向文字不一致。逆时针为正，请只写其中一种。",
+    }
+
+
+class NoPaperScale(GraphkinError):
+    """A length on paper, and no scale to read it with."""
+
+    where: Where
+    given: str
+    key: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given!r} is a length on paper, and its scale is missing. State it: [scales] {key} = 0.01",
+        "zh": "{where}：{given!r} 是图上长度，但未给出比例尺。请写明：[scales] {key} = 0.01",
+    }
+
+
+class NoLetters(GraphkinError):
+    """A drawing none of whose polygon points is lettered."""
+
+    where: Where
+    letters: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: no point of a polygon is lettered here. Letter them {letters} and hand the drawing in anew.",
+        "zh": "{where}：图中没有标注字母的多边形顶点。请标注 {letters} 后重新提交。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "letters": ", ".join(self.letters[:12])}
+
+
+class LetterTwice(GraphkinError):
+    """A letter that stands at two places, or beside two points alike."""
+
+    where: Where
+    letter: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: it is not clear which point the letter {letter} belongs to. Put it beside its point, and only there.",
+        "zh": "{where}：无法确定字母 {letter} 标注的是哪一点。请把它写在该点旁边，且只写一次。",
+    }
+
+
+class NoScaleDrawn(GraphkinError):
+    """A polygon whose scale is neither stated nor to be had from its known first vector."""
+
+    where: Where
+    plane: str
+    key: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the {plane} polygon has no scale. Write it on the drawing ({key} = 0.01), or draw the known first vector.",
+        "zh": "{where}：{plane}多边形没有比例尺。请在图上写明（{key} = 0.01），或画出已知的第一个矢量。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "plane": _PLANES[self.plane][lang]}
+
+
+_PLANES: Words = {
+    "position": {"en": "position", "zh": "位置"},
+    "velocity": {"en": "velocity", "zh": "速度"},
+    "acceleration": {"en": "acceleration", "zh": "加速度"},
+}

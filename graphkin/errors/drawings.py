@@ -1,0 +1,86 @@
+"""Errors of drawings: one that is measured, and a file that is to be written."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from graphkin.errors.base import GraphkinError, Lang, Where
+
+__all__ = ["BadDrawing", "CannotWrite", "NoDrawing", "NoFolder", "NothingToMeasure"]
+
+
+class NoFolder(GraphkinError):
+    """A file to be written into a folder that is not there."""
+
+    path: str
+    folder: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{path}: there is no folder {folder}. Make it first, or write elsewhere with -o.",
+        "zh": "{path}：没有文件夹 {folder}。请先建立该文件夹，或用 -o 写到别处。",
+    }
+
+
+class CannotWrite(GraphkinError):
+    """A file that cannot be written."""
+
+    path: str
+    reason: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{path}: cannot be written ({reason}). Choose another place, or make the folder first.",
+        "zh": "{path}：无法写入（{reason}）。请另选位置，或先建立文件夹。",
+    }
+
+
+class NoDrawing(GraphkinError):
+    """A drawing that is not there."""
+
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: there is no such file. Check the path.",
+        "zh": "{where}：没有这个文件，请检查路径。",
+    }
+
+
+class NothingToMeasure(GraphkinError):
+    """A sheet of graphkin's that shows a problem without its answers."""
+
+    where: Where
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this sheet shows only what is given, so there is nothing to measure. Check one that holds "
+        "answers, as `graphkin draw` makes it without `--style given`.",
+        "zh": "{where}：本图只画出已知条件，没有可测量的结果。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
+    }
+
+
+class BadDrawing(GraphkinError):
+    """A file that is no drawing of graphkin's, or no longer one; `reason` is a key of `REASONS`."""
+
+    where: Where
+    reason: str
+    what: str = ""
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: this is not a drawing that graphkin can measure: {told}. Draw it anew with `graphkin draw`.",
+        "zh": "{where}：这不是 graphkin 能测量的图：{told}。请用 `graphkin draw` 重新作图。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return super()._words(lang) | {"told": REASONS[self.reason][lang].format(what=self.what)}
+
+
+REASONS: dict[str, dict[Lang, str]] = {
+    "large": {"en": "it is larger than any sheet", "zh": "文件过大"},
+    "unreadable": {"en": "it cannot be read ({what})", "zh": "无法读取（{what}）"},
+    "xml": {"en": "it is not sound XML", "zh": "不是完好的 XML"},
+    "svg": {"en": "it is not an SVG", "zh": "不是 SVG 图形"},
+    "points": {"en": "it has no points", "zh": "图中没有点"},
+    "json": {"en": "what it says of itself cannot be read", "zh": "图中的说明数据无法读取"},
+    "metadata": {"en": "it does not come from graphkin", "zh": "不是 graphkin 画的图"},
+    "mechanism": {"en": "it carries no mechanism", "zh": "图中没有机构数据"},
+    "element": {"en": "a vector or a point lacks {what}", "zh": "某个矢量或点缺少 {what}"},
+    "older": {"en": "it was drawn by another version of graphkin", "zh": "它是由另一版本的 graphkin 画的"},
+    "shown": {
+        "en": "{what} in it may move, hide or add lines, so that a ruler cannot tell what a viewer shows",
+        "zh": "其中的 {what} 可能移动、遮盖或增添图线，无法判断看图程序显示的是什么",
+    },
+    "value": {"en": "{what} means nothing here", "zh": "{what} 没有意义"},
+}

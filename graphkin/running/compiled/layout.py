@@ -1,0 +1,114 @@
+"""Where the results of a tape are to lie: numbers in rows, vectors with their parts side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from graphkin.geometry import Value
+from graphkin.running.compiled.calls import Calls
+from graphkin.running.compiled.columns import Column, Columns, Judged, Late, Pair, Place, Vector, told_apart
+from graphkin.running.compiled.operations import NUMBER
+from graphkin.running.compiled.recorder import Recording, Written
+from graphkin.running.compiled.tape import Tape
+from graphkin.running.compiled.writer import Signed, works, written_out
+from graphkin.value import frozen
+
+PLANES = ("position", "velocity", "acceleration")
+"""Tables of vectors; the others are of numbers."""
+LATE = ("sines", "misses")
+"""Tables that only tell how near to a dead point it is."""
+
+Tables = Mapping[str, Mapping[Any, Value]]
+
+
+@frozen
+class Layout:
+    """What a recording comes to.
+
+    calls    by which everything is worked out but what is asked for late
+    late     what that is, on the tape
+    columns  where each quantity of the plot is found, by table and name
+    """
+
+    tape: Tape
+    calls: Calls
+    late: tuple[Signed, ...]
+    columns: Mapping[str, Columns]
+
+    @cached_property
+    def late_calls(self) -> Calls:
+        return written_out(self.tape, self.calls.given, 0, self.late)
+
+
+def laid_out(recording: Recording, tables: Tables, given: int) -> Layout:
+    """Where everything is to lie; what only tells dead points is asked for seldom, and late."""
+    tape, layout = recording.tape, _Layout(recording.tape)
+    sines = [value.real_at for value in (*tables["sines"].values(), *recording.sound) if isinstance(value, Written)]
+    doubts = [place for place in dict.fromkeys(tape.unsigned(place) for place in sines) if works(tape, place[0])]
+    told = dict.fromkeys(tables, layout.show)
+    told |= dict.fromkeys(PLANES, layout.vector) | dict.fromkeys(LATE, layout.tell_late)
+    places = {name: {key: told[name](value) for key, value in table.items()} for name, table in tables.items()}
+    parts = [part for pair in layout.pairs for part in pair]
+    calls = written_out(tape, given, len(doubts), [*doubts, *layout.rows.items()], parts)
+    return Layout(tape, calls, (*layout.late,), told_apart(places))
+
+
+class _Layout:
+    """What of a tape is shown so far: rows by place, with their signs, and pairs, each once.
+
+    parts  which part of a vector a place is, and with which sign: it need not be a row, too
+    """
+
+    def __init__(self, tape: Tape) -> None:
+        self.tape = tape
+        self.rows: dict[int, int] = {}
+        self.numbers: dict[int, int] = {}
+        self.pairs: dict[tuple[Signed, Signed], int] = {}
+        self.parts: dict[int, tuple[int, int]] = {}
+        self.late: dict[Signed, int] = {}
+
+    def show(self, value: Value) -> Place:
+        """A number, and where it is found."""
+        if isinstance(value, Judged):
+            return value
+        place, sign = self._unsigned(value)
+        if not works(self.tape, place):
+            return self._at_hand(place, sign)
+        if place in self.parts and place not in self.rows:
+            part, found = self.parts[place]
+            return Column(part=part, sign=sign * found)
+        self.numbers.setdefault(place, len(self.numbers))
+        return Column(row=self.numbers[place], sign=sign * self.rows.setdefault(place, sign))
+
+    def tell_late(self, value: Value) -> Place:
+        """A number that is worked out when it is asked for."""
+        if isinstance(value, Judged):
+            return value
+        place, sign = self._unsigned(value)
+        if not works(self.tape, place):
+            return self._at_hand(place, sign)
+        return Late(self.late.setdefault((place, 1), len(self.late)), sign)
+
+    def _unsigned(self, value: Value) -> Signed:
+        return self.tape.unsigned(value.real_at if isinstance(value, Written) else self.tape.number(float(value)))
+
+    def vector(self, value: Value) -> Place:
+        """A vector, and where it is found."""
+        if not isinstance(value, Written):
+            return Vector(*(Column(number=float(part)) for part in (np.real(value), np.imag(value))))
+        x, y = self.tape.unsigned(value.real_at), self.tape.unsigned(value.imag_at)
+        if not works(self.tape, x[0]) and not works(self.tape, y[0]):
+            return Vector(self._at_hand(*x), self._at_hand(*y))
+        number = self.pairs.setdefault((x, y), len(self.pairs))
+        for side, (place, sign) in enumerate((x, y)):
+            self.parts.setdefault(place, (2 * number + side, sign))
+        return Pair(number)
+
+    def _at_hand(self, place: int, sign: int) -> Column:
+        """What takes no work."""
+        does, _, number = self.tape.operations[place]
+        return Column(number=sign * number) if does == NUMBER else Column(given=int(number), sign=sign)

@@ -1,0 +1,176 @@
+"""A tape written out as calls: registers dealt out, and signs carried along, so that hardly a call only turns one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from graphkin.running.compiled.calls import Calls, Instruction
+from graphkin.running.compiled.operations import GIVEN, NUMBER, RISKY, SIDE
+from graphkin.running.compiled.tape import Tape
+
+Signed = tuple[int, int]
+"""A place, and the sign with which it is shown."""
+Operand = tuple[str, int, float | None]
+"""A name, the sign with which what is meant lies there, and the number that it is."""
+ODD, EVEN = ("rint", "sign", "sin", "tan"), ("absolute", "cos")
+"""What turns its sign with that of its operand, and what does not."""
+AS_THEY_ARE = ("sqrt", "maximum", "arctan2")
+"""What takes no operands with another sign."""
+
+
+def written_out(tape: Tape, given: int, sines: int, shown: Sequence[Signed], parts: Sequence[Signed] = ()) -> Calls:
+    """Of the operations those that are shown, or parts of vectors, those they are made of, and those that may fail; the
+    rest is left out. The first `sines` of those that are shown are sines."""
+    writer = _Writer(tape, shown, parts)
+    return Calls(tuple(writer.lines), writer.constants, len(shown), sines, len(parts), given, writer.registers)
+
+
+def works(tape: Tape, place: int) -> bool:
+    """Whether something is to be done for it."""
+    return tape.operations[place].does not in (NUMBER, GIVEN, SIDE)
+
+
+def _needed(tape: Tape, results: Iterable[int]) -> list[int]:
+    """Places of operations to be done, in their order; signs are no work of their own."""
+    waiting = [*results, *(place for place, operation in enumerate(tape.operations) if operation.does in RISKY)]
+    found: set[int] = set()
+    while waiting:
+        place = waiting.pop()
+        if place not in found and works(tape, place):
+            found.add(place)
+            waiting += (tape.unsigned(of)[0] for of in tape.operations[place].of)
+    return sorted(found)
+
+
+class _Writer:
+    """Writes calls, and deals out registers: one is free again after the last call that needs what is in it.
+
+    asked  into which rows and parts a place goes, with their signs
+    held   where it lies that was worked out, and with which sign
+    """
+
+    def __init__(self, tape: Tape, shown: Sequence[Signed], parts: Sequence[Signed]) -> None:
+        self.tape = tape
+        # NumPy takes an array of no dimensions quicker than a float
+        self.constants: dict[str, np.ndarray] = {}
+        self.named: dict[float, str] = {}
+        self.lines: list[Instruction] = []
+        self.free: list[str] = []
+        self.registers = 0
+        self.held: dict[int, tuple[str, int]] = {}
+        self.asked: dict[int, list[tuple[str, int]]] = {}
+        for letter, results in (("y", shown), ("v", parts)):
+            for number, (place, sign) in enumerate(results):
+                self.asked.setdefault(place, []).append((f"{letter}{number}", sign))
+        order = _needed(tape, self.asked)
+        self.last = {tape.unsigned(of)[0]: place for place in order for of in tape.operations[place].of}
+        for place in order:
+            self._write(place)
+        for place in self.asked.keys() - {*order}:
+            self._lay(place, self.asked[place])
+
+    def _write(self, place: int) -> None:
+        does, of, _ = self.tape.operations[place]
+        operands = [self._operand(each) for each in of]
+        ending = {name for each, (name, *_) in zip(of, operands) if name[0] == "r" and self._ends(each, place)}
+        if does in AS_THEY_ARE:
+            turned = {name: self._turned(name) for name, sign, _ in operands if sign < 0}
+            operands = [(turned.get(name, name), 1, number) for name, _, number in operands]
+            ending |= {*turned.values()}
+        self.free += ending
+        (into, sign), *others = self.asked.get(place) or [(self._register(), 1)]
+        found = self._called(does, operands, into, sign)
+        if found != sign and into[0] != "r":
+            self._call("negative", [into], into)
+            found = sign
+        self.held[place] = into, found
+        self._lay(place, others)
+        if place not in self.last and into[0] == "r":
+            self.free.append(into)
+
+    def _ends(self, of: int, place: int) -> bool:
+        return self.last[self.tape.unsigned(of)[0]] == place
+
+    def _lay(self, place: int, others: Iterable[tuple[str, int]]) -> None:
+        """Where else it is shown, while it is still in the cache."""
+        name, found, _ = self._operand(place)
+        for into, sign in others:
+            self._call("positive" if sign == found else "negative", [name], into)
+
+    def _call(self, does: str, operands: Sequence[str], into: str, risky: bool = False) -> None:
+        self.lines.append(Instruction(f"{does}({', '.join(operands)}, {into})", into, risky))
+
+    # --- one operation ------------------------------------------------------------------------
+
+    def _called(self, does: str, operands: Sequence[Operand], into: str, wanted: int) -> int:
+        """Write it; the sign with which it lies there: the one that is wanted, where that takes no call more."""
+        match does:
+            case "add" | "subtract":
+                (one, sign, number), (other, second, more) = operands
+                return self._sum((one, sign, number), (other, second if does == "add" else -second, more), into, wanted)
+            case "multiply":
+                return self._product(operands[0], operands[1], into, wanted)
+            case "reciprocal":  # NumPy's own is not vectorised
+                self._call("divide", [self._constant(1.0), operands[0][0]], into, True)
+                return operands[0][1]
+            case _ if does in ODD or does in EVEN:
+                self._call(does, [operands[0][0]], into)
+                return operands[0][1] if does in ODD else 1
+            case _:
+                into = f"out={into}" if does == "maximum" else into  # the others take it quicker by place
+                self._call(does, [name for name, *_ in operands], into, does in RISKY)
+                return 1
+
+    def _sum(self, a: Operand, b: Operand, into: str, wanted: int) -> int:
+        (one, sign, number), (other, second, more) = a, b
+        if sign == second != wanted and number is not None:
+            one, sign = self._constant(-number), -sign
+        elif sign == second != wanted and more is not None:
+            other, second = self._constant(-more), -second
+        if sign == second:
+            self._call("add", [one, other], into)
+            return sign
+        self._call("subtract", [one, other] if sign == wanted else [other, one], into)
+        return wanted
+
+    def _product(self, a: Operand, b: Operand, into: str, wanted: int) -> int:
+        for (_, sign, number), (other, second, _) in ((a, b), (b, a)):
+            if number is not None:
+                self._call("multiply", [self._constant(number * sign * second * wanted), other], into)
+                return wanted
+        if a[0] == b[0]:
+            self._call("square", [a[0]], into)
+        else:
+            self._call("multiply", [a[0], b[0]], into)
+        return a[1] * b[1]
+
+    # --- operands -----------------------------------------------------------------------------
+
+    def _operand(self, place: int) -> Operand:
+        place, sign = self.tape.unsigned(place)
+        does, _, number = self.tape.operations[place]
+        if does == NUMBER:
+            return self._constant(number), sign, number
+        if does in (GIVEN, SIDE):
+            return f"x{int(number)}", sign, None
+        name, found = self.held[place]
+        return name, sign * found, None
+
+    def _turned(self, name: str) -> str:
+        """The negative in another register."""
+        into = self._register()
+        self._call("negative", [name], into)
+        return into
+
+    def _constant(self, number: float) -> str:
+        name = self.named.setdefault(number, f"k{len(self.named)}")
+        self.constants[name] = np.array(number)
+        return name
+
+    def _register(self) -> str:
+        if self.free:
+            return self.free.pop()
+        self.registers += 1
+        return f"r{self.registers - 1}"

@@ -1,0 +1,218 @@
+"""A detail: what of a polygon lies too close together for its letters, drawn once more beside it, magnified.
+
+As drawing practice has it (ISO 128-3, GB/T 4458.1): a thin circle about that part, and the same part in a larger
+circle, both under a Roman numeral. What bears its letters in the detail has none in the circle. All arrows stay where
+they are, to scale; those of the detail are not measured.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from graphkin.construction import Plane
+from graphkin.sheet.fit import magnified
+from graphkin.sheet.free_room import FreeRoom
+from graphkin.sheet.lettering import Label, plain, width
+from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.obstacles import arc_places
+from graphkin.sheet.page import Panel
+from graphkin.sheet.paper import BODY
+from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.window import Figure, Window
+from graphkin.value import frozen
+
+_RADII = (2.5, 4.0, 6.0, 9.0, 13.0)
+"""Of the circles that are tried about a part of a figure [mm]."""
+_FEW = 6
+"""Fewer labels in a circle are no knot; nor are as many as stand around it by themselves: one a millimetre of it."""
+_TIMES = (20.0, 10.0, 5.0, 4.0, 3.0, 2.5)
+_LARGEST = 45.0
+"""Radius of a detail [mm]."""
+_AROUND, _HEAD = 8.0, 4.0
+"""What letters around a detail need, and its own heading over it [mm]."""
+_SAVED = 4
+"""A detail is drawn where it saves so many leaders, or labels without a place."""
+_EASIER = 0.5
+"""What a leader in a detail counts, where lines are wide apart."""
+_ON = 0.05
+"""Nearer than this to a circle's rim is still in it [mm]."""
+_NUMERALS = ("I", "II")
+"""Of the details of one figure, which has no more."""
+_PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
+
+
+@frozen
+class _Circle:
+    """A part of the paper."""
+
+    centre: Place
+    radius: float
+
+    def holds(self, *places: Place) -> bool:
+        return all(abs(place - self.centre) <= self.radius + _ON for place in places)
+
+    def names(self, want: Wanted) -> bool:
+        """Whether what a label names lies in it wholly."""
+        return self.holds(want.start, want.start if want.end is None else want.end)
+
+    def piece(self, start: Place, end: Place) -> tuple[Place, Place] | None:
+        """What of a line lies in it."""
+        way = end - start
+        if abs(way) < 1e-9:
+            return None
+        foot = ((self.centre - start) / way).real
+        aside = abs(start + foot * way - self.centre)
+        if aside >= self.radius:
+            return None
+        half = (self.radius**2 - aside**2) ** 0.5 / abs(way)
+        first, last = max(0.0, foot - half), min(1.0, foot + half)
+        return (start + first * way, start + last * way) if first < last else None
+
+
+@frozen
+class _View:
+    """A part of a panel, and where on paper it is shown: through which window, so many times as large as the figure."""
+
+    part: _Circle
+    shown: _Circle
+    times: float
+    window: Window
+
+
+def detailed(panel: Panel, draw: Callable[[Window], Figure], plane: Plane) -> Panel:
+    """The panel with details, where they relieve it; `draw`: its figure through any window.
+
+    Raises nothing: a panel without a knot, or without room for a detail, is handed back as it is.
+    """
+    drawing = _Drawing(panel, draw, _PRIMES[plane])
+    while len(drawing.views) < len(_NUMERALS) and (more := drawing.relieved()) is not None:
+        drawing = more
+    return drawing.panel
+
+
+@frozen
+class _Drawing:
+    """A panel with the details it has so far; prime: after their numerals."""
+
+    panel: Panel
+    draw: Callable[[Window], Figure]
+    prime: str
+    views: tuple[_View, ...] = ()
+
+    def relieved(self) -> _Drawing | None:
+        """With the one more detail that relieves it most, None where none does."""
+        if not (views := self._possible()) or (before := self.burden) < _SAVED:
+            return None
+        after, best = min(((other.burden, other) for other in map(self._with, views)), key=lambda found: found[0])
+        return best if after + _SAVED <= before else None
+
+    @cached_property
+    def burden(self) -> float:
+        """How many labels find no place near by or stand on leaders; leaders of a detail trouble the eye less."""
+        settled = self.panel.near
+        ends = [mark.places[-1] for mark in settled.marks if isinstance(mark, Stroke)]
+        return settled.clashes + sum(_EASIER if any(v.shown.holds(end) for v in self.views) else 1.0 for end in ends)
+
+    def _possible(self) -> list[_View]:
+        """The details there is room for."""
+        if not (knots := list(_knots(self.panel.figure.wanted))):
+            return []
+        free = FreeRoom(self.panel.drawn, self.panel.room)
+        return [view for knot in knots if (view := self._view(knot, free)) is not None]
+
+    def _view(self, knot: _Circle, free: FreeRoom) -> _View | None:
+        """A part of the figure, or of a detail, magnified as far as there is room for; None where there is none."""
+        seen = next((view for view in self.views if view.shown.holds(knot.centre)), None)
+        for times in _TIMES:
+            large = knot.radius * times
+            side = 2 * (large + _AROUND)
+            if large <= _LARGEST and (corner := free.corner(complex(side, side + _HEAD))) is not None:
+                shown = _Circle(corner + complex(side, side) / 2 + 1j * _HEAD, large)
+                window, before = (seen.window, seen.times) if seen is not None else (self.panel.window, 1.0)
+                return _View(knot, shown, times * before, magnified(window, knot.centre, shown.centre, times))
+        return None
+
+    def _with(self, view: _View) -> _Drawing:
+        """The letters of one circle left to the other, where that part is drawn once more."""
+        whole, figure = self.draw(view.window), self.panel.figure
+        marks = [mark for each in whole.marks for mark in _clipped(each, view.shown)]
+        named = [want for want in whole.wanted if view.shown.names(want)]
+        told = {want.of for want in named if want.of}
+        kept = [want for want in figure.wanted if not (want.of in told if want.of else view.part.names(want))]
+        step = min((mark.step for mark in marks if mark.step is not None), default=None)
+        numeral = _NUMERALS[len(self.views)] + self.prime
+        sign = Wanted(plain(numeral), view.part.centre, gap=view.part.radius, size=BODY, step=step)
+        marks += [Disc(circle.centre, circle.radius, "thin", step=step) for circle in (view.part, view.shown)]
+        marks.append(_heading(plain(f"{numeral}  ({view.times:g} : 1)"), view.shown, step))
+        panel = replace(self.panel, figure=Figure([*figure.marks, *marks], [*kept, *named, sign]))
+        return replace(self, panel=panel, views=(*self.views, view))
+
+
+def _knots(wanted: list[Wanted]) -> Iterator[_Circle]:
+    """For each radius the circle that holds most labels, where they are too many."""
+    if not wanted:
+        return
+    about = np.array([want.place for want in wanted])
+    ends = np.array([(want.start, want.start if want.end is None else want.end) for want in wanted])
+    for radius in _RADII:
+        centres = _middles(_holding(about, ends, radius), about, ends)
+        held = _holding(centres, ends, radius).sum(axis=1)
+        if held.max() >= max(_FEW, 2 + 0.8 * radius):
+            yield _Circle(complex(centres[held.argmax()]), radius)
+
+
+def _holding(centres: np.ndarray, ends: np.ndarray, radius: float) -> np.ndarray:
+    """Which circles (c,) hold wholly what which labels name, its ends (w, 2): (c, w)."""
+    return np.asarray((abs(ends - centres[:, None, None]) <= radius + _ON).all(axis=2))
+
+
+def _middles(held: np.ndarray, centres: np.ndarray, ends: np.ndarray) -> np.ndarray:
+    """The middles of what circles hold (c, w), or of circles that hold nothing."""
+    lows, highs = [
+        [far(np.where(held[:, :, None], part(ends), none), axis=(1, 2)) for part in (np.real, np.imag)]
+        for far, none in ((np.min, np.inf), (np.max, -np.inf))
+    ]
+    with np.errstate(invalid="ignore"):
+        x, y = ((low + high) / 2 for low, high in zip(lows, highs))
+    return np.where(held.any(axis=1), x + 1j * y, centres)
+
+
+def _heading(label: Label, circle: _Circle, step: int | None) -> Text:
+    """Over the circle and what is written around it."""
+    top = circle.centre - 1j * (circle.radius + _AROUND - 1.0)
+    return Text(label, top - width(label, BODY) / 2, BODY, step)
+
+
+def _clipped(mark: Mark, circle: _Circle) -> Iterator[Mark]:
+    """What of a mark lies in the circle, as a part of no plane."""
+    match mark:
+        case PointMark(at=at) if circle.holds(at):
+            yield replace(mark, plane="detail")
+        case VectorMark(start=start, end=end) if circle.holds(end):
+            if (piece := circle.piece(start, end)) is not None:
+                yield replace(mark, plane="detail", start=piece[0])
+        case VectorMark(start=start, end=end, pen=pen, step=step):
+            if (piece := circle.piece(start, end)) is not None:
+                yield Stroke(piece, pen, step=step)
+        case Stroke(places=places, closed=closed):
+            yield from _pieces((*places, places[0]) if closed else places, mark, circle)
+        case Disc(centre, radius):
+            around = tuple(centre + cmath.rect(radius, k * cmath.pi / 60) for k in range(121))
+            yield from _pieces(around, Stroke((), mark.pen, step=mark.step, accent=mark.accent), circle)
+        case Arc():
+            yield from _pieces(arc_places(mark), Stroke((), mark.pen, step=mark.step, accent=mark.accent), circle)
+        case _:
+            pass
+
+
+def _pieces(places: tuple[Place, ...], line: Stroke, circle: _Circle) -> Iterator[Mark]:
+    """A line's pieces within the circle, as lines like it that say nothing."""
+    for start, end in pairwise(places):
+        if (piece := circle.piece(start, end)) is not None:
+            yield replace(line, places=piece, closed=False, fill="none", shows=None)
