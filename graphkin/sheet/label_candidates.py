@@ -98,6 +98,12 @@ class Rated(NamedTuple):
         return cls(boxes, *map(np.concatenate, zip(*(part[1:] for part in parts), strict=True)))
 
     @property
+    def in_room(self) -> Rated:
+        """Those in the room, where there are such."""
+        some = self.inside.any() and not self.inside.all()
+        return self.taken(np.flatnonzero(self.inside)) if some else self
+
+    @property
     def free(self) -> Any:
         """Which of them touch nothing."""
         return (self.hits == 0) & self.inside & ~self.strange
@@ -158,7 +164,7 @@ class Scene:
         labels = list(labels)
         for each in range(tier + 1):
             self._see([label for label in labels if (label, each) not in self._seen], each)
-        return [Rated.joined([self._seen[label, each] for each in range(tier + 1)]) for label in labels]
+        return [Rated.joined([self._seen[label, each] for each in range(tier + 1)]).in_room for label in labels]
 
     def _see(self, labels: Sequence[int], tier: int) -> None:
         """Candidates of one tier of some labels, all at once."""

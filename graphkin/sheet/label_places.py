@@ -9,18 +9,20 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphkin.sheet.crossings import overlap
-from graphkin.sheet.label_candidates import FARTHEST, LED, NEAR, Boxes, Rated, Scene
+from graphkin.sheet.label_candidates import FARTHEST, NEAR, Boxes, Rated, Scene
 from graphkin.sheet.label_prices import CROWDED, NEARBY, under
 from graphkin.sheet.wanted import LEAST
 
 _TOUCH = 0.05
 """Closer than this to a box's edge is not yet on it [mm]."""
-_MANY = 80
-"""So many places of a label are kept in mind."""
+_MOST, _LEAST, _ALL = 80, 16, 8000
+"""So many places of a label are kept in mind, fewer of each of many labels, and of all together."""
 _REACH = 3.0
 """Labels farther apart than this do not disturb one another [mm]."""
-_FEW = 16
+_FEW = 8
 """For so many labels without a good place others make way."""
+_PATIENCE = 24
+"""How often a label of a figure may claim a place."""
 _CHAIN = 3
 """So many labels may claim places one after the other."""
 _YIELDING = 0.02
@@ -55,15 +57,17 @@ class Places:
 
     boxes   where each label stands; stands: which of them do
     _all    what they choose from, label by label; _first: where that of each begins; _spot: which of it each takes
-    _tier   how far off each looks
+    _tier   how far off each looks; _patience: how often one may still claim a place
     """
 
-    def __init__(self, scene: Scene, far: bool) -> None:
+    def __init__(self, scene: Scene, last: int) -> None:
+        """last: the farthest tier in which labels look for places."""
         count = len(scene.wanted)
-        self.scene, self.prices, self._last = scene, CROWDED if far else NEARBY, FARTHEST if far else LED
+        self.scene, self.prices, self._last = scene, CROWDED if last == FARTHEST else NEARBY, last
         self.boxes = Boxes(np.zeros((4, 2, count)), np.zeros(count, dtype=bool))
         self.stands = np.zeros(count, dtype=bool)
-        self._spot, self._tier = np.zeros(count, dtype=np.intp), np.full(count, NEAR)
+        self._spot, self._tier, self._patience = np.zeros(count, dtype=np.intp), np.full(count, NEAR), _PATIENCE
+        self._many = max(_LEAST, min(_MOST, _ALL // count))
         self._choose_from([self._offered(rated) for rated in scene.rated(range(count), NEAR)])
         self._look_on(self._greedy(range(count)))
         self._mend()
@@ -80,17 +84,17 @@ class Places:
 
     def _offered(self, rated: Rated) -> Choice:
         """The candidates of a label that cost least as the others stand."""
-        choice = Choice(rated.boxes, self.prices.alone(rated), rated.free).cheapest(3 * _MANY)
+        choice = Choice(rated.boxes, self.prices.alone(rated), rated.free).cheapest(3 * self._many)
         if not self.stands.any():
             return choice
         more, clash = self.prices.beside_others(choice.boxes, self._others(choice.boxes))
-        return choice._replace(cost=choice.cost + more, free=choice.free & ~clash).cheapest(_MANY)
+        return choice._replace(cost=choice.cost + more, free=choice.free & ~clash).cheapest(self._many)
 
     # --- farther and farther ----------------------------------------------------------------------
 
     def _enough(self) -> Any:
-        """What a label may cost before it looks for farther places, or once more for all it has."""
-        return np.where(self._tier < self._last, np.array([*LEAST, 0.0])[self._tier + 1], self.prices.strange)
+        """What a label may cost before it looks for farther places."""
+        return np.where(self._tier < self._last, np.array([*LEAST, np.inf])[self._tier + 1], np.inf)
 
     def _look_on(self, waiting: Sequence[int]) -> None:
         """For those that have found no good place."""
@@ -139,7 +143,7 @@ class Places:
             next_ = int(np.lexsort((-best, left))[0])
             label = int(waiting[next_])
             waiting = np.delete(waiting, next_)
-            if best[next_] > enough[label] and self._tier[label] < self._last:
+            if best[next_] > enough[label]:
                 put_off.append(label)
             else:
                 self._put(label, int(np.argmin(self._all.cost[self._first[label] : self._first[label + 1]])))
@@ -147,8 +151,11 @@ class Places:
 
     def _mend(self) -> None:
         """All move to better places; who is left with a bad one looks farther, and for the last few others make way."""
+        if self._last == NEAR:
+            return
         self._move()
-        self._look_again(np.flatnonzero(self._now() > self._enough()))
+        bad = self._bad() if self._bad().sum() <= 3 * _FEW else False
+        self._look_again(np.flatnonzero((self._now() > self._enough()) | bad))
         self._relieve()
 
     def _relieve(self) -> None:
@@ -157,7 +164,8 @@ class Places:
         while before is None or self._badness() < before:
             before, bad = self._badness(), np.flatnonzero(self._bad())
             for label in map(int, bad if len(bad) <= _FEW else ()):
-                if self._bad()[label]:
+                if self._bad()[label] and self._patience:
+                    self._patience -= 1
                     self._tried(label)
 
     def _tried(self, label: int) -> None:
@@ -190,7 +198,7 @@ class Places:
         self._tier[label] = self._last
         rated = self.scene.rated([label], self._last)[0]
         alone, (more, _) = self.prices.alone(rated), self.prices.beside_others(rated.boxes, self._others(rated.boxes))
-        liked = np.sort(np.argsort(alone + _YIELDING * more)[:_MANY])
+        liked = np.sort(np.argsort(alone + _YIELDING * more)[: self._many])
         self._change({label: Choice(rated.boxes, alone + more, rated.free).taken(liked)})
         self._put(label, int(np.argmin((alone + _YIELDING * more)[liked])))
         rows, cost, _ = self.prices.beside_one(self.boxes, self.boxes.reach, self.boxes.taken([label]))

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphkin.sheet.label_candidates import Scene
+from graphkin.sheet.label_candidates import FARTHEST, LED, NEAR, Scene
 from graphkin.sheet.label_places import Places
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke
@@ -45,7 +45,8 @@ def settle(scene: Scene, far: bool = False) -> Settled:
     """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
     if not scene.wanted:
         return Settled([], 0)
-    places = Places(scene, far and len(scene.wanted) <= _MANY)
+    many = len(scene.wanted) > _MANY
+    places = Places(scene, NEAR if many and scene.crammed else LED if many or not far else FARTHEST)
     clashing = places.clashing()
     for _ in range(_ROUNDS if far else 0):
         if not (out := _left_out(scene.wanted, places.stands, clashing)):
@@ -70,7 +71,7 @@ def _lettered(wanted: Sequence[Wanted], places: Places) -> Iterator[Mark]:
 
 def _left_out(wanted: Sequence[Wanted], stands: Any, clashing: Sequence[int]) -> list[int]:
     """The spare ones of labels without a place, else the spare ones next to them; not two that are close together, of
-    which one may find a place without the other."""
+    which one may find a place without the other, unless very many have none."""
     places = [want.place for want in wanted]
 
     def close(label: int, others: Sequence[int]) -> bool:
@@ -78,6 +79,8 @@ def _left_out(wanted: Sequence[Wanted], stands: Any, clashing: Sequence[int]) ->
 
     spare = [k for k, want in enumerate(wanted) if want.spare and stands[k]]
     found: list[int] = []
+    if len(clashing) > _MANY:
+        return [k for k in spare if k in clashing]
     for label in [k for k in spare if k in clashing] or [k for k in spare if close(k, clashing)]:
         if not close(label, found):
             found.append(label)
