@@ -22,7 +22,7 @@ from graphkin.planning.special import special_points
 from graphkin.planning.stages import Group
 from graphkin.readings import readings
 from graphkin.running import replay_all
-from graphkin.running.variants import at_once, goes_together
+from graphkin.running.at_once import AtOnce, at_once, goes_together
 from graphkin.stacking import topology
 
 __all__ = ["planned_together", "proved_together"]
@@ -95,11 +95,13 @@ def _parts(method: Method, mechanisms: Sequence[Mechanism]) -> list[tuple[Method
     return [*_by_special_points(method, mechanisms)] if goes_together(method) else [(None, [*range(len(mechanisms))])]
 
 
-def _by_special_points(method: Method, mechanisms: Sequence[Mechanism]) -> list[tuple[Method, list[int]]]:
+def _by_special_points(method: Method, mechanisms: Sequence[Mechanism]) -> list[tuple[Method | None, list[int]]]:
     """The mechanisms, by their numbers, that go by one method: special points are where they lie well in each."""
     if not any(isinstance(stage, Group) for stage in method.stages):
         return [(method, [*range(len(mechanisms))])]
-    drawn, found = at_once(method, mechanisms), [(method, list[int]())]
+    if (drawn := at_once(method, mechanisms)) is None:
+        return [(None, [*range(len(mechanisms))])]
+    found = [(method, list[int]())]
     for row in map(int, np.flatnonzero(drawn.sure)):
         own = drawn.method(method, row, mechanisms[row])
         plot = drawn.drawing(own, row)
@@ -137,7 +139,14 @@ def _planned_alone(mechanism: Mechanism, exact: Many, row: int) -> tuple[Method,
 def _both(
     method: Method, mechanisms: Sequence[Mechanism], exact: Many
 ) -> Iterable[tuple[Method, Proved] | None]:
-    drawn = at_once(method, mechanisms)
+    if (drawn := at_once(method, mechanisms)) is None:
+        return (_planned_alone(one, exact, row) for row, one in enumerate(mechanisms))
+    return _compared(method, mechanisms, drawn, exact)
+
+
+def _compared(
+    method: Method, mechanisms: Sequence[Mechanism], drawn: AtOnce, exact: Many
+) -> Iterable[tuple[Method, Proved] | None]:
     worst = apart_each(method.mechanism, readings(method, drawn.plot), exact.motion)
     for row, mechanism in enumerate(mechanisms):
         if drawn.sure[row] and exact.sure[row] and worst[row] < AGREE:
@@ -149,9 +158,9 @@ def _both(
 
 def _planned(method: Method | None, mechanisms: Sequence[Mechanism]) -> Iterable[Method | None]:
     """Of each the method, where its assembly is sure."""
-    if method is None:
+    drawn = None if method is None else at_once(method, mechanisms)
+    if method is None or drawn is None:
         yield from [None] * len(mechanisms)
         return
-    drawn = at_once(method, mechanisms)
     for row, mechanism in enumerate(mechanisms):
         yield drawn.method(method, row, mechanism) if drawn.sure[row] else None

@@ -18,6 +18,8 @@ from graphkin.readings import readings
 from graphkin.running import replay_all
 
 Make = Callable[[int], Mechanism]
+ROUNDING = 1e-14
+"""What the roads may differ by, by the square of the condition: more than 1e-9 only where that is below 0.003."""
 ALIKE = 20
 """Random mechanisms of one topology that are proved together."""
 
@@ -46,7 +48,7 @@ def hold_roads_together(make: Callable[[Seed], Mechanism], kinds: range) -> None
                 continue
             for point, place in mechanism.sketch.items():
                 assert abs(found.plot.position[point] - place) < 1e-7, (kind, number, point)
-            assert found.worst < 1e-9, (kind, number)
+            assert found.worst < max(1e-9, ROUNDING / float(found.exact.condition) ** 2), (kind, number)
     assert dead < len(kinds) * ALIKE * 0.1
 
 

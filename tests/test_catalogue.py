@@ -15,7 +15,7 @@ import graphkin
 
 PACKAGE = Path(graphkin.__file__).parent
 SPEAKER = PACKAGE / "say"
-SPEAKING = {"say", "phrase", "in_both", "head", "meaning"}
+SPEAKING = {"say", "say_close", "phrase", "in_both", "head", "meaning"}
 """Functions and methods whose first argument is the name of a phrase."""
 
 

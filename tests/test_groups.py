@@ -21,7 +21,7 @@ from graphkin.sweeps import course
 from graphkin.sweeps.roads import moving
 
 KINDS = ("triad", "six_bar", "geared_five_bar", "epicyclic", "rolling", "cam", "circular_slot")
-COUNT, BATCH = int(os.environ.get("GRAPHKIN_RANDOM", "400")), 200
+COUNT, BATCH = int(os.environ.get("GRAPHKIN_RANDOM", "2000")), 500
 """Random mechanisms of each kind; other numbers of them with GRAPHKIN_RANDOM in the environment."""
 
 

@@ -126,7 +126,7 @@ VELOCITIES_EN = """
   Measured: pb3 = 27.12 mm, b2b3 = 32.08 mm; hence
     v_B3 = μ_v·pb3 = 0.01 × 27.12 = 0.2712 m/s (at 72.52° to +x)
     v_B3B2 = μ_v·b2b3 = 0.01 × 32.08 = 0.3208 m/s
-  So BC grows at 0.3208 m/s.
+  So BC increases at 0.3208 m/s.
     ω3 = v_B3/l_BD = μ_v·pb3/(μ_l·BD) = 0.01 × 27.12/(0.001 × 69.20) = 3.919 rad/s \
 (clockwise: pb3, carried to B in the mechanism, turns B about D in the sense of ω3)
   Links 2 and 3 form a sliding pair, so they have no relative rotation:

@@ -110,7 +110,7 @@ def reach(step: Fit, plot: Plot) -> float:
     arms = [part for closure in step.closures for part in closure.parts if isinstance(part, Arm)]
     shapes = plot.facts.shapes
     lengths = [float(np.max(np.abs(shapes[a.link][a.head] - shapes[a.link][a.tail]))) for a in arms]
-    return max([*lengths, *(abs(c) for contact in step.contacts for _, c in contact.angles)]) or 1.0
+    return max([*lengths, *(float(np.max(np.abs(c))) for contact in step.contacts for _, c in contact.angles)]) or 1.0
 
 
 def units_of(step: Fit, size: float) -> list[float]:

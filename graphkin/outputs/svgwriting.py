@@ -1,6 +1,6 @@
-"""svgwrite, without what it reads fonts from the net with, and what it checks drawings with: both take long to load.
+"""svgwrite, without what it reads fonts from the net with, what it checks drawings with, and elements no sheet has.
 
-They come where they are first used, which graphkin never does.
+They take long to load, and come where they are first used, which graphkin never does.
 """
 
 from __future__ import annotations
@@ -11,8 +11,21 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-_LATER = {"urllib.request": ("urlopen",), "svgwrite.validator2": ("get_validator",), "svgwrite.data.pattern": ()}
+_LATER = {
+    "urllib.request": ("urlopen",),
+    "svgwrite.validator2": ("get_validator",),
+    "svgwrite.data.pattern": (),
+    "svgwrite.animate": ("Animate", "AnimateColor", "AnimateMotion", "AnimateTransform", "Set"),
+    "svgwrite.filters": ("Filter",),
+    "svgwrite.gradients": ("LinearGradient", "RadialGradient"),
+    "svgwrite.image": ("Image",),
+    "svgwrite.masking": ("ClipPath", "Mask"),
+    "svgwrite.pattern": ("Pattern",),
+    "svgwrite.solidcolor": ("SolidColor",),
+}
 """The functions that svgwrite takes from each when it loads."""
+_GIVES_LATER = ("get_validator",)
+"""Called when it loads, too, for what is used later."""
 
 
 def svgwrite() -> Any:
@@ -36,18 +49,21 @@ class _Later(ModuleType):
         if name.startswith("__"):
             raise AttributeError(name)
         if name in _LATER[self.__name__]:
-            return partial(_Result, self.__name__, name)
+            return partial(_Result if name in _GIVES_LATER else _called, self.__name__, name)
         if sys.modules.get(self.__name__) is self:
             del sys.modules[self.__name__]
         return getattr(import_module(self.__name__), name)
 
 
+def _called(module: str, function: str, *args: Any, **named: Any) -> Any:
+    return getattr(import_module(module), function)(*args, **named)
+
+
 class _Result:
     """What a function gives, once something is asked of that."""
 
-    def __init__(self, module: str, function: str, *args: Any, **named: Any) -> None:
-        self._call = module, function, args, named
+    def __init__(self, *call: Any, **named: Any) -> None:
+        self._call = partial(_called, *call, **named)
 
     def __getattr__(self, name: str) -> Any:
-        module, function, args, named = self._call
-        return getattr(getattr(import_module(module), function)(*args, **named), name)
+        return getattr(self._call(), name)

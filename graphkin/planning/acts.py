@@ -26,6 +26,7 @@ from graphkin.construction import (
     Swing,
     Touch,
 )
+from graphkin.kept import kept
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
@@ -64,11 +65,13 @@ def acts(method: Method) -> tuple[Act, ...]:
     return tuple(found)
 
 
+@kept(8)
 def pages(method: Method) -> Mapping[tuple[Plane, Step], int]:
     """In which act each step is done."""
     return {(act.plane, step): act.page for act in method.acts for step in act.steps}
 
 
+@kept(8)
 def births(method: Method, plane: Plane) -> Mapping[str, int]:
     """The act in which each point of a plane is found."""
     found: dict[str, int] = {}

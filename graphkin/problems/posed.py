@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from graphkin.agreement import proved
+from graphkin.agreement import Proved, proved
 from graphkin.api import plan
 from graphkin.construction import Construction, Plot
 from graphkin.geometry import Value
@@ -42,15 +42,20 @@ class Posed:
     drawn: Plot
 
 
-def well_posed(mechanism: Mechanism) -> Posed | Refused:
-    """Solved at every position asked for, or what is against it. Raises what solving raises: it does not assemble."""
-    method = plan(mechanism)
-    plots = tuple(proved(method, values).plot for values in driver_values(method))
+def well_posed(mechanism: Mechanism, drawn: tuple[Method, Proved] | None = None) -> Posed | Refused:
+    """Solved at every position asked for, or what is against it. Raises what solving raises: it does not assemble.
+
+    drawn  its method and the drawn position, where they are known already
+    """
+    method = plan(mechanism) if drawn is None else drawn[0]
+    first, *others = driver_values(method)
+    here = proved(method, first) if drawn is None else drawn[1]
+    plots = (here.plot, *(proved(method, values).plot for values in others))
     if any(_dead(plot) for plot in plots):
         return "dead point"
     if any(_short(method, plot) for plot in plots):
         return "short"
-    return Posed(method, plots, replay_all(method))
+    return Posed(method, plots, replay_all(method) if drawn is None else here.plot)
 
 
 def answers(posed: Posed) -> np.ndarray:

@@ -51,7 +51,7 @@ def by_program(
     """
     if method.moves_on and not near:
         return None
-    shapes = {np.shape(value) for value in values} - {()}
+    shapes = {value.shape if isinstance(value, np.ndarray) else np.shape(value) for value in values} - {()}
     if len(shapes) != 1 or len(shape := shapes.pop()) != 1 or shape[0] < MANY:
         return None
     made = program_of(method)

@@ -10,35 +10,26 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import product
 
 import numpy as np
 
-from graphkin.construction import Facts, Fit, Meet, Plot, Swing, replay, slide_key, unknowns_of
+from graphkin.construction import Plot
 from graphkin.errors import GraphkinError
 from graphkin.geometry import Value
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Cam, CircularSlot, Slide
+from graphkin.mechanism import Mechanism
+from graphkin.pairs import Slide
 from graphkin.planning import plan
-from graphkin.planning.assembly import DEAD_SINE
-from graphkin.planning.branch_search import BETWEEN
-from graphkin.planning.branches import Branches
-from graphkin.planning.equivalent import lower_pairs
 from graphkin.planning.method import Method
-from graphkin.planning.starting_facts import facts_of, with_sides
-from graphkin.planning.starts import Starts
-from graphkin.planning.structure import Structure
+from graphkin.planning.starting_facts import facts_of
+from graphkin.running.assemblies import few_ways
+from graphkin.running.at_once import alike, drawn_at_once, facts_in
 from graphkin.running.compiled import TABLES
 from graphkin.running.replaying import replay_all
-from graphkin.stacking import coincidences, count_of, cut, single, stacked, topology
+from graphkin.stacking import count_of, cut, single, stacked, topology
 from graphkin.value import filled, frozen
 
 PART = 2048
 """So many mechanisms at once; what they need stays in the cache."""
-EXACT = 1e-3
-"""A sketch this near, as part of how far a group that is fitted is from its dead points, has no other as near."""
-CHOICES = 6
-"""Crossings of circles of which every combination is drawn."""
 
 
 @frozen
@@ -82,21 +73,8 @@ def replay_many(
 
 def is_simple(method: Method) -> bool:
     """Whether crossings of lines and circles are all that a position asks for: then arrays do what numbers do."""
-    return all(type(pair) is Slide for pair in method.mechanism.pairs) and _by_crossings(method)
-
-
-def _by_crossings(method: Method) -> bool:
-    return _few_ways(method) and not method.moves_on
-
-
-def _few_ways(method: Method) -> bool:
-    free = not (method.structure.mechanism.poses or method.doubtful)
-    return free and len(_choices(method)) <= CHOICES and bool(method.position.steps)
-
-
-def _choices(method: Method) -> list[int]:
-    steps = method.position.steps
-    return [step.choice for step in steps if isinstance(step, Meet | Swing) and step.choice is not None]
+    plain = all(type(pair) is Slide for pair in method.mechanism.pairs) and not method.mechanism.poses
+    return plain and few_ways(method) and not method.moves_on
 
 
 def _refuse_others(method: Method, mechanisms: Sequence[Mechanism]) -> None:
@@ -132,13 +110,13 @@ class _Drawing:
 
     def together(self, mechanism: Mechanism, values: Sequence[Value] | None) -> np.ndarray:
         """All mechanisms but those, returned by their numbers, that ask for a plan of their own."""
-        sure = _alike(self.method, mechanism, self.count)
+        sure = alike(self.method, mechanism, self.count)
         facts = facts_of(replace(self.method.structure, mechanism=mechanism), None, {})
         for start in range(0, self.count, PART):
             part = slice(start, min(start + PART, self.count))
             own = None if values is None else [cut(value, part, self.count) for value in values]
             sketch = {point: cut(z, part) for point, z in mechanism.sketch.items()}
-            found = _drawn_at_once(self.method, facts_in(facts, part), sketch, own)
+            found = drawn_at_once(self.method, facts_in(facts, part), sketch, own)
             self._keep(found.plot, part)
             sure[part] &= found.sure
         return np.flatnonzero(~sure)
@@ -168,181 +146,3 @@ class _Drawing:
         for table in self.tables.values():
             for value in table.values():
                 value[..., row] = np.nan
-
-
-@frozen
-class AtOnce:
-    """Mechanisms drawn by one method: values (n,), or (positions, n); which are sure, and each one's own crossings.
-
-    near    angles and displacements at the drawn position, as `Method` has them, (n,) each
-    lower   their lower pairs
-    """
-
-    plot: Plot
-    sides: Mapping[int, np.ndarray]
-    near: Mapping[str, Value]
-    sure: np.ndarray
-    lower: tuple[Mechanism, ...] = ()
-
-    def method(self, template: Method, row: int, mechanism: Mechanism) -> Method:
-        """One mechanism's own method."""
-        sides = tuple(int(self.sides[choice][row]) for choice in sorted(self.sides))
-        return replace(
-            template, mechanism=mechanism, structure=replace(template.structure, mechanism=self.lower[row]),
-            position=with_sides(template.position, sides),
-            near={name: float(value[row]) for name, value in self.near.items()},
-        )  # fmt: skip
-
-    def drawing(self, method: Method, row: int) -> Plot:
-        """One mechanism's own drawing, at the drawn position."""
-        plot = Plot(method.facts(), method.near)
-        for name in TABLES:
-            table = getattr(self.plot, name)
-            setattr(plot, name, {key: value[row] if np.ndim(value) else value for key, value in table.items()})
-        return plot
-
-
-def goes_together(method: Method) -> bool:
-    """Whether `at_once` draws such mechanisms: hinges and slides are all that their lower pairs are."""
-    lower = all(type(pair) in (Slide, Cam, CircularSlot) for pair in method.mechanism.pairs)
-    return lower and not method.structure.contacts and _few_ways(method)
-
-
-def at_once(method: Method, mechanisms: Sequence[Mechanism]) -> AtOnce:
-    """Mechanisms of a method's topology at their drawn positions, where they go together."""
-    lower = tuple(map(lower_pairs, mechanisms))
-    mechanism, count = stacked(lower), len(lower)
-    structure = replace(method.structure, mechanism=mechanism)
-    found = _drawn_at_once(method, facts_of(structure, None, {}), mechanism.sketch, None, structure)
-    return replace(found, lower=lower, sure=found.sure & _alike(method, mechanism, count))
-
-
-def _drawn_at_once(
-    method: Method, facts: Facts, sketch: Mapping[str, Value], values: Sequence[Value] | None,
-    structure: Structure | None = None,
-) -> AtOnce:  # fmt: skip
-    """`values` as `replay_many` has them; `structure` that of the mechanisms side by side, where links are fitted."""
-    found = _assembled(method, facts, sketch, None if structure is None else _Told.by_sketch(method, structure, facts))
-    if values is not None:
-        facts = replace(facts, values=tuple(values))
-    plot = Plot(facts, found.near)
-    for construction in method.constructions:
-        replay(construction, plot, found.sides)
-    return AtOnce(plot, found.sides, found.near, found.sure)
-
-
-def _alike(method: Method, mechanism: Mechanism, count: int) -> np.ndarray:
-    """In which mechanisms the points that lie in one place are those of the method's own: (count,)."""
-    wanted, found = coincidences(method.structure.mechanism), coincidences(mechanism)
-    same = (found.reshape(len(wanted), -1) == wanted[:, None]).all(axis=0)
-    return np.array(np.broadcast_to(same, (count,)))
-
-
-def facts_in(facts: Facts, part: slice) -> Facts:
-    return replace(
-        facts,
-        shapes={link: {point: cut(z, part) for point, z in shape.items()} for link, shape in facts.shapes.items()},
-        lines={slide: (guide, origin, cut(z, part)) for slide, (guide, origin, z) in facts.lines.items()},
-        turns={body: replace(turn, constant=cut(turn.constant, part)) for body, turn in facts.turns.items()},
-        values=tuple(cut(value, part) for value in facts.values),
-        rates=tuple(cut(value, part) for value in facts.rates),
-        accelerations=tuple(cut(value, part) for value in facts.accelerations),
-    )
-
-
-# --- which assembly ---------------------------------------------------------------------------
-
-
-@frozen
-class _Assemblies:
-    """As `Assembly`, of many mechanisms: sides by choice, angles and displacements, (n,) each; which are sure."""
-
-    sides: Mapping[int, np.ndarray]
-    near: Mapping[str, Value]
-    sure: np.ndarray
-
-
-def _assembled(
-    method: Method, facts: Facts, sketch: Mapping[str, Value], told: _Told | None = None
-) -> _Assemblies:
-    """Every combination of crossings drawn, and for each mechanism the nearest to its sketch taken.
-
-    Sure is what closes, lies well off its dead points, and has no other assembly that the sketch may mean. Groups that
-    are fitted start as `told`, and are sure where the sketch is all but exact.
-    """
-    choices = _choices(method)
-    ways = np.array([*product((1, -1), repeat=len(choices))], dtype=float).reshape(2 ** len(choices), len(choices))
-    start = Plot(facts, {} if told is None else told.near)
-    plot = replay(method.position, start, {choice: ways[:, [k]] for k, choice in enumerate(choices)})
-    count = np.broadcast_shapes(*map(np.shape, (*sketch.values(), *plot.position.values())))[-1:]
-    every = (len(ways), *count)
-    points = {point: np.broadcast_to(z, every) for point, z in plot.position.items()}
-    shown = [point for point in sketch if point in points]
-    far = sum((np.abs(points[point] - sketch[point]) ** 2 for point in shown), np.zeros(every))
-    far = np.where(_closed(method, plot, points), far, np.inf)
-    best, row = np.argmin(far, axis=0), np.arange(every[1])
-    sines = [np.broadcast_to(sine, every)[best, row] for (plane, _), sine in plot.sines.items() if plane == "position"]
-    nearest = far[best, row]
-    sure = np.isfinite(nearest) & (np.min([np.ones(every[1]), *np.nan_to_num(sines)], axis=0) >= DEAD_SINE)
-    slides = [np.broadcast_to(s, every) for s in plot.s.values()]
-    places = np.array([*points.values()])
-    size = np.abs(places - places[0])[:, best, row].max(axis=0)
-    for other in range(len(ways)):
-        with np.errstate(invalid="ignore"):
-            same = np.all([np.abs(z[other] - z[best, row]) <= 1e-9 * size for z in (*points.values(), *slides)], axis=0)
-            apart = sum((np.abs(points[p][other] - points[p][best, row]) ** 2 for p in shown), np.zeros(every[1]))
-            doubt = (apart <= (1e-9 * size) ** 2) | (far[other] - nearest < BETWEEN * apart)
-        sure &= same | ~np.isfinite(far[other]) | ~doubt
-    if told is not None:
-        sure &= told.certain(plot, best, every, nearest)
-    turned = [base for base in method.structure.bases if base in plot.theta]
-    near = {base: np.broadcast_to(plot.theta[base], every)[best, row] for base in turned}
-    near |= {slide_key(slide): np.broadcast_to(s, every)[best, row] for slide, s in plot.s.items()}
-    return _Assemblies({choice: ways[best, k] for k, choice in enumerate(choices)}, near, sure)
-
-
-@frozen
-class _Told:
-    """What sketches tell of the groups that are fitted, (n,) each."""
-
-    starts: Starts
-    near: Mapping[str, Value]
-    steps: tuple[Fit, ...]
-
-    @classmethod
-    def by_sketch(cls, method: Method, structure: Structure, facts: Facts) -> _Told | None:
-        """None where nothing is fitted."""
-        steps = tuple(step for step in method.position.steps if isinstance(step, Fit))
-        if not steps:
-            return None
-        mechanism, starts = structure.mechanism, Starts(structure)
-        plot = Plot(facts, position={**mechanism.links[FRAME].points, **mechanism.sketch}, theta={FRAME: 0.0})
-        for base in structure.bases:
-            if base not in plot.theta and (angle := starts.angle(plot, base)) is not None:
-                plot.theta[base] = angle
-        here = Branches(plot, np.zeros((count_of(mechanism), 0), dtype=int))
-        near = {name: x for step in steps for name, x in zip(unknowns_of(step), starts.told(here, step), strict=True)}
-        return cls(starts, near, steps)
-
-    def certain(self, plot: Plot, best: np.ndarray, every: tuple[int, ...], away: np.ndarray) -> np.ndarray:
-        """Where all groups of the `best` assemblies, by squared distance `away` from the sketch, are as sketched."""
-        return np.asarray(np.all([self._certain(step, plot, best, every, away) for step in self.steps], axis=0))
-
-    def _certain(
-        self, step: Fit, plot: Plot, best: np.ndarray, every: tuple[int, ...], away: np.ndarray
-    ) -> np.ndarray:
-        row, told = np.arange(every[1]), np.array([self.near[name] for name in unknowns_of(step)])
-        found = [*(plot.theta[base] for base in step.angles), *(plot.s[slide] for slide in step.slides)]
-        x = np.array([np.broadcast_to(value, every)[best, row] for value in found])
-        sine = np.nan_to_num(np.broadcast_to(plot.sines["position", step.name], every)[best, row])
-        exact = away < (EXACT * sine * self.starts.size(step)) ** 2
-        return np.asarray(self.starts.certain(x, told, step, sine) & exact)
-
-
-def _closed(method: Method, plot: Plot, points: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Where every point has a place, and cylinders are drawn out, not turned round."""
-    closed = np.all([np.isfinite(places) for places in points.values()], axis=0)
-    for name, slide in method.structure.slides.items():
-        if slide.guide != FRAME and len(method.structure.bodies[slide.guide]) == 1 and slide.line.on_axis:
-            closed = closed & (plot.s[name] > 0)
-    return np.asarray(closed)

@@ -78,6 +78,11 @@ def set_close(name: str, /, **words: object) -> str:
     return close(re.sub(_EDGE, "", re.sub(_BESIDE, " ", say(name, "zh", **held))))
 
 
+def say_close(name: str, lang: Lang, /, **words: object) -> str:
+    """A phrase filled in, in Chinese set close."""
+    return set_close(name, **words) if lang == "zh" else say(name, lang, **words)
+
+
 @cache
 def _phrases(subject: str) -> Phrases:
     found: Phrases = import_module(f"{__package__}.phrases.{subject}").PHRASES

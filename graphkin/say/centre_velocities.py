@@ -70,7 +70,7 @@ def _answers(levers: LeverReader, driver: Driver) -> Iterator[Entry]:
                 yield entry
     rates = [text for text, halves in wanted.items() if halves and halves[0].word in _RATES]
     if rates:
-        yield Sentence(reader.say("centres.no accelerations", names=listed(rates, reader.lang)))
+        yield Sentence(reader.say("centres.no accelerations", names=listed(map(names.asked, rates), reader.lang)))
 
 
 def _answer(levers: LeverReader, *wanted: Quantity) -> Iterator[Entry]:

@@ -15,11 +15,10 @@ from graphkin.quantities import driven
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.figures import Operand, written
-from graphkin.say.numbers import exact, number, quantity
+from graphkin.say.numbers import exact, in_print, number, quantity
 
 _SIGNS = "φ", "s"
 """Of what a driver turns, and of what it slides."""
-_MINUS = re.compile(r"(?<![\w)])-(?=\d)")
 _DIGITS = 6
 """Of what is computed."""
 _MARKED = re.compile("\0([^\0]+)\0")
@@ -72,7 +71,7 @@ def lines(found: Findings, lang: Lang = "en") -> Iterator[str]:
     typed = {name: names.asked(name) for name in (*found.quantities, *factors, *rates)}
     signs = re.compile("|".join(map(re.escape, sorted(typed, key=len, reverse=True))))
     for line in dict.fromkeys(_lines(found, lang)):
-        signed = typeset(_MARKED.sub(lambda met: named[met[1]], signs.sub(lambda met: typed[met[0]], line)))
+        signed = in_print(_MARKED.sub(lambda met: named[met[1]], signs.sub(lambda met: typed[met[0]], line)))
         yield signed.replace(", ", say("common.and", lang))
 
 
@@ -90,11 +89,6 @@ def heading(condition: Condition, lang: Lang) -> str:
             return condition.text
         case _:
             assert_never(condition)
-
-
-def typeset(text: str) -> str:
-    """Units and minus signs as they are printed."""
-    return _MINUS.sub("−", text.replace(" deg", "°").replace("^2", "²"))
 
 
 def _lines(found: Findings, lang: Lang) -> Iterator[str]:
@@ -242,4 +236,4 @@ def caption(found: Findings, position: Position) -> str:
     driver, value = found.drivers[found.swept], position.drivers[found.swept]
     at = f"{_SIGNS[driver.kind == 'slide']}_{driver.name} = {_driven(driver, value)}"
     values = _values(found, position, names.asked)
-    return typeset(f"{at}: {values}" if values else at)
+    return in_print(f"{at}: {values}" if values else at)

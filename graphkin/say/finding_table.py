@@ -12,9 +12,9 @@ from graphkin.finding.varying import VaryingTable
 from graphkin.quantities import EDGE
 from graphkin.quantities.typed import rewritten
 from graphkin.say.catalogue import say
-from graphkin.say.finding import heading, typeset
+from graphkin.say.finding import heading
 from graphkin.say.names import asked
-from graphkin.say.numbers import exact, quantity
+from graphkin.say.numbers import exact, in_print, quantity
 from graphkin.say.text_table import table
 
 
@@ -28,7 +28,7 @@ def table_lines(found: VaryingTable, lang: Lang = "en") -> Iterator[str]:
     for row in found.rows:
         cells = summary(row.found) if row.found is not None else ["-"] * (len(heads) - 1)
         rows.append([_shown(row.value, found.place), *cells])
-    lines = table([[typeset(cell) for cell in row] for row in rows])
+    lines = table([[in_print(cell) for cell in row] for row in rows])
     yield lines[0]
     for row, line in zip(found.rows, lines[1:]):
         yield line if row.error is None else f"{line}  {row.error.message(lang)}"

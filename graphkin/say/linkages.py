@@ -38,12 +38,18 @@ def kind_name(report: Report, lang: Lang) -> str:
 
 def found_lines(found: FoundLinkage, report: Report, lang: Lang) -> Iterator[str]:
     """Lines of a linkage found in a mechanism: which links it is made of first."""
-    links = say("common.list", lang).join(found.links)
-    yield say("linkages.links", lang, links=links)
+    yield say("linkages.links", lang, links=say("common.list", lang).join(_links(found, lang)))
     yield from lines(report, lang)
     if found.driven != "driver":
         key = "behind" if found.before is not None else found.driven
         yield say(f"linkages.found {key}", lang, driver=report.driver)
+
+
+def _links(found: FoundLinkage, lang: Lang) -> Iterator[str]:
+    """What the links are called; a pin that runs in a slot is none, and called so."""
+    pin = found.linkage.names[1] if "bar" in found.linkage.called else ""
+    for link in found.links:
+        yield say("linkages.pin", lang, point=link) if link == pin else link
 
 
 def lines(report: Report, lang: Lang) -> Iterator[str]:

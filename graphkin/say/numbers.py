@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 from collections.abc import Callable
 from itertools import pairwise
 
@@ -92,6 +93,14 @@ def quantity(value: float, unit: str, *, gravity: bool = False) -> str:
     shown = EDGE[unit]
     text = f"{exact(value * shown.factor)} {shown.name}".rstrip()
     return f"{text} ({exact(value * IN_GRAVITY.factor)} {IN_GRAVITY.name})" if gravity and unit == "m/s^2" else text
+
+
+_MINUS = re.compile(r"(?<![\w)])-(?=\d)")
+
+
+def in_print(text: str) -> str:
+    """A text with the signs of print: a minus sign, °, ²."""
+    return _MINUS.sub("−", text.replace(" deg", "°").replace("^2", "²"))
 
 
 def at_edge(value: float, unit: str) -> str:

@@ -17,7 +17,7 @@ from graphkin.planning.acts import Act, made
 from graphkin.planning.labels import Labels
 from graphkin.planning.needed import Fact, at_rest, turning
 from graphkin.say import names
-from graphkin.say.catalogue import say, set_close
+from graphkin.say.catalogue import say_close
 from graphkin.say.noise import ROUNDING, Usual
 from graphkin.say.numbers import degrees, direction, number
 from graphkin.value import frozen
@@ -47,7 +47,7 @@ class Reading:
     apart: bool = False
 
     def say(self, key: str, /, **words: object) -> str:
-        return set_close(key, **words) if self.lang == "zh" else say(key, self.lang, **words)
+        return say_close(key, self.lang, **words)
 
     def too_short(self, length_mm: float) -> str:
         """A note on a length that no pencil draws."""

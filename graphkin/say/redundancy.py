@@ -9,7 +9,7 @@ from graphkin.naming import named
 from graphkin.planning import Method
 from graphkin.planning.candidates import SetAside
 from graphkin.planning.stages import Bridge
-from graphkin.say.catalogue import say
+from graphkin.say.catalogue import say, say_close
 
 
 def redundant_constraints(method: Method, lang: Lang) -> Iterator[str]:
@@ -22,8 +22,8 @@ def redundant_constraints(method: Method, lang: Lang) -> Iterator[str]:
 
 
 def _told(method: Method, each: SetAside, lang: Lang) -> str:
-    what = say(f"structure.part {each.part}", lang, pair=called_pair(*named(method.mechanism, each.pair), lang))
+    what = say_close(f"structure.part {each.part}", lang, pair=called_pair(*named(method.mechanism, each.pair), lang))
     if not each.held or each.part == "link":
-        return say("structure.distance", lang, what=what)
+        return say_close("structure.distance", lang, what=what)
     held = listed((called_pair(*named(method.mechanism, pair), lang) for pair in each.held), lang)
-    return say("structure.held" if len(each.held) > 1 else "structure.held by one", lang, what=what, held=held)
+    return say_close("structure.held" if len(each.held) > 1 else "structure.held by one", lang, what=what, held=held)

@@ -11,7 +11,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.naming import named
 from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Roll, Slide
 from graphkin.planning import Method
-from graphkin.say.catalogue import say
+from graphkin.say.catalogue import say, say_close
 from graphkin.say.redundancy import redundant_constraints
 
 
@@ -59,7 +59,8 @@ def _pairs(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
 
 def _freedoms(method: Method, found: Structure, lang: Lang) -> Iterator[str]:
     rolled = f" − {found.rolled}" if found.rolls else ""
-    words = {"n": found.moving, "low": found.low, "high": found.high, "f": found.formula, "rolled": rolled}
+    formula = str(found.formula).replace("-", "−")
+    words = {"n": found.moving, "low": found.low, "high": found.high, "f": formula, "rolled": rolled}
     yield say("structure.formula", lang, **words)
     if found.rolls:
         colon = say("common.colon", lang)
@@ -87,5 +88,5 @@ def _members(mechanism: Mechanism, group: Together, lang: Lang) -> str:
     links = say("common.list", lang).join(dict.fromkeys(held.get(link, link) for link in group.links))
     for each in group.added:
         pair = called_pair(*named(mechanism, each.pair), lang)
-        links += say(f"structure.added {each.kind}", lang, pair=pair)
+        links += say_close(f"structure.added {each.kind}", lang, pair=pair)
     return links + (say("structure.merged", lang) if group.merged else "")

@@ -8,10 +8,12 @@ they are, to scale; those of the detail are not measured.
 from __future__ import annotations
 
 import cmath
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
+
+import numpy as np
 
 from graphkin.construction import Plane
 from graphkin.sheet.fit import magnified
@@ -154,24 +156,31 @@ class _Drawing:
 
 def _knots(wanted: list[Wanted]) -> Iterator[_Circle]:
     """For each radius the circle that holds most labels, where they are too many."""
+    if not wanted:
+        return
+    about = np.array([want.place for want in wanted])
+    ends = np.array([(want.start, want.start if want.end is None else want.end) for want in wanted])
     for radius in _RADII:
-        circles = (_centred(_Circle(want.place, radius), wanted) for want in wanted)
-        held, circle = max(((_held(one, wanted), one) for one in circles), key=lambda one: one[0], default=(0, None))
-        if circle is not None and held >= max(_FEW, 2 + 0.8 * radius):
-            yield circle
+        centres = _middles(_holding(about, ends, radius), about, ends)
+        held = _holding(centres, ends, radius).sum(axis=1)
+        if held.max() >= max(_FEW, 2 + 0.8 * radius):
+            yield _Circle(complex(centres[held.argmax()]), radius)
 
 
-def _held(circle: _Circle, wanted: Iterable[Wanted]) -> int:
-    return sum(map(circle.names, wanted))
+def _holding(centres: np.ndarray, ends: np.ndarray, radius: float) -> np.ndarray:
+    """Which circles (c,) hold wholly what which labels name, its ends (w, 2): (c, w)."""
+    return np.asarray((abs(ends - centres[:, None, None]) <= radius + _ON).all(axis=2))
 
 
-def _centred(circle: _Circle, wanted: Iterable[Wanted]) -> _Circle:
-    """About the middle of what it holds."""
-    ends = [end for want in wanted if circle.names(want) for end in (want.start, want.end) if end is not None]
-    if not ends:
-        return circle
-    xs, ys = [end.real for end in ends], [end.imag for end in ends]
-    return replace(circle, centre=complex(min(xs) + max(xs), min(ys) + max(ys)) / 2)
+def _middles(held: np.ndarray, centres: np.ndarray, ends: np.ndarray) -> np.ndarray:
+    """The middles of what circles hold (c, w), or of circles that hold nothing."""
+    lows, highs = [
+        [far(np.where(held[:, :, None], part(ends), none), axis=(1, 2)) for part in (np.real, np.imag)]
+        for far, none in ((np.min, np.inf), (np.max, -np.inf))
+    ]
+    with np.errstate(invalid="ignore"):
+        x, y = ((low + high) / 2 for low, high in zip(lows, highs))
+    return np.where(held.any(axis=1), x + 1j * y, centres)
 
 
 def _heading(label: Label, circle: _Circle, step: int | None) -> Text:

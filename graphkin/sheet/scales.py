@@ -76,7 +76,7 @@ def finest_each(least: Any) -> Any:
 @lru_cache(64)
 def _series(first: int, last: int) -> Any:
     """All scales from one power of ten to the one after another, the finest first."""
-    return np.unique([scale for power in range(first, last + 1) for scale in _steps(power)])
+    return np.array(sorted({scale for power in range(first, last + 1) for scale in _steps(power)}))
 
 
 def _next(least: float) -> float:

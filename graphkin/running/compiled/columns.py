@@ -55,7 +55,15 @@ class Judged:
     which: int
 
 
-Place = Column | Vector | Pair | Judged
+@frozen
+class Late:
+    """What a second run tells where somebody wants to know: a number of its own, or its negative."""
+
+    number: int
+    sign: int
+
+
+Place = Column | Vector | Pair | Judged | Late
 """Where a quantity of the plot comes from."""
 
 Own = Column | Pair

@@ -3,36 +3,58 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from graphkin.geometry import Value
 from graphkin.running.compiled.calls import Calls
-from graphkin.running.compiled.columns import Column, Columns, Judged, Pair, Place, Vector, told_apart
+from graphkin.running.compiled.columns import Column, Columns, Judged, Late, Pair, Place, Vector, told_apart
 from graphkin.running.compiled.operations import NUMBER
 from graphkin.running.compiled.recorder import Recording, Written
 from graphkin.running.compiled.tape import Tape
 from graphkin.running.compiled.writer import Signed, works, written_out
+from graphkin.value import frozen
 
 PLANES = ("position", "velocity", "acceleration")
 """Tables of vectors; the others are of numbers."""
+LATE = ("sines", "misses")
+"""Tables that only tell how near to a dead point it is."""
 
 Tables = Mapping[str, Mapping[Any, Value]]
 
 
-def laid_out(recording: Recording, tables: Tables, given: int) -> tuple[Calls, Mapping[str, Columns]]:
-    """The calls that a recording comes to, and where each quantity of its plot is found after them."""
-    layout = _Layout(recording.tape)
-    for value in (*tables["sines"].values(), *recording.sound):
-        layout.show(value)
-    sines = len(layout.rows)
-    places = {
-        name: {key: layout.vector(value) if name in PLANES else layout.show(value) for key, value in table.items()}
-        for name, table in tables.items()
-    }
+@frozen
+class Layout:
+    """What a recording comes to.
+
+    calls    by which everything is worked out but what is asked for late
+    late     what that is, on the tape
+    columns  where each quantity of the plot is found, by table and name
+    """
+
+    tape: Tape
+    calls: Calls
+    late: tuple[Signed, ...]
+    columns: Mapping[str, Columns]
+
+    @cached_property
+    def late_calls(self) -> Calls:
+        return written_out(self.tape, self.calls.given, 0, self.late)
+
+
+def laid_out(recording: Recording, tables: Tables, given: int) -> Layout:
+    """Where everything is to lie; what only tells dead points is asked for seldom, and late."""
+    tape, layout = recording.tape, _Layout(recording.tape)
+    sines = [value.real_at for value in (*tables["sines"].values(), *recording.sound) if isinstance(value, Written)]
+    doubts = [place for place in dict.fromkeys(tape.unsigned(place) for place in sines) if works(tape, place[0])]
+    told = dict.fromkeys(tables, layout.show)
+    told |= dict.fromkeys(PLANES, layout.vector) | dict.fromkeys(LATE, layout.tell_late)
+    places = {name: {key: told[name](value) for key, value in table.items()} for name, table in tables.items()}
     parts = [part for pair in layout.pairs for part in pair]
-    return written_out(layout.tape, given, sines, [*layout.rows.items()], parts), told_apart(places)
+    calls = written_out(tape, given, len(doubts), [*doubts, *layout.rows.items()], parts)
+    return Layout(tape, calls, (*layout.late,), told_apart(places))
 
 
 class _Layout:
@@ -47,14 +69,13 @@ class _Layout:
         self.numbers: dict[int, int] = {}
         self.pairs: dict[tuple[Signed, Signed], int] = {}
         self.parts: dict[int, tuple[int, int]] = {}
+        self.late: dict[Signed, int] = {}
 
     def show(self, value: Value) -> Place:
         """A number, and where it is found."""
         if isinstance(value, Judged):
             return value
-        if not isinstance(value, Written):
-            return Column(number=float(value))
-        place, sign = self.tape.unsigned(value.real_at)
+        place, sign = self._unsigned(value)
         if not works(self.tape, place):
             return self._at_hand(place, sign)
         if place in self.parts and place not in self.rows:
@@ -62,6 +83,18 @@ class _Layout:
             return Column(part=part, sign=sign * found)
         self.numbers.setdefault(place, len(self.numbers))
         return Column(row=self.numbers[place], sign=sign * self.rows.setdefault(place, sign))
+
+    def tell_late(self, value: Value) -> Place:
+        """A number that is worked out when it is asked for."""
+        if isinstance(value, Judged):
+            return value
+        place, sign = self._unsigned(value)
+        if not works(self.tape, place):
+            return self._at_hand(place, sign)
+        return Late(self.late.setdefault((place, 1), len(self.late)), sign)
+
+    def _unsigned(self, value: Value) -> Signed:
+        return self.tape.unsigned(value.real_at if isinstance(value, Written) else self.tape.number(float(value)))
 
     def vector(self, value: Value) -> Place:
         """A vector, and where it is found."""

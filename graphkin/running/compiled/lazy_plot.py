@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field, fields, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 from graphkin.construction.fitting import sense_and_sine
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
-from graphkin.running.compiled.columns import Column, Columns, Judged, Pair, Place, Vector
+from graphkin.running.compiled.columns import Column, Columns, Judged, Late, Pair, Place, Vector
 from graphkin.value import frozen
 
 TABLES = tuple(each.name for each in fields(Plot) if each.name not in ("facts", "near", "follows"))
@@ -57,7 +58,7 @@ class Numbers:
 
     def _signed(self, column: Column) -> Value:
         found = self._unsigned(column)
-        return np.multiply(column.sign, found) if np.ndim(found) else column.sign * found
+        return found.copy() if column.sign > 0 and isinstance(found, np.ndarray) else column.sign * found
 
     def _unsigned(self, column: Column) -> Value:
         if column.row is not None:
@@ -74,6 +75,7 @@ class Told:
 
     standing  facts with the drivers at other values
     columns   where each quantity is found, by table and name
+    late      gives what is worked out late (k, n) of what was given
     patches   positions told otherwise
     judged    senses and sines of groups, once they were asked for
     """
@@ -81,6 +83,7 @@ class Told:
     standing: Facts
     columns: Mapping[str, Columns]
     numbers: Numbers
+    late: Callable[[Sequence[np.ndarray]], np.ndarray]
     patches: Sequence[Patch] = ()
     judged: dict[str, tuple[Value, Value]] = field(default_factory=dict)
 
@@ -105,7 +108,13 @@ class Told:
                 found[key] = _patched(found[key], self.numbers.count, patch.rows, value)
         return found
 
+    @cached_property
+    def _late(self) -> np.ndarray:
+        return self.late(self.numbers.given)
+
     def _worked_out(self, place: Place) -> Value:
+        if isinstance(place, Late):
+            return place.sign * self._late[place.number]
         if not isinstance(place, Judged):
             return self.numbers.read(place)
         if (name := place.step.name) not in self.judged:
@@ -122,6 +131,10 @@ class LazyPlot(Plot):
         plot = cls.__new__(cls)
         plot.__dict__ |= {"near": {}, "_told": told}
         return plot
+
+    def __reduce__(self) -> tuple[type[Plot], tuple[Any, ...]]:
+        """Sent elsewhere it is a plain plot."""
+        return Plot, tuple(getattr(self, each.name) for each in fields(Plot))
 
     def __getattr__(self, name: str) -> Any:
         """Tables and facts, which a plot has as attributes, when they are first asked for."""

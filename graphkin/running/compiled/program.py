@@ -22,8 +22,7 @@ from graphkin.construction.pencil import replay
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.running.compiled.calls import Calls
-from graphkin.running.compiled.columns import Columns
-from graphkin.running.compiled.layout import laid_out
+from graphkin.running.compiled.layout import Layout, laid_out
 from graphkin.running.compiled.lazy_plot import TABLES, LazyPlot, Numbers, Patch, Told
 from graphkin.running.compiled.memory import lent
 from graphkin.running.compiled.recorder import record
@@ -34,7 +33,10 @@ CHUNK = 8192
 FLAT_SINE = 1e-5
 """Crossings under a smaller angle are dead points but for rounding: such positions are replayed plainly."""
 
-Registers = list[np.ndarray]
+Registers = np.ndarray
+"""Sines, and after them what is worked with (k, size)."""
+Chunk = tuple[Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray]]
+"""What is given, rows, parts of vectors, registers."""
 _NONE = np.empty(0, dtype=int)
 
 
@@ -46,8 +48,8 @@ def compiled_program(constructions: Sequence[Construction], facts: Facts, near: 
     recording = record(constructions, facts, near)
     tables = {name: getattr(recording.plot, name) for name in TABLES}
     given = len(facts.values) + len(recording.sides) + len(recording.near)
-    calls, columns = laid_out(recording, tables, given)
-    return Program(tuple(constructions), facts, recording.sides, recording.near, calls, columns, [])
+    layout = laid_out(recording, tables, given)
+    return Program(tuple(constructions), facts, recording.sides, recording.near, layout, [])
 
 
 @frozen
@@ -57,7 +59,7 @@ class Program:
     facts    with the drivers at any values
     sides    the side of each choice that the steps have
     near     what a run must be given of positions close by, where links are fitted or roll
-    columns  where each quantity of a plot is found, by table and name
+    layout   its calls, and where each quantity of a plot is found after them
     spare    registers that no run has in hand: a run takes a set from here, or new ones, so runs never share any
     """
 
@@ -65,9 +67,12 @@ class Program:
     facts: Facts
     sides: Mapping[int, int]
     near: tuple[str, ...]
-    calls: Calls
-    columns: Mapping[str, Columns]
+    layout: Layout
     spare: list[Registers]
+
+    @property
+    def calls(self) -> Calls:
+        return self.layout.calls
 
     def run(
         self, values: Sequence[Value], sides: Mapping[int, Value] | None = None, near: Mapping[str, Value] | None = None
@@ -96,70 +101,70 @@ class Program:
             np.array(value, dtype=float) for value in (*values, *taken.values(), *(near[name] for name in self.near))
         )
         block, vectors = self._room(max(value.size for value in given))
-        failed = self._filled(block, vectors, given)
-        doubtful = _NONE
-        # not least > .. : NaN, too
-        if failed or not np.minimum.reduce(block[: self.calls.sines], axis=None, initial=1.0) > FLAT_SINE:
-            doubtful = self._doubtful(block, vectors, given, failed)
-        return Told(self.facts, self.columns, Numbers(block, vectors, given)), doubtful
+        sound = self._filled(block, vectors, given)
+        doubtful = _NONE if sound else self._doubtful(block, vectors, given)
+        return Told(self.facts, self.layout.columns, Numbers(block, vectors, given), self._late), doubtful
+
+    def _late(self, given: Sequence[np.ndarray]) -> np.ndarray:
+        """What is asked for late (k, n)."""
+        calls, count = self.layout.late_calls, max(value.size for value in given)
+        found, none = np.empty((calls.rows, count)), np.empty((0, count), dtype=complex)
+        with np.errstate(all="ignore"):
+            for _, chunk in _chunks(found, none, given, [*np.empty((calls.registers, min(count, CHUNK)))]):
+                calls.run(*chunk)
+        return found
 
     def _room(self, count: int) -> tuple[np.ndarray, np.ndarray]:
-        """For rows (rows, n), and vectors (pairs, n)."""
-        numbers = self.calls.rows * count
+        """For rows without the sines (rows, n), and vectors (pairs, n)."""
+        numbers = (self.calls.rows - self.calls.sines) * count
         room = lent(numbers + self.calls.parts * count)
         return room[:numbers].reshape(-1, count), room[numbers:].view(complex).reshape(-1, count)
 
     # --- running ------------------------------------------------------------------------------
 
     def _filled(self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray]) -> bool:
-        """Fill the block, and the vectors; whether a division or a root failed anywhere."""
+        """Fill the block, and the vectors; whether no division or root failed, and no crossing is flat."""
         failures: list[str] = []
 
         def note(failure: str, _: int) -> None:
             failures.append(failure)
 
         with np.errstate(call=note, divide="call", invalid="call", over="ignore", under="ignore"):
-            for _, chunk in self._chunks(block, vectors, given):
+            for _, chunk, sines in self._chunks(block, vectors, given):
                 self.calls.run(*chunk)
-        return bool(failures)
+                if not np.minimum.reduce(sines, axis=None, initial=1.0) > FLAT_SINE:  # NaN, too
+                    failures.append("flat")
+        return not failures
+
+    def _doubtful(self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray]) -> np.ndarray:
+        """Positions at which something failed, or that are dead points: their numbers (m,)."""
+        sound = np.ones(block.shape[1], dtype=bool)
+        with np.errstate(all="ignore"):
+            for here, chunk, sines in self._chunks(block, vectors, given):
+                self.calls.run_watched(*chunk, _Watched(sound[here]))
+                sound[here] &= np.all(sines > FLAT_SINE, axis=0)
+        return np.flatnonzero(~sound)
 
     def _chunks(
         self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray]
-    ) -> Iterator[tuple[slice, tuple[Sequence[np.ndarray], ...]]]:
-        """Where a chunk lies, and what it is done with: what is given, rows, parts of vectors, registers."""
-        count = block.shape[1]
-        parts = vectors.view(float).reshape(len(vectors), count, 2).transpose(0, 2, 1)
-        borrowed = self._borrowed(min(count, CHUNK))
-        for begin in range(0, count, CHUNK):
-            here = slice(begin, min(begin + CHUNK, count))
-            size = here.stop - begin
-            values = given if size == count else [value[here] if value.ndim else value for value in given]
-            registers = borrowed if size == borrowed[0].size else [register[:size] for register in borrowed]
-            sides = [side for pair in parts[:, :, here] for side in pair]
-            yield here, (values, [*block[:, here]], sides, registers[: self.calls.registers])
-        self.spare.append(borrowed)
+    ) -> Iterator[tuple[slice, Chunk, np.ndarray]]:
+        """Where a chunk lies, what it is done with, and where its sines are found, which nobody keeps."""
+        size, sines = min(block.shape[1], CHUNK), self.calls.sines
+        registers = self._borrowed(size)
+        for here, (values, rows, sides, rooms) in _chunks(block, vectors, given, [*registers]):
+            yield here, (values, rooms[:sines] + rows, sides, rooms[sines:]), registers[:sines, : rooms[0].size]
+        self.spare.append(registers)
 
     def _borrowed(self, size: int) -> Registers:
         try:
             registers = self.spare.pop()
         except IndexError:
-            registers = []
-        if registers and registers[0].size == size:
+            registers = None
+        if registers is not None and registers.shape[1] == size:
             return registers
-        return list(np.empty((max(self.calls.registers, 1), size)))
+        return np.empty((self.calls.sines + max(self.calls.registers, 1), size))
 
     # --- positions that fail ------------------------------------------------------------------
-
-    def _doubtful(
-        self, block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray], failed: bool
-    ) -> np.ndarray:
-        """Positions at which something failed, or that are dead points: their numbers (m,)."""
-        sound: np.ndarray = np.all(block[: self.calls.sines] > FLAT_SINE, axis=0)
-        if failed:
-            with np.errstate(all="ignore"):
-                for here, chunk in self._chunks(block, vectors, given):
-                    self.calls.run_watched(*chunk, _Watched(sound[here]))
-        return np.flatnonzero(~sound)
 
     def _replayed(
         self, here: np.ndarray, values: Sequence[Value], sides: Mapping[int, Value], near: Mapping[str, Value]
@@ -172,6 +177,26 @@ class Program:
         for construction in self.constructions:
             replay(construction, plot, sides if construction.plane == "position" else None)
         return plot
+
+
+def _chunks(
+    block: np.ndarray, vectors: np.ndarray, given: Sequence[np.ndarray], registers: list[np.ndarray]
+) -> Iterator[tuple[slice, tuple[Sequence[np.ndarray], list[np.ndarray], list[np.ndarray], list[np.ndarray]]]]:
+    """Where each chunk lies, and what of all this belongs to it."""
+    count = block.shape[1]
+    if count <= CHUNK:
+        yield slice(None), (given, [*block], _sides(vectors), registers)
+        return
+    for begin in range(0, count, CHUNK):
+        here = slice(begin, min(begin + CHUNK, count))
+        values = [value[here] if value.ndim else value for value in given]
+        rooms = [register[: here.stop - begin] for register in registers]
+        yield here, (values, [*block[:, here]], _sides(vectors[:, here]), rooms)
+
+
+def _sides(vectors: np.ndarray) -> list[np.ndarray]:
+    """The parts of vectors (k, n), x and y of each."""
+    return [side for vector in vectors for side in (vector.real, vector.imag)]
 
 
 class _Watched:

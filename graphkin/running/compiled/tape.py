@@ -18,6 +18,7 @@ class Tape(Products):
 
     def __init__(self) -> None:
         super().__init__()
+        self._straight: dict[int, int] = {}
         self._sums: dict[tuple[int, int], int] = {}
         self._differences: dict[tuple[int, int], int] = {}
         self._lengths: dict[frozenset[tuple[tuple[int, int], ...]], tuple[float, Powers]] = {}
@@ -168,12 +169,19 @@ class Tape(Products):
     # --- angles -----------------------------------------------------------------------------------
 
     def angle(self, x: int, y: int) -> int:
-        """Of a vector, from -pi to pi."""
+        """Of a vector, from -pi to pi; of a length with a side along x it is 0 or pi."""
+        side, length = self._sides(x)
+        if self.number_at(y) == 0 and side != self.one and self.operations[length].does == "sqrt":
+            found = self.multiply(self.number(math.pi / 2), self.subtract(self.one, side))
+            self._straight[self.unsigned(found)[0]] = side
+            return found
         return self._done("arctan2", y, x)
 
     def turned(self, angle: int) -> tuple[int, int]:
         """Cosine and sine. Of an angle that was measured they are quotients of lengths: no angle is needed for them."""
         operation = self.operations[angle]
+        if angle in self._straight:
+            return self._straight[angle], self.number(0.0)
         match operation.does:
             case "given":
                 return self._half_tangent(angle)

@@ -49,11 +49,11 @@ PHRASES: Phrases = {
         "构件 {first}、{second} 接触点处的公法线（n–n）",
     ),
     "normal of slot": (
-        "the normal of the slot through {point}, where links {first} and {second} touch",
+        "the normal of the slot through {point} (where links {first} and {second} touch)",
         "构件 {first}、{second} 接触处 {point} 的槽的法线",
     ),
     "normal of circular slot": (
-        "the normal n–n of the circular slot, through its centre {point}, where links {first} and {second} touch",
+        "the normal n–n of the circular slot through its centre {point} (where links {first} and {second} touch)",
         "构件 {first}、{second} 接触处圆弧槽的公法线 n–n（过槽的圆心 {point}）",
     ),
     "met": ("where the two lines meet, {place}", "两线交点，{place}"),

@@ -204,8 +204,8 @@ PHRASES: Phrases = {
         "{relative} turned by 90° in the sense of {rate}: {direction}",
         "将 {relative} 沿 {rate} 的转向转过 90°：{direction}",
     ),
-    "slide grows": ("{direction}, the way {s} grows", "{direction}，指向 {s} 增大的方向"),
-    "slide shrinks": ("{direction}, the way {s} shrinks", "{direction}，指向 {s} 减小的方向"),
+    "slide grows": ("{direction}, in the direction of increasing {s}", "{direction}，指向 {s} 增大的方向"),
+    "slide shrinks": ("{direction}, in the direction of decreasing {s}", "{direction}，指向 {s} 减小的方向"),
     "at angle": ("{direction}, at {angle} to +x", "{direction}，与 x 轴正向成 {angle}"),
     # --- polygons: the pencil
     "lay off": ("From {start} lay off {length}.", "由 {start} 作矢量 {length}。"),
@@ -264,8 +264,8 @@ PHRASES: Phrases = {
         "利用{image}：构件 {link} 的影像 {small} 缩为一点，故 {point} 也在该点。",
     ),
     # --- polygons: slides
-    "grows": ("So {stretch} grows at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率增大。"),
-    "shrinks": ("So {stretch} shrinks at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率减小。"),
+    "grows": ("So {stretch} increases at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率增大。"),
+    "shrinks": ("So {stretch} decreases at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率减小。"),
     # --- given
     "driven wheel": ("wheel {link} turns", "轮 {link} 转动"),
     "driven roll": ("the rolling contact {slide} is at {place}", "滚动副 {slide} 的位移 {place}"),

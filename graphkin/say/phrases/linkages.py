@@ -169,6 +169,7 @@ PHRASES: Phrases = {
         "{driver} 由前一机构带动；活动范围、极限位置和 K 是在整个机构中的",
     ),
     "links": ("links {links}", "构件 {links}"),
+    "pin": ("pin {point}", "销 {point}"),
     "frame": ("frame", "机架"),
     # --- files
     "title fourbar": ("Four-bar linkage", "铰链四杆机构"),
