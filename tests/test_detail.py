@@ -64,7 +64,8 @@ def test_each_arrow_is_named_once() -> None:
     draw = fan(12, 2.0)
     after = detailed(panel(draw), draw, "acceleration")
     names = Counter(want.of for want in after.figure.wanted if want.of)
-    assert set(names.values()) == {1} and len(names) == 13
+    assert set(names.values()) == {1}
+    assert len(names) == 13
     assert [want.label for want in after.figure.wanted if not want.of] == [plain("I\u2032")]
 
 
