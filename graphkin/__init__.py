@@ -16,6 +16,7 @@ velocity and its acceleration polygon step by step, and proves them right agains
               problems     a template with ranges -> a mechanism for each student, posed well and tellable
               handouts     a problem or its solution on paper, from what `say` and `sheet` make
               platforms    sets and records -> files of teaching platforms, and back
+    alike: many mechanisms of one topology by one method, both roads as arrays
     check: Plot, or a drawing file, beside Motion           results: all of it as plain data
     any of these -- say --> lines in either language        -- sheet, outputs, equations --> files
 

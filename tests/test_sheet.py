@@ -17,6 +17,7 @@ from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_sheets
 from graphkin.sheet.arrows import ASIDE
+from graphkin.sheet.label_candidates import Scene
 from graphkin.sheet.labels import settle
 from graphkin.sheet.lettering import (
     Run,
@@ -310,8 +311,8 @@ def test_a_crowd_is_the_same_each_time() -> None:
 def test_labels_that_say_nothing_new_are_left_out_where_there_is_no_room() -> None:
     wanted = [Wanted(plain(f"a{k}"), 10 + 10j, spare=k > 0) for k in range(9)]
     narrow = Room(6, 6, 14, 14)
-    assert len([m for m in settle(wanted, [], narrow).marks if isinstance(m, Text)]) == 9
-    settled = settle(wanted, [], narrow, far=True)
+    assert len([m for m in settle(Scene(wanted, [], narrow)).marks if isinstance(m, Text)]) == 9
+    settled = settle(Scene(wanted, [], narrow), far=True)
     kept = ["".join(run.text for run in m.label) for m in settled.marks if isinstance(m, Text)]
     assert settled.clashes == 0
     assert "a0" in kept

@@ -23,8 +23,9 @@ from graphkin.sheet.fit import corners
 from graphkin.sheet.formula import formula
 from graphkin.sheet.gear_images import gear_images
 from graphkin.sheet.lettering import Label, plain
-from graphkin.sheet.mechanism_sheet import HEADINGS, Style, mechanism_sheet
+from graphkin.sheet.mechanism_sheet import HEADINGS, mechanism_sheet
 from graphkin.sheet.plain_mechanism import shown_places
+from graphkin.sheet.planes import Style
 from graphkin.sheet.scales import KEYS, finest, written
 
 _ROOM = blank.ROOM / 1.2

@@ -20,6 +20,7 @@ from graphkin.quantities import Rotation, read
 from graphkin.say.dimensions import dimensions, length, measured_lengths
 from graphkin.say.noise import ROUNDING
 from graphkin.say.reading import Reading
+from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Added, FreeRoom
 from graphkin.sheet.lettering import quantity_label
@@ -55,6 +56,7 @@ class Annotated:
     skeleton: Skeleton
     reading: Reading
     planes: Sequence[Plane] = field(default_factory=tuple)
+    loose: Sequence[EquationBlock] = ()
 
     def lines(self) -> list[Mark]:
         return []

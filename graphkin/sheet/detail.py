@@ -115,7 +115,7 @@ class _Drawing:
     @cached_property
     def burden(self) -> float:
         """How many labels find no place near by or stand on leaders; leaders of a detail trouble the eye less."""
-        settled = self.panel.lettered(False)
+        settled = self.panel.near
         ends = [mark.places[-1] for mark in settled.marks if isinstance(mark, Stroke)]
         return settled.clashes + sum(_EASIER if any(v.shown.holds(end) for v in self.views) else 1.0 for end in ends)
 

@@ -12,6 +12,7 @@ from graphkin.sheet.marks import Place
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import Room
 from graphkin.sheet.scales import finest, finest_each
+from graphkin.sheet.wanted import CRAMMED, lettering
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
@@ -42,7 +43,7 @@ class Extent:
 
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
-    given   its scale where the file gives one; labels: how much is lettered in it
+    given   its scale where the file gives one; labels: how much is lettered in it, and how much room that takes [mm^2]
     over    what stands over it
     """
 
@@ -54,6 +55,7 @@ class Extent:
     bottom: float
     given: float | None = None
     labels: int = 10
+    lettering: float = 0.0
     over: Over | None = None
 
     @classmethod
@@ -72,7 +74,7 @@ class Extent:
         return cls(
             low, high, max(0.0, low.real / scale - left) + letters, max(0.0, -high.imag / scale - top) + letters,
             max(0.0, right - high.real / scale) + letters, max(0.0, bottom + low.imag / scale) + letters,
-            given, len(figure.wanted),
+            given, len(figure.wanted), lettering(figure.wanted),
         )  # fmt: skip
 
     @property
@@ -88,6 +90,10 @@ class Extent:
     @property
     def reach(self) -> complex:
         return complex(self.left + self.right, self.top + self.bottom)
+
+    def crammed(self, room: Room) -> bool:
+        """Whether so much is to be lettered there that some labels will lie on others."""
+        return self.lettering > CRAMMED * room.size.real * room.size.imag
 
     def scale(self, room: Room) -> float:
         """The given scale where it fits one room at that, else the finest at which it does."""

@@ -90,11 +90,11 @@ class FreeRoom:
 
     def place(self, want: Wanted, half: complex) -> Place | None:
         """The middle of the best free place near what is named; None where there is none without a leader."""
-        spots = want.candidates(half)
-        near = spots.middle[~spots.led]
+        spots = want.near(half)
+        near = spots.middle
         middle, size = np.stack([near.real, near.imag], axis=1), np.array((half.real, half.imag))
         free = self.free(middle - size, middle + size) & ~self._beside_letters(middle - size, middle + size)
-        cost = np.where(free, spots.cost[~spots.led], np.inf)
+        cost = np.where(free, spots.cost, np.inf)
         best = int(np.argmin(cost))
         return complex(near[best]) if np.isfinite(cost[best]) else None
 

@@ -9,22 +9,22 @@ make way for one another, and at last those that say nothing new are left out.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
 
-from graphkin.sheet.label_places import Table
+import numpy as np
+
+from graphkin.sheet.label_candidates import Scene
+from graphkin.sheet.label_places import Places
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
-from graphkin.sheet.nearness import Arrows
-from graphkin.sheet.obstacles import tree
-from graphkin.sheet.paper import Room
+from graphkin.sheet.marks import Disc, Mark, Place, Stroke
 from graphkin.sheet.wanted import Wanted
 
 _DOT = 0.3
 """Where a leader meets an arrow is a dot of this radius, so that it is plain which of two it means [mm]."""
 _MANY = 150
 """More labels than this are a crowd that far places do not relieve."""
-_ROUNDS = 12
+_ROUNDS = 30
 """How often some are left out, to give others a place."""
 _NEIGHBOUR = 15.0
 """So near to a label without a place, others that say nothing new are left out [mm]."""
@@ -34,53 +34,54 @@ class Settled(NamedTuple):
     """Labels and leaders at their places; how many labels lie on something, or their leaders on labels.
 
     crowd  they had to go far off
-    eased  they keep off what is drawn last, too
     """
 
     marks: list[Mark]
     clashes: int
     crowd: bool = False
-    eased: bool = False
 
 
-def settle(wanted: Sequence[Wanted], drawn: Sequence[Mark], room: Room, far: bool = False) -> Settled:
+def settle(scene: Scene, far: bool = False) -> Settled:
     """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
-    if not wanted:
+    if not scene.wanted:
         return Settled([], 0)
-    known, letters, arrows = tree(drawn), tree(mark for mark in drawn if isinstance(mark, Text)), Arrows(drawn)
-    table = Table.of(wanted, known, letters, arrows, room)
-    clashing = table.clashing(chosen := table.chosen())
-    crowd = far and bool(clashing)
-    if crowd and len(wanted) <= _MANY:
-        table = Table.of(wanted, known, letters, arrows, room, far)
-        clashing = table.clashing(chosen := table.chosen())
-    for _ in range(_ROUNDS if crowd else 0):
-        if not (out := _left_out(table.wanted, clashing)):
+    places = Places(scene, far and len(scene.wanted) <= _MANY)
+    clashing = places.clashing()
+    for _ in range(_ROUNDS if far else 0):
+        if not (out := _left_out(scene.wanted, places.stands, clashing)):
             break
-        table = table.without(out)
-        clashing = table.clashing(chosen := table.chosen())
-    marks: list[Mark] = []
-    for want, row in zip(table.wanted, chosen, strict=True):
+        places.leave_out(out)
+        clashing = places.clashing()
+    return Settled([*_lettered(scene.wanted, places)], len(clashing), crowd=far)
+
+
+def _lettered(wanted: Sequence[Wanted], places: Places) -> Iterator[Mark]:
+    """Letters where they stand, with their leaders."""
+    for label in map(int, np.flatnonzero(places.stands)):
+        want, (low, high, _, anchor) = wanted[label], places.boxes.places[..., label]
         wide, up, down = box(want.label, want.size)
-        middle, anchor = complex(table.candidates.middle[row]), complex(table.candidates.anchor[row])
-        marks += want.texts(middle + complex(-wide / 2, (up - down) / 2))
-        if table.led[row]:
-            marks.append(_leader(middle, anchor, complex(wide, up + down) / 2, want))
+        middle, at = complex(*(low + high) / 2), complex(*anchor)
+        yield from want.texts(middle + complex(-wide / 2, (up - down) / 2))
+        if places.boxes.led[label]:
+            yield _leader(middle, at, complex(wide, up + down) / 2, want)
             if want.of:
-                marks.append(Disc(anchor, _DOT, "leader", "ink", step=want.step))
-    return Settled(marks, len(clashing), crowd)
+                yield Disc(at, _DOT, "leader", "ink", step=want.step)
 
 
-def _left_out(wanted: Sequence[Wanted], clashing: Sequence[int]) -> set[int]:
-    """The spare ones of labels without a place, else the spare ones next to them."""
-    own = {k for k in clashing if wanted[k].spare}
+def _left_out(wanted: Sequence[Wanted], stands: Any, clashing: Sequence[int]) -> list[int]:
+    """The spare ones of labels without a place, else the spare ones next to them; not two that are close together, of
+    which one may find a place without the other."""
     places = [want.place for want in wanted]
-    close = {
-        k
-        for k, want in enumerate(wanted)
-        if want.spare and any(abs(places[k] - places[other]) < _NEIGHBOUR for other in clashing)
-    }
-    return own or close
+
+    def close(label: int, others: Sequence[int]) -> bool:
+        return any(abs(places[label] - places[other]) < _NEIGHBOUR for other in others)
+
+    spare = [k for k, want in enumerate(wanted) if want.spare and stands[k]]
+    found: list[int] = []
+    for label in [k for k in spare if k in clashing] or [k for k in spare if close(k, clashing)]:
+        if not close(label, found):
+            found.append(label)
+    return found
 
 
 def _leader(middle: Place, anchor: Place, half: complex, want: Wanted) -> Mark:

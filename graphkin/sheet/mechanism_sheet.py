@@ -1,6 +1,7 @@
 """The sheet of a mechanism: its figure and its polygons, drawn once to see how far they reach, laid out, lettered.
 
-Labels that find no place choose paper and scales, too: every division is lettered near by before one is taken.
+Labels that find no place choose paper and scales, too: a division is lettered near by before it is taken, unless its
+figures are too small for so many labels.
 """
 
 from __future__ import annotations
@@ -8,49 +9,39 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache, cached_property, partial
-from typing import Literal
 
-from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
+from graphkin.construction import Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.acts import births, pages
-from graphkin.planning.held_still import held_labels
-from graphkin.planning.needed import Fact, at_rest
-from graphkin.say.catalogue import say
+from graphkin.planning.acts import pages
 from graphkin.say.plane import Polygon as Spoken
-from graphkin.say.polygons import polygon as told
-from graphkin.say.reading import Reading
 from graphkin.sheet.annotated import Annotated
-from graphkin.sheet.arrows import heads_apart, side_by_side
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.drafted import Drafted
-from graphkin.sheet.equation_rows import EquationBlock, equation_blocks, head_of, laid_out
+from graphkin.sheet.equation_rows import EquationBlock, head_of, laid_out
 from graphkin.sheet.fit import Extent
-from graphkin.sheet.gear_images import GearImage, gear_images
 from graphkin.sheet.given_tables import given_tables
 from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, cut_to, headed, lay_out, papers_for, under_heading
 from graphkin.sheet.lettering import Label, plain
-from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.page import Last, Lettered, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import LARGE, Paper
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.pencil import pencil_lines
-from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places, shown_places
-from graphkin.sheet.polygons import Polygon, polygon_figure
+from graphkin.sheet.planes import Planes, Style
 from graphkin.sheet.results import Table, tables
-from graphkin.sheet.scales import KEYS, TooLargeForPaper
-from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.scales import TooLargeForPaper
 from graphkin.sheet.titleblock import Strip, strip_height
-from graphkin.sheet.window import PLANES, Figure, Window, constructions
+from graphkin.sheet.window import PLANES, Window
 from graphkin.value import frozen
 
-Style = Literal["construction", "result", "given"]
 _CROWDED, _EASED = 10, 4
 """With more leaders than this a larger paper is tried, and taken where it saves so many."""
 _COARSER = 1.34
 """So much coarser a figure may be drawn to have room for its equations over it."""
 _TRIALS = 4
 """How often equations are moved into the strip, whose height leaves figures less room."""
+_FAR_TOO_MANY = 0.25
+"""Where so many labels of a figure find no place, no other division is tried."""
 _MORE = (2, 4)
 """So many times its labels count for a plane where some found no place."""
 HEADINGS: dict[Lang, dict[Plane, str]] = {
@@ -88,15 +79,15 @@ def mechanism_sheet(
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
     if style == "given":
-        return _given(_Planes(method, plot, ("position",), style, lang), paper, tight)
-    drawing = _Planes(method, plot, _planes(only), style, lang, paths)
+        return _given(Planes(method, plot, ("position",), style, lang), paper, tight)
+    drawing = Planes(method, plot, _planes(only), style, lang, paths)
     work = _Work(drawing, [] if tight else tables(method, plot, lang), tight)
     if upto is not None:
         return next(_staged(work, paper, [upto]))
     return _whole(work, paper).lettered.sheet
 
 
-def _given(drawing: _Planes, paper: str | None, tight: bool) -> Sheet:
+def _given(drawing: Planes, paper: str | None, tight: bool) -> Sheet:
     """The mechanism alone, with what the problem gives and asks."""
     work = _Work(drawing, [] if tight else given_tables(drawing.reading({})), tight)
     return replace(_whole(work, paper).lettered.sheet, given=True)
@@ -104,18 +95,15 @@ def _given(drawing: _Planes, paper: str | None, tight: bool) -> Sheet:
 
 def _whole(work: _Work, paper: str | None) -> _Composed:
     """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
-    trials, large = 1 if work.tight else _TRIALS, False
+    trials, large = 1 if work.tight else _TRIALS, None
     while True:
         trials -= 1
         whole = _cut(work, paper, large)
-        crowded, out = bool(whole.lettered.lost), whole.lettered.left_out
-        if crowded and not (trials and out):
-            whole = work.on(whole.layout, far=True)
-            out = whole.lettered.left_out
+        out = work.loose(whole.layout) if whole.crowd else whole.lettered.left_out if trials else []
         if not (trials and out):
             return whole
         large = paper is None and whole.layout.paper in LARGE
-        work = replace(work, apart=[*work.apart, *(work.loose(whole.layout) if crowded else out)])
+        work = replace(work, apart=[*work.apart, *out])
 
 
 def mechanism_step_sheets(
@@ -128,7 +116,7 @@ def mechanism_step_sheets(
     tight: bool = False,
 ) -> Iterator[Sheet]:
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
-    drawing = _Planes(method, plot, _planes(only), "construction", lang)
+    drawing = Planes(method, plot, _planes(only), "construction", lang)
     yield from _staged(_Work(drawing, [] if tight else tables(method, plot, lang), tight), paper)
 
 
@@ -139,84 +127,8 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 
 def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
     """The scales of the sheet."""
-    work = _Work(_Planes(method, plot, PLANES, "construction", lang), tables(method, plot, lang))
+    work = _Work(Planes(method, plot, PLANES, "construction", lang), tables(method, plot, lang))
     return _whole(work, None).layout.scales
-
-
-@frozen
-class _Planes:
-    """Draws any plane through any window; planes: those the sheet shows."""
-
-    method: Method
-    plot: Plot
-    planes: tuple[Plane, ...]
-    style: Style
-    lang: Lang
-    paths: Paths = NONE
-
-    def construction(self, plane: Plane) -> Construction:
-        return constructions(self.method)[plane]
-
-    def values(self, plane: Plane) -> list[complex]:
-        """The points a plane shows, in SI units."""
-        if plane == "position":
-            places = mechanism_places if self.style == "given" else shown_places
-            return [*places(self.method, self.plot), *self.paths.places]
-        points = self.plot.points(plane)
-        names = {self.construction(plane).pole, *self.construction(plane).nodes}
-        found = [complex(v) for name, v in points.items() if name in names]
-        return found + [corner for image in self.gears(plane) for corner in image.corners]
-
-    def gears(self, plane: Plane) -> list[GearImage]:
-        return gear_images(self.method, self.plot) if plane == "velocity" else []
-
-    def figure(self, plane: Plane, window: Window) -> Figure:
-        if plane == "position" and self.style == "given":
-            return bare_figure(self.method, self.skeleton(window))
-        if plane == "position":
-            return self.paths.figure(window) + mechanism_figure(
-                self.skeleton(window), self.method, self.values(plane)
-            )
-        return heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
-
-    def skeleton(self, window: Window) -> Skeleton:
-        return Skeleton(self.method.mechanism, self.plot, window, births(self.method, "position"))
-
-    def polygon(self, plane: Plane, window: Window) -> Polygon:
-        born, gears = births(self.method, plane), self.gears(plane)
-        drafted = self.style == "construction"
-        held = held_labels(self.method, plane, self.rested)
-        return Polygon(self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted, held)
-
-    @cached_property
-    def rested(self) -> frozenset[Fact]:
-        """What drivers at rest hold still."""
-        return at_rest(self.method, self.plot.facts)
-
-    @cached_property
-    def extents(self) -> dict[Plane, Extent]:
-        """How large each plane's points are, and how far its signs reach beyond them."""
-        return {plane: self._extent(plane) for plane in self.planes}
-
-    def _extent(self, plane: Plane) -> Extent:
-        given = self.method.mechanism.scales.get(KEYS[plane])
-        extent = Extent.of(self.values(plane), partial(self.figure, plane), given)
-        return replace(extent, top=extent.top + self.paths.height) if plane == "position" else extent
-
-    @cached_property
-    def equations(self) -> dict[Plane, list[EquationBlock]]:
-        """The equations of each polygon as the words print them."""
-        if self.style != "construction":
-            return {}
-        rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
-        reading = self.reading({})
-        polygons = [plane for plane in self.planes if plane != "position"]
-        parts = {plane: self.construction(plane).parts for plane in polygons}
-        return {plane: equation_blocks(told(reading, plane, parts[plane], 0), rows) for plane in polygons}
-
-    def reading(self, drawn: Mapping[Plane, float]) -> Reading:
-        """What the words read, at the scales of the planes that are drawn."""
-        return Reading(self.method, self.plot, {key: drawn.get(plane, 1.0) for plane, key in KEYS.items()}, self.lang)
 
 
 # --- which paper, how divided -----------------------------------------------------------------
@@ -224,11 +136,50 @@ class _Planes:
 
 @frozen
 class _Composed:
-    """A page lettered, how its paper was divided, and for which work: with which equations in the strip."""
+    """All of it on a divided paper.
 
-    layout: Layout
-    lettered: Lettered
+    stages   over the lines of the pencil, for single steps
+    details  what lies too close together is drawn once more, magnified
+    """
+
     work: _Work
+    layout: Layout
+    stages: bool = False
+    details: bool = False
+
+    @cached_property
+    def crammed(self) -> bool:
+        """Whether no division could help: some figure has far too much to letter."""
+        rooms, extents = self.layout.rooms, self.work.extents
+        if any(extents[plane].crammed(rooms[plane]) for plane in self.work.planes):
+            return True
+        panels = sorted(self.page.panels, key=lambda panel: -len(panel.figure.wanted))
+        return any(panel.near.clashes > _FAR_TOO_MANY * len(panel.figure.wanted) for panel in panels)
+
+    @cached_property
+    def page(self) -> Page:
+        return self.work.page(self.layout, self.stages, self.details)
+
+    @cached_property
+    def near(self) -> Lettered:
+        """Each label near what it names."""
+        return self.page.lettered(far=False)
+
+    @property
+    def detailed(self) -> _Composed:
+        """With details, where labels want them."""
+        return replace(self, details=True) if self.near.lost or self.near.crowded else self
+
+    @property
+    def crowd(self) -> bool:
+        """Whether labels have to go far off."""
+        return self.crammed or self.near.lost > 0
+
+    @cached_property
+    def lettered(self) -> Lettered:
+        """Its labels as well as can be."""
+        found = self.page.lettered(far=True) if self.crowd else self.near
+        return found.trimmed if self.work.tight else found
 
 
 def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
@@ -236,39 +187,40 @@ def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iter
     from graphkin.sheet.captions import Captions  # all the words of a solution
 
     found, drawing = _whole(work, paper), work.drawing
-    layout = found.layout
-    whole = found.work.on(layout, stages=True, far=True).lettered.sheet
+    layout, whole = found.layout, replace(found, stages=True).lettered.sheet
     others = {} if work.planes == PLANES else scales_of(drawing.method, drawing.plot, work.lang)
     captions = Captions.of(drawing.reading({**others, **layout.scales}), work.planes)
     strip = None if work.tight else layout.strip
     return (captions.sheet(whole, number, strip) for number in numbers or range(1, len(captions.acts) + 1))
 
 
-def _cut(work: _Work, paper: str | None, large: bool) -> _Composed:
+def _cut(work: _Work, paper: str | None, large: bool | None) -> _Composed:
     """On the paper divided; cut to a single figure, where the paper was not asked for."""
     best = _divided(work, paper, large)
     if len(work.planes) > 1 or not (work.tight or paper is None):
         return best
-    return work.on(cut_to(best.layout, work.planes[0], work.extent(best.layout, work.planes[0])))
+    return replace(best, layout=cut_to(best.layout, work.planes[0], work.extent(best.layout, work.planes[0])))
 
 
-def _divided(work: _Work, paper: str | None, large: bool) -> _Composed:
-    """Lettered near by, on the paper divided best: the smallest that holds all and leaves its letters room.
+def _divided(work: _Work, paper: str | None, large: bool | None) -> _Composed:
+    """On the paper divided best: the smallest that holds all and leaves its letters room.
 
-    large  a smaller one has been tried before
+    large  whether a larger one was taken when this was tried before
     """
     papers = LARGE if large else papers_for(paper)
     try:
         layout = work.layout(papers)
     except TooLargeForPaper as error:
         raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
-    best = work.roomier(layout, papers)
-    found, now = work.detailed(best), best.lettered
-    crowded = found.lettered.crowded > _CROWDED or found.lettered.lost
-    if paper is None and layout.paper not in LARGE and crowded:
-        larger = work.roomier(work.layout(LARGE), LARGE)
-        eased = larger.lettered.crowded <= now.crowded - _EASED
-        return work.detailed(larger) if (larger.lettered.lost, not eased) < (now.lost, True) else found
+    small, best = paper is None and layout.paper not in LARGE, _Composed(work, layout)
+    if best.crammed:
+        return _divided(work, paper, large=True) if small else best
+    best = work.roomier(best, papers)
+    found = best.detailed
+    if small and (found.near.lost or (found.near.crowded > _CROWDED and large is None)):
+        larger = work.roomier(_Composed(work, work.layout(LARGE)), LARGE)
+        eased = larger.near.crowded <= best.near.crowded - _EASED
+        return larger.detailed if (larger.near.lost, not eased) < (best.near.lost, True) else found
     return found
 
 
@@ -276,7 +228,7 @@ def _divided(work: _Work, paper: str | None, large: bool) -> _Composed:
 class _Work:
     """What does not depend on the paper; `apart`: equations that go into the strip."""
 
-    drawing: _Planes
+    drawing: Planes
     found: list[Table]
     tight: bool = False
     apart: Sequence[EquationBlock] = ()
@@ -332,32 +284,26 @@ class _Work:
         """What the strip needs on a paper [mm], reckoned once for each."""
         return cache(partial(strip_height, found=self.found, equations=self.apart)) if not self.tight else lambda _: 0.0
 
-    def detailed(self, composed: _Composed) -> _Composed:
-        """With details, where labels want them."""
-        return self.on(composed.layout) if composed.lettered.lost or composed.lettered.crowded else composed
-
-    def roomier(self, layout: Layout, papers: Sequence[Paper]) -> _Composed:
+    def roomier(self, composed: _Composed, papers: Sequence[Paper]) -> _Composed:
         """The same size of paper divided for the planes where labels found no place, if there are and that helps."""
-        composed = self.on(layout, details=False)
-        if not composed.lettered.lost:
-            return composed
         area = composed.layout.paper.width * composed.layout.paper.height
         same = [paper for paper in papers if paper.width * paper.height == area]
-        crowded = [plane for plane, lost in zip(self.planes, composed.lettered.clashes) if lost]
+        crowded = [plane for plane, lost in zip(self.planes, composed.near.clashes, strict=True) if lost]
         for more in _MORE:
+            if not composed.near.lost:
+                break
             if (layout := self.layout(same, crowded, more)) != composed.layout:
-                other = self.on(layout, details=False)
-                composed = other if other.lettered.lost < composed.lettered.lost else composed
+                other = _Composed(self, layout)
+                composed = other if other.near.lost < composed.near.lost else composed
         return composed
 
-    def on(self, layout: Layout, stages: bool = False, far: bool = False, details: bool = True) -> _Composed:
-        """Everything on a divided paper; with `far`, labels of a crowd go far off to find a place."""
+    def page(self, layout: Layout, stages: bool, details: bool) -> Page:
+        """Everything on a divided paper."""
         method, plot = self.drawing.method, self.drawing.plot
         panels = [self.panel(layout, plane, stages, details) for plane in self.planes]
         foot = Strip(layout.strip, [] if stages else self.found, self.notes, equations=[] if stages else self.apart)
         strip = None if self.tight else foot
-        lettered = Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, strip).lettered(far)
-        return _Composed(layout, lettered.trimmed if self.tight else lettered, self)
+        return Page(layout.paper, panels, method.mechanism, plot.facts.values, self.lang, strip)
 
     def panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:
         """One plane's figure under its heading; with `stages`, over the lines of the pencil."""

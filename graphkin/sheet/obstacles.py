@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from graphkin.sheet.crossings import meet, overlap, through
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 
@@ -32,7 +33,7 @@ class Tree:
         """areas: the corners of each."""
         import shapely
 
-        self._shapely, self._segments = shapely, segments
+        self._shapely, self._segments = shapely, np.ascontiguousarray(np.moveaxis(segments, 0, -1))
         self._lines = shapely.STRtree(shapely.linestrings(segments))
         corners = np.array([place for area in areas for place in (*area, area[0])], dtype=complex)
         owners = np.repeat(np.arange(len(areas)), [len(area) + 1 for area in areas])
@@ -43,20 +44,48 @@ class Tree:
         """Rows of the boxes low..high that touch something, once for each thing touched."""
         diagonals = self._shapely.linestrings(np.stack([low, high], axis=1))
         rows, numbers = self._lines.query(diagonals)
-        start, end = self._segments[numbers, 0], self._segments[numbers, 1]
-        middle, half = (low + high) / 2, (high - low) / 2
-        hit = _through(end - start, middle[rows] - start, half[rows])
-        near = np.flatnonzero(np.bincount(self._areas.query(diagonals)[0], minlength=len(low)))
-        boxes = self._shapely.box(low[near, 0], low[near, 1], high[near, 0], high[near, 1])
-        return np.concatenate([rows[hit], near[self._areas.query(boxes, predicate="intersects")[0]]])
+        start, end = self._ends(numbers)
+        hit = through(start, end, low[rows].T, high[rows].T)
+        near = np.unique(self._areas.query(diagonals)[0])
+        return np.concatenate([rows[hit], self._upon(near, low, high)])
+
+    def around(
+        self, low: NDArray[np.float64], high: NDArray[np.float64], clear: float, easy: float
+    ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """Rows of the boxes low..high to which something is nearer than is clear, and than is easy [mm], once for each
+        thing."""
+        wide, narrow = (low - easy, high + easy), (low - clear, high + clear)
+        diagonals = self._shapely.linestrings(np.stack(wide, axis=1))
+        rows, numbers = self._lines.query(diagonals)
+        start, end = self._ends(numbers)
+        hit = np.flatnonzero(through(start, end, wide[0][rows].T, wide[1][rows].T))
+        near, start, end = rows[hit], start[:, hit], end[:, hit]
+        least, most = narrow[0][near].T, narrow[1][near].T
+        on = overlap(np.minimum(start, end), np.maximum(start, end), least, most) & through(start, end, least, most)
+        beside = self._upon(np.unique(self._areas.query(diagonals)[0]), *wide)
+        upon = self._upon(np.unique(beside), *narrow)
+        return np.concatenate([near[on], upon]), np.concatenate([near, beside])
+
+    def _upon(self, rows: Any, low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.intp]:
+        """Which of some of the boxes lie on areas, once for each."""
+        if not len(rows):
+            return rows  # type: ignore[no-any-return]
+        boxes = self._shapely.box(low[rows, 0], low[rows, 1], high[rows, 0], high[rows, 1])
+        found: NDArray[np.intp] = rows[self._areas.query(boxes, predicate="intersects")[0]]
+        return found
 
     def crossed(self, start: NDArray[np.float64], end: NDArray[np.float64]) -> NDArray[np.intp]:
         """Rows of the lines start..end that touch something, once for each thing touched."""
         lines = self._shapely.linestrings(np.stack([start, end], axis=1))
         rows, numbers = self._lines.query(lines)
-        hit = _meet(start[rows], end[rows], self._segments[numbers, 0], self._segments[numbers, 1])
+        other, other_end = self._ends(numbers)
+        hit = meet(start[rows].T, end[rows].T, other, other_end)
         areas: NDArray[np.intp] = self._areas.query(lines, predicate="intersects")[0]
         return np.concatenate([rows[hit], areas])
+
+    def _ends(self, numbers: NDArray[np.intp]) -> Any:
+        """Where some of the segments start and end (2, 2, n)."""
+        return self._segments[:, :, numbers]
 
 
 def tree(drawn: Iterable[Mark]) -> Tree:
@@ -72,30 +101,6 @@ def tree(drawn: Iterable[Mark]) -> Tree:
                     lines += ends
     corners = np.array(lines, dtype=complex)
     return Tree(np.stack([corners.real, corners.imag], axis=-1).reshape(-1, 2, 2), areas)
-
-
-def _through(way: NDArray[np.float64], off: NDArray[np.float64], half: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Whether segments, whose surroundings overlap upright boxes, meet them; off: from a segment's start to a middle.
-
-    A level or upright segment is as large as its surroundings, and does.
-    """
-    (x, y), (across, down), (wide, high) = way.T, off.T, half.T
-    found: NDArray[np.bool_] = np.abs(x * down - y * across) <= np.abs(x) * high + np.abs(y) * wide
-    found |= (x == 0) | (y == 0)
-    return found
-
-
-def _meet(start: Any, end: Any, other: Any, other_end: Any) -> NDArray[np.bool_]:
-    """Whether segments, whose surroundings overlap, meet others: each has its ends on both sides of the other."""
-
-    def apart(a: Any, way: Any, b: Any, c: Any) -> Any:
-        one = way[:, 0] * (b - a)[:, 1] - way[:, 1] * (b - a)[:, 0]
-        two = way[:, 0] * (c - a)[:, 1] - way[:, 1] * (c - a)[:, 0]
-        return one * two > 0
-
-    found: NDArray[np.bool_] = ~apart(start, end - start, other, other_end)
-    found &= ~apart(other, other_end - other, start, end)
-    return found
 
 
 def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:

@@ -19,6 +19,7 @@ from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.free_room import Added
+from graphkin.sheet.label_candidates import Scene
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
@@ -32,8 +33,6 @@ from graphkin.value import frozen
 HEAD_WIDTH = 76.0
 """A figure's heading with its scale beside it is no wider [mm]."""
 
-_FEW = 25
-"""Of more labels than this some are likely to find no near place off all lines."""
 _EDGE = 3.0
 """What stays free beyond the figures of a trimmed page [mm]."""
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
@@ -100,7 +99,10 @@ def step_sheets(whole: Sheet, steps: Iterable[int]) -> Iterator[Sheet]:
 
 
 class Last(Protocol):
-    """What is drawn last on a figure."""
+    """What is drawn last on a figure; `loose`: equations among it that have no place of their own."""
+
+    @property
+    def loose(self) -> Sequence[EquationBlock]: ...
 
     def lines(self) -> list[Mark]:
         """What labels should keep off, where that costs nothing."""
@@ -133,15 +135,39 @@ class Panel:
         """Everything but the labels, which keep off it."""
         return [*self.before, *self.figure.marks]
 
-    def at_ease(self) -> Settled | None:
-        """Few labels at once off the lines of what is drawn last, if all of them find near places so."""
-        lines = self.more.lines() if self.more is not None and len(self.figure.wanted) <= _FEW else ()
-        off = self.lettered(False, lines) if lines else None
-        return off._replace(eased=True) if off is not None and not off.clashes and not _leaders(off) else None
+    @cached_property
+    def scene(self) -> Scene:
+        """What wants letters, and what they keep off."""
+        return Scene(self.figure.wanted, self.drawn, self.room)
 
-    def lettered(self, far: bool, off: Sequence[Mark] = ()) -> Settled:
-        """Its labels at their places; `off`: what else they keep off."""
-        return settle(self.figure.wanted, [*self.drawn, *off], self.room, far)
+    @cached_property
+    def near(self) -> Settled:
+        """Its labels near what they name."""
+        return self._settled(self.scene)
+
+    @cached_property
+    def far(self) -> Settled:
+        """Where some find no place near what they name, all may go farther off."""
+        crowd = self.scene.crammed or self.near.clashes
+        return self._settled(self.scene, far=True) if crowd else self.near
+
+    @cached_property
+    def off(self) -> Settled | None:
+        """Near, and off the lines of what is drawn last, where there are such."""
+        lines = self.more.lines() if self.more is not None else ()
+        return self._settled(self.scene.under(lines)) if lines else None
+
+    def finished(self, settled: Settled) -> tuple[Settled, Added]:
+        """Its labels, and what is drawn last where they have left room."""
+        if self.more is None:
+            return settled, Added()
+        if not settled.crowd and self.off is not None:
+            settled = self.off if _worth(self.off) <= _worth(settled) else settled
+        return settled, self.more([*self.drawn, *settled.marks, *self.after], self.room)
+
+    @staticmethod
+    def _settled(scene: Scene, far: bool = False) -> Settled:
+        return settle(scene, far)
 
 
 @frozen
@@ -178,7 +204,7 @@ class Page:
 
     def lettered(self, far: bool = True) -> Lettered:
         """With its labels; `far`: where some of a panel find no place near what they name, all may go farther off."""
-        return Lettered(self, [panel.at_ease() or panel.lettered(far) for panel in self.panels], far)
+        return Lettered(self, [panel.far if far else panel.near for panel in self.panels])
 
     def sheet(self) -> Sheet:
         return self.lettered().sheet
@@ -190,7 +216,6 @@ class Lettered:
 
     page: Page
     labels: list[Settled]
-    far: bool = True
 
     @property
     def clashes(self) -> list[int]:
@@ -206,23 +231,26 @@ class Lettered:
         """How many labels stand off from what they name, at the end of a leader."""
         return sum(map(_leaders, self.labels))
 
-    @cached_property
+    @property
     def finished(self) -> list[tuple[Settled, Added]]:
         """Each panel's labels, and what is drawn last where they have left room."""
-        return [self._finished(panel, settled) for panel, settled in zip(self.page.panels, self.labels, strict=True)]
-
-    def _finished(self, panel: Panel, settled: Settled) -> tuple[Settled, Added]:
-        if panel.more is None:
-            return settled, Added()
-        if not (settled.crowd or settled.eased) and (lines := panel.more.lines()):
-            off = panel.lettered(False, lines)
-            settled = off if _worth(off) <= _worth(settled) else settled
-        return settled, panel.more([*panel.drawn, *settled.marks, *panel.after], panel.room)
+        return [self._finished(number) for number in range(len(self.labels))]
 
     @property
     def left_out(self) -> list[EquationBlock]:
         """Equations for which no figure has room."""
-        return [block for _, added in self.finished for block in added.left_out]
+        open_ = [number for number, panel in enumerate(self.page.panels) if panel.more is not None and panel.more.loose]
+        return [block for number in open_ for block in self._finished(number)[1].left_out]
+
+    def _finished(self, number: int) -> tuple[Settled, Added]:
+        """One panel, once."""
+        if number not in self._done:
+            self._done[number] = self.page.panels[number].finished(self.labels[number])
+        return self._done[number]
+
+    @cached_property
+    def _done(self) -> dict[int, tuple[Settled, Added]]:
+        return {}
 
     @property
     def trimmed(self) -> Lettered:

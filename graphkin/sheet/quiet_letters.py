@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from graphkin.sheet.crossings import overlap
 from graphkin.sheet.lettering import Label, box
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import Tree, tree
@@ -51,7 +52,7 @@ def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list
         best = int(np.argmin(np.sum(costs, axis=0) + len(costs) * _dislikes(middles.shape[1])))
         for k, row in zip(at, middles, strict=True):
             place = _boxes(row[best : best + 1], half)
-            if not any(_overlap(place, other) for other in taken[k]):  # hidden while it would lie on another
+            if not any(_lies(place, other) for other in taken[k]):  # hidden while it would lie on another
                 found[k].append(_text(wants[k], row[best]))
                 taken[k].append(place)
     return found
@@ -109,9 +110,9 @@ def _boxes(middles: np.ndarray, half: complex) -> Boxes:
     return places - reach, places + reach
 
 
-def _overlap(one: Boxes, other: Boxes) -> np.ndarray:
-    """Which of the boxes lie on the other."""
-    lies: np.ndarray = np.all((other[0] < one[1] - _CLEAR) & (other[1] - _CLEAR > one[0]), axis=1)
+def _lies(one: Boxes, other: Boxes) -> np.ndarray:
+    """Which of the boxes lie on the other; what they keep from lines they need not keep twice from one another."""
+    lies: np.ndarray = overlap(one[0].T, one[1].T, other[0].T + _CLEAR, other[1].T - _CLEAR)
     return lies
 
 
@@ -120,7 +121,7 @@ def _costs(middles: np.ndarray, half: complex, drawn: Tree, taken: Sequence[Boxe
     low, high = _boxes(middles, half)
     cost = np.bincount(drawn.touched(low, high), minlength=len(middles)).astype(float)
     for other in taken:
-        cost += _overlap((low, high), other)
+        cost += _lies((low, high), other)
     outside = (low < [room.left, room.top]).any(axis=1) | (high > [room.right, room.bottom]).any(axis=1)
     return cost + _OUTSIDE * outside
 

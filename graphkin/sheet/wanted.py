@@ -9,20 +9,23 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphkin.sheet.lettering import Label, width
+from graphkin.sheet.lettering import Label, box, width
 from graphkin.sheet.marks import Place, Text
 from graphkin.sheet.paper import LABEL
 from graphkin.value import frozen
 
-_RINGS = np.array([0.0, 1.0, 2.2, 4.0, 6.5, 9.5, 13.0])
-_LED = 4.0
-"""From this ring on a leader is drawn."""
+_RINGS, _LED = np.array([0.0, 1.0, 2.2]), np.array([4.0, 6.5, 9.5, 13.0])
+"""How far from its sign a letter may stand, and from where on a leader is drawn [mm]."""
 _TURNS = np.array([cmath.rect(1, math.tau * k / 16) for k in range(16)])
 _LITTLE = np.array([0.05 * ((k - 14) % 16) for k in range(16)])
 """What a direction costs where none is liked: above and to the right first."""
 _NOWHERE = complex("nan")
-_FAR_RINGS = np.array([17.0, 21.5, 26.5, 32.0, 38.0, 44.5, 51.5, 59.0])
+_FAR, _FARTHEST = np.array([17.0, 21.5, 26.5]), np.array([32.0, 38.0, 44.5, 51.5, 59.0])
 """Where labels of a crowd go when nothing nearer is free [mm]."""
+_LEADER, _FARTHER = 6.0, 1.6
+"""What a leader costs, and each millimetre from the sign."""
+LEAST = (0.0, *(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR, _FARTHEST)))
+"""No place of the tiers costs less: near, led, far, farthest."""
 _FAR_TURNS = np.array([cmath.rect(1, math.tau * k / 32) for k in range(32)])
 _ANCHORS = (0.5, 0.3, 0.7)
 """Where along a line a far leader may end."""
@@ -30,8 +33,12 @@ _LED_ALONG = (0.3, 0.7)
 """Where else than at its middle a leader may meet an arrow."""
 _OFF_MIDDLE = 0.5
 _ALONG = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82])
-_FARTHER = np.array([0.0, 0.75, 1.65])[:, None]
+_OFF = np.array([0.0, 0.75, 1.65])[:, None]
 """How much farther than it need a label may stand from its line [mm]."""
+_SPACE = 2.0
+"""Beside and over a label [mm]."""
+CRAMMED = 0.2
+"""A figure whose labels take a larger part of its room has no place for all of them."""
 _POINT = 1.5
 """A shorter line is a point [mm]."""
 
@@ -95,40 +102,49 @@ class Wanted:
         """What it names, as one point."""
         return self.start if self.end is None else (self.start + self.end) / 2
 
-    def candidates(self, half: complex) -> Candidates:
-        """Where it may stand near what it names; half: of the width and height of its box [mm]."""
+    def near(self, half: complex) -> Candidates:
+        """Where it may stand at what it names; half: of the width and height of its box [mm]."""
+        if self.end is None or abs(self.end - self.start) <= _POINT:
+            return _around(self.start, half, self, _RINGS)
+        return _beside(self.start, self.end, half, self)
+
+    def led(self, half: complex) -> Candidates:
+        """Where a leader may keep it to what it names."""
         start, end = self.start, self.end
         if end is None or abs(end - start) <= _POINT:
-            return _around(start, half, self)
+            return _around(start, half, self, _LED)
         places = [(start + end) / 2, *(start + (end - start) * t for t in (_LED_ALONG if self.of else ()))]
-        led = [_around(place, half, self, first=3) for place in places]
-        off = [part._replace(cost=part.cost + _OFF_MIDDLE) for part in led[1:]]
-        return Candidates.joined([_beside(start, end, half, self), led[0], *off])
+        led = [_around(place, half, self, _LED) for place in places]
+        return Candidates.joined([led[0], *(part._replace(cost=part.cost + _OFF_MIDDLE) for part in led[1:])])
 
-    def far_candidates(self, half: complex, crowd: Place) -> Candidates:
+    def far(self, half: complex, crowd: Place, farthest: bool = False) -> Candidates:
         """Wide rings, away from the middle of the crowd first."""
-        ends = (self.start, self.start if self.end is None else self.end)
+        ends, rings = (self.start, self.start if self.end is None else self.end), _FARTHEST if farthest else _FAR
         anchors = dict.fromkeys(ends[0] + (ends[1] - ends[0]) * t for t in _ANCHORS)
-        return Candidates.joined(_far(anchor, crowd, half, self.gap) for anchor in anchors)
+        return Candidates.joined(_far(anchor, crowd, half, self.gap + 0.6, rings) for anchor in anchors)
 
 
-def _around(point: Place, half: complex, want: Wanted, first: int = 0) -> Candidates:
+def lettering(wanted: Iterable[Wanted]) -> float:
+    """How much room labels take, with what is usually free about them [mm^2]."""
+    boxes = (box(want.label, want.size) for want in wanted)
+    return sum((wide + _SPACE) * (up + down + _SPACE) for wide, up, down in boxes)
+
+
+def _around(point: Place, half: complex, want: Wanted, rings: Any) -> Candidates:
     """Rings about a point; a box touches the ring with its near side or corner."""
     away = want.away.conjugate() / abs(want.away) if want.away else 0j
     liking = 0.8 * (1 - (_TURNS * away).real) if away else _LITTLE
-    rings = _RINGS[first:, None]
-    middle = point + (want.gap + 0.6 + rings) * _TURNS + _sides(_TURNS, half)
-    led = np.broadcast_to(rings >= _LED, middle.shape)
-    cost = 1.6 * rings + np.where(led, 6.0, 0.0) + liking
-    return Candidates(middle.ravel(), cost.ravel(), np.where(led, point, _NOWHERE).ravel())
+    middle = point + (want.gap + 0.6 + rings[:, None]) * _TURNS + _sides(_TURNS, half)
+    cost = _FARTHER * rings[:, None] + (_LEADER if rings is _LED else 0.0) + liking
+    return Candidates(middle.ravel(), cost.ravel(), np.full(middle.size, point if rings is _LED else _NOWHERE))
 
 
-def _far(anchor: Place, crowd: Place, half: complex, gap: float) -> Candidates:
+def _far(anchor: Place, crowd: Place, half: complex, gap: float, rings: Any) -> Candidates:
     """Wide rings about a point."""
     away = (anchor - crowd).conjugate() / max(abs(anchor - crowd), 1e-9)
     liking = 5.0 * (1 - (_FAR_TURNS * away).real)
-    middle = anchor + (gap + 0.6 + _FAR_RINGS) * _FAR_TURNS[:, None] + _sides(_FAR_TURNS, half)[:, None]
-    cost = 1.6 * _FAR_RINGS + 6 + liking[:, None]
+    middle = anchor + (gap + rings) * _FAR_TURNS[:, None] + _sides(_FAR_TURNS, half)[:, None]
+    cost = _FARTHER * rings + _LEADER + liking[:, None]
     return Candidates(middle.ravel(), cost.ravel(), np.full(middle.size, anchor))
 
 
@@ -144,6 +160,6 @@ def _beside(start: Place, end: Place, half: complex, want: Wanted) -> Candidates
     normal = np.array([along * -1j, along * 1j])[:, None, None]
     support = np.abs(normal.real) * half.real + np.abs(normal.imag) * half.imag
     liking = 0.6 * (1 - (normal * away.conjugate()).real) if away else np.where(normal.imag <= 0, 0.0, 0.1)
-    middle = start + (end - start) * _ALONG + normal * (support + want.gap + _FARTHER)
-    cost = 1.2 * _FARTHER + 2.5 * np.abs(_ALONG - 0.5) + liking
+    middle = start + (end - start) * _ALONG + normal * (support + want.gap + _OFF)
+    cost = 1.2 * _OFF + 2.5 * np.abs(_ALONG - 0.5) + liking
     return Candidates(middle.ravel(), cost.ravel(), np.full(middle.size, _NOWHERE))

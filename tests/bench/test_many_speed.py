@@ -1,15 +1,21 @@
-"""How many mechanisms of one topology are drawn a second, each at three positions, beside one after another."""
+"""How many mechanisms of one topology are drawn a second, each at three positions; how many files are solved."""
 
 from __future__ import annotations
 
+import json
+import random
+import re
 import time
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 import graphkin
 from graphkin import library
+from graphkin.cli import main
 from graphkin.mechanism import Link, Mechanism
 from graphkin.running.variants import replay_many
 from graphkin.stacking import single
@@ -55,3 +61,32 @@ def test_mechanisms_a_second(name: str, capsys: pytest.CaptureFixture[str]) -> N
     with capsys.disabled():
         print(f"\n{name}: {1 / together:,.0f} mechanisms a second at 3 positions each, {alone / together:.0f} times one by one")
     assert 1 / together > LEAST[name]
+
+
+FILES, FILES_A_SECOND = 400, 250
+
+
+def another(text: str, rng: random.Random) -> str:
+    """The same mechanism with every length another one, up to two hundredths."""
+    return re.sub(r"(?m)^([A-Z]{2} = )([0-9.]+)", lambda line: f"{line[1]}{float(line[2]) * rng.uniform(0.98, 1.02):.6g}", text)
+
+
+@pytest.mark.bench
+@pytest.mark.parametrize("names", [("ex3-1",), ("ex3-1", "ex3-5", "ex3-7", "p3-22", "fig2-32")])
+def test_files_a_second(names: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """`solve --json` of so many different files: read, planned, drawn, proved, written; one core."""
+    rng, files = random.Random(1), []
+    for k in range(FILES):
+        files.append(tmp_path / f"{k:03d}.toml")
+        files[-1].write_text(another(library.text(names[k % len(names)]), rng), encoding="utf-8")
+    taken = float("inf")
+    for _ in range(ROUNDS):
+        start = time.thread_time()
+        said = CliRunner().invoke(main, ["solve", "--json", *map(str, files)])
+        taken = min(taken, time.thread_time() - start)
+    found = [json.loads(line) for line in said.stdout.splitlines()]
+    assert len(found) == FILES
+    assert sum("error" in one for one in found) < FILES / 20
+    with capsys.disabled():
+        print(f"\n{len(names)} topologies: {FILES / taken:,.0f} files a second")
+    assert FILES / taken > FILES_A_SECOND

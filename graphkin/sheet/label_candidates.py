@@ -1,0 +1,244 @@
+"""The places that labels of a figure might take, and what each has about it; looked at only where they are asked for.
+
+Most labels stand where they would like to. So the places at what they name come first, for all labels at once; those
+on a leader, and far off, only for labels that find none there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import field
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from graphkin.sheet.lettering import box
+from graphkin.sheet.marks import Mark, Place, Text
+from graphkin.sheet.nearness import Arrows
+from graphkin.sheet.obstacles import Tree, tree
+from graphkin.sheet.paper import Room
+from graphkin.sheet.wanted import CRAMMED, Candidates, Wanted, lettering
+from graphkin.value import filled
+
+NEAR, LED, FAR, FARTHEST = range(4)
+"""Places at what a label names, on a leader about that, and farther off."""
+_CLEAR, _EASY = 0.45, 1.3
+"""What a label keeps from lines at least, and likes to keep [mm]."""
+
+
+class Boxes(NamedTuple):
+    """Boxes of labels, and leaders of those that are led.
+
+    places  corners low and high of each, where its leader begins and ends (4, 2, n) [mm]; without one, the box's middle
+    """
+
+    places: Any
+    led: Any
+
+    @classmethod
+    def of(cls, spots: Candidates, half: Any) -> Boxes:
+        middle, half = _xy(spots.middle), _xy(half)
+        low, high, anchor = middle - half, middle + half, _xy(np.where(spots.led, spots.anchor, spots.middle))
+        return cls(np.array([low, high, np.clip(anchor, low, high), anchor]), spots.led)
+
+    def taken(self, rows: Any) -> Boxes:
+        """Some of them."""
+        return Boxes(self.places[:, :, rows], self.led[rows])
+
+    @classmethod
+    def joined(cls, parts: Iterable[Boxes]) -> Boxes:
+        places, led = zip(*parts, strict=True)
+        return cls(np.concatenate(places, axis=-1), np.concatenate(led))
+
+    @property
+    def low(self) -> Any:
+        return self.places[0]
+
+    @property
+    def high(self) -> Any:
+        return self.places[1]
+
+    @property
+    def leader(self) -> Any:
+        """From where to where it goes (2, 2, n)."""
+        return self.places[2:]
+
+    @property
+    def reach(self) -> tuple[Any, Any]:
+        """Corners of what boxes and leaders lie in (2, n)."""
+        return np.minimum(self.low, self.places[3]), np.maximum(self.high, self.places[3])
+
+
+class Rated(NamedTuple):
+    """Candidates, row by row, and what is about them.
+
+    cost      what each costs by itself; near: how many things are too near to it; hits: on how many it lies
+    strange   nearer to another arrow than to its own; inside: in the room
+    lettered  its leader passes through letters; lines: how many lines it crosses
+    """
+
+    boxes: Boxes
+    cost: Any
+    near: Any
+    hits: Any
+    strange: Any
+    inside: Any
+    lettered: Any
+    lines: Any
+
+    def taken(self, rows: Any) -> Rated:
+        return Rated(self.boxes.taken(rows), *(each[rows] for each in self[1:]))
+
+    @classmethod
+    def joined(cls, parts: Sequence[Rated]) -> Rated:
+        if len(parts) == 1:
+            return parts[0]
+        boxes = Boxes.joined(part.boxes for part in parts)
+        return cls(boxes, *map(np.concatenate, zip(*(part[1:] for part in parts), strict=True)))
+
+    @property
+    def free(self) -> Any:
+        """Which of them touch nothing."""
+        return (self.hits == 0) & self.inside & ~self.strange
+
+
+@filled
+class Scene:
+    """Labels that want a place, and all that is drawn where they want it."""
+
+    wanted: Sequence[Wanted]
+    drawn: Sequence[Mark]
+    room: Room
+    beneath: Scene | None = None
+    _seen: dict[tuple[int, int], Rated] = field(default_factory=dict)
+
+    def under(self, marks: Sequence[Mark]) -> Scene:
+        """The same under some more lines."""
+        return Scene(self.wanted, marks, self.room, self)
+
+    @property
+    def crammed(self) -> bool:
+        """Whether so much is to be lettered that some labels will lie on others."""
+        size = self.room.size
+        return lettering(self.wanted) > CRAMMED * size.real * size.imag
+
+    @cached_property
+    def known(self) -> Tree:
+        return tree(self.drawn)
+
+    @cached_property
+    def letters(self) -> Tree:
+        """What lets no leader through."""
+        return tree(mark for mark in self.drawn if isinstance(mark, Text))
+
+    @cached_property
+    def arrows(self) -> Arrows:
+        return Arrows(self.drawn)
+
+    def touched(self, low: Any, high: Any) -> Any:
+        """Rows of the boxes low..high (n, 2) that touch something, once for each thing touched."""
+        found = self.known.touched(low, high)
+        return found if self.beneath is None else np.concatenate([found, self.beneath.touched(low, high)])
+
+    @cached_property
+    def halves(self) -> Any:
+        """Half the width and height of each label's box, complex [mm]."""
+        boxes = (box(want.label, want.size) for want in self.wanted)
+        return np.array([complex(wide, up + down) / 2 for wide, up, down in boxes], dtype=complex)
+
+    @cached_property
+    def crowd(self) -> Place:
+        """The middle of what is named."""
+        places = [want.place for want in self.wanted]
+        return complex(_middle([place.real for place in places]), _middle([place.imag for place in places]))
+
+    def rated(self, labels: Iterable[int], tier: int) -> list[Rated]:
+        """The candidates of some labels up to a tier."""
+        labels = list(labels)
+        for each in range(tier + 1):
+            self._see([label for label in labels if (label, each) not in self._seen], each)
+        return [Rated.joined([self._seen[label, each] for each in range(tier + 1)]) for label in labels]
+
+    def _see(self, labels: Sequence[int], tier: int) -> None:
+        """Candidates of one tier of some labels, all at once."""
+        if not labels:
+            return
+        if self.beneath is None:
+            counts, found = self._looked_at(labels, tier)
+        else:
+            self.beneath._see([label for label in labels if (label, tier) not in self.beneath._seen], tier)
+            parts = [self.beneath._seen[label, tier] for label in labels]
+            counts, found = [len(part.cost) for part in parts], self._looked_at_again(Rated.joined(parts), tier)
+        ends = np.cumsum(counts)
+        for label, end, count in zip(labels, ends, counts, strict=True):
+            self._seen[label, tier] = found.taken(slice(end - count, end))
+
+    def _looked_at(self, labels: Sequence[int], tier: int) -> tuple[Any, Rated]:
+        """How many each label has in the room, or anywhere where it has none there; and all of them."""
+        spots = [self._spots(label, tier) for label in labels]
+        owner, every = np.repeat(labels, [len(each.cost) for each in spots]), Candidates.joined(spots)
+        boxes = Boxes.of(every, self.halves[owner])
+        inside = self.inside(boxes)
+        rows = np.flatnonzero(inside | ~np.isin(owner, owner[inside]))
+        owner, inside, boxes = owner[rows], inside[rows], boxes.taken(rows)
+        near, hits = self._touching(boxes)
+        free = inside & (hits == 0)
+        strange, (lettered, lines) = self._strange(owner, boxes, free, tier), self._crossing(boxes, free, tier)
+        found = Rated(boxes, every.cost[rows], near, hits, strange, inside, lettered, lines)
+        return np.bincount(owner, minlength=len(self.wanted))[labels], found
+
+    def _looked_at_again(self, rated: Rated, tier: int) -> Rated:
+        """The same candidates under some more lines."""
+        near, hits = self._touching(rated.boxes)
+        _, lines = self._crossing(rated.boxes, rated.inside & (hits == 0), tier)
+        return rated._replace(near=rated.near + near, hits=rated.hits + hits, lines=rated.lines + lines)
+
+    def inside(self, boxes: Boxes) -> Any:
+        """Which lie in the room."""
+        room, low, high = self.room, boxes.low, boxes.high
+        found = (low[0] >= room.left) & (low[1] >= room.top)
+        return found & (high[0] <= room.right) & (high[1] <= room.bottom)
+
+    def _spots(self, label: int, tier: int) -> Candidates:
+        want, half = self.wanted[label], complex(self.halves[label])
+        ways: tuple[Callable[[], Candidates], ...] = (
+            lambda: want.near(half), lambda: want.led(half),
+            lambda: want.far(half, self.crowd), lambda: want.far(half, self.crowd, farthest=True),
+        )  # fmt: skip
+        return ways[tier]()
+
+    def _touching(self, boxes: Boxes) -> tuple[Any, Any]:
+        """How much of what is drawn is too near to each box, and on how much it lies."""
+        hits, near = self.known.around(boxes.low.T, boxes.high.T, _CLEAR, _EASY)
+        return np.bincount(near, minlength=len(boxes.led)), np.bincount(hits, minlength=len(boxes.led))
+
+    def _crossing(self, boxes: Boxes, free: Any, tier: int) -> tuple[Any, Any]:
+        """Whose leaders pass through letters, and how many lines they cross; of boxes that lie on nothing."""
+        lettered, lines = np.zeros(len(free), dtype=bool), np.zeros(len(free))
+        if tier != NEAR:
+            rows = np.flatnonzero(free)
+            start, end = boxes.leader[:, :, rows].swapaxes(1, 2)
+            lettered[rows[self.letters.crossed(start, end)]] = True
+            lines[rows] = np.bincount(self.known.crossed(start, end), minlength=len(rows))
+        return lettered, lines
+
+    def _strange(self, owner: Any, boxes: Boxes, free: Any, tier: int) -> Any:
+        """Which stand nearer to another arrow than to their own, of those that lie on nothing; a leader says whose a
+        label is."""
+        found = np.zeros(len(owner), dtype=bool)
+        if tier == NEAR:
+            found[free] = self.arrows.strange(self.wanted, owner[free], boxes.low[:, free].T, boxes.high[:, free].T)
+        return found
+
+
+def _xy(places: Any) -> Any:
+    """Complex places (n,) as x and y of each (2, n)."""
+    return np.array([places.real, places.imag])
+
+
+def _middle(values: list[float]) -> float:
+    """The median; numpy's would load masked arrays, which takes longer than placing the labels."""
+    ordered = sorted(values)
+    half = len(ordered) // 2
+    return (ordered[half] + ordered[-half - 1]) / 2 if ordered else 0.0

@@ -1,0 +1,89 @@
+"""What it costs a label to stand somewhere: among what is drawn, and beside another label."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from graphkin.sheet.crossings import meet, overlap, through
+from graphkin.sheet.label_candidates import Boxes, Rated
+
+_PASSING = 0.4
+"""What a leader keeps from other labels [mm]."""
+_ONE, _BESIDE = 0.5, 2.5
+"""Leaders that end nearer together than the second look like one; than the first, they end at one place [mm]."""
+_WORD = np.array([[2.2], [-1.2]])
+"""How far apart labels side by side read as two; how far up or down of it they are no line [mm]."""
+
+
+class Prices(NamedTuple):
+    """What it costs to lie on a line, on a label, out of the room, nearer to another arrow than to its own without a
+    leader; a leader on a label, on a leader.
+
+    apart    what two labels keep from each other [mm]
+    through  for each line that a leader crosses
+    beside   for a leader that ends beside another's end
+    word     for a label that stands on a line with another, and so close that both read as one
+    """
+
+    line: float = 60.0
+    label: float = 80.0
+    outside: float = 1000.0
+    strange: float = 50.0
+    crossed: float = 25.0
+    leaders: float = 0.0
+    apart: float = 0.7
+    through: float = 0.0
+    beside: float = 4.0
+    word: float = 5.0
+
+    def alone(self, rated: Rated) -> Any:
+        """What candidates cost among what is drawn, as long as no label has a place."""
+        cost = rated.cost + self.strange * rated.strange + 0.45 * np.minimum(rated.near, 6)
+        cost += self.line * np.minimum(rated.hits, 5) + self.outside * ~rated.inside
+        return cost + self.crossed * rated.lettered + self.through * rated.lines
+
+    def beside_others(self, boxes: Boxes, others: Boxes) -> tuple[Any, Any]:
+        """What each costs more because the others stand where they do; and which lie on one of them (n,)."""
+        (low, high), (least, most) = boxes.reach, others.reach
+        near = overlap(low[..., None], high[..., None], least[:, None] - _BESIDE, most[:, None] + _BESIDE)
+        rows, columns = np.nonzero(near)
+        more, clash = self._together(boxes.taken(rows), others.taken(columns))
+        count = len(boxes.led)
+        return np.bincount(rows, more, count), np.bincount(rows, clash, count) > 0
+
+    def beside_one(self, boxes: Boxes, reach: tuple[Any, Any], other: Boxes) -> tuple[Any, Any, Any]:
+        """Which of them cost more because another stands where it does, how much, and whether they lie on it."""
+        least, most = other.reach
+        rows = np.flatnonzero(overlap(*reach, least - _BESIDE, most + _BESIDE))
+        return rows, *self._together(boxes.taken(rows), other)
+
+    def _together(self, one: Boxes, other: Boxes) -> tuple[Any, Any]:
+        """What pairs of labels cost each other; which of them lie on each other, or under each other's leader."""
+        clash = overlap(one.low, one.high, other.low - self.apart, other.high + self.apart)
+        more = self.label * clash + self.word * overlap(one.low, one.high, other.low - _WORD, other.high + _WORD)
+        if not (one.led.any() or other.led.any()):
+            return more, clash
+        crossed = under(one, other) | under(other, one)
+        both = np.flatnonzero(one.led & other.led)
+        more += self.crossed * crossed
+        more[both] += self._leaders(one.taken(both).leader, (other.taken(both) if len(other.led) > 1 else other).leader)
+        return more, clash | crossed
+
+    def _leaders(self, one: Any, other: Any) -> Any:
+        """What pairs of leaders cost each other."""
+        apart = np.abs(one[1] - other[1]).max(axis=0)
+        more = self.beside * ((apart > _ONE) & (apart < _BESIDE))
+        return more + self.leaders * meet(*one, *other) if self.leaders else more
+
+
+NEARBY = Prices()
+CROWDED = Prices(400.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3, 1.5)
+
+
+def under(led: Boxes, other: Boxes, keep: float = _PASSING) -> Any:
+    """Which labels lie under the leader of the one they are paired with."""
+    low, high, (start, end) = other.low - keep, other.high + keep, led.leader
+    around = overlap(np.minimum(start, end), np.maximum(start, end), low, high)
+    return led.led & around & through(start, end, low, high)
