@@ -71,5 +71,5 @@ def test_each_arrow_is_named_once() -> None:
 
 def test_a_detail_saves_leaders() -> None:
     draw = fan(14, 2.0)
-    before, after = (one.lettered(False) for one in (panel(draw), detailed(panel(draw), draw, "velocity")))
+    before, after = (one.near for one in (panel(draw), detailed(panel(draw), draw, "velocity")))
     assert after.clashes + len(after.marks) < before.clashes + len(before.marks) or after.clashes < before.clashes
