@@ -16,7 +16,8 @@ from graphkin.api import plan
 from graphkin.centres import Centres, centres
 from graphkin.centres.advantages import carried_through
 from graphkin.centres.levers import Levers
-from graphkin.drafting import drawn_through
+from graphkin.centres.shortest import shortest
+from graphkin.drafting import Meet, drawn_through, ruled
 from graphkin.errors import NOWHERE, GraphkinError
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.quantities import centre_of, named
@@ -194,3 +195,23 @@ def test_centres_over_a_sweep_by_both_roads(name: str):
     for first, second in zip(one.series, other.series, strict=True):
         near = np.isfinite(second.vectors) & (np.abs(second.vectors) < 20 * size)
         assert np.allclose(first.vectors[near], second.vectors[near], rtol=0, atol=1e-7 * size), first.name
+
+
+# --- with few lines -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", library.names()[::7])
+def test_the_shortest_way_to_a_centre_is_a_way_to_it(name: str) -> None:
+    """Every line joins what is there, both meet in the centre, and there are no more than the search draws."""
+    here = found(library.load(name))
+    for wanted in here.centring.links:
+        way, known = shortest(here, [wanted]), set[str]()
+        for stage in way.stages:
+            for line in stage.lines if isinstance(stage.last, Meet) else ():
+                assert set(drawn_through(line)) <= known
+                point, place = here.board.points[stage.last.name], ruled(line, here.board)
+                assert abs(np.dot(point, place)) < 1e-9 * np.linalg.norm(point) * np.linalg.norm(place)
+            known.add(stage.last.name)
+        assert wanted in known
+        assert way.stages[-1].last.name == wanted
+        assert len(way.stages) <= len(here.centring.stages)

@@ -11,8 +11,10 @@ import book
 import pytest
 from calculator import NUMBER, calculated, hold
 from golden import GOLDEN, LANGUAGES
+from random_mechanisms import epicyclic
 
 from graphkin import library
+from graphkin.api import Drawing
 from graphkin.centres import centres
 from graphkin.linkages import FourBar, GuideBar, Linkage, SliderCrank, report
 from graphkin.marking import ruler
@@ -81,6 +83,11 @@ def scales(name: str) -> dict[str, float]:
     """Those of its sheet."""
     line = next(line for line in explained(name, "en") if line.strip().startswith("Scales: "))
     return dict(zip(("position", "velocity", "acceleration"), map(float, re.findall(r"= (\S+)", line)), strict=True))
+
+
+def test_a_train_read_by_hand_is_worth_what_it_prints() -> None:
+    """Rotations that were read have not quite the ratio of the radii."""
+    assert hold(Drawing.of(epicyclic(200)).explain("en", as_drawn=True)) > 5
 
 
 @pytest.mark.parametrize("name", library.names()[::4])

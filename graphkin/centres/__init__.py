@@ -2,6 +2,7 @@
 
     Plot -- underlay -> Board over the mechanism          its points, guides, common normals
     Board -- search --> Centring (a drafting stage each)  by definition, on two lines, from velocities
+    Centres, and which of them are wanted -- shortest --> Centring with the fewest lines
     Centring over a path - centrode_places.over --> Centres at many positions -> centrodes
     Centres -- levers --> Levers (a drafting stage each)  velocities, in millimetres of paper or in metres; advantages
     Centres -- about --> About: pole, circles, curvature; about_bobillier: the same by construction

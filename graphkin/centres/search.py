@@ -9,7 +9,7 @@ left (several freedoms, lines that coincide) one centre is taken from the veloci
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import combinations
@@ -78,6 +78,21 @@ def _by_number(name: str) -> tuple[float, str]:
     return (float(number[0]) if number else np.inf, name)
 
 
+def in_order(mechanism: Mechanism, links: Iterable[str]) -> list[str]:
+    """Links by their numbers."""
+    return sorted(links, key=lambda link: _by_number(mechanism.called(link)))
+
+
+def lines_to(mechanism: Mechanism, known: Mapping[Pair, str], pair: Iterable[str]) -> Iterator[LineStep]:
+    """Every line on which the centre of two links lies, through the centres that are known by their links."""
+    first, second = in_order(mechanism, pair)
+    yield from (Traced(one.name, one.name) for one in normals(mechanism) if one.links == {first, second})
+    for third in in_order(mechanism, mechanism.links):
+        one, other = known.get(frozenset((first, third))), known.get(frozenset((third, second)))
+        if one is not None and other is not None:
+            yield Through(f"{one} {other}", one, other)
+
+
 def search(method: Method, plot: Plot) -> tuple[Centring, Plot, Board]:
     """How all instant centres are found at the position of a plot, that plot in motion, and a board that holds them.
 
@@ -116,7 +131,7 @@ class _Search:
 
     @cached_property
     def names(self) -> list[str]:
-        return sorted(self.mechanism.links, key=lambda link: _by_number(self.mechanism.called(link)))
+        return in_order(self.mechanism, self.mechanism.links)
 
     @property
     def missing(self) -> list[tuple[str, str]]:
@@ -135,7 +150,7 @@ class _Search:
         draw(stage, self.board)
         self.stages.append(stage)
         self.known[pair] = stage.last.name
-        first, second = sorted(pair, key=lambda link: _by_number(self.mechanism.called(link)))
+        first, second = in_order(self.mechanism, pair)
         self.links[stage.last.name] = first, second
 
     def named(self, pair: Pair) -> str:
@@ -171,7 +186,7 @@ class _Search:
 
     def _on_two_lines(self, pair: Pair, clear: float) -> Stage | None:
         """The two lines that are farthest from being one; the first two, where several are clear."""
-        lines = [(line, ruled(line, self.board)) for line in self._lines(pair)]
+        lines = [(line, ruled(line, self.board)) for line in lines_to(self.mechanism, self.known, pair)]
         lines = [(line, place) for line, place in lines if np.isfinite(place).all()]
         if len(lines) < 2:
             return None
@@ -183,15 +198,6 @@ class _Search:
             return None
         one, other = lines[first[best]][0], lines[second[best]][0]
         return Stage("two lines", (one, other, Meet(self.named(pair), one.name, other.name)))
-
-    def _lines(self, pair: Pair) -> Iterator[LineStep]:
-        """Every line on which a centre lies."""
-        yield from (Traced(one.name, one.name) for one in normals(self.mechanism) if one.links == pair)
-        first, second = sorted(pair, key=lambda link: _by_number(self.mechanism.called(link)))
-        for third in self.names:
-            one, other = self.known.get(frozenset((first, third))), self.known.get(frozenset((third, second)))
-            if one is not None and other is not None:
-                yield Through(f"{one} {other}", one, other)
 
     # --- from velocities ----------------------------------------------------------------------
 

@@ -5,7 +5,8 @@
     explained       a method and its plot -> entries (headings, sentences, calculations, vector equations), data for
                     any output; `layout` makes lines of them. `reading` is the mechanism's side, `plane` a polygon's;
                     a reader each: `given`, `position`, `equivalents`, `sizes`, `equations`, `rotation`, `rolling`,
-                    `together`, `polygons`
+                    `together`, `polygons`; `asked` what of it is told, `asked_centres`, `answers`, and `deviation`
+                    of what was read by hand; `given_sizes` what a file gives, for sentences and for sheets
     structure, redundancy, results, checks, sweeps, finding, design, linkages, centre_*    a reader a subject
     problems, marks, mistakes, tolerances    homework
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from graphkin.centres import centres
-from graphkin.centres.search import Centring
-from graphkin.drafting import Meet, Stage, drawn_through
+from graphkin.centres.shortest import shortest
+from graphkin.drafting import Stage
 from graphkin.quantities import Centre
 from graphkin.say.centre_steps import CentreReader
 from graphkin.say.entry import Entry
@@ -44,15 +45,5 @@ def asked_centres(reading: Reading, wanted: Sequence[Centre]) -> AskedCentres:
     found = centres(reading.method, reading.ruler.right if reading.ruler else reading.plot)
     names = {found.name(*one.links) for one in wanted}
     together = tuple(pair for pair in found.centring.together if found.name(*pair) in names)
-    return AskedCentres(CentreReader(found, reading.lang, reading.measured), leading(found.centring, names), together)
-
-
-def leading(centring: Centring, wanted: Collection[str]) -> tuple[Stage, ...]:
-    """The stages that lead to some centres, in their order: a line needs the two centres that it joins."""
-    needed, found = {*wanted}, list[Stage]()
-    for stage in reversed(centring.stages):
-        if stage.last.name in needed:
-            found.append(stage)
-            if isinstance(stage.last, Meet):
-                needed.update(end for line in stage.lines for end in drawn_through(line))
-    return tuple(reversed(found))
+    found = replace(found, centring=shortest(found, names))
+    return AskedCentres(CentreReader(found, reading.lang, reading.measured), found.centring.stages, together)

@@ -247,6 +247,8 @@ def _constant_ratio(polygon: Polygon, step: Simultaneous, members: list[str]) ->
     if not plot.alpha[input_]:
         zero = " = ".join([*(reading.rate("α", link) for link in wheels), "0"])
         return [Sentence(reading.say("contacts.constant ratio at rest", rate=rate, zero=zero))]
+    if reading.ruler is not None:
+        return []  # velocities that were read have not quite the ratio of the radii
     said: list[Entry] = [Sentence(reading.say("contacts.constant ratio"))]
     for link in wheels:
         first, second, third = (Operand(float(v)) for v in (plot.alpha[input_], plot.omega[link], plot.omega[input_]))
