@@ -163,9 +163,9 @@ def test_no_letters_lie_on_arrows(name: str) -> None:
 @pytest.mark.parametrize("name", ["ex3-1", "p3-20"])
 def test_labels_are_placed_quickly(name: str) -> None:
     method, plot = solved(name)
-    start = time.perf_counter()
+    start = time.process_time()
     sheet(method, plot)
-    assert time.perf_counter() - start < 1.0
+    assert time.process_time() - start < 1.0
 
 
 def test_same_input_same_sheet() -> None:

@@ -36,6 +36,8 @@ _LARGEST = 45.0
 """Radius of a detail [mm]."""
 _AROUND, _HEAD = 8.0, 4.0
 """What letters around a detail need, and its own heading over it [mm]."""
+_MANY = 150
+"""More labels than this no detail relieves."""
 _SAVED = 4
 """A detail is drawn where it saves so many leaders, or labels without a place."""
 _EASIER = 0.5
@@ -156,7 +158,7 @@ class _Drawing:
 
 def _knots(wanted: list[Wanted]) -> Iterator[_Circle]:
     """For each radius the circle that holds most labels, where they are too many."""
-    if not wanted:
+    if not 0 < len(wanted) <= _MANY:
         return
     about = np.array([want.place for want in wanted])
     ends = np.array([(want.start, want.start if want.end is None else want.end) for want in wanted])

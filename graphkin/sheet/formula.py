@@ -15,12 +15,13 @@ _SIGN = (
 )
 _POINT = re.compile(r"[A-Z][0-9]*′*")
 _POINTS = rf"(?:(?<=[⊥∥→·△])|(?<=× ))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)"
+_NUMBERED = rf"(?<![A-Za-z_])(?=[A-Z′]*\d)(?:{_POINT.pattern}){{2,}}(?![A-Za-z])"
 _NODE = re.compile(r"[a-z]\d*(?:,\d+(?=′))?′*")
 _STRETCH = (
     r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+|[a-z]\d+′*)+(?![A-Za-z²³])"
     r"|(?<=[·△])(?:[a-z]\d*)+(?![A-Za-z])|(?<![A-Za-z/])(?<!\d )[a-z]{2}(?= = )"
 )
-_ANY = re.compile(f"(?P<points>{_POINTS}|{_STRETCH})|{_SIGN}")
+_ANY = re.compile(f"(?P<points>{_POINTS}|{_NUMBERED}|{_STRETCH})|{_SIGN}")
 
 
 @lru_cache(4096)

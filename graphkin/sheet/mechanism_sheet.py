@@ -214,7 +214,7 @@ def _divided(work: _Work, paper: str | None, large: bool | None) -> _Composed:
         raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
     small, best = paper is None and layout.paper not in LARGE, _Composed(work, layout)
     if best.crammed:
-        return _divided(work, paper, large=True) if small else best
+        return _divided(work, paper, large=True) if small else replace(best, details=True)
     best = work.roomier(best, papers)
     found = best.detailed
     if small and (found.near.lost or (found.near.crowded > _CROWDED and large is None)):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 from graphkin.centres.two_velocities import TwoVelocities
 from graphkin.errors import Lang
@@ -19,7 +20,7 @@ from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.results import Table
 from graphkin.sheet.scales import finest
-from graphkin.sheet.symbols import arrow_head, spin
+from graphkin.sheet.symbols import SWEEP, arrow_head, spin
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Entry, Figure, Window
@@ -44,7 +45,8 @@ def pole_sheet(found: TwoVelocities, lang: Lang = "en", *, paper: str | None = N
 
     places = [*found.points, *([found.place] if cmath.isfinite(found.place) else [])]
     caption = Caption(tuple(pole_words(found, lang)), _FOOT)
-    tables = [Table((plain(""), plain("")), tuple(_rows(found)))]
+    far = plain("\u221e" if cmath.isinf(found.place) else "")
+    tables = [Table((quantity_label("P", ""), far), tuple(_rows(found)))]
     field, foot = divided(chosen, strip_height(chosen, tables))
     picture = Picture(Extent.of(places, draw), draw, caption)
     strip = Strip(foot, tables, further={"velocity": speed} if fastest else {})
@@ -77,15 +79,16 @@ def _drawn(found: TwoVelocities, window: Window, speed: float) -> Iterator[Entry
         if abs(tip - end) > 1:
             along = (tip - end) / abs(tip - end)
             yield Stroke((end, tip - 2 * along), "vector", accent="velocity")
-            yield arrow_head(tip, along, None)
+            yield replace(arrow_head(tip, along, None), accent="velocity")
             yield Wanted(quantity_label("v", name), end, tip)
     if pole is not None:
         yield Disc(pole, 0.9, "outline", "paper")
         yield Wanted(quantity_label("P", ""), pole, gap=1.2, away=pole - ends[0])
         if found.omega:
-            marks = spin(pole, cmath.rect(1, math.radians(30)), math.copysign(1, found.omega), _RADIUS)
-            yield from marks
-            yield Wanted(quantity_label("ω", ""), pole + _RADIUS, gap=0.8, away=1 + 0j)
+            start, sense = cmath.rect(1, math.radians(30)), math.copysign(1, found.omega)
+            yield from spin(pole, start, sense, _RADIUS)
+            middle = start * cmath.rect(1, -sense * SWEEP / 2)
+            yield Wanted(quantity_label("ω", ""), pole + middle * _RADIUS, gap=0.9, away=middle)
 
 
 def _line(places: list[Place]) -> Stroke:

@@ -21,6 +21,8 @@ from graphkin.value import frozen
 
 _SAME = 0.15
 """Closer than this two points are one on paper [mm]."""
+_NOTHING = 0.1
+"""Shorter arrows are points [mm]."""
 
 
 @frozen
@@ -224,7 +226,7 @@ def _vector_names(polygon: Polygon, vectors: list[VectorMark]) -> list[Wanted]:
     twice = {name for name, shown in told.items() if shown != name and shown in told}
     wanted: list[Wanted] = []
     for vector in vectors:
-        if vector.length >= _SAME and vector.name not in twice:
+        if vector.length >= _NOTHING and vector.name not in twice:
             away, spare = (vector.start + vector.end) / 2 - middle, _told(polygon, vector)
             label, ends = vector_label(told[vector.name]), (vector.start, vector.end)
             wanted.append(Wanted(label, *ends, away=away, step=vector.step, spare=spare, of=vector.name))
