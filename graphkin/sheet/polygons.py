@@ -12,7 +12,7 @@ from graphkin.mechanism import FRAME, Mechanism
 from graphkin.planning.held_still import relabelled
 from graphkin.sheet import gear_images
 from graphkin.sheet.gear_images import GearImage
-from graphkin.sheet.lettering import joined, point_label, vector_label
+from graphkin.sheet.lettering import joined, plain, point_label, vector_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke, VectorMark
 from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.wanted import Wanted
@@ -21,6 +21,8 @@ from graphkin.value import frozen
 
 _SAME = 0.15
 """Closer than this two points are one on paper [mm]."""
+_LETTERS = 8
+"""Of the points in one place so many are lettered at most."""
 _NOTHING = 0.1
 """Shorter arrows are points [mm]."""
 
@@ -215,7 +217,8 @@ def _point_names(polygon: Polygon) -> list[Wanted]:
     for at, names in places:
         shown = dict.fromkeys(polygon.letters(name) for name in names)
         labels = [point_label(name) for name in shown] + [label for name in names for label in fixed.get(name, ())]
-        wanted.append(Wanted(joined(labels), at, gap=0.5, away=at - middle, step=polygon.step(names[0])))
+        written = labels if len(labels) <= _LETTERS else [*labels[: _LETTERS - 1], plain("…")]
+        wanted.append(Wanted(joined(written), at, gap=0.5, away=at - middle, step=polygon.step(names[0])))
     return wanted
 
 
