@@ -46,7 +46,7 @@ class Tree:
         rows, numbers = self._lines.query(diagonals)
         start, end = self._ends(numbers)
         hit = through(start, end, low[rows].T, high[rows].T)
-        near = np.unique(self._areas.query(diagonals)[0])
+        near = _each(self._areas.query(diagonals)[0])
         return np.concatenate([rows[hit], self._upon(near, low, high)])
 
     def around(
@@ -62,8 +62,8 @@ class Tree:
         near, start, end = rows[hit], start[:, hit], end[:, hit]
         least, most = narrow[0][near].T, narrow[1][near].T
         on = overlap(np.minimum(start, end), np.maximum(start, end), least, most) & through(start, end, least, most)
-        beside = self._upon(np.unique(self._areas.query(diagonals)[0]), *wide)
-        upon = self._upon(np.unique(beside), *narrow)
+        beside = self._upon(_each(self._areas.query(diagonals)[0]), *wide)
+        upon = self._upon(_each(beside), *narrow)
         return np.concatenate([near[on], upon]), np.concatenate([near, beside])
 
     def _upon(self, rows: Any, low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.intp]:
@@ -86,6 +86,11 @@ class Tree:
     def _ends(self, numbers: NDArray[np.intp]) -> Any:
         """Where some of the segments start and end (2, 2, n)."""
         return self._segments[:, :, numbers]
+
+
+def _each(rows: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Each of them once; numpy's own way loads masked arrays."""
+    return np.flatnonzero(np.bincount(rows))
 
 
 def tree(drawn: Iterable[Mark]) -> Tree:
