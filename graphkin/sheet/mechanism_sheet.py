@@ -103,7 +103,8 @@ def _whole(work: _Work, paper: str | None) -> _Composed:
         if not (trials and out):
             return whole
         large = paper is None and whole.layout.paper in LARGE
-        work = replace(work, apart=[*work.apart, *out])
+        apart, every = [*work.apart, *out], work.drawing.equations.values()
+        work = replace(work, apart=[block for blocks in every for block in blocks if block in apart])
 
 
 def mechanism_step_sheets(
