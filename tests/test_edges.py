@@ -194,7 +194,7 @@ def test_lengths_that_leave_each_other_no_digit(old: str, new: str, key: str) ->
 def test_nothing_is_searched_in_what_is_level() -> None:
     Path("mine.toml").write_text(COLLAR, encoding="utf-8")
     result = run("find", "mine.toml", "v A = 0", "--by", "analysis")
-    assert "not met in this range; it comes nearest at O1A = 0 deg: v A = 0.2 m/s" in result.stdout
+    assert "not met in this range; it comes nearest at φ_O1A = 0°: v_A = 0.2 m/s" in result.stdout
 
 
 @pytest.mark.parametrize("question", ["omega 2 = 0", "max omega 2", "range alpha 2", "theta 2 = 0", "a_n AO1 = a_n AO1"])

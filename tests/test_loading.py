@@ -637,7 +637,10 @@ ERRORS = [
     for name in errors.__all__
     if isinstance(thing := getattr(errors, name), type) and thing.__module__.split(".")[-1] in MODULES
 ]
-RAISED_ELSEWHERE = {"NoFile", "IsFolder", "NotUtf8", "Unreadable", "UnknownMechanism"}
+RAISED_ELSEWHERE = {
+    "NoFile", "IsFolder", "NotUtf8", "Unreadable", "UnknownMechanism", "TooFewDrivers", "TooManyDrivers", "RepeatedDriver",
+}  # fmt: skip
+"""By what finds files and reads them; by what plans a mechanism."""
 
 
 def test_no_error_is_without_a_case() -> None:

@@ -138,9 +138,9 @@ def asked(reading: Reading, everything: bool = False, only: Plane = "acceleratio
         asked_for = (one for one in texts.values() if one is not None)
         placed = (one for one in asked_for if isinstance(one, Centre) or _plane(one) == "position")
         wanted = (*placed, *_all(reading, planes))
-        facts = {fact for one in wanted for fact in _facts(reading, one)} | _slid(reading)
-        led = needed(reading.method, facts)
-        return Asked(reading, wanted, tuple(one.text for one in wanted), {plane: led[plane] for plane in planes}, False)
+        constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
+        parts = {plane: constructions[plane].parts for plane in planes}
+        return Asked(reading, wanted, tuple(one.text for one in wanted), parts, False)
     led = needed(reading.method, {*facts})
     shown = {plane: led[plane] for plane in planes if _finds(led[plane]) or _direct(facts, plane)}
     return Asked(reading, (*texts.values(),), (*texts,), shown, True)
@@ -157,13 +157,6 @@ def _all(reading: Reading, planes: tuple[Plane, ...]) -> Iterator[Quantity]:
             if FRAME not in mechanism.owners[point]:
                 quantity = read(mechanism, f"{plane[0]} {point}")
                 yield from () if quantity is None else (quantity,)
-
-
-def _slid(reading: Reading) -> set[Fact]:
-    """How displacements change that have a name, and of which it is told whether they grow."""
-    own = {slide.name for slide in reading.mechanism.slides}
-    named = {name for name, slide in reading.method.structure.slides.items() if slide.named}
-    return {(kind, name) for name in own | named for kind in ("s_rate", "s_acceleration")}
 
 
 def _plane(quantity: Quantity) -> Plane:
