@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Iterator, Mapping
 
 from graphkin.construction import Along, Arc, Direction, Meet, Plot, Ray, Site, Touch
@@ -69,6 +70,8 @@ def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure
     figure = Figure()
     for special in _found(method):
         at = skeleton.at(special.name)
+        if not cmath.isfinite(at):  # the legs are parallel: neither points anywhere
+            continue
         if complex(skeleton.plot.position[special.name]) in drawn:
             for ray in special.rays:
                 figure.marks += _line(skeleton, ray, at, special.step)
