@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 from itertools import pairwise
 
 from graphkin.construction.kinds import LayOff, Step
@@ -81,8 +82,12 @@ class Construction:
     def equations(self) -> tuple[Equation, ...]:
         return tuple(part for part in self.parts if isinstance(part, Equation))
 
-    def vectors(self) -> dict[str, Term]:
+    def vectors(self) -> Mapping[str, Term]:
         """Every arrow of the finished polygon by name: absolute motions of known points, then the equations' terms."""
+        return self._vectors
+
+    @cached_property
+    def _vectors(self) -> dict[str, Term]:
         found: dict[str, Term] = {}
         for part in self.parts:
             terms: tuple[Term, ...] = ()

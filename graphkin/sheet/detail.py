@@ -44,6 +44,8 @@ _EASIER = 0.5
 """What a leader in a detail counts, where lines are wide apart."""
 _ON = 0.05
 """Nearer than this to a circle's rim is still in it [mm]."""
+_CROWD = 60
+"""Among more labels only the two largest knots are tried."""
 _NUMERALS = ("I", "II")
 """Of the details of one figure, which has no more."""
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
@@ -126,7 +128,8 @@ class _Drawing:
         if not (knots := list(_knots(self.panel.figure.wanted))):
             return []
         free = FreeRoom(self.panel.drawn, self.panel.room)
-        return [view for knot in knots if (view := self._view(knot, free)) is not None]
+        views = [view for knot in knots if (view := self._view(knot, free)) is not None]
+        return views if len(self.panel.figure.wanted) <= _CROWD else views[-2:]
 
     def _view(self, knot: _Circle, free: FreeRoom) -> _View | None:
         """A part of the figure, or of a detail, magnified as far as there is room for; None where there is none."""

@@ -74,25 +74,30 @@ class FreeRoom:
 
     def reach(self, start: Place, along: complex, most: float) -> float:
         """How far a line may go on from a place without running into letters, or out of the room [mm]."""
-        way = np.arange(0.0, most + _STEPS / 2, _STEPS)
-        places = np.stack([start.real + along.real * way, start.imag + along.imag * way], axis=1)
-        bad = np.any(places < (self.room.left, self.room.top), axis=1)
-        bad |= np.any(places > (self.room.right, self.room.bottom), axis=1)
-        low, high = self._letters[:, None, 0] - _CLEAR, self._letters[:, None, 1] + _CLEAR
-        bad |= np.any(np.all(places[None] > low, axis=-1) & np.all(places[None] < high, axis=-1), axis=0)
+        way, bad = self._along(start, along, most)
         return float(way[np.argmax(bad)] - _STEPS) if bad.any() else most
 
     def pieces(self, start: Place, end: Place) -> list[tuple[Place, Place]]:
         """What of a line lies clear of letters."""
         length = abs(end - start)
-        along, done = (end - start) / length, 0.0
+        along = (end - start) / length
+        way, bad = self._along(start, along, length)
+        turns = np.flatnonzero(np.diff(np.concatenate([[True], bad, [True]])))
         found: list[tuple[Place, Place]] = []
-        while done < length:
-            reach = self.reach(start + along * done, along, length - done)
-            if reach > _STEPS:
-                found.append((start + along * done, start + along * (done + reach)))
-            done += max(reach, 0.0) + _STEPS
+        for first, after in zip(turns[::2], turns[1::2], strict=True):
+            low, high = float(way[first]), float(way[after - 1]) if after < len(way) else length
+            if high - low > _STEPS:
+                found.append((start + along * low, start + along * high))
         return found
+
+    def _along(self, start: Place, along: complex, most: float) -> tuple[Any, Any]:
+        """How far on from a place, step by step [mm], and whether there are letters, or no room."""
+        way = np.arange(0.0, most + _STEPS / 2, _STEPS)
+        xs, ys, room, letters = start.real + along.real * way, start.imag + along.imag * way, self.room, self._letters
+        bad = (xs < room.left) | (xs > room.right) | (ys < room.top) | (ys > room.bottom)
+        low, high = letters[:, 0, :, None] - _CLEAR, letters[:, 1, :, None] + _CLEAR
+        within = (xs > low[:, 0]) & (xs < high[:, 0]) & (ys > low[:, 1]) & (ys < high[:, 1])
+        return way, bad | within.any(axis=0)
 
     def place(self, want: Wanted, half: complex) -> Place | None:
         """The middle of the best free place near what is named; None where there is none without a leader."""
@@ -107,7 +112,8 @@ class FreeRoom:
     def _beside_letters(self, low: Any, high: Any) -> Any:
         """Which of many boxes (n, 2) stand on a line with letters and so near that they read as a part of them."""
         least, most = self._letters[:, 0] - _WORD, self._letters[:, 1] + _WORD
-        return np.any(np.all((low[:, None] < most) & (high[:, None] > least), axis=-1), axis=1)
+        beside = [(low[:, k, None] < most[:, k]) & (high[:, k, None] > least[:, k]) for k in range(2)]
+        return (beside[0] & beside[1]).any(axis=1)
 
     def corner(self, size: complex, from_below: bool = False) -> Place | None:
         """The upper left corner of the uppermost (or lowest) free rectangle of a size; None where there is none."""

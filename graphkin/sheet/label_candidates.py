@@ -23,6 +23,10 @@ from graphkin.value import filled
 
 NEAR, LED, FAR, FARTHEST = range(4)
 """Places at what a label names, on a leader about that, and farther off."""
+MANY = 150
+"""More labels than this are a crowd that far places do not relieve."""
+_FEWER = 6
+"""Of the places of a hopeless crowd one in so many is looked at."""
 _CLEAR, _EASY = 0.45, 1.3
 """What a label keeps from lines at least, and likes to keep [mm]."""
 
@@ -130,6 +134,11 @@ class Scene:
         return lettering(self.wanted) > CRAMMED * size.real * size.imag
 
     @cached_property
+    def hopeless(self) -> bool:
+        """Whether no care helps: very many labels, and no room for them."""
+        return len(self.wanted) > MANY and self.crammed
+
+    @cached_property
     def known(self) -> Tree:
         return tree(self.drawn)
 
@@ -212,7 +221,8 @@ class Scene:
             lambda: want.near(half), lambda: want.led(half),
             lambda: want.far(half, self.crowd), lambda: want.far(half, self.crowd, farthest=True),
         )  # fmt: skip
-        return ways[tier]()
+        found = ways[tier]()
+        return Candidates(*(each[::_FEWER] for each in found)) if self.hopeless else found
 
     def _touching(self, boxes: Boxes) -> tuple[Any, Any]:
         """How much of what is drawn is too near to each box, and on how much it lies."""

@@ -21,8 +21,8 @@ _REACH = 3.0
 """Labels farther apart than this do not disturb one another [mm]."""
 _FEW = 8
 """For so many labels without a good place others make way."""
-_PATIENCE = 24
-"""How often a label of a figure may claim a place."""
+_PATIENCE, _WORK = 24, 900
+"""How often a label of a figure may claim a place; less often in a crowd, where so many labels are asked at most."""
 _CHAIN = 3
 """So many labels may claim places one after the other."""
 _YIELDING = 0.02
@@ -66,7 +66,8 @@ class Places:
         self.scene, self.prices, self._last = scene, CROWDED if last == FARTHEST else NEARBY, last
         self.boxes = Boxes(np.zeros((4, 2, count)), np.zeros(count, dtype=bool))
         self.stands = np.zeros(count, dtype=bool)
-        self._spot, self._tier, self._patience = np.zeros(count, dtype=np.intp), np.full(count, NEAR), _PATIENCE
+        self._spot, self._tier = np.zeros(count, dtype=np.intp), np.full(count, NEAR)
+        self._patience = min(_PATIENCE, _WORK // count)
         self._many = max(_LEAST, min(_MOST, _ALL // count))
         self._choose_from([self._offered(rated) for rated in scene.rated(range(count), NEAR)])
         self._look_on(self._greedy(range(count)))

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphkin.sheet.label_candidates import FARTHEST, LED, NEAR, Scene
+from graphkin.sheet.label_candidates import FARTHEST, LED, MANY, NEAR, Scene
 from graphkin.sheet.label_places import Places
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke
@@ -22,8 +22,6 @@ from graphkin.sheet.wanted import Wanted
 
 _DOT = 0.3
 """Where a leader meets an arrow is a dot of this radius, so that it is plain which of two it means [mm]."""
-_MANY = 150
-"""More labels than this are a crowd that far places do not relieve."""
 _ROUNDS = 30
 """How often some are left out, to give others a place."""
 _NEIGHBOUR = 15.0
@@ -45,8 +43,7 @@ def settle(scene: Scene, far: bool = False) -> Settled:
     """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
     if not scene.wanted:
         return Settled([], 0)
-    many = len(scene.wanted) > _MANY
-    places = Places(scene, NEAR if many and scene.crammed else LED if many or not far else FARTHEST)
+    places = Places(scene, NEAR if scene.hopeless else LED if len(scene.wanted) > MANY or not far else FARTHEST)
     clashing = places.clashing()
     for _ in range(_ROUNDS if far else 0):
         if not (out := _left_out(scene.wanted, places.stands, clashing)):
@@ -79,7 +76,7 @@ def _left_out(wanted: Sequence[Wanted], stands: Any, clashing: Sequence[int]) ->
 
     spare = [k for k, want in enumerate(wanted) if want.spare and stands[k]]
     found: list[int] = []
-    if len(clashing) > _MANY:
+    if len(clashing) > MANY:
         return [k for k in spare if k in clashing]
     for label in [k for k in spare if k in clashing] or [k for k in spare if close(k, clashing)]:
         if not close(label, found):
