@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from just_reaching import STRETCHED
 from PIL import Image
 from playing import still
 
@@ -127,22 +128,3 @@ def test_a_motion_that_starts_at_a_dead_point_is_refused_as_its_sheet_is():
     """A tenth of a micron short of its reach: there is a way to go, of 0.005 deg."""
     with pytest.raises(DeadPoint):
         motion_frames(graphkin.plan(graphkin.loads(STRETCHED)))
-
-
-STRETCHED = """
-[frame]
-A = [0, 0]
-D = [89.9999999, 0]
-[links.1]
-AB = 20
-[links.2]
-BC = 40
-[links.3]
-DC = 30
-[[driver]]
-vector = "AB"
-angle = 0
-omega = 10
-[sketch]
-C = [60, 46]
-"""

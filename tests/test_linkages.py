@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from just_reaching import STRETCHED
 
 from graphkin import library
 from graphkin.analytic import motion
@@ -601,21 +602,5 @@ def test_a_block_on_the_frame_stands_on_the_ground(offset, turn):
 
 
 def test_links_of_a_file_that_just_reach_are_said_at_their_place():
-    text = """
-[frame]
-A = [0, 0]
-D = [89.9999999, 0]
-[links.1]
-AB = 20
-[links.2]
-BC = 40
-[links.3]
-DC = 30
-[[driver]]
-vector = "AB"
-angle = 0
-[sketch]
-C = [60, 46]
-"""
     with pytest.raises(OnlyStretched, match=r"^<text>:5, links\.1: AD = AB \+ BC \+ CD"):
-        found_in(loads(text))
+        found_in(loads(STRETCHED))

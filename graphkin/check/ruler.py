@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -80,10 +80,11 @@ def measure(path: str | Path, tolerance_mm: float = 0.01) -> RulerReport:
 
 def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) -> RulerReport:
     """A drawing beside the mechanism that it should show."""
-    solved = motion(mechanism, numbers(drawing, "drivers", len(mechanism.drivers)))
+    values = numbers(drawing, "drivers", len(mechanism.drivers))
+    solved = motion(mechanism, values)
     planes, centres = parted(drawing)
     scales = scales_of(drawing)
-    ruler = _Ruler(planes, mechanism, widened(mechanism, solved, planes), scales)
+    ruler = _Ruler(planes, mechanism, widened(mechanism, solved, planes), scales, values)
     try:
         entries = [*ruler.vectors(), *ruler.points(), *ruler.links()]
         if centres.points or centres.vectors:
@@ -99,12 +100,13 @@ def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) ->
 
 @frozen
 class _Ruler:
-    """A drawing without its centres, beside the solution."""
+    """A drawing without its centres, beside the solution; values: the drivers' [rad, m]."""
 
     drawing: DrawingFile
     mechanism: Mechanism
     exact: Widened
     scales: Mapping[Plane, float]
+    values: Sequence[float]
 
     def _measured(self, plane: Plane, name: str, kind: str, drawn: complex, right: complex) -> Measured:
         return Measured(plane, name, kind, drawn, right, self.scales[plane], UNITS[plane])
@@ -155,8 +157,7 @@ class _Ruler:
     def _worst(self, mark: Shown, plane: Plane, origin: complex) -> tuple[complex, complex] | None:
         """The place of a link's line, or of a path, that is farthest off, and where it should be."""
         if mark.attributes.get("data-form") == "path":
-            values = numbers(self.drawing, "drivers", len(self.mechanism.drivers))
-            return worst_of_path(mark, self.mechanism, values, self.scales[plane], origin)
+            return worst_of_path(mark, self.mechanism, self.values, self.scales[plane], origin)
         return worst_place(mark, self.exact, self._places(plane, origin), self.scales[plane])
 
     def _places(self, plane: Plane, origin: complex) -> Callable[[str], complex]:

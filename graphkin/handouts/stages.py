@@ -14,19 +14,18 @@ from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.handouts import blank, proofs
 from graphkin.handouts.document import Block, Foot, Formula, Handout, Heading, NewPage, Picture, Rows, Stage, Text
-from graphkin.handouts.told import PLANES, Section, Told
+from graphkin.handouts.told import Section, Told
 from graphkin.mechanism import Mechanism
 from graphkin.running import replay_all
 from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.sheet.fit import corners
 from graphkin.sheet.formula import formula
-from graphkin.sheet.gear_images import gear_images
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_sheet import HEADINGS, mechanism_sheet
-from graphkin.sheet.plain_mechanism import shown_places
-from graphkin.sheet.planes import Style
+from graphkin.sheet.planes import Planes, Style
 from graphkin.sheet.scales import KEYS, finest, written
+from graphkin.sheet.window import PLANES
 
 _ROOM = blank.ROOM / 1.2
 """What one figure takes up on a page at most [mm], without its labels."""
@@ -87,19 +86,11 @@ def told(mechanism: Mechanism, lang: Lang) -> Told:
 
 def _scales(drawing: Drawing) -> Iterator[tuple[Plane, float]]:
     """As the file has them; else the finest at which each figure has room on a page."""
+    planes = Planes(drawing.method, drawing.plot, PLANES, "construction", "en")
     for plane in PLANES:
         given = drawing.mechanism.scales.get(KEYS[plane])
-        low, high = corners(_shown(drawing, plane))
+        low, high = corners(planes.values(plane))
         yield plane, given or finest(high - low, _ROOM)
-
-
-def _shown(drawing: Drawing, plane: Plane) -> list[complex]:
-    """The places of a figure in SI units, wheels' rims and their images among them."""
-    if plane == "position":
-        return shown_places(drawing.method, drawing.plot)
-    images = gear_images(drawing.method, drawing.plot) if plane == "velocity" else []
-    points = drawing.plot.points(plane).values()
-    return [*map(complex, points), *(corner for image in images for corner in image.corners)]
 
 
 def _foot(mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, seed: str) -> Foot:

@@ -14,9 +14,8 @@ from graphkin.say.asked import Asked, asked
 from graphkin.say.explained import derivation
 from graphkin.say.reading import Reading
 from graphkin.sheet.scales import KEYS
+from graphkin.sheet.window import PLANES
 from graphkin.value import frozen
-
-PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
 
 @frozen
