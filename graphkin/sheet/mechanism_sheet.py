@@ -213,7 +213,8 @@ def _divided(work: _Work, paper: str | None, large: bool | None) -> _Composed:
         layout = work.layout(papers)
     except TooLargeForPaper as error:
         raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
-    small, best = paper is None and layout.paper not in LARGE, _Composed(work, layout)
+    small = paper is None and layout.paper.name not in [each.name for each in LARGE]  # a tight one has no margin
+    best = _Composed(work, layout)
     if best.crammed:
         return _divided(work, paper, large=True) if small else replace(best, details=True)
     best = work.roomier(best, papers)
