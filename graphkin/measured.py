@@ -135,7 +135,7 @@ class Vector(Measured, complex):
 class Numbers(Measured, np.ndarray):
     """An array (n,) with its unit, over positions.
 
-    It shares the memory of what it was made of, and cannot be written into, for what is read off later hangs on it, too;
+    It shares the memory of what it was made of, and cannot be written into, as what is read off later hangs on it, too;
     `numpy.array` makes a copy.
     """
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import combinations
 
 import numpy as np
@@ -73,6 +73,7 @@ def centre_name(mechanism: Mechanism, first: str, second: str) -> str:
     return f"P{names[0]}{comma}{names[1]}"
 
 
+@cache
 def _by_number(name: str) -> tuple[float, str]:
     number = re.match(r"\d+", name)
     return (float(number[0]) if number else np.inf, name)
