@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
@@ -226,7 +226,7 @@ def train_of(count: int) -> str:
     links = [f'[links.{k}]\npoints = ["{name}"]' for k, name in enumerate(names, 1)]
     gears = [
         f'[[gear]]\nlinks = ["{k}", "{k + 1}"]\ncentres = ["{one}", "{other}"]\nradii = [20, 20]'
-        for k, (one, other) in enumerate(zip(names, names[1:]), 1)
+        for k, (one, other) in enumerate(pairwise(names), 1)
     ]
     return "\n".join([*frame, *links, *gears, '[[driver]]\nlink = "1"\nomega = 1\n'])
 
