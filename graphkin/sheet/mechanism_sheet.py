@@ -13,7 +13,7 @@ from functools import cache, cached_property, partial
 from graphkin.construction import Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.acts import pages
+from graphkin.planning.found_when import pages
 from graphkin.say.plane import Polygon as Spoken
 from graphkin.sheet.annotated import Annotated
 from graphkin.sheet.detail import detailed
