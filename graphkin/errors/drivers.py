@@ -97,8 +97,8 @@ class TooFewDrivers(AboutLinks):
     freedoms: int
     drivers: int
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the mobility of this mechanism (its degrees of freedom) is {freedoms}, and drivers take {drivers} of it; "
-        "still free: links {links}. Add a [[driver]] for one of them.",
+        "en": "{where}: the mobility of this mechanism (its degrees of freedom) is {freedoms}, and drivers take "
+        "{drivers} of it; still free: links {links}. Add a [[driver]] for one of them.",
         "zh": "{where}：机构有 {freedoms} 个自由度，却只有 {drivers} 个原动件；构件 {links} 仍可自由运动。请为其中之一增加 [[driver]]。",
     }
 
