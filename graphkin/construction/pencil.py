@@ -34,10 +34,11 @@ FIXED = complex(0.0)
 
 @frozen
 class Compass:
-    """What finds crossings with circles, and what is calculated: of numbers by `geometry` and `fitting`; where a replay
-    is recorded, what records them."""
+    """What finds crossings, and what is calculated: of numbers by `geometry` and `fitting`; where a replay is recorded,
+    what records them."""
 
     leg: Leg = leg
+    lines: Callable[..., tuple[Value, Value]] = meet_lines
     line_circle: Callable[..., tuple[Value, Value, Value]] = meet_line_circle
     circles: Callable[..., tuple[Value, Value, Value]] = meet_circles
     fit: Callable[[Fit, Plot], None] = fit
@@ -131,7 +132,7 @@ def _meet(step: Meet, plot: Plot, plane: Plane, sides: Mapping[int, Value], comp
     side = step.side if step.choice is None else sides.get(step.choice, step.side)
     match step.first, step.second:
         case Ray(p, u), Ray(q, w):
-            point, sine = meet_lines(points[p], plot.direction(u), points[q], plot.direction(w))
+            point, sine = compass.lines(points[p], plot.direction(u), points[q], plot.direction(w))
         case Ray(p, u), Arc(c, reach):
             point, sine, miss = compass.line_circle(
                 points[p], plot.direction(u), points[c], np.abs(plot.span(reach)), side

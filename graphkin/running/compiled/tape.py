@@ -23,6 +23,7 @@ class Tape(Products):
         self._differences: dict[tuple[int, int], int] = {}
         self._lengths: dict[frozenset[tuple[tuple[int, int], ...]], tuple[float, Powers]] = {}
         self._multiples: dict[tuple[int, int], tuple[complex, tuple[int, int]]] = {}
+        self._along: dict[tuple[int, int], tuple[int, tuple[int, int]]] = {}
 
     # --- sums -------------------------------------------------------------------------------------
 
@@ -135,6 +136,26 @@ class Tape(Products):
         """A vector that is another one turned and stretched by numbers."""
         self._multiples[vector] = times, of
 
+    def know_along(self, vector: tuple[int, int], times: int, of: tuple[int, int]) -> None:
+        """A vector that is another one stretched, and its opposite."""
+        x, y = vector
+        self._along.setdefault(vector, (times, of))
+        self._along.setdefault((self.negative(x), self.negative(y)), (self.negative(times), of))
+
+    def along(self, vector: tuple[int, int]) -> tuple[int, tuple[int, int]] | None:
+        """What it is known to be: so many times another vector."""
+        return self._along.get(vector)
+
+    def know_cross(self, a: tuple[int, int], b: tuple[int, int], value: int) -> None:
+        """The vector product of two vectors."""
+        (one, sign), (other, second) = (self.unsigned(self.multiply(a[k], b[1 - k])) for k in range(2))
+        value = value if sign > 0 else self.negative(value)
+        if sign == second:
+            self._differences.setdefault((one, other), value)
+            self._differences.setdefault((other, one), self.negative(value))
+        else:
+            self._sums.setdefault((min(one, other), max(one, other)), value)
+
     def quotient(self, a: tuple[int, int], b: tuple[int, int]) -> tuple[int, int] | None:
         """A vector divided by another along which it lies, or of which it is a known multiple; None where it is not."""
         times, of = self._multiples.get(a, (0j, None))
@@ -151,10 +172,13 @@ class Tape(Products):
         return sign * other, together(self.factored(a), self.factored(b), -1)
 
     def absolute(self, a: int) -> int:
-        if (inside := self._inside(a, "negative")) is not None:
-            return self.absolute(inside)
-        a = self._bare(a)
-        return a if self.operations[a].does == "sqrt" else self._done("absolute", a)
+        """A product of roots, and of squares, is its own."""
+        number, rest = self.scaled(a)
+        bare = self._bare(rest)
+        kinds = {self.operations[factor].does for factor, power in self.factored(bare).items() if power % 2}
+        if bare != self.one and kinds - {"sqrt"}:
+            return self._done("absolute", self._bare(a))
+        return self.times(abs(number), bare)
 
     def sign(self, a: int) -> int:
         return self._done("sign", a)
