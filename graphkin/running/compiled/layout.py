@@ -11,10 +11,11 @@ import numpy as np
 from graphkin.geometry import Value
 from graphkin.running.compiled.calls import Calls
 from graphkin.running.compiled.columns import Column, Columns, Judged, Late, Pair, Place, Vector, told_apart
+from graphkin.running.compiled.needed import works
 from graphkin.running.compiled.operations import NUMBER
 from graphkin.running.compiled.recorder import Recording, Written
 from graphkin.running.compiled.tape import Tape
-from graphkin.running.compiled.writer import Signed, works, written_out
+from graphkin.running.compiled.writer import Signed, written_out
 from graphkin.value import frozen
 
 PLANES = ("position", "velocity", "acceleration")

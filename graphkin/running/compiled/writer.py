@@ -7,7 +7,9 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from graphkin.running.compiled.calls import Calls, Instruction
-from graphkin.running.compiled.operations import GIVEN, NUMBER, RISKY, SIDE
+from graphkin.running.compiled.needed import DIVIDE, needed
+from graphkin.running.compiled.operations import GIVEN, NUMBER, RISKY, SIDE, Operation
+from graphkin.running.compiled.signs import AS_THEY_ARE, wished
 from graphkin.running.compiled.tape import Tape
 
 Signed = tuple[int, int]
@@ -16,8 +18,8 @@ Operand = tuple[str, int, float | None]
 """A name, the sign with which what is meant lies there, and the number that it is."""
 ODD, EVEN = ("rint", "sign", "sin", "tan"), ("absolute", "cos")
 """What turns its sign with that of its operand, and what does not."""
-AS_THEY_ARE = ("sqrt", "maximum", "arctan2")
-"""What takes no operands with another sign."""
+SLOW_APART = ("arctan2",)
+"""What is much slower with numbers that do not lie side by side."""
 
 
 def written_out(tape: Tape, given: int, sines: int, shown: Sequence[Signed], parts: Sequence[Signed] = ()) -> Calls:
@@ -25,23 +27,6 @@ def written_out(tape: Tape, given: int, sines: int, shown: Sequence[Signed], par
     rest is left out. The first `sines` of those that are shown are sines."""
     writer = _Writer(tape, shown, parts)
     return Calls(tuple(writer.lines), writer.constants, len(shown), sines, len(parts), given, writer.registers)
-
-
-def works(tape: Tape, place: int) -> bool:
-    """Whether something is to be done for it."""
-    return tape.operations[place].does not in (NUMBER, GIVEN, SIDE)
-
-
-def _needed(tape: Tape, results: Iterable[int]) -> list[int]:
-    """Places of operations to be done, in their order; signs are no work of their own."""
-    waiting = [*results, *(place for place, operation in enumerate(tape.operations) if operation.does in RISKY)]
-    found: set[int] = set()
-    while waiting:
-        place = waiting.pop()
-        if place not in found and works(tape, place):
-            found.add(place)
-            waiting += (tape.unsigned(of)[0] for of in tape.operations[place].of)
-    return sorted(found)
 
 
 class _Writer:
@@ -64,23 +49,31 @@ class _Writer:
         for letter, results in (("y", shown), ("v", parts)):
             for number, (place, sign) in enumerate(results):
                 self.asked.setdefault(place, []).append((f"{letter}{number}", sign))
-        order = _needed(tape, self.asked)
-        self.last = {tape.unsigned(of)[0]: place for place in order for of in tape.operations[place].of}
-        for place in order:
-            self._write(place)
-        for place in self.asked.keys() - {*order}:
+        self.operations = needed(tape, self.asked)
+        of_slow = {tape.unsigned(of)[0] for each in self.operations.values() if each.does in SLOW_APART for of in each.of}
+        self.at_once = {place: asked[0] for place, asked in self.asked.items() if place not in of_slow}
+        self.signs = wished(tape, self.operations, {place: sign for place, (_, sign) in self.at_once.items()})
+        self.last = {tape.unsigned(of)[0]: place for place, each in self.operations.items() for of in each.of}
+        for place, operation in self.operations.items():
+            self._write(place, operation)
+        for place in self.asked.keys() - self.operations.keys():
             self._lay(place, self.asked[place])
 
-    def _write(self, place: int) -> None:
-        does, of, _ = self.tape.operations[place]
+    def _write(self, place: int, operation: Operation) -> None:
+        does, of, _ = operation
         operands = [self._operand(each) for each in of]
         ending = {name for each, (name, *_) in zip(of, operands) if name[0] == "r" and self._ends(each, place)}
         if does in AS_THEY_ARE:
-            turned = {name: self._turned(name) for name, sign, _ in operands if sign < 0}
-            operands = [(turned.get(name, name), 1, number) for name, _, number in operands]
+            unlike = operands[does == "arctan2" :]
+            turned = {name: self._turned(name) for name, sign, _ in unlike if sign < 0}
+            operands[does == "arctan2" :] = [(turned.get(name, name), 1, number) for name, _, number in unlike]
             ending |= {*turned.values()}
         self.free += ending
-        (into, sign), *others = self.asked.get(place) or [(self._register(), 1)]
+        others = self.asked.get(place, [])
+        if place in self.at_once:
+            (into, sign), *others = others
+        else:
+            into, sign = self._register(), self.signs[place]
         found = self._called(does, operands, into, sign)
         if found != sign and into[0] != "r":
             self._call("negative", [into], into)
@@ -113,7 +106,11 @@ class _Writer:
             case "multiply":
                 return self._product(operands[0], operands[1], into, wanted)
             case "reciprocal":  # NumPy's own is not vectorised
-                self._call("divide", [self._constant(1.0), operands[0][0]], into, True)
+                return self._quotient((self._constant(1.0), 1, 1.0), operands[0], into, wanted)
+            case _ if does == DIVIDE:
+                return self._quotient(operands[0], operands[1], into, wanted)
+            case "arctan2":
+                self._call(does, [name for name, *_ in operands], into)
                 return operands[0][1]
             case _ if does in ODD or does in EVEN:
                 self._call(does, [operands[0][0]], into)
@@ -145,6 +142,13 @@ class _Writer:
         else:
             self._call("multiply", [a[0], b[0]], into)
         return a[1] * b[1]
+
+    def _quotient(self, a: Operand, by: Operand, into: str, wanted: int) -> int:
+        (name, sign, number), (other, second, _) = a, by
+        if number is not None:
+            name, sign = self._constant(number * sign * second * wanted), second * wanted
+        self._call("divide", [name, other], into, True)
+        return sign * second
 
     # --- operands -----------------------------------------------------------------------------
 

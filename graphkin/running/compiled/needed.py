@@ -1,0 +1,50 @@
+"""Which operations of a tape are carried out, and as which: what nobody reads is left out, and quotients are divided."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+
+from graphkin.running.compiled.operations import GIVEN, NUMBER, RISKY, SIDE, Operation
+from graphkin.running.compiled.tape import Tape
+
+DIVIDE = "divide"
+"""A product with what is the reciprocal of something for it alone; no tape has this."""
+
+
+def works(tape: Tape, place: int) -> bool:
+    """Whether something is to be done for it."""
+    return tape.operations[place].does not in (NUMBER, GIVEN, SIDE)
+
+
+def needed(tape: Tape, results: Iterable[int]) -> dict[int, Operation]:
+    """Operations to be done for some results, or that may fail, by place, in their order; signs are no work of their
+    own."""
+    results = {*results}
+    done = _reached(tape, results)
+    uses = Counter(tape.unsigned(of)[0] for operation in done.values() for of in operation.of)
+    for place, operation in [*done.items()]:
+        if operation.does == "multiply" and (by := _divisor(tape, operation, uses, results)) is not None:
+            reciprocal = operation.of[by]
+            done[place] = Operation(DIVIDE, (operation.of[1 - by], tape.operations[reciprocal].of[0]))
+            del done[reciprocal]
+    return done
+
+
+def _divisor(tape: Tape, product: Operation, uses: Counter[int], results: set[int]) -> int | None:
+    """Which factor is a reciprocal that nothing else needs."""
+    for which, factor in enumerate(product.of):
+        if tape.operations[factor].does == "reciprocal" and uses[factor] == 1 and factor not in results:
+            return which
+    return None
+
+
+def _reached(tape: Tape, results: set[int]) -> dict[int, Operation]:
+    waiting = [*results, *(place for place, operation in enumerate(tape.operations) if operation.does in RISKY)]
+    found: set[int] = set()
+    while waiting:
+        place = waiting.pop()
+        if place not in found and works(tape, place):
+            found.add(place)
+            waiting += (tape.unsigned(of)[0] for of in tape.operations[place].of)
+    return {place: tape.operations[place] for place in sorted(found)}
