@@ -37,7 +37,7 @@ def _within_a_turn(angle: Value) -> Value:
 
 
 def _of(table: Mapping[str, Value], names: Collection[str]) -> Mapping[str, Value]:
-    return {name: value for name, value in table.items() if name in names}
+    return Lazy((name for name in table if name in names), table.__getitem__)
 
 
 def _of_nodes(

@@ -12,6 +12,7 @@ from graphkin.measured import Numbers, Readable
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.quantities import EDGE, Centre, Quantity, Quotient, named
+from graphkin.running.compiled import Entry
 from graphkin.running.compiled.memory import lent
 from graphkin.running.path import stride
 from graphkin.sweeps.course import Course, Ranges, course
@@ -106,9 +107,10 @@ def in_parts(course: Course, names: Sequence[str], by: Road = "construction", si
     """The same, some positions at a time: a sweep of any length needs no more memory."""
     wanted = _read(course, names)
     turned = _Turned(course, wanted, by)
+    asked = set[Entry]() if course.t.size > size else None
     for begin in range(0, course.t.size, size):
         here = slice(begin, begin + size)
-        yield _defined(replace(_at(course, wanted, course.t[here], by, turned), driven=course.values[here]))
+        yield _defined(replace(_at(course, wanted, course.t[here], by, turned, asked), driven=course.values[here]))
 
 
 def _defined(found: Sweep) -> Sweep:
@@ -134,8 +136,10 @@ def _read(course: Course, names: Sequence[str]) -> Wanted:
     return {name: named(course.method.mechanism, name, NOWHERE) for name in names}
 
 
-def _at(course: Course, wanted: Wanted, t: np.ndarray, by: Road, turned: _Turned) -> Sweep:
-    motions = moving(course.method, course.path, t, by)
+def _at(
+    course: Course, wanted: Wanted, t: np.ndarray, by: Road, turned: _Turned, asked: set[Entry] | None = None
+) -> Sweep:
+    motions = moving(course.method, course.path, t, by, asked)
     found = []
     for name, quantity in wanted.items():
         if isinstance(quantity, Centre) and by == "construction":

@@ -51,9 +51,13 @@ OWN_BYTES = 30
 
 
 def graphkin_pva(method: Method, angles: np.ndarray) -> Plot:
-    """Everything of every position, read as arrays: all points of the three planes, all links."""
+    """Everything of every position, read as arrays: all points of the mechanism in the three planes, all links."""
     plot = replay_all(method, [angles])
-    for table in (plot.position, plot.velocity, plot.acceleration, plot.theta, plot.omega, plot.alpha):
+    for construction, table in zip(method.constructions, (plot.position, plot.velocity, plot.acceleration), strict=True):
+        for name, node in construction.nodes.items():
+            if node.site is not None:
+                table[name]
+    for table in (plot.theta, plot.omega, plot.alpha):
         for name in table:
             table[name]
     return plot

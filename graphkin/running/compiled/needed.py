@@ -1,4 +1,4 @@
-"""Which operations of a tape are carried out, and as which: what nobody reads is left out, and quotients are divided."""
+"""Which operations of a tape are carried out: what nobody reads is left out, and quotients are divided."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ class _Wishes:
         self.tape, self.operations, self.laid = tape, operations, laid
         self.votes: Counter[int] = Counter()
         self.found: dict[int, int] = {}
-        for place in reversed(operations):
+        for place in [*operations][::-1]:
             self.found[place] = self._sign(place)
             self._pass_on(operations[place], self.found[place], place in laid or self.votes[place] != 0)
 

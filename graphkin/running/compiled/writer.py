@@ -50,7 +50,8 @@ class _Writer:
             for number, (place, sign) in enumerate(results):
                 self.asked.setdefault(place, []).append((f"{letter}{number}", sign))
         self.operations = needed(tape, self.asked)
-        of_slow = {tape.unsigned(of)[0] for each in self.operations.values() if each.does in SLOW_APART for of in each.of}
+        slow = [each for each in self.operations.values() if each.does in SLOW_APART]
+        of_slow = {tape.unsigned(of)[0] for each in slow for of in each.of}
         self.at_once = {place: asked[0] for place, asked in self.asked.items() if place not in of_slow}
         self.signs = wished(tape, self.operations, {place: sign for place, (_, sign) in self.at_once.items()})
         self.last = {tape.unsigned(of)[0]: place for place, each in self.operations.items() for of in each.of}
