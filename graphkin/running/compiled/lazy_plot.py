@@ -161,13 +161,23 @@ class LazyPlot(Plot):
         """Sent elsewhere it is a plain plot."""
         return Plot, tuple(getattr(self, each.name) for each in fields(Plot))
 
-    def __getattr__(self, name: str) -> Any:
-        """Tables and facts, which a plot has as attributes, when they are first asked for."""
-        known = self.__dict__
-        if "_told" not in known or name not in ("facts", *TABLES):
-            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-        told: Told = known["_told"]
-        return known.setdefault(name, told.facts if name == "facts" else told.table(name))
+
+class _WhenRead:
+    """An attribute of a plot that is made when it is first read."""
+
+    def __init__(self, name: str, make: Callable[[Told], Any]) -> None:
+        self.name, self.make = name, make
+
+    def __get__(self, plot: LazyPlot | None, owner: type) -> Any:
+        if plot is None or "_told" not in plot.__dict__:
+            raise AttributeError(f"{owner.__name__!r} object has no attribute {self.name!r}")
+        found = plot.__dict__[self.name] = self.make(plot.__dict__["_told"])
+        return found
+
+
+setattr(LazyPlot, "facts", _WhenRead("facts", lambda told: told.facts))  # noqa: B010
+for _name in TABLES:
+    setattr(LazyPlot, _name, _WhenRead(_name, partial(Told.table, name=_name)))
 
 
 def _patched(value: Value, count: int, here: np.ndarray, found: Value) -> Value:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from graphkin.running.compiled.operations import GIVEN, NUMBER, RISKY, SIDE, Operation
 from graphkin.running.compiled.tape import Tape
@@ -26,9 +26,17 @@ def needed(tape: Tape, results: Iterable[int]) -> dict[int, Operation]:
     for place, operation in [*done.items()]:
         if operation.does == "multiply" and (by := _divisor(tape, operation, uses, results)) is not None:
             reciprocal = operation.of[by]
-            done[place] = Operation(DIVIDE, (operation.of[1 - by], tape.operations[reciprocal].of[0]))
+            done[place] = _quotient(tape, operation.of[1 - by], tape.operations[reciprocal].of[0], done, place)
             del done[reciprocal]
     return done
+
+
+def _quotient(tape: Tape, a: int, b: int, done: Mapping[int, Operation], place: int) -> Operation:
+    """a / b; a side divided by b is 1 by their product, if that is there: it comes out with either sign."""
+    whole = tape.known(Operation("multiply", (min(a, b), max(a, b))))
+    if whole is not None and tape.operations[a].does == SIDE and whole in done and whole < place:
+        return Operation("reciprocal", (whole,))
+    return Operation(DIVIDE, (a, b))
 
 
 def _divisor(tape: Tape, product: Operation, uses: Counter[int], results: set[int]) -> int | None:

@@ -113,8 +113,8 @@ def _chunks(
 
 
 def _sides(vectors: np.ndarray) -> list[np.ndarray]:
-    """The parts of vectors (k, n), x and y of each."""
-    return [side for vector in vectors for side in (vector.real, vector.imag)]
+    """The parts of vectors (k, n): x of each, then y of each."""
+    return [*vectors.real, *vectors.imag]
 
 
 class _Watched:
