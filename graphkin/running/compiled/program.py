@@ -29,7 +29,9 @@ from graphkin.running.compiled.run import CHUNK, Run
 from graphkin.value import frozen
 
 USUAL = ("position", "velocity", "acceleration", "theta", "omega", "alpha")
-"""Tables that are worked out at once, but for the points of polygons that belong to none of the mechanism."""
+"""Tables that are worked out at once."""
+TRIED = ("position", "theta", "omega", "s", "s_rate")
+"""The same where a way is looked for."""
 _NONE = np.empty(0, dtype=int)
 
 
@@ -38,7 +40,7 @@ def compiled_program(constructions: Sequence[Construction], facts: Facts, near: 
 
     near  what a position close by can tell: angles by base link, displacements by `slide_key`
     """
-    return Program(tuple(constructions), facts, record(constructions, facts, near), {}, set())
+    return Program(tuple(constructions), facts, record(constructions, facts, near), {})
 
 
 @frozen
@@ -47,14 +49,12 @@ class Program:
 
     facts    with the drivers at any values
     layouts  its calls, and where each quantity of a plot is found after them, by what is worked out at once
-    tries    what is read of positions that are only tried
     """
 
     constructions: tuple[Construction, ...]
     facts: Facts
     recording: Recording
     layouts: dict[frozenset[Entry] | None, Layout]
-    tries: set[Entry]
 
     @property
     def sides(self) -> Mapping[int, int]:
@@ -70,11 +70,15 @@ class Program:
         """Where what is asked for is worked out at once, else what usually is: points, and how links turn."""
         if asked not in self.layouts:
             tables = {name: getattr(self.recording.plot, name) for name in TABLES}
-            between = {name for each in self.constructions for name, node in each.nodes.items() if node.site is None}
-            usual = {(name, key) for name in USUAL for key in tables[name] if key not in between}
             given = len(self.facts.values) + len(self.sides) + len(self.near)
-            self.layouts[asked] = laid_out(self.recording, tables, given, usual if asked is None else asked)
+            at_once = self._entries(USUAL) if asked is None else asked
+            self.layouts[asked] = laid_out(self.recording, tables, given, at_once)
         return self.layouts[asked]
+
+    def _entries(self, tables: Sequence[str]) -> set[Entry]:
+        """All of some tables, but for points of polygons that belong to none of the mechanism."""
+        between = {name for each in self.constructions for name, node in each.nodes.items() if node.site is None}
+        return {(name, key) for name in tables for key in getattr(self.recording.plot, name) if key not in between}
 
     def run(
         self,
@@ -99,9 +103,9 @@ class Program:
     def tried(
         self, values: Sequence[Value], sides: Mapping[int, Value], near: Mapping[str, Value]
     ) -> tuple[Plot, np.ndarray]:
-        """The same, and at which positions it is not to be relied on (m,), for plain replay does them otherwise; what
-        was read the last times is worked out at once."""
-        told, doubtful = self._tried(values, {**self.sides, **sides}, near, self.tries)
+        """The same, and at which positions it is not to be relied on (m,), for plain replay does them otherwise;
+        accelerations are worked out late."""
+        told, doubtful = self._tried(values, {**self.sides, **sides}, near, self._entries(TRIED))
         return LazyPlot.of(told), doubtful
 
     def _tried(
