@@ -42,8 +42,8 @@ class Calls:
 
     @cached_property
     def run(self) -> Callable[..., None]:
-        """`run(given, rows, parts, registers)`: each as many arrays of one length, of the parts all x before all y;
-        what is given may be scalars."""
+        """`run(given, rows, parts, registers)`: each as many arrays of one length, of the parts all x, all y, and
+        the vectors; what is given may be scalars."""
         return self._made("", "")
 
     @cached_property
@@ -53,7 +53,7 @@ class Calls:
 
     def _made(self, watch: str, after: str) -> Callable[..., None]:
         body = [_unpacked("x", range(self.given), "given"), _unpacked("y", range(self.rows), "rows")]
-        body += [_unpacked("v", [*range(0, self.parts, 2), *range(1, self.parts, 2)], "parts")]
+        body += [_vectors(self.parts)]
         body += [_unpacked("r", range(self.registers), "registers")]
         body += [line.call + (after.format(line.into) if line.risky else "") for line in self.lines]
         functions = {line.call.partition("(")[0] for line in self.lines}
@@ -65,3 +65,8 @@ class Calls:
 
 def _unpacked(letter: str, numbers: Sequence[int], name: str) -> str:
     return "".join(f"{letter}{k}," for k in numbers) + f" = {name}" if numbers else "pass"
+
+
+def _vectors(parts: int) -> str:
+    names = [f"v{k}" for k in (*range(0, parts, 2), *range(1, parts, 2))] + [f"w{k}" for k in range(parts // 2)]
+    return ", ".join(names) + " = parts" if names else "pass"

@@ -17,7 +17,7 @@ from graphkin.construction.construction import Construction
 from graphkin.construction.kinds import Meet, Swing
 from graphkin.construction.pencil import Compass, replay
 from graphkin.construction.plot import Facts, Plot
-from graphkin.geometry import Value, cross, leg, meet_circles, meet_line_circle, meet_lines
+from graphkin.geometry import Value, cross, leg, meet_circles, meet_line_circle, meet_lines, third_corner
 from graphkin.running.compiled.calculated import fitted, together
 from graphkin.running.compiled.operations import CannotRecord
 from graphkin.running.compiled.tape import Tape
@@ -202,6 +202,11 @@ class Written:
         """Its vector product with another one."""
         self.tape.know_cross((self.real_at, self.imag_at), (other.real_at, other.imag_at), self._lifted(value).real_at)
 
+    def know_image(self, first: Value, second: Value, ratio: complex) -> None:
+        """That it is the third corner of a triangle whose shape does not change."""
+        vectors = ((each.real_at, each.imag_at) for each in (self, self._lifted(first), self._lifted(second)))
+        self.tape.know_image(vectors, ratio)
+
     # --- by NumPy -----------------------------------------------------------------------------
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Value, **more: Any) -> Written:
@@ -318,9 +323,18 @@ def _meet_circles(c1: Value, r1: Value, c2: Value, r2: Value, side: Value) -> tu
     return point, sine, miss
 
 
+def _image(first: Value, second: Value, ratio: Value) -> Value:
+    """The same corner; it may be found with the vectors as wholes."""
+    found = third_corner(first, second, ratio)
+    number = ratio.number if isinstance(ratio, Written) else complex(ratio)
+    if number is not None and isinstance(found, Written):
+        found.know_image(first, second, number)
+    return found
+
+
 def _know_length(arm: Value, length: Value) -> None:
     if isinstance(arm, Written):
         arm.know_length(length)
 
 
-WRITING = Compass(_leg, _meet_lines, _meet_line_circle, _meet_circles, together=together)
+WRITING = Compass(_leg, _meet_lines, _meet_line_circle, _meet_circles, _image, together=together)

@@ -113,8 +113,8 @@ def _chunks(
 
 
 def _sides(vectors: np.ndarray) -> list[np.ndarray]:
-    """The parts of vectors (k, n): x of each, then y of each."""
-    return [*vectors.real, *vectors.imag]
+    """The parts of vectors (k, n): x of each, then y of each, then the vectors."""
+    return [*vectors.real, *vectors.imag, *vectors]
 
 
 class _Watched:

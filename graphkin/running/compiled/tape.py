@@ -8,9 +8,15 @@ fails: `risky` operations are never crossed out, so that whoever carries the tap
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 from graphkin.running.compiled.operations import Operation
 from graphkin.running.compiled.products import Powers, Products, together
+
+Signed = tuple[int, int]
+"""A place, and the sign with which it is meant."""
+Parts = tuple[Signed, Signed]
+"""Those of a vector."""
 
 
 class Tape(Products):
@@ -23,6 +29,8 @@ class Tape(Products):
         self._differences: dict[tuple[int, int], int] = {}
         self._lengths: dict[frozenset[tuple[tuple[int, int], ...]], tuple[float, Powers]] = {}
         self._multiples: dict[tuple[int, int], tuple[complex, tuple[int, int]]] = {}
+        self.images: dict[Parts, tuple[Parts, Parts, complex]] = {}
+        """Vectors that are third corners of triangles, the other two, and the ratio of the sides."""
         self._along: dict[tuple[int, int], tuple[int, tuple[int, int]]] = {}
 
     # --- sums -------------------------------------------------------------------------------------
@@ -155,6 +163,11 @@ class Tape(Products):
             self._differences.setdefault((other, one), self.negative(value))
         else:
             self._sums.setdefault((min(one, other), max(one, other)), value)
+
+    def know_image(self, corners: Iterable[tuple[int, int]], ratio: complex) -> None:
+        """A vector that is the third corner of a triangle, told before the first two."""
+        third, first, second = ((self.unsigned(x), self.unsigned(y)) for x, y in corners)
+        self.images.setdefault(third, (first, second, ratio))
 
     def quotient(self, a: tuple[int, int], b: tuple[int, int]) -> tuple[int, int] | None:
         """A vector divided by another along which it lies, or of which it is a known multiple; None where it is not."""

@@ -7,13 +7,12 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from graphkin.running.compiled.calls import Calls, Instruction
-from graphkin.running.compiled.needed import DIVIDE, needed
+from graphkin.running.compiled.needed import DIVIDE, WHOLE, Whole, needed
 from graphkin.running.compiled.operations import GIVEN, NUMBER, RISKY, SIDE, Operation
 from graphkin.running.compiled.signs import AS_THEY_ARE, wished
-from graphkin.running.compiled.tape import Tape
+from graphkin.running.compiled.tape import Signed, Tape
+from graphkin.running.compiled.vectors import made_of_others
 
-Signed = tuple[int, int]
-"""A place, and the sign with which it is shown."""
 Operand = tuple[str, int, float | None]
 """A name, the sign with which what is meant lies there, and the number that it is."""
 ODD, EVEN = ("rint", "sign", "sin", "tan"), ("absolute", "cos")
@@ -40,7 +39,7 @@ class _Writer:
         self.tape = tape
         # NumPy takes an array of no dimensions quicker than a float
         self.constants: dict[str, np.ndarray] = {}
-        self.named: dict[float, str] = {}
+        self.named: dict[str, str] = {}
         self.lines: list[Instruction] = []
         self.free: list[str] = []
         self.registers = 0
@@ -49,7 +48,9 @@ class _Writer:
         for letter, results in (("y", shown), ("v", parts)):
             for number, (place, sign) in enumerate(results):
                 self.asked.setdefault(place, []).append((f"{letter}{number}", sign))
-        self.operations = needed(tape, self.asked)
+        pairs = [*zip(parts[::2], parts[1::2])]
+        self.made = {each.number: each for each in made_of_others(tape, pairs)}
+        self.operations = self._ordered()
         slow = [each for each in self.operations.values() if each.does in SLOW_APART]
         of_slow = {tape.unsigned(of)[0] for each in slow for of in each.of}
         self.at_once = {place: asked[0] for place, asked in self.asked.items() if place not in of_slow}
@@ -57,11 +58,44 @@ class _Writer:
         self.last = {tape.unsigned(of)[0]: place for place, each in self.operations.items() for of in each.of}
         for place, operation in self.operations.items():
             self._write(place, operation)
-        for place in self.asked.keys() - self.operations.keys():
+        for place in self.asked.keys() - self.held.keys():
             self._lay(place, self.asked[place])
 
+    def _ordered(self) -> dict[int, Operation]:
+        """What is to be done; a vector of which a part is needed before its other part is known is not made whole."""
+        wholes: dict[int, Whole] = {}
+        for each in self.made.values():
+            if wholes.keys().isdisjoint(each.twins):
+                wholes |= dict.fromkeys(each.twins, Whole(each.twins[1], Operation(WHOLE, each.of, each.number)))
+        while True:
+            found = needed(self.tape, self.asked, wholes)
+            used = [(self.tape.unsigned(of)[0], place) for place, each in found.items() for of in each.of]
+            early = {wholes[of].at for of, place in used if of in wholes and place < wholes[of].at}
+            if not early:
+                return found
+            wholes = {place: whole for place, whole in wholes.items() if whole.at not in early}
+
+    def _write_whole(self, number: int) -> None:
+        """Into its own room, and where else its parts are shown."""
+        made, into = self.made[number], f"w{number}"
+        ratio, first = self._constant(made.ratio), f"w{made.first}"
+        if made.second is None:
+            self._call("multiply", [ratio, first], into)
+        else:
+            self._call("subtract", [f"w{made.second}", first], into)
+            self._call("multiply", [ratio, into], into)
+            self._call("add", [first, into], into)
+        for name, place in zip((f"v{2 * number}", f"v{2 * number + 1}"), made.places):
+            sign = next(sign for asked, sign in self.asked[place] if asked == name)
+            self.held[place] = name, sign
+            self._lay(place, [other for other in self.asked[place] if other[0] != name])
+
     def _write(self, place: int, operation: Operation) -> None:
-        does, of, _ = operation
+        does, of, number = operation
+        if does == WHOLE:
+            self._write_whole(int(number))
+            self.free += {self.held[each][0] for each in of if self.held[each][0][0] == "r" and self._ends(each, place)}
+            return
         operands = [self._operand(each) for each in of]
         ending = {name for each, (name, *_) in zip(of, operands) if name[0] == "r" and self._ends(each, place)}
         if does in AS_THEY_ARE:
@@ -169,8 +203,8 @@ class _Writer:
         self._call("negative", [name], into)
         return into
 
-    def _constant(self, number: float) -> str:
-        name = self.named.setdefault(number, f"k{len(self.named)}")
+    def _constant(self, number: complex) -> str:
+        name = self.named.setdefault(repr(number), f"k{len(self.named)}")
         self.constants[name] = np.array(number)
         return name
 
