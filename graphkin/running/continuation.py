@@ -33,7 +33,7 @@ SOON = 1.25
 STRETCH, HALVINGS = 20, 6
 """Steps tried at once, and halvings."""
 FELT = 0.001
-"""Steps below this part of the longest are felt for one by one, by plain replay: the way may be about to end."""
+"""Steps below this part of the longest are felt for one by one, and tried longer: the way may be about to end."""
 GROWTH, STEADY = 1.5, 0.9
 """How much longer each step may be than the one before, and what part of the longest that would do is taken."""
 BETWEEN = 8
