@@ -39,8 +39,8 @@ from graphkin.running.compiled.program import CHUNK, Program, compiled_program
 from graphkin.running.compiled.tape import Tape
 from graphkin.running.compiled.writer import written_out
 from graphkin.running.many_positions import FITTED_MANY, MANY, by_program, program_of, replay_along
-from graphkin.running.reaching import on_one_way
 from graphkin.running.path import Path, along
+from graphkin.running.reaching import on_one_way
 from graphkin.running.tracing import trace
 
 COUNT = 721
