@@ -17,8 +17,9 @@ from graphkin.running.nodes import Nodes
 from graphkin.running.path import Path, by_slide_key, turned
 from graphkin.running.singularities import Crossing, crossings, key_of
 
-QUICK = Compass(fit=partial(fit, rounds=4))
-"""Links that come close to where they fit do so in these steps of Newton's method."""
+QUICK, LONGER = (Compass(fit=partial(fit, rounds=rounds)) for rounds in (3, 15))
+"""Links that come close to where they fit do so in these steps of Newton's method; close to a dead point it takes more,
+each of which leaves half of what was missing."""
 
 
 class Looking:
@@ -42,7 +43,7 @@ class Looking:
 
     def plainly(self, t: np.ndarray, near: np.ndarray, sides: Mapping[int, int]) -> Nodes:
         """The same, tried longer."""
-        return self._seen(t, near, sides, COMPASS)
+        return self._seen(t, near, sides, LONGER)
 
     def _seen(self, t: np.ndarray, near: np.ndarray, sides: Mapping[int, int], compass: Compass) -> Nodes:
         return self._nodes(self._replayed(t, dict(zip(self.names, near.T)), sides, compass), t, sides)
