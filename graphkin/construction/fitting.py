@@ -24,9 +24,7 @@ GAP = 1e-10
 
 def fit(step: Fit, plot: Plot, rounds: int = ROUNDS) -> None:
     """Newton's method on the closures and contacts of a group, for all positions at once."""
-    x, size = _first_trial(step, plot), reach(step, plot)
-    units = np.array(units_of(step, size))
-    gaps, before = Gaps(step, plot, units, size), np.inf
+    x, gaps, before = _first_trial(step, plot), Gaps(step, plot, reach(step, plot)), np.inf
     for _ in range(rounds):
         x, moved = _next_trial(gaps, x)
         farthest = np.max(moved, where=np.isfinite(moved), initial=0.0)
@@ -68,11 +66,6 @@ def _longest(arm: Value) -> float:
     return float(np.max(np.abs(arm))) if isinstance(arm, np.ndarray) else float(abs(arm))
 
 
-def units_of(step: Fit, size: float) -> list[float]:
-    """What each unknown is counted in: 1 rad, or the group's size [m]."""
-    return [1.0] * len(step.angles) + [size] * len(step.slides)
-
-
 def _next_trial(gaps: Gaps, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """One step of Newton's method, of half a unit at most, and how long the whole step would be in units."""
     gap, slope = gaps.at(x)
@@ -94,10 +87,9 @@ def _keep_what_fits(step: Fit, plot: Plot, x: np.ndarray, gaps: Gaps) -> None:
 
 def sense_and_sine(step: Fit, plot: Plot) -> tuple[Value, Value]:
     """The same of a group that is found, where somebody wants to know."""
-    size = reach(step, plot)
     found = (*(plot.theta[base] for base in step.angles), *(plot.s[slide] for slide in step.slides))
     x = np.stack(np.broadcast_arrays(*found, np.empty(_shape(plot)))[:-1], axis=-1)
-    slope = Gaps(step, plot, np.array(units_of(step, size)), size).at(x)[1]
+    slope = Gaps(step, plot, reach(step, plot)).at(x)[1]
     return sense(slope), least(slope)[()]
 
 

@@ -25,45 +25,46 @@ class Gaps:
     worked out once.
     """
 
-    def __init__(self, step: Fit, plot: Plot, units: np.ndarray, size: float) -> None:
-        self.plot, self.units, self.size = plot, units, size
+    def __init__(self, step: Fit, plot: Plot, size: float) -> None:
+        self.plot, self.size = plot, size
         self.bases = {base: k for k, base in enumerate(step.angles)}
         self.slides = {slide: k for k, slide in enumerate(step.slides)}
-        self.closures, self.contacts = len(step.closures), len(step.contacts)
+        self.units = np.array([1.0] * len(self.bases) + [size] * len(self.slides))
         self.sliding: list[Sliding] = []
         self.turning: list[Entry] = []
-        known = [self._closed(k, closure) for k, closure in enumerate(step.closures)]
-        self.known = _filled((self.closures,), [(k, 0, value) for k, value in enumerate(known)])
-        self.arms = _filled((self.closures, len(self.bases)), self.turning)
+        known = [(0, k, self._closed(k, closure)) for k, closure in enumerate(step.closures)]
+        self.known = _filled((1, len(known)), known)[..., 0, :] / size
+        self.arms = _filled((len(self.bases), len(known)), self.turning) / size
         self._roll(step.contacts)
 
     def at(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Gaps (.., m) and their slopes by each unknown in its unit (.., m, n), for unknowns x (.., n)."""
-        turned = np.exp(1j * x[..., : len(self.bases)])
-        arrows, gap = self.arms * turned[..., None, :], self.known
-        along = np.zeros((*x.shape[:-1], self.closures, len(self.slides)), dtype=complex)
+        """Gaps (.., m) and their slopes by each unknown in its unit (.., m, n), for unknowns x (.., n).
+
+        Closures along x and y by turns, as complex numbers lie in memory; then contacts.
+        """
+        angles = len(self.bases)
+        turned = np.exp(1j * x[..., :angles])
+        arrows = self.arms * turned[..., None]
+        slope = np.zeros((*x.shape, self.known.shape[-1]), dtype=complex)
+        straight = np.zeros((*x.shape[:-1], self.known.shape[-1]), dtype=complex)
         for closure, slide, base, direction in self.sliding:
             line = direction if base is None else direction * turned[..., base]
-            along[..., closure, slide] += line
-            if base is not None:
-                arrows[..., closure, base] += x[..., len(self.bases) + slide] * line
-        gap = gap + arrows.sum(axis=-1)
-        for closure, slide, base, direction in self.sliding:
-            if base is None:
-                gap[..., closure] += x[..., len(self.bases) + slide] * direction
-        slope = np.concatenate([1j * arrows, along], axis=-1)
-        return self._by_rows(x, gap, slope)
+            slope[..., angles + slide, closure] = line
+            into = straight if base is None else arrows[..., base, :]
+            into[..., closure] += x[..., angles + slide] / self.size * line
+        np.multiply(arrows, 1j, out=slope[..., :angles, :])
+        gap = self.known + straight + arrows.sum(axis=-2)
+        gaps, slopes = gap.view(float), slope.view(float).swapaxes(-1, -2)
+        return (gaps, slopes) if self.rolled is None else self._rolling(self.rolled, x, gaps, slopes)
 
-    def _by_rows(self, x: np.ndarray, gap: np.ndarray, slope: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Closures along x and y by turns, then contacts."""
-        twice, many = 2 * self.closures, 2 * self.closures + self.contacts
-        gaps, slopes = np.empty((*x.shape[:-1], many)), np.empty((*x.shape[:-1], many, x.shape[-1]))
-        gaps[..., 0:twice:2], gaps[..., 1:twice:2] = gap.real, gap.imag
-        slopes[..., 0:twice:2, :], slopes[..., 1:twice:2, :] = slope.real, slope.imag
-        if self.contacts:
-            slopes[..., twice:, :] = self.rolled
-            gaps[..., twice:] = self.rolled_known + (self.rolled * x[..., None, :]).sum(axis=-1)
-        return gaps / self.size, slopes * (self.units / self.size)
+    def _rolling(
+        self, rolled: tuple[np.ndarray, np.ndarray], x: np.ndarray, gaps: np.ndarray, slopes: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """With contacts, which are linear as they are."""
+        known, by_each = rolled
+        gap = (known + (by_each * x[..., None, :]).sum(axis=-1)) / self.size
+        slope = np.broadcast_to(by_each * (self.units / self.size), (*x.shape[:-1], *by_each.shape[-2:]))
+        return np.concatenate([gaps, gap], axis=-1), np.concatenate([slopes, slope], axis=-2)
 
     # --- what is known ------------------------------------------------------------------------
 
@@ -85,7 +86,7 @@ class Gaps:
         base = self.bases.get(facts.turns[link].base)
         if base is None:
             return arm * np.exp(1j * self.plot.theta[link])
-        self.turning.append((number, base, arm * np.exp(1j * facts.relative_angle(link))))
+        self.turning.append((base, number, arm * np.exp(1j * facts.relative_angle(link))))
         return 0.0
 
     def _slid(self, number: int, part: Slid) -> Value:
@@ -99,18 +100,19 @@ class Gaps:
         return 0.0
 
     def _roll(self, contacts: Sequence[InStep]) -> None:
-        """Contacts are linear as they are."""
+        """What contacts know, and what each unknown adds to them."""
         names = [*self.bases, *map(slide_key, self.slides)]
         rows = [in_step(contact, self.plot, "position", {*self.bases}, {*self.slides}) for contact in contacts]
         entries = [(k, names.index(name), value) for k, (_, of) in enumerate(rows) for name, value in of.items()]
-        self.rolled = _filled((len(rows), len(names)), entries).real
-        self.rolled_known = _filled((len(rows),), [(k, 0, value) for k, (value, _) in enumerate(rows)]).real
+        by_each = _filled((len(rows), len(names)), entries).real
+        known = _filled((1, len(rows)), [(0, k, value) for k, (value, _) in enumerate(rows)]).real[..., 0, :]
+        self.rolled = (known, by_each) if rows else None
 
 
-def _filled(size: tuple[int, ...], entries: Sequence[Entry]) -> np.ndarray:
+def _filled(size: tuple[int, int], entries: Sequence[Entry]) -> np.ndarray:
     """Entries added up, over the positions of those that are not the same at all."""
     shape = np.broadcast_shapes(*(np.shape(value) for *_, value in entries))
     found = np.zeros((*shape, *size), dtype=complex)
     for row, column, value in entries:
-        found[(..., row, column)[: 1 + len(size)]] += value
+        found[..., row, column] += value
     return found

@@ -12,7 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from graphkin.construction.chains import chains, settle_rates
-from graphkin.construction.fitting import reach, settle_all, units_of, unknowns_of
+from graphkin.construction.fitting import reach, settle_all, unknowns_of
 from graphkin.construction.kinds import Closure, Fit, Simultaneous
 from graphkin.construction.linear import Row, two
 from graphkin.construction.plot import Plot, slide_key
@@ -30,7 +30,7 @@ SHORT = 1e-7
 def fitted(step: Fit, plot: Plot) -> Value:
     """Settle a group's unknowns; gives what is above 0 where they are found, 1 at best."""
     x: list[Value] = [plot.near[name] for name in unknowns_of(step)]
-    units = units_of(step, reach(step, plot))
+    units = _units(step, reach(step, plot))
     for _ in range(STEPS):
         settle_all(step, plot, x)
         change = solved(_gaps(step, plot), dict(zip(unknowns_of(step), units)))
@@ -42,6 +42,11 @@ def fitted(step: Fit, plot: Plot) -> Value:
     for part in change[1:]:
         longest = np.maximum(longest, np.abs(part))
     return 1.0 - longest / SHORT
+
+
+def _units(step: Fit, size: float) -> list[float]:
+    """What each unknown is counted in: 1 rad, or the group's size [m]."""
+    return [1.0] * len(step.angles) + [size] * len(step.slides)
 
 
 def together(step: Simultaneous, plot: Plot, plane: Plane) -> None:
