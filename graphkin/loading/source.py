@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cached_property
 from pathlib import Path as FilePath
 from typing import IO, Any
 
@@ -77,15 +78,42 @@ def decoded(content: bytes, file: str) -> str:
         raise NotUtf8(Where(file, line), "") from None
 
 
-def read_toml(text: str, file: str) -> tuple[dict[str, Any], dict[Path, int]]:
-    """The data, and the line of each key (primes in keys tidied in the paths)."""
+class Lines(Mapping[Path, int]):
+    """The line of each key (primes in keys tidied in the paths), found when one is asked for: few are."""
+
+    def __init__(self, text: str, file: str) -> None:
+        self.text, self.file = text, file
+
+    @cached_property
+    def _found(self) -> dict[Path, int]:
+        try:
+            return {_tidied(path): line for path, line in positions(self.text).items()}
+        except RecursionError:
+            raise TooDeep(Where(self.file)) from None
+
+    def __getitem__(self, path: Path) -> int:
+        return self._found[path]
+
+    def __iter__(self) -> Iterator[Path]:
+        return iter(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def __reduce__(self) -> tuple[type, tuple[dict[Path, int]]]:
+        """Sent elsewhere it is a plain table."""
+        return dict, (self._found,)
+
+
+def read_toml(text: str, file: str) -> tuple[dict[str, Any], Lines]:
+    """The data, and the line of each key."""
     _check_size(len(text), file)
     text = text.removeprefix("\ufeff")
     if _DEEP.search(text) is not None:
         raise TooDeep(Where(file))
     try:
         document = tomllib.loads(text)
-        lines = {_tidied(path): line for path, line in positions(text).items()}
+        lines = Lines(text, file)
         _refuse_control(document, lines, text, file)
     except RecursionError:
         raise TooDeep(Where(file)) from None
@@ -96,7 +124,7 @@ def read_toml(text: str, file: str) -> tuple[dict[str, Any], dict[Path, int]]:
     return document, lines
 
 
-def _refuse_control(document: dict[str, Any], lines: dict[Path, int], text: str, file: str) -> None:
+def _refuse_control(document: dict[str, Any], lines: Mapping[Path, int], text: str, file: str) -> None:
     """Texts and names go to terminals, into XML, TeX and tables: no character in them may mean more than itself."""
     if (found := _NO_XML.search(text)) is not None:
         raise ControlCharacter(Where(file, text.count("\n", 0, found.start()) + 1), f"U+{ord(found.group()):04X}")
