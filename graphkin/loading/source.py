@@ -30,10 +30,12 @@ LARGEST_FILE = 1_000_000
 
 _BLANKS = "\t\n\r"
 """Control characters that may stand in a text; there they are blanks."""
+_WITHOUT_BLANKS = str.maketrans("", "", _BLANKS)
 _WIDE_MARKS = (b"\xff\xfe", b"\xfe\xff")
 _NO_XML = re.compile("[\ufffe\uffff]")
 
-_DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
+_PARTS = 32
+_DEEP = re.compile(rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{_PARTS}}}""")
 """A key of so many parts; thousands of them would cost gigabytes before anyone could refuse them."""
 
 _PLACE = r"\s*\(at (?:line ([0-9]+), column [0-9]+|end of document)\)$"
@@ -109,7 +111,7 @@ def read_toml(text: str, file: str) -> tuple[dict[str, Any], Lines]:
     """The data, and the line of each key."""
     _check_size(len(text), file)
     text = text.removeprefix("\ufeff")
-    if _DEEP.search(text) is not None:
+    if any(line.count(".") >= _PARTS and _DEEP.search(line) is not None for line in text.split("\n")):
         raise TooDeep(Where(file))
     try:
         document = tomllib.loads(text)
@@ -128,6 +130,8 @@ def _refuse_control(document: dict[str, Any], lines: Mapping[Path, int], text: s
     """Texts and names go to terminals, into XML, TeX and tables: no character in them may mean more than itself."""
     if (found := _NO_XML.search(text)) is not None:
         raise ControlCharacter(Where(file, text.count("\n", 0, found.start()) + 1), f"U+{ord(found.group()):04X}")
+    if "\\" not in text and text.translate(_WITHOUT_BLANKS).isprintable():
+        return
     for path, word in _words(document, ()):
         if word.isprintable():
             continue
