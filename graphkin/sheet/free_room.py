@@ -119,10 +119,28 @@ class FreeRoom:
         """The upper left corner of the uppermost (or lowest) free rectangle of a size; None where there is none."""
         xs = np.arange(self.room.left + _EDGE, self.room.right - size.real - _EDGE, _GRID)
         ys = np.arange(self.room.top + _EDGE, self.room.bottom - size.imag - _EDGE, _GRID)
-        low = np.stack(np.meshgrid(xs, ys[::-1] if from_below else ys), axis=-1).reshape(-1, 2)
-        high = low + np.array((size.real, size.imag))
-        found: Any = np.flatnonzero(self.free(low - _EDGE, high + _EDGE)) if len(low) else ()
-        return complex(*low[found[0]]) if len(found) else None
+        if not (len(xs) and len(ys)):
+            return None
+        rows, columns = np.nonzero(self._bare(xs, ys, size))
+        low = np.stack([xs[columns], ys[rows]], axis=1)
+        found = np.flatnonzero(self.free(low - _EDGE, low + np.array((size.real, size.imag)) + _EDGE))
+        if not len(found):
+            return None
+        best = found[np.argmax(low[found, 1])] if from_below else found[0]
+        return complex(*low[best])
+
+    def _bare(self, xs: Any, ys: Any, size: complex) -> Any:
+        """Which rectangles of a grid hold no place where surely something lies (y, x): the others need no closer look."""
+        wide, high = (int((side + _EDGE) / _GRID) for side in (size.real, size.imag))
+        across, down = len(xs) + wide, len(ys) + high
+        places = np.concatenate([self._standing.places, self._added.places], axis=1)
+        x, y = np.floor((places - np.array([xs[:1], ys[:1]])) / _GRID)
+        there = (x >= 0) & (x < across) & (y >= 0) & (y < down)
+        cells = (y[there] * across + x[there]).astype(int)
+        held = np.zeros((down + 1, across + 1), dtype=int)
+        held[1:, 1:] = np.bincount(cells, minlength=down * across).reshape(down, across).cumsum(axis=0).cumsum(axis=1)
+        in_rows = held[high:-1] - held[: -high - 1]
+        return in_rows[:, wide:-1] == in_rows[:, : -wide - 1]
 
     def letters(self, want: Wanted) -> list[Mark]:
         """A label where there is room for it, else nothing."""
