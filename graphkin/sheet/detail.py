@@ -17,8 +17,6 @@ import numpy as np
 from graphkin.construction import Plane
 from graphkin.sheet.fit import magnified
 from graphkin.sheet.free_room import FreeRoom
-from graphkin.sheet.label_candidates import Scene
-from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import arc_places
@@ -132,7 +130,7 @@ class _Drawing:
     @property
     def burdens(self) -> Sequence[float]:
         """What each label troubles the eye: one on a leader, one without a place."""
-        return _burdens(self.panel.scene, self.panel.near, 1.0) if self.known is None else self.known
+        return _burdens(self.panel, 1.0) if self.known is None else self.known
 
     def _possible(self) -> list[_View]:
         """The details there is room for."""
@@ -170,18 +168,18 @@ class _Drawing:
         sign = Wanted(plain(numeral), view.part.centre, gap=view.part.radius, size=BODY, step=step)
         marks += [Disc(circle.centre, circle.radius, "thin", step=step) for circle in (view.part, view.shown)]
         marks.append(_heading(plain(f"{numeral}  ({view.times:g} : 1)"), view.shown, step))
-        alone = Scene(named, marks, view.shown.room)
-        known = [*compress(self.burdens, stay), *_burdens(alone, settle(alone), _EASIER), 0.0]
+        alone = Panel(Figure(marks, named), view.window, view.shown.room)
+        known = [*compress(self.burdens, stay), *_burdens(alone, _EASIER), 0.0]
         drawn = Figure([*figure.marks, *marks], [*compress(figure.wanted, stay), *named, sign])
         return replace(self, panel=replace(self.panel, figure=drawn), views=(*self.views, view), known=known)
 
 
-def _burdens(scene: Scene, settled: Settled, led: float) -> list[float]:
-    """What each label of a scene troubles the eye; `led`: one on a leader."""
-    found = [0.0] * len(scene.wanted)
-    for label in settled.led:
+def _burdens(panel: Panel, led: float) -> list[float]:
+    """What each label of a panel troubles the eye; `led`: one on a leader."""
+    found = [0.0] * len(panel.figure.wanted)
+    for label in panel.near.led:
         found[label] += led
-    for label in settled.clashing:
+    for label in panel.near.clashing:
         found[label] += 1.0
     return found
 

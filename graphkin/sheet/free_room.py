@@ -130,7 +130,7 @@ class FreeRoom:
         return complex(*low[best])
 
     def _bare(self, xs: Any, ys: Any, size: complex) -> Any:
-        """Which rectangles of a grid hold no place where surely something lies (y, x): the others need no closer look."""
+        """Which rectangles of a grid hold no place where surely something lies (y, x); others need no closer look."""
         wide, high = (int((side + _EDGE) / _GRID) for side in (size.real, size.imag))
         across, down = len(xs) + wide, len(ys) + high
         places = np.concatenate([self._standing.places, self._added.places], axis=1)

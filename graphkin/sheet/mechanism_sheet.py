@@ -20,6 +20,7 @@ from graphkin.sheet.detail import detailed
 from graphkin.sheet.drafted import Drafted
 from graphkin.sheet.equation_rows import EquationBlock, head_of, laid_out
 from graphkin.sheet.fit import Extent
+from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.given_tables import given_tables
 from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, cut_to, headed, lay_out, papers_for, under_heading
 from graphkin.sheet.lettering import Label, plain
@@ -94,17 +95,22 @@ def _given(drawing: Planes, paper: str | None, tight: bool) -> Sheet:
 
 
 def _whole(work: _Work, paper: str | None) -> _Composed:
-    """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip."""
-    trials, large = 1 if work.tight else _TRIALS, None
+    """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip.
+
+    Those that only a small paper had no room for come back where it turns out too small for the letters as well.
+    """
+    trials, large, every = 1 if work.tight else _TRIALS, None, work
     while True:
         trials -= 1
-        whole = _cut(work, paper, large)
-        out = work.loose(whole.layout) if whole.crowd else whole.lettered.left_out if trials else []
-        if not (trials and out):
+        whole = _cut(work, paper, large, trials > 0)
+        larger = paper is None and whole.layout.paper in LARGE
+        if larger and large is None and work.apart:
+            work, large = every, True
+        elif trials and (out := whole.left_out):
+            large = large if whole.homeless else larger
+            work = work.without(out)
+        else:
             return whole
-        large = paper is None and whole.layout.paper in LARGE
-        apart, every = [*work.apart, *out], work.drawing.equations.values()
-        work = replace(work, apart=[block for blocks in every for block in blocks if block in apart])
 
 
 def mechanism_step_sheets(
@@ -139,20 +145,29 @@ def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
 class _Composed:
     """All of it on a divided paper.
 
-    stages   over the lines of the pencil, for single steps
-    details  what lies too close together is drawn once more, magnified
+    stages    over the lines of the pencil, for single steps
+    details   what lies too close together is drawn once more, magnified
+    hopeless  it was crammed without details
+    homeless  equations for which there is no room, seen before anything was lettered
     """
 
     work: _Work
     layout: Layout
     stages: bool = False
     details: bool = False
+    hopeless: bool = False
+    homeless: Sequence[EquationBlock] = ()
+
+    @cached_property
+    def full(self) -> bool:
+        """Whether some figure is too small for what it has to letter."""
+        rooms, extents = self.layout.rooms, self.work.extents
+        return any(extents[plane].crammed(rooms[plane]) for plane in self.work.planes)
 
     @cached_property
     def crammed(self) -> bool:
         """Whether no division could help: some figure has far too much to letter."""
-        rooms, extents = self.layout.rooms, self.work.extents
-        if any(extents[plane].crammed(rooms[plane]) for plane in self.work.planes):
+        if self.full or self.hopeless:
             return True
         panels = sorted(self.page.panels, key=lambda panel: -len(panel.figure.wanted))
         return any(panel.near.clashes > _FAR_TOO_MANY * len(panel.figure.wanted) for panel in panels)
@@ -176,6 +191,11 @@ class _Composed:
         """Whether labels have to go far off."""
         return self.crammed or self.near.lost > 0
 
+    @property
+    def left_out(self) -> Sequence[EquationBlock]:
+        """Equations for which figures and letters have left no room."""
+        return self.homeless or (self.work.loose(self.layout) if self.crowd else self.lettered.left_out)
+
     @cached_property
     def lettered(self) -> Lettered:
         """Its labels as well as can be."""
@@ -195,18 +215,19 @@ def _staged(work: _Work, paper: str | None, numbers: Sequence[int] = ()) -> Iter
     return (captions.sheet(whole, number, strip) for number in numbers or range(1, len(captions.acts) + 1))
 
 
-def _cut(work: _Work, paper: str | None, large: bool | None) -> _Composed:
+def _cut(work: _Work, paper: str | None, large: bool | None, trial: bool) -> _Composed:
     """On the paper divided; cut to a single figure, where the paper was not asked for."""
-    best = _divided(work, paper, large)
+    best = _divided(work, paper, large, trial)
     if len(work.planes) > 1 or not (work.tight or paper is None):
         return best
     return replace(best, layout=cut_to(best.layout, work.planes[0], work.extent(best.layout, work.planes[0])))
 
 
-def _divided(work: _Work, paper: str | None, large: bool | None) -> _Composed:
+def _divided(work: _Work, paper: str | None, large: bool | None, trial: bool) -> _Composed:
     """On the paper divided best: the smallest that holds all and leaves its letters room.
 
     large  whether a larger one was taken when this was tried before
+    trial  equations may still be moved into the strip: not lettered where some must be
     """
     papers = LARGE if large else papers_for(paper)
     try:
@@ -214,8 +235,10 @@ def _divided(work: _Work, paper: str | None, large: bool | None) -> _Composed:
     except TooLargeForPaper as error:
         raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
     small, best = paper is None and layout.paper not in LARGE, _Composed(work, layout)
+    if trial and not best.full and (homeless := work.homeless(layout)):
+        return replace(best, homeless=homeless)
     if best.crammed:
-        return _divided(work, paper, large=True) if small else replace(best, details=True)
+        return _divided(work, paper, True, trial) if small else replace(best, details=True, hopeless=True)
     best = work.roomier(best, papers)
     found = best.detailed
     if small and (found.near.lost or (found.near.crowded > _CROWDED and large is None)):
@@ -256,9 +279,24 @@ class _Work:
         every = self.drawing.equations.items()
         return {plane: [block for block in blocks if block not in self.apart] for plane, blocks in every}
 
+    def without(self, out: Sequence[EquationBlock]) -> _Work:
+        """With some more equations in the strip."""
+        apart, every = [*self.apart, *out], self.drawing.equations.values()
+        return replace(self, apart=[block for blocks in every for block in blocks if block in apart])
+
     def loose(self, layout: Layout) -> list[EquationBlock]:
         """Equations that have no place of their own over a figure."""
         return [block for plane, blocks in self.blocks.items() if plane not in layout.headed for block in blocks]
+
+    def homeless(self, layout: Layout) -> list[EquationBlock]:
+        """Those for which there is no room even while nothing is lettered."""
+        found: list[EquationBlock] = []
+        for plane in self.planes:
+            if loose := [block for block in self.blocks.get(plane, ()) if plane not in layout.headed]:
+                panel = self.panel(layout, plane, stages=False, details=False)
+                free = FreeRoom(panel.drawn, panel.room)
+                found += [block for block in loose if free.corner(block.size) is None]
+        return found
 
     @cached_property
     def notes(self) -> dict[Plane, Label]:
