@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from copy import copy
 from dataclasses import field
+from functools import cached_property
 from itertools import accumulate
 from typing import Any, NamedTuple
 
@@ -13,7 +14,7 @@ import numpy as np
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
-from graphkin.sheet.obstacles import Tree, bounds, tree
+from graphkin.sheet.obstacles import Tree, bounds, places, tree
 from graphkin.sheet.paper import Room
 from graphkin.sheet.wanted import Candidates, Wanted
 from graphkin.value import frozen
@@ -70,6 +71,7 @@ class FreeRoom:
         """These lie on the paper now, too."""
         self.marks += marks
         self._late = {}
+        vars(self).pop("_places", None)
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
 
     def tried(self, marks: Sequence[Mark]) -> FreeRoom:
@@ -117,6 +119,11 @@ class FreeRoom:
         within = (xs > low[:, 0]) & (xs < high[:, 0]) & (ys > low[:, 1]) & (ys < high[:, 1])
         return way, bad | within.any(axis=0)
 
+    @cached_property
+    def _places(self) -> Any:
+        """Some on everything there (2, n)."""
+        return places(self.marks)
+
     def spots(self, wanted: Sequence[Wanted], halves: Sequence[complex]) -> list[Spots]:
         """Where many labels may stand at what they name, all looked at at once; half: of the size of each box [mm]."""
         if not wanted:
@@ -158,8 +165,7 @@ class FreeRoom:
         """Which rectangles of a grid hold no place where surely something lies (y, x); others need no closer look."""
         wide, high = (int((side + _EDGE) / _GRID) for side in (size.real, size.imag))
         across, down = len(xs) + wide, len(ys) + high
-        places = np.concatenate([lying.places for lying in (self._standing, *self._added(self._first))], axis=1)
-        x, y = np.floor((places - np.array([xs[:1], ys[:1]])) / _GRID)
+        x, y = np.floor((self._places - np.array([xs[:1], ys[:1]])) / _GRID)
         there = (x >= 0) & (x < across) & (y >= 0) & (y < down)
         cells = (y[there] * across + x[there]).astype(int)
         held = np.zeros((down + 1, across + 1), dtype=int)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterable, Iterator, Sequence
-from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -37,17 +36,9 @@ class Tree:
         self._shapely, self._segments = shapely, np.ascontiguousarray(np.moveaxis(segments, 0, -1))
         self._lines = shapely.STRtree(shapely.linestrings(segments))
         corners = np.array([place for area in areas for place in (*area, area[0])], dtype=complex)
-        self._corners = np.array([corners.real, corners.imag])
         owners = np.repeat(np.arange(len(areas)), [len(area) + 1 for area in areas])
         rings = shapely.linearrings(corners.real, corners.imag, indices=owners)
         self._areas = shapely.STRtree(shapely.polygons(rings))
-
-    @cached_property
-    def places(self) -> NDArray[np.float64]:
-        """Some places on everything: corners of areas, and what divides each segment into eight (2, n)."""
-        start, end = self._segments
-        along = start + (end - start) * np.linspace(0.0, 1.0, 9)[:, None, None]
-        return np.concatenate([self._corners, np.moveaxis(along, 0, 1).reshape(2, -1)], axis=1)
 
     def touched(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.intp]:
         """Rows of the boxes low..high that touch something, once for each thing touched."""
@@ -158,3 +149,12 @@ def bounds(drawn: Iterable[Mark]) -> tuple[float, float, float, float]:
     places = [place for mark in drawn for outline, _ in _outlines(mark) for place in outline]
     xs, ys = [p.real for p in places] or [0.0], [p.imag for p in places] or [0.0]
     return min(xs), min(ys), max(xs), max(ys)
+
+
+def places(drawn: Iterable[Mark]) -> Any:
+    """Some places on all marks: what divides each side of their outlines into eight (2, n)."""
+    outlines = [outline for mark in drawn for outline, _ in _outlines(mark)]
+    start = np.array([place for outline in outlines for place in outline[:-1]], dtype=complex)
+    end = np.array([place for outline in outlines for place in outline[1:]], dtype=complex)
+    along = (start + (end - start) * np.linspace(0.0, 1.0, 9)[:, None]).ravel()
+    return np.array([along.real, along.imag])
