@@ -101,14 +101,14 @@ def _whole(work: _Work, paper: str | None) -> _Composed:
     """
     trials, large, every = 1 if work.tight else _TRIALS, None, work
     while True:
-        trials -= 1
-        whole = _cut(work, paper, large, trials > 0)
+        whole = _cut(work, paper, large, trials > 1)
         larger = paper is None and whole.layout.paper in LARGE
-        if larger and large is None and work.apart:
+        if whole.homeless:
+            work = work.without(whole.homeless)
+        elif larger and large is None and work.apart:
             work, large = every, True
-        elif trials and (out := whole.left_out):
-            large = large if whole.homeless else larger
-            work = work.without(out)
+        elif trials > 1 and (out := whole.left_out):
+            work, large, trials = work.without(out), larger, trials - 1
         else:
             return whole
 
@@ -194,7 +194,7 @@ class _Composed:
     @property
     def left_out(self) -> Sequence[EquationBlock]:
         """Equations for which figures and letters have left no room."""
-        return self.homeless or (self.work.loose(self.layout) if self.crowd else self.lettered.left_out)
+        return self.work.loose(self.layout) if self.crowd else self.lettered.left_out
 
     @cached_property
     def lettered(self) -> Lettered:
