@@ -33,7 +33,7 @@ from graphkin.mechanism import FRAME
 from graphkin.naming import image_name, primes
 from graphkin.planning.closing import close, pole_is_last
 from graphkin.planning.hops import Hop, Lever, Slip, Twist
-from graphkin.planning.known_first import known_first
+from graphkin.planning.known_first import Ordered, known_first
 from graphkin.planning.labels import Labels
 from graphkin.planning.structure import Structure
 from graphkin.value import filled
@@ -201,11 +201,25 @@ class Polygon:
         """Both sides of one vector equation, what is known first, drawn until they meet."""
         sides, carried = (left, right), list[LayOff]()
         if not pole_is_last(left, right, pole):
-            found = [known_first(self, side) for side in sides]
+            found = [self.known_first(side) for side in sides]
             sides = found[0].terms, found[1].terms
             carried = [*found[0].carried, *found[1].carried]
         drawn = close(self.labels.label(of), *sides, {}, _nothing_between, _no_choice, pole)
         self.parts.append(replace(drawn, steps=(*drawn.steps, *carried)))
+
+    def known_first(self, side: tuple[Term, ...]) -> Ordered:
+        """A side with its unknown term, which its hop remembers, at the end."""
+        found = known_first(side, self.corner)
+        if found.moved is not None:
+            before, after = found.moved
+            self.unknown = {hop: after if term is before else term for hop, term in self.unknown.items()}
+        return found
+
+    def corner(self, term: Term) -> str | None:
+        """A new corner for a known arrow that has moved and led to a point of a link."""
+        if self.nodes[term.head].site is None:
+            return None
+        return self.between(term.part[-1:] or "r", self.structure.home(term.sites[0].link), term.name(self.plane))
 
     def in_order(self, first: tuple[Term, ...], second: tuple[Term, ...]) -> tuple[tuple[Term, ...], tuple[Term, ...]]:
         """A textbook puts the side that starts at rest first, and of two such the shorter one."""

@@ -15,7 +15,7 @@ import numpy as np
 
 from graphkin.construction import Plane
 from graphkin.mechanism import FRAME
-from graphkin.planning.acts import rate_found
+from graphkin.planning.found_when import rate_found
 from graphkin.quantities import Rotation, read
 from graphkin.say.dimensions import dimensions, length, measured_lengths
 from graphkin.say.noise import ROUNDING

@@ -13,7 +13,7 @@ from functools import cache, cached_property, partial
 from graphkin.construction import Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.acts import pages
+from graphkin.planning.found_when import pages
 from graphkin.say.plane import Polygon as Spoken
 from graphkin.sheet.annotated import Annotated
 from graphkin.sheet.detail import detailed
@@ -29,8 +29,9 @@ from graphkin.sheet.paper import LARGE, Paper
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.pencil import pencil_lines
 from graphkin.sheet.planes import Planes, Style
-from graphkin.sheet.results import Table, tables
+from graphkin.sheet.results import tables
 from graphkin.sheet.scales import TooLargeForPaper
+from graphkin.sheet.table import Table
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import PLANES, Window
 from graphkin.value import frozen

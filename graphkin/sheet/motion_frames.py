@@ -16,7 +16,7 @@ from graphkin.construction import Plane, Plot, replay
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.acts import births
+from graphkin.planning.found_when import births
 from graphkin.running.path import along, stride
 from graphkin.running.replaying import replay_all
 from graphkin.sheet.drives import drives

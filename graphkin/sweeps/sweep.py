@@ -13,9 +13,10 @@ from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.quantities import EDGE, Centre, Quantity, Quotient, named
 from graphkin.running.path import stride
-from graphkin.sweeps.course import Course, Ranges, course
+from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.proof import prove
 from graphkin.sweeps.quantities import Series, asked, series
+from graphkin.sweeps.ranges import Ranges
 from graphkin.sweeps.roads import Road, centre_path, moving
 from graphkin.value import frozen
 
