@@ -226,8 +226,8 @@ class Scene:
 
     def _touching(self, boxes: Boxes) -> tuple[Any, Any]:
         """How much of what is drawn is too near to each box, and on how much it lies."""
-        hits, near = self.known.around(boxes.low.T, boxes.high.T, _CLEAR, _EASY)
-        return np.bincount(near, minlength=len(boxes.led)), np.bincount(hits, minlength=len(boxes.led))
+        near, hits = self.known.around(boxes.low, boxes.high, (_EASY, _CLEAR))
+        return near, hits
 
     def _crossing(self, boxes: Boxes, free: Any, tier: int) -> tuple[Any, Any]:
         """Whose leaders pass through letters, and how many lines they cross; of boxes that lie on nothing."""

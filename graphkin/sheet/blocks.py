@@ -1,0 +1,54 @@
+"""Many boxes on paper side by side in blocks of a few that are close together, so that what is far from a whole block is
+passed over at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+_SIZE, _CELL = 16, 6.0
+"""So many boxes are a block; those are close together whose middles lie in one square so wide [mm]."""
+_AT_ONCE = 2048
+"""So many blocks are held against something at once: few enough to stay in the processor's memory."""
+
+
+class Blocks(NamedTuple):
+    """Blocks of boxes.
+
+    count  of boxes; order: which of them stand where (m * _SIZE,), the last one again in what would be left
+    low, high  their corners (2, m, _SIZE) [mm]
+    """
+
+    count: int
+    order: NDArray[np.intp]
+    low: Any
+    high: Any
+
+    @classmethod
+    def of(cls, low: Any, high: Any) -> Blocks:
+        """Of boxes low..high (2, n), at least one."""
+        column, row = ((low + high) * (0.5 / _CELL)).astype(np.intp)
+        order = np.argsort(row * 65536 + np.where(row & 1, -column, column), kind="stable")
+        order = np.concatenate([order, np.repeat(order[-1:], -len(order) % _SIZE)])
+        return cls(low.shape[1], order, low[:, order].reshape(2, -1, _SIZE), high[:, order].reshape(2, -1, _SIZE))
+
+    def beside(self, low: Any, high: Any) -> Iterator[tuple[Any, Any]]:
+        """Pairs of blocks and of the things in low..high (2, k) that a box of it may touch, some at a time; block by
+        block."""
+        least, most = self.low.min(axis=2), self.high.max(axis=2)
+        near = (low[0] <= most[0, :, None]) & (high[0] >= least[0, :, None])
+        near &= (low[1] <= most[1, :, None]) & (high[1] >= least[1, :, None])
+        blocks, things = np.nonzero(near)
+        for first in range(0, len(blocks), _AT_ONCE):
+            yield blocks[first : first + _AT_ONCE], things[first : first + _AT_ONCE]
+
+    def back(self, found: Any) -> Any:
+        """What was found for boxes where they stand in blocks, box by box."""
+        ordered = np.empty(self.count, dtype=found.dtype)
+        ordered[self.order] = found.ravel()
+        return ordered
