@@ -26,18 +26,15 @@ class Areas:
         """areas: the corners of each."""
         corners = np.array([place for area in areas for place in area], dtype=complex)
         nexts = np.array([place for area in areas for place in (*area[1:], area[0])], dtype=complex)
-        self._edges = edges = Edges.of(_xy(corners), _xy(nexts))
+        self._edges = Edges.of(_xy(corners), _xy(nexts))
         self._count = np.array([len(area) for area in areas], dtype=np.intp)
-        self._first = first = np.cumsum(self._count) - self._count
-        self._low, self._high = (
-            (np.minimum.reduceat(edges.low, first, axis=1), np.maximum.reduceat(edges.high, first, axis=1))
-            if areas
-            else (edges.low, edges.high)
-        )
-        slanted = edges.across[0] * edges.across[1] != 0
-        self._plain = (np.bincount(np.repeat(np.arange(len(areas)), self._count), slanted, len(areas)) == 0) & (
-            self._count <= _SIDES
-        )
+        self._first = np.cumsum(self._count) - self._count
+        self._low, self._high, slanted = self._edges.low, self._edges.high, self._edges.across.all(axis=0)
+        if areas:
+            self._low = np.minimum.reduceat(self._low, self._first, axis=1)
+            self._high = np.maximum.reduceat(self._high, self._first, axis=1)
+            slanted = np.logical_or.reduceat(slanted, self._first)
+        self._plain = ~slanted & (self._count <= _SIDES)
 
     def touched(self, blocks: Blocks) -> Iterator[tuple[Any, Any]]:
         """Boxes (where they stand in blocks) that touch an area, once for each, and by how much they would have to

@@ -1,5 +1,5 @@
-"""Many boxes on paper side by side in blocks of a few that are close together, so that what is far from a whole block is
-passed over at once."""
+"""Many boxes on paper in blocks of a few that are close together, so that what is far from all of these is passed over
+at once."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _AT_ONCE = 2048
 class Blocks(NamedTuple):
     """Blocks of boxes.
 
-    count  of boxes; order: which of them stand where (m * _SIZE,), the last one again in what would be left
+    boxes  how many; order: which of them stand where (m * _SIZE,), the last one again in what would be left
     low, high  their corners (2, m, _SIZE) [mm]
     """
 
-    count: int
+    boxes: int
     order: NDArray[np.intp]
     low: Any
     high: Any
@@ -49,6 +49,6 @@ class Blocks(NamedTuple):
 
     def back(self, found: Any) -> Any:
         """What was found for boxes where they stand in blocks, box by box."""
-        ordered = np.empty(self.count, dtype=found.dtype)
+        ordered = np.empty(self.boxes, dtype=found.dtype)
         ordered[self.order] = found.ravel()
         return ordered

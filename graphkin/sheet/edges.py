@@ -40,7 +40,7 @@ class Edges(NamedTuple):
         return Edges(start[:, rows], end[:, rows], low[:, rows], high[:, rows], across[:, rows], off[rows])
 
     def apart(self, rows: Any, low: Any, high: Any) -> Any:
-        """By how much boxes low..high would have to grow to all sides to reach some of them; less than 0: they do [mm]."""
+        """By how much boxes low..high would have to grow to all sides to reach some of them; below 0: they do [mm]."""
         half, across = (high - low) / 2, abs(self.across)[:, rows]
         found = abs(self._side(rows, low + half))
         found -= across[0] * half[0]

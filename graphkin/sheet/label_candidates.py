@@ -50,6 +50,10 @@ class Boxes(NamedTuple):
         """Some of them."""
         return Boxes(self.places[:, :, rows], self.led[rows])
 
+    def some(self, rows: Any) -> Boxes:
+        """The same; a single one is that of all rows."""
+        return self if len(self.led) == 1 else self.taken(rows)
+
     @classmethod
     def joined(cls, parts: Iterable[Boxes]) -> Boxes:
         places, led = zip(*parts, strict=True)

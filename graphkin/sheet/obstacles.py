@@ -95,8 +95,8 @@ def tree(drawn: Iterable[Mark]) -> Tree:
                 for ends in pairwise(places):
                     lines += ends
     corners = np.array(lines, dtype=complex)
-    ends = np.array([corners.real, corners.imag]).reshape(2, -1, 2)
-    return Tree(ends[:, :, 0], ends[:, :, 1], areas)
+    xy = np.array([corners.real, corners.imag])
+    return Tree(xy[:, ::2], xy[:, 1::2], areas)
 
 
 def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:
