@@ -8,11 +8,15 @@ from typing import Any
 import numpy as np
 
 from graphkin.sheet.blocks import Blocks
+from graphkin.sheet.crossings import through
 from graphkin.sheet.edges import Edges, beyond
 from graphkin.sheet.marks import Place
 
 _SIDES = 5
 """An area of no more than four sides, all level or upright, is a rectangle; a side of no length may close it."""
+
+_ROUNDED = 1e-9
+"""What only touches is not lost by rounding [mm]."""
 
 
 class Areas:
@@ -48,6 +52,8 @@ class Areas:
     def met(self, blocks: Blocks, start: Any, end: Any) -> Iterator[Any]:
         """Lines (where what they lie in stands in blocks) that meet an area, once for each; start, end: so ordered."""
         for lines, areas in self._about(blocks):
+            near = through(start[:, lines], end[:, lines], self._low[:, areas] - _ROUNDED, self._high[:, areas] + _ROUNDED)
+            lines, areas = lines[near], areas[near]
             if len(lines):
                 first, owner, edges = self._spread(areas)
                 lying = lines[owner]

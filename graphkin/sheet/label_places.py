@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from graphkin.sheet.crossings import overlap
-from graphkin.sheet.label_candidates import FARTHEST, NEAR, Boxes, Scene
+from graphkin.sheet.label_candidates import FARTHEST, NEAR, Boxes, Rated, Scene
 from graphkin.sheet.label_prices import CROWDED, NEARBY, under
 from graphkin.sheet.label_table import Choice, Table
 from graphkin.sheet.wanted import LEAST
@@ -54,7 +54,7 @@ class Places:
         """The candidates of labels up to a tier that cost least as the others stand."""
         choices = [
             Choice(rated.boxes, self.prices.alone(rated), rated.free).cheapest(3 * self._many)
-            for rated in self.scene.rated(labels, tier)
+            for rated in self._rated(labels, tier)
         ]
         if not self.stands.any():
             return choices
@@ -63,6 +63,10 @@ class Places:
             choice._replace(cost=choice.cost + more, free=choice.free & ~clash).cheapest(self._many)
             for choice, (more, clash) in zip(choices, beside, strict=True)
         ]
+
+    def _rated(self, labels: Sequence[int], tier: int) -> list[Rated]:
+        """The candidates of labels up to a tier."""
+        return self.scene.rated(labels, tier, lines=self.prices.through > 0)
 
     # --- farther and farther ----------------------------------------------------------------------
 
@@ -162,7 +166,7 @@ class Places:
         """A label takes the place that is its best if others make way; these look for new ones."""
         self._lift(label)
         self._tier[label] = self._last
-        rated = self.scene.rated([label], self._last)[0]
+        [rated] = self._rated([label], self._last)
         alone = self.prices.alone(rated)
         [(more, _)] = self.prices.beside_others([rated.boxes], self.boxes.taken(self.stands))
         liking = alone + _YIELDING * more
