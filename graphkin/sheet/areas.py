@@ -45,36 +45,38 @@ class Areas:
         grow to reach it: less than 0 [mm]."""
         low, high = blocks.low.reshape(2, -1), blocks.high.reshape(2, -1)
         for boxes, areas in self._about(blocks):
-            apart = self._apart(areas, low[:, boxes], high[:, boxes])
+            apart = self._apart(areas, low.take(boxes, axis=1), high.take(boxes, axis=1))
             on = np.flatnonzero(apart <= 0)
             yield boxes[on], apart[on]
 
     def met(self, blocks: Blocks, start: Any, end: Any) -> Iterator[Any]:
         """Lines (where what they lie in stands in blocks) that meet an area, once for each; start, end: so ordered."""
         for lines, areas in self._about(blocks):
-            near = through(start[:, lines], end[:, lines], self._low[:, areas] - _ROUNDED, self._high[:, areas] + _ROUNDED)
+            low, high = self._low.take(areas, axis=1) - _ROUNDED, self._high.take(areas, axis=1) + _ROUNDED
+            near = through(start.take(lines, axis=1), end.take(lines, axis=1), low, high)
             lines, areas = lines[near], areas[near]
             if len(lines):
                 first, owner, edges = self._spread(areas)
                 lying = lines[owner]
-                met = self._edges.met(edges, start[:, lying], end[:, lying], touch=True)
-                odd = np.add.reduceat(self._edges.passed(edges, end[:, lying]), first, dtype=np.intp) & 1
+                ends = end.take(lying, axis=1)
+                met = self._edges.met(edges, start.take(lying, axis=1), ends, touch=True)
+                odd = np.add.reduceat(self._edges.passed(edges, ends), first, dtype=np.intp) & 1
                 yield lines[np.logical_or.reduceat(met, first) | (odd > 0)]
 
     def _about(self, blocks: Blocks) -> Iterator[tuple[Any, Any]]:
         """Boxes (where they stand in blocks) and the areas whose surroundings they touch."""
         for block, areas in blocks.beside(self._low, self._high):
-            low, high = self._low[:, areas, None], self._high[:, areas, None]
-            pair, place = np.nonzero(beyond(low, high, blocks.low[:, block], blocks.high[:, block]) <= 0)
+            low, high = self._low.take(areas[:, None], axis=1), self._high.take(areas[:, None], axis=1)
+            pair, place = np.nonzero(beyond(low, high, *blocks.taken(block)) <= 0)
             yield block[pair] * blocks.low.shape[2] + place, areas[pair]
 
     def _apart(self, areas: Any, low: Any, high: Any) -> Any:
         """By how much each box would have to grow to reach the area it is paired with."""
-        found = beyond(self._low[:, areas], self._high[:, areas], low, high)
+        found = beyond(self._low.take(areas, axis=1), self._high.take(areas, axis=1), low, high)
         shaped = np.flatnonzero(~self._plain[areas])
         if len(shaped):
             first, owner, edges = self._spread(areas[shaped])
-            low, high = low[:, shaped[owner]], high[:, shaped[owner]]
+            low, high = low.take(shaped[owner], axis=1), high.take(shaped[owner], axis=1)
             apart = np.minimum.reduceat(self._edges.apart(edges, low, high), first)
             odd = np.add.reduceat(self._edges.passed(edges, (low + high) / 2), first, dtype=np.intp) & 1
             found[shaped] = np.where(odd, -np.inf, apart)

@@ -35,7 +35,8 @@ class Blocks(NamedTuple):
         column, row = ((low + high) * (0.5 / _CELL)).astype(np.intp)
         order = np.argsort(row * 65536 + np.where(row & 1, -column, column), kind="stable")
         order = np.concatenate([order, np.repeat(order[-1:], -len(order) % _SIZE)])
-        return cls(low.shape[1], order, low[:, order].reshape(2, -1, _SIZE), high[:, order].reshape(2, -1, _SIZE))
+        blocks = (corner.take(order, axis=1).reshape(2, -1, _SIZE) for corner in (low, high))
+        return cls(low.shape[1], order, *blocks)
 
     def beside(self, low: Any, high: Any) -> Iterator[tuple[Any, Any]]:
         """Pairs of blocks and of the things in low..high (2, k) that a box of it may touch, some at a time; block by
@@ -46,6 +47,10 @@ class Blocks(NamedTuple):
         blocks, things = np.nonzero(near)
         for first in range(0, len(blocks), _AT_ONCE):
             yield blocks[first : first + _AT_ONCE], things[first : first + _AT_ONCE]
+
+    def taken(self, blocks: Any) -> tuple[Any, Any]:
+        """Corners of the boxes of some blocks (2, m, _SIZE)."""
+        return self.low.take(blocks, axis=1), self.high.take(blocks, axis=1)
 
     def back(self, found: Any) -> Any:
         """What was found for boxes where they stand in blocks, box by box."""

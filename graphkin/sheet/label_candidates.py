@@ -47,8 +47,11 @@ class Boxes(NamedTuple):
         return cls(np.array([low, high, np.clip(anchor, low, high), anchor]), spots.led)
 
     def taken(self, rows: Any) -> Boxes:
-        """Some of them."""
-        return Boxes(self.places[:, :, rows], self.led[rows])
+        """Some of them; numpy takes numbered columns several times as fast as it indexes them."""
+        return Boxes(self.places.take(rows, axis=2), self.led.take(rows))
+
+    def part(self, begin: int, end: int) -> Boxes:
+        return Boxes(self.places[:, :, begin:end], self.led[begin:end])
 
     def some(self, rows: Any) -> Boxes:
         """The same; a single one is that of all rows."""
@@ -108,7 +111,7 @@ class Rated(NamedTuple):
     def parted(self, counts: Any) -> Iterator[Rated]:
         """So many of them each time."""
         for end, count in zip(np.cumsum(counts), counts, strict=True):
-            yield self.taken(slice(end - count, end))
+            yield Rated(self.boxes.part(end - count, end), *(each[end - count : end] for each in self[1:]))
 
     @property
     def in_room(self) -> Rated:
@@ -206,16 +209,17 @@ class Scene:
             self._seen[label, tier] = part
 
     def _cross(self, labels: Sequence[int], tier: int) -> None:
-        """What the leaders of candidates of one tier cross of some labels, all at once; of boxes that lie on nothing."""
+        """What the leaders of candidates of one tier cross, of some labels at once; of boxes that lie on nothing."""
         if not labels:
             return
         parts = [self._seen[label, tier] for label in labels]
         found = Rated.joined(parts)
         rows = np.flatnonzero(found.inside & (found.hits == 0))
-        start, end = found.boxes.leader[:, :, rows].swapaxes(1, 2)
+        start, end = found.boxes.leader.take(rows, axis=2).swapaxes(1, 2)
         lines = np.zeros(len(found.cost))
         lines[rows] = np.bincount(self.crossed(start, end), minlength=len(rows))
-        for label, part in zip(labels, found._replace(lines=lines).parted([len(part.cost) for part in parts]), strict=True):
+        found = found._replace(lines=lines)
+        for label, part in zip(labels, found.parted([len(part.cost) for part in parts]), strict=True):
             self._seen[label, tier] = part
             self._crossing.add((label, tier))
 
@@ -263,7 +267,7 @@ class Scene:
         found = np.zeros(len(free), dtype=bool)
         if tier != NEAR:
             rows = np.flatnonzero(free)
-            start, end = boxes.leader[:, :, rows].swapaxes(1, 2)
+            start, end = boxes.leader.take(rows, axis=2).swapaxes(1, 2)
             found[rows[self.letters.crossed(start, end)]] = True
         return found
 

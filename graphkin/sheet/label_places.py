@@ -58,7 +58,7 @@ class Places:
         ]
         if not self.stands.any():
             return choices
-        beside = self.prices.beside_others([choice.boxes for choice in choices], self.boxes.taken(self.stands))
+        beside = self.prices.beside_others([choice.boxes for choice in choices], self._standing)
         return [
             choice._replace(cost=choice.cost + more, free=choice.free & ~clash).cheapest(self._many)
             for choice, (more, clash) in zip(choices, beside, strict=True)
@@ -67,6 +67,11 @@ class Places:
     def _rated(self, labels: Sequence[int], tier: int) -> list[Rated]:
         """The candidates of labels up to a tier."""
         return self.scene.rated(labels, tier, lines=self.prices.through > 0)
+
+    @property
+    def _standing(self) -> Boxes:
+        """Labels that stand."""
+        return self.boxes.taken(np.flatnonzero(self.stands))
 
     # --- farther and farther ----------------------------------------------------------------------
 
@@ -168,7 +173,7 @@ class Places:
         self._tier[label] = self._last
         [rated] = self._rated([label], self._last)
         alone = self.prices.alone(rated)
-        [(more, _)] = self.prices.beside_others([rated.boxes], self.boxes.taken(self.stands))
+        [(more, _)] = self.prices.beside_others([rated.boxes], self._standing)
         liking = alone + _YIELDING * more
         liked = np.sort(np.argsort(liking)[: self._many])
         self._table.write(label, Choice(rated.boxes, alone + more, rated.free).taken(liked))

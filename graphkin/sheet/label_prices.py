@@ -99,13 +99,15 @@ def under(led: Boxes, other: Boxes, keep: float = _PASSING) -> Any:
     rows = np.flatnonzero(led.led & around)
     if len(rows):
         led, other = led.some(rows), other.some(rows)
-        found[rows] = through(*led.leader, other.low - keep, other.high + keep)
+        start, end = led.leader
+        found[rows] = through(start, end, other.low - keep, other.high + keep)
     return found
 
 
 def _near(low: Any, high: Any, least: Any, most: Any) -> tuple[Any, Any]:
     """Pairs of the boxes low..high (2, n) that lie together and others that overlap: their rows, and the others'."""
     others = np.flatnonzero(overlap(least, most, low.min(axis=1, keepdims=True), high.max(axis=1, keepdims=True)))
-    near = overlap(low[..., None], high[..., None], least[:, None, others], most[:, None, others])
+    least, most = least.take(others, axis=1), most.take(others, axis=1)
+    near = overlap(low[..., None], high[..., None], least[:, None], most[:, None])
     rows, columns = np.nonzero(near)
     return rows, others[columns]

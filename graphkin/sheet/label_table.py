@@ -65,7 +65,7 @@ class Table:
         near = overlap(self._low, self._high, low, high)
         near[label * width : label * width + width] = False
         numbers = np.flatnonzero(near)
-        return numbers, Boxes(self._places[:, :, numbers], self._led[numbers])
+        return numbers, Boxes(self._places.take(numbers, axis=2), self._led[numbers])
 
     def raise_(self, numbers: Any, more: Any, taken: Any) -> None:
         """Some places cost more; and some of these are no longer free."""

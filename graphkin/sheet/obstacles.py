@@ -48,7 +48,7 @@ class Tree:
         blocks, within = Blocks.of(low - most, high + most), [margin - most for margin in margins]
         found = [np.zeros(blocks.low.shape[1:], dtype=np.intp) for _ in margins]
         for block, lines in blocks.beside(self._lines.low, self._lines.high):
-            apart = self._lines.apart(lines[:, None], blocks.low[:, block], blocks.high[:, block])
+            apart = self._lines.apart(lines[:, None], *blocks.taken(block))
             for count, margin in zip(found, within, strict=True):
                 _add(count, block, apart <= margin)
         for boxes, apart in self._areas.touched(blocks):
@@ -61,11 +61,11 @@ class Tree:
         if not len(start):
             return np.zeros(0, dtype=np.intp)
         blocks = Blocks.of(np.minimum(start, end).T, np.maximum(start, end).T)
-        start, end = start.T[:, blocks.order], end.T[:, blocks.order]
+        start, end = start.T.take(blocks.order, axis=1), end.T.take(blocks.order, axis=1)
         found = np.zeros(blocks.low.shape[1:], dtype=np.intp)
         ends = start.reshape(blocks.low.shape), end.reshape(blocks.low.shape)
         for block, lines in blocks.beside(self._lines.low, self._lines.high):
-            _add(found, block, self._lines.met(lines[:, None], ends[0][:, block], ends[1][:, block]))
+            _add(found, block, self._lines.met(lines[:, None], *(each.take(block, axis=1) for each in ends)))
         for met in self._areas.met(blocks, start, end):
             found += np.bincount(met, minlength=found.size).reshape(found.shape)
         return _rows(blocks.back(found))
