@@ -21,30 +21,32 @@ class Blocks(NamedTuple):
     """Blocks of boxes.
 
     boxes  how many; order: which of them stand where (m * _SIZE,), the last one again in what would be left
-    low, high  their corners (2, m, _SIZE) [mm]
+    low, high  their corners (2, m, _SIZE) [mm]; least, most: those of each block (2, m)
     """
 
     boxes: int
     order: NDArray[np.intp]
     low: Any
     high: Any
+    least: Any
+    most: Any
 
     @classmethod
     def of(cls, low: Any, high: Any) -> Blocks:
         """Of boxes low..high (2, n), at least one."""
         column, row = ((low + high) * (0.5 / _CELL)).astype(np.intp)
         order = np.argsort(row * 65536 + np.where(row & 1, -column, column), kind="stable")
-        order = np.concatenate([order, np.repeat(order[-1:], -len(order) % _SIZE)])
-        blocks = (corner.take(order, axis=1).reshape(2, -1, _SIZE) for corner in (low, high))
-        return cls(low.shape[1], order, *blocks)
+        order = order[np.minimum(np.arange(-(-len(order) // _SIZE) * _SIZE), len(order) - 1)]
+        count, low, high = low.shape[1], *(corner.take(order, axis=1).reshape(2, -1, _SIZE) for corner in (low, high))
+        return cls(count, order, low, high, low.min(axis=2), high.max(axis=2))
 
     def beside(self, low: Any, high: Any) -> Iterator[tuple[Any, Any]]:
         """Pairs of blocks and of the things in low..high (2, k) that a box of it may touch, some at a time; block by
         block."""
-        least, most = self.low.min(axis=2), self.high.max(axis=2)
-        near = (low[0] <= most[0, :, None]) & (high[0] >= least[0, :, None])
-        near &= (low[1] <= most[1, :, None]) & (high[1] >= least[1, :, None])
-        blocks, things = np.nonzero(near)
+        if not low.shape[1]:
+            return
+        near = (low[:, None] <= self.most[..., None]) & (high[:, None] >= self.least[..., None])
+        blocks, things = np.nonzero(near[0] & near[1])
         for first in range(0, len(blocks), _AT_ONCE):
             yield blocks[first : first + _AT_ONCE], things[first : first + _AT_ONCE]
 

@@ -73,9 +73,8 @@ class Tree:
 
 def _add(count: Any, blocks: Any, found: Any) -> None:
     """Things found beside boxes of blocks (m, size), block by block, are counted."""
-    first = np.flatnonzero(np.diff(blocks, prepend=-1))
-    if len(first):
-        count[blocks[first]] += np.add.reduceat(found, first, axis=0, dtype=np.intp)
+    first = np.flatnonzero(np.concatenate([[True], blocks[1:] != blocks[:-1]]))
+    count[blocks[first]] += np.add.reduceat(found, first, axis=0, dtype=np.intp)
 
 
 def _rows(counts: NDArray[np.intp]) -> NDArray[np.intp]:
