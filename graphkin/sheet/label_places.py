@@ -57,7 +57,7 @@ class Places:
             for rated in self._rated(labels, tier)
         ]
         if not self.stands.any():
-            return choices
+            return choices if tier == NEAR else [choice.cheapest(self._many) for choice in choices]
         beside = self.prices.beside_others([choice.boxes for choice in choices], self._standing)
         return [
             choice._replace(cost=choice.cost + more, free=choice.free & ~clash).cheapest(self._many)
