@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
@@ -12,8 +13,8 @@ from graphkin.sheet.crossings import through
 from graphkin.sheet.edges import Edges, beyond
 from graphkin.sheet.marks import Place
 
-_SIDES = 5
-"""An area of no more than four sides, all level or upright, is a rectangle; a side of no length may close it."""
+_SIDES = 4
+"""An area of no more sides, all level or upright, is a rectangle."""
 
 _ROUNDED = 1e-9
 """What only touches is not lost by rounding [mm]."""
@@ -24,6 +25,7 @@ class Areas:
 
     _first, _count  where the edges of each begin, and how many there are
     _low, _high     corners of what each lies in (2, k) [mm]; _plain: those that are all of that, as letters are
+    _round, _sides  those that bulge nowhere inwards, and how many edges they have; _out: where edges face
     """
 
     def __init__(self, areas: Sequence[Sequence[Place]]) -> None:
@@ -39,6 +41,8 @@ class Areas:
             self._high = np.maximum.reduceat(self._high, self._first, axis=1)
             slanted = np.logical_or.reduceat(slanted, self._first)
         self._plain = ~slanted & (self._count <= _SIDES)
+        self._out, self._round = _outwards(corners, nexts, self._first, self._count)
+        self._sides = sorted(set(self._count[self._round & ~self._plain].tolist()))
 
     def touched(self, blocks: Blocks) -> Iterator[tuple[Any, Any]]:
         """Boxes (where they stand in blocks) that touch an area, once for each, and by how much they would have to
@@ -75,12 +79,30 @@ class Areas:
         found = beyond(self._low.take(areas, axis=1), self._high.take(areas, axis=1), low, high)
         shaped = np.flatnonzero(~self._plain[areas])
         if len(shaped):
-            first, owner, edges = self._spread(areas[shaped])
-            low, high = low.take(shaped[owner], axis=1), high.take(shaped[owner], axis=1)
-            apart = np.minimum.reduceat(self._edges.apart(edges, low, high), first)
-            odd = np.add.reduceat(self._edges.passed(edges, (low + high) / 2), first, dtype=np.intp) & 1
-            found[shaped] = np.where(odd, -np.inf, apart)
+            low, high, areas = low.take(shaped, axis=1), high.take(shaped, axis=1), areas[shaped]
+            found[shaped] = np.maximum(found[shaped], self._beyond_sides(areas, low, high))
         return found
+
+    def _beyond_sides(self, areas: Any, low: Any, high: Any) -> Any:
+        """By how much each box would have to grow to reach across all sides of the area it is paired with."""
+        found = np.empty(len(areas))
+        for sides in self._sides:
+            rows = np.flatnonzero(self._round[areas] & (self._count[areas] == sides))
+            edges = self._first[areas[rows]] + np.arange(sides)[:, None]
+            corners = low.take(rows, axis=1)[:, None], high.take(rows, axis=1)[:, None]
+            found[rows] = self._edges.outside(edges, self._out.take(edges), *corners).max(axis=0)
+        rows = np.flatnonzero(~self._round[areas])
+        if len(rows):
+            found[rows] = self._from_edges(areas[rows], low.take(rows, axis=1), high.take(rows, axis=1))
+        return found
+
+    def _from_edges(self, areas: Any, low: Any, high: Any) -> Any:
+        """The same of areas of any shape: what holds a box's middle, or has an edge there, is reached."""
+        first, owner, edges = self._spread(areas)
+        low, high = low.take(owner, axis=1), high.take(owner, axis=1)
+        apart = np.minimum.reduceat(self._edges.apart(edges, low, high), first)
+        odd = np.add.reduceat(self._edges.passed(edges, (low + high) / 2), first, dtype=np.intp) & 1
+        return np.where(odd, -np.inf, apart)
 
     def _spread(self, areas: Any) -> tuple[Any, Any, Any]:
         """All edges of some areas: where those of each begin, of which of them they are, and which edges."""
@@ -88,6 +110,20 @@ class Areas:
         first = np.cumsum(count) - count
         owner = np.repeat(np.arange(len(areas)), count)
         return first, owner, np.arange(len(owner)) + (self._first[areas] - first)[owner]
+
+
+def _outwards(corners: Any, nexts: Any, first: Any, count: Any) -> tuple[Any, Any]:
+    """On which side of each edge its area does not lie, 1 where that is the left as it goes down, else -1; and which
+    areas bulge nowhere inwards, nor go round twice."""
+    way = nexts - corners
+    after = np.arange(1, len(way) + 1)
+    after[first + count - 1] = first
+    turn = np.angle(way[after] * way.conj())
+    whole = np.add.reduceat(turn, first) if len(first) else turn
+    owner = np.repeat(np.arange(len(first)), count)
+    inwards = (turn * whole[owner] <= 0) | (way == 0)
+    odd = np.bincount(owner, inwards, len(first)) > 0
+    return np.where((way.imag >= 0) == (whole[owner] > 0), -1.0, 1.0), ~odd & (abs(abs(whole) - math.tau) < 1)
 
 
 def _xy(places: Any) -> Any:

@@ -40,6 +40,16 @@ class Edges(NamedTuple):
         surroundings = self.low.take(rows, axis=1), self.high.take(rows, axis=1)
         return np.maximum(found, beyond(*surroundings, low, high), out=found)
 
+    def outside(self, rows: Any, out: Any, low: Any, high: Any) -> Any:
+        """By how much boxes low..high would have to grow to reach across some of them from that side; less than 0: they
+        do [mm]."""
+        half, across = (high - low) / 2, abs(self.across).take(rows, axis=1)
+        found = self._side(rows, low + half)
+        found *= out
+        found -= across[0] * half[0]
+        found -= across[1] * half[1]
+        return found
+
     def passed(self, rows: Any, at: Any) -> Any:
         """Whether a way to the right from there crosses some of them: an odd number of those of an area about it."""
         level = (self.low[1].take(rows) <= at[1]) & (at[1] < self.high[1].take(rows))

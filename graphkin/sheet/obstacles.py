@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
 _TIP, _TIP_HALF = 2.8, 0.5
 """Length and half width of an arrow head [mm]."""
-_ROUNDED = 1e-9
-"""By so much what keeps a distance may miss it [mm]."""
+_SAME = 1e-9
+"""Corners so close together are one [mm]."""
 _CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
 
 
@@ -89,7 +89,7 @@ def tree(drawn: Iterable[Mark]) -> Tree:
     for mark in drawn:
         for places, filled in _outlines(mark):
             if filled:
-                areas.append(places)
+                areas.append(places[:-1] if abs(places[-1] - places[0]) < _SAME else places)
             else:
                 for ends in pairwise(places):
                     lines += ends
