@@ -64,7 +64,8 @@ def apart(mechanism: Mechanism, drawn: Motions, exact: Motions) -> float:
     Each kind of quantity is measured by the largest of its kind in the mechanism, or by what the lengths and
     speeds make of it (an angular acceleration of 0 by omega^2); angles in radians.
     """
-    return float(_apart(mechanism, drawn, exact, _largest))
+    with np.errstate(invalid="ignore"):  # where either is nan
+        return float(_apart(mechanism, drawn, exact, _largest))
 
 
 def apart_each(mechanism: Mechanism, drawn: Motions, exact: Motions) -> np.ndarray:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 from random_mechanisms import DYADS, Build
@@ -25,6 +26,7 @@ Twist = tuple[float, complex]
 """How a body moves: its angular velocity [rad/s], and the velocity of its point at the origin [m/s]."""
 
 
+@cache
 def dyads(count: int, seed: int = 0, kinds: tuple[str, ...] = DYADS) -> Mechanism:
     """A crank and so many dyads, each hung on the one before and on the frame or an earlier link."""
 
@@ -35,11 +37,13 @@ def dyads(count: int, seed: int = 0, kinds: tuple[str, ...] = DYADS) -> Mechanis
     return _hung(f"dyads-{count}-{seed}", count, one)
 
 
+@cache
 def triads(count: int, seed: int = 0) -> Mechanism:
     """So many groups of Class III in series: a ternary link on three bars, one of which hangs on the group before."""
     return _hung(f"triads-{count}-{seed}", count, lambda rng, last, earlier: _plates(1, last))
 
 
+@cache
 def ladder(plates: int, seed: int = 0) -> Mechanism:
     """One group as long as it is: plates hinged one to the next, each on a bar, the first and the last on two.
 

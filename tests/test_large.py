@@ -156,7 +156,7 @@ def test_the_assembly_is_that_of_all(how: str):
 
 
 def seconds(work: Callable[[], object]) -> float:
-    """The least of three times [s]."""
+    """The least of three times [s]; what is kept of a mechanism is kept of the same object only."""
     return min(timed(work) for _ in range(3))
 
 
@@ -174,17 +174,18 @@ def test_work_grows_with_the_square_at_most(make: Callable[[int], Mechanism], wh
     def work(mechanism: Mechanism) -> Callable[[], object]:
         method = plan(mechanism)
         return {
-            "plan": lambda: plan(mechanism), "replay": lambda: replay_all(method), "motion": lambda: motion(mechanism)
+            "plan": lambda: plan(replace(mechanism)), "replay": lambda: replay_all(method),
+            "motion": lambda: motion(replace(mechanism)),
         }[what]  # fmt: skip
 
-    assert seconds(work(long)) < 3 * 4**2 * seconds(work(short)) + 0.05
+    assert seconds(work(long)) < 1.5 * 4**2 * seconds(work(short))
 
 
 def test_planning_a_long_chain_is_quick_and_small():
     mechanism = dyads(64)
-    assert seconds(lambda: plan(mechanism)) < 0.9
+    assert seconds(lambda: plan(replace(mechanism))) < 0.9
     tracemalloc.start()
-    plan(mechanism)
+    plan(replace(mechanism))
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 60e6

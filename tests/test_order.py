@@ -135,11 +135,13 @@ def test_public_names():
              "svgwrite.validator2", "pydantic_core"},
         ),
         (["list"], {"numpy", "pydantic", "shapely", "svgwrite", "graphkin.loading"}),
+        (["equations", "ex3-1"], {"matplotlib", "shapely", "svgwrite", "numpy.ma", "urllib.request", "pydantic_core"}),
+        (["sweep", "ex3-1", "--table"], {"matplotlib", "shapely", "svgwrite", "numpy.ma", "pyarrow", "graphkin.sheet"}),
     ],
     ids=lambda given: given[0] if isinstance(given, list) else "",
 )
 def test_light_start(arguments: list[str], spared: set[str]):
-    """A command loads what it uses: a sheet, held against the analysis, and the list of titles."""
+    """A command loads what it uses."""
     code = (
         "import sys; from click.testing import CliRunner; from graphkin.cli import main\n"
         f"result = CliRunner().invoke(main, {arguments})\n"

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import assert_never
-from xml.sax.saxutils import escape, quoteattr
 
 from graphkin.equations.document import Block, Display, Document, Drawing, Heading, Sentence, Table
 from graphkin.equations.layout import Node, Op, Row
-from graphkin.equations.mathml import mathml
+from graphkin.equations.mathml import escaped, mathml
 from graphkin.outputs.svg import inline
 from graphkin.sheet import Sheet
 
@@ -37,15 +37,15 @@ def write_html(document: Document) -> str:
     return (
         f'<!DOCTYPE html>\n<html xmlns="http://www.w3.org/1999/xhtml" lang="{document.lang}">\n<head>\n'
         f'<meta charset="utf-8"/>\n<meta name="generator" content="graphkin"/>\n'
-        f"<title>{escape(document.title)}</title>\n<style>{_STYLE}</style>\n</head>\n"
-        f"<body>\n<h1>{escape(document.title)}</h1>\n{body}\n</body>\n</html>\n"
+        f"<title>{escaped(document.title)}</title>\n<style>{_STYLE}</style>\n</head>\n"
+        f"<body>\n<h1>{escaped(document.title)}</h1>\n{body}\n</body>\n</html>\n"
     )
 
 
 def _block(block: Block) -> str:
     match block:
         case Heading():
-            return f"<h{block.level}>{escape(block.text)}</h{block.level}>"
+            return f"<h{block.level}>{escaped(block.text)}</h{block.level}>"
         case Sentence():
             return f"<p>{''.join(_part(part) for part in block.parts)}</p>"
         case Display():
@@ -55,13 +55,13 @@ def _block(block: Block) -> str:
             return _table(block)
         case Drawing():
             sheet = block.draw()
-            return f"<figure>{svg(sheet)}<figcaption>{escape(sheet.title)}</figcaption></figure>"
+            return f"<figure>{svg(sheet)}<figcaption>{escaped(sheet.title)}</figcaption></figure>"
         case _:
             assert_never(block)
 
 
 def _part(part: str | Node) -> str:
-    return escape(part) if isinstance(part, str) else mathml(part)
+    return escaped(part) if isinstance(part, str) else mathml(part)
 
 
 def _chain(row: tuple[Node, ...]) -> Node:
@@ -73,11 +73,11 @@ def _chain(row: tuple[Node, ...]) -> Node:
 
 
 def _table(block: Table) -> str:
-    heads = "".join(f"<th>{escape(head)}</th>" for head in block.heads)
+    heads = "".join(f"<th>{escaped(head)}</th>" for head in block.heads)
     rows = "".join("<tr>" + "".join(f"<td>{_part(cell)}</td>" for cell in row) + "</tr>\n" for row in block.rows)
     return f"<table>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>"
 
 
 def svg(sheet: Sheet) -> str:
     """A drawing within the page, with its title for who does not see it."""
-    return inline(sheet).replace("<svg ", f'<svg role="img" aria-label={quoteattr(sheet.title)} ', 1)
+    return inline(sheet).replace("<svg ", f'<svg role="img" aria-label="{escape(sheet.title)}" ', 1)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
+from html import escape
 from typing import assert_never
-from xml.sax.saxutils import escape
 
 from graphkin.equations.layout import (
     Call,
@@ -25,6 +26,9 @@ from graphkin.equations.layout import (
 
 _DOTS = {1: "˙", 2: "¨"}
 
+escaped = partial(escape, quote=False)
+"""Text between tags, as it is written in XML. That of `xml.sax` loads all that reads from the net."""
+
 
 def mathml(node: Node, display: bool = False) -> str:
     """A whole `math` element."""
@@ -42,11 +46,11 @@ def inner(node: Node) -> str:
         case Letter():
             return _letter(node)
         case Num():
-            return f"<mn>{escape(node.text)}</mn>"
+            return f"<mn>{escaped(node.text)}</mn>"
         case Op():
-            return f"<mo>{escape(node.text)}</mo>"
+            return f"<mo>{escaped(node.text)}</mo>"
         case Word():
-            return f'<mi mathvariant="normal">{escape(node.text)}</mi>'
+            return f'<mi mathvariant="normal">{escaped(node.text)}</mi>'
         case Minus():
             return f'<mrow><mo form="prefix">−</mo>{inner(node.of)}</mrow>'
         case Row():
@@ -72,11 +76,11 @@ def inner(node: Node) -> str:
 def _letter(node: Letter) -> str:
     symbol = node.symbol
     style = ' style="font-weight:bold"' if node.bold else ""
-    base = f"<mi{style}>{escape(symbol.letter)}</mi>"
+    base = f"<mi{style}>{escaped(symbol.letter)}</mi>"
     if symbol.dots:
         base = f'<mover accent="true">{base}<mo>{_DOTS[symbol.dots]}</mo></mover>'
     tag = "mn" if symbol.low.isdigit() else "mi"
-    low = f"<{tag}>{escape(symbol.low)}</{tag}>"
+    low = f"<{tag}>{escaped(symbol.low)}</{tag}>"
     primes = f"<mo>{'′' * symbol.primes}</mo>"
     if symbol.low and symbol.primes:
         return f"<msubsup>{base}{low}{primes}</msubsup>"

@@ -51,4 +51,4 @@ def _places(path: Path, method: Method, low: float, high: float) -> np.ndarray:
     for change in path.changes:
         near = np.abs(t - change.at) < BESIDE * aside
         t[near] = change.at + BESIDE * aside * np.where(t[near] < change.at, -1.0, 1.0)
-    return np.unique(np.clip(t, low, high))
+    return np.array(sorted({*np.clip(t, low, high).tolist()}))
