@@ -37,7 +37,7 @@ class Run:
     def late(self, given: Sequence[np.ndarray]) -> np.ndarray:
         """What is asked for late (k, n)."""
         calls, count = self.layout.late_calls, max(value.size for value in given)
-        found, none = np.empty((calls.rows, count)), np.empty((0, count), dtype=complex)
+        found, none = lent(calls.rows * count).reshape(-1, count), np.empty((0, count), dtype=complex)
         with np.errstate(all="ignore"):
             for _, chunk in _chunks(found, none, given, [*np.empty((calls.registers, min(count, CHUNK)))]):
                 calls.run(*chunk)
