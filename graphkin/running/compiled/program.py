@@ -48,13 +48,14 @@ class Program:
     """Three constructions as one list of calls, for any values of the drivers and any sides of the crossings.
 
     facts    with the drivers at any values
-    layouts  its calls, and where each quantity of a plot is found after them, by what is worked out at once
+    layouts  its calls, and where each quantity of a plot is found after them, by what is worked out at once, and the
+             drivers that have a value for each position
     """
 
     constructions: tuple[Construction, ...]
     facts: Facts
     recording: Recording
-    layouts: dict[frozenset[Entry] | None, Layout]
+    layouts: dict[tuple[frozenset[Entry] | None, tuple[int, ...]], Layout]
 
     @property
     def sides(self) -> Mapping[int, int]:
@@ -66,14 +67,14 @@ class Program:
         """What a run must be given of positions close by, where links are fitted or roll."""
         return self.recording.near
 
-    def layout(self, asked: frozenset[Entry] | None = None) -> Layout:
+    def layout(self, asked: frozenset[Entry] | None = None, arrays: tuple[int, ...] = (0,)) -> Layout:
         """Where what is asked for is worked out at once, else what usually is: points, and how links turn."""
-        if asked not in self.layouts:
+        if (asked, arrays) not in self.layouts:
             tables = {name: getattr(self.recording.plot, name) for name in TABLES}
             given = len(self.facts.values) + len(self.sides) + len(self.near)
             at_once = self._entries(USUAL) if asked is None else asked
-            self.layouts[asked] = laid_out(self.recording, tables, given, at_once)
-        return self.layouts[asked]
+            self.layouts[asked, arrays] = laid_out(self.recording, tables, given, at_once, arrays)
+        return self.layouts[asked, arrays]
 
     def _entries(self, tables: Sequence[str]) -> set[Entry]:
         """All of some tables, but for points of polygons that belong to none of the mechanism."""
@@ -111,10 +112,11 @@ class Program:
     def _tried(
         self, values: Sequence[Value], taken: Mapping[int, Value], near: Mapping[str, Value], asked: set[Entry] | None
     ) -> tuple[Told, np.ndarray]:
-        layout = self.layout(None if asked is None else frozenset(asked))
         given = tuple(
             np.array(value, dtype=float) for value in (*values, *taken.values(), *(near[name] for name in self.near))
         )
+        arrays = tuple(k for k in range(len(values)) if given[k].ndim)
+        layout = self.layout(None if asked is None else frozenset(asked), arrays)
         run = Run(layout)
         block, vectors = run.room(max(value.size for value in given))
         failed, flat = run.filled(block, vectors, given)
