@@ -7,8 +7,9 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin.construction.chains import solve_together
 from graphkin.construction.construction import Construction
-from graphkin.construction.fitting import fit, roll, solve_together
+from graphkin.construction.fitting import fit
 from graphkin.construction.kinds import (
     Arc,
     Fit,
@@ -24,6 +25,7 @@ from graphkin.construction.kinds import (
     Touch,
 )
 from graphkin.construction.plot import Plot
+from graphkin.construction.rolling import roll
 from graphkin.construction.terms import Plane, Slid
 from graphkin.geometry import Leg, Value, cross, dot, leg, meet_circles, meet_line_circle, meet_lines, third_corner
 from graphkin.value import frozen

@@ -97,8 +97,8 @@ class TooFewDrivers(AboutLinks):
     freedoms: int
     drivers: int
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the mechanism has {freedoms} degrees of freedom but only {drivers} of them driven; "
-        "links {links} are still free. Add a [[driver]] for one of them.",
+        "en": "{where}: the mobility of this mechanism (its degrees of freedom) is {freedoms}, and drivers take "
+        "{drivers} of it; still free: links {links}. Add a [[driver]] for one of them.",
         "zh": "{where}：机构有 {freedoms} 个自由度，却只有 {drivers} 个原动件；构件 {links} 仍可自由运动。请为其中之一增加 [[driver]]。",
     }
 
@@ -111,8 +111,8 @@ class TooManyDrivers(GraphkinError):
     drivers: int
     driver: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {drivers} drivers are too many for the {freedoms} degrees of freedom of this mechanism; "
-        "remove driver {driver}.",
+        "en": "{where}: {drivers} drivers are too many, as the mobility of this mechanism (its degrees of freedom) is "
+        "{freedoms}; remove driver {driver}.",
         "zh": "{where}：机构只有 {freedoms} 个自由度，却有 {drivers} 个原动件；原动件 {driver} 是多余的。请删去。",
     }
 
@@ -123,7 +123,7 @@ class RepeatedDriver(AboutLinks):
     freedoms: int
     driver: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: driver {driver} moves what the drivers before it move already, while links {links} are "
-        "still free (the mechanism has {freedoms} degrees of freedom). Drive one of those instead.",
+        "en": "{where}: driver {driver} moves what the drivers before it move already, while still free are links "
+        "{links} (the mobility of this mechanism, its degrees of freedom, is {freedoms}). Drive one of those instead.",
         "zh": "{where}：原动件 {driver} 与前面的原动件驱动同一自由度，而构件 {links} 仍可自由运动（机构有 {freedoms} 个自由度）。请改为驱动后者。",
     }

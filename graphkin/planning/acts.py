@@ -6,8 +6,8 @@ act. What leads to it (the pole, the two lines) and what is then measured belong
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
-from typing import TYPE_CHECKING, assert_never
+from collections.abc import Collection, Iterable, Iterator
+from typing import assert_never
 
 from graphkin.construction import (
     Arc,
@@ -26,11 +26,7 @@ from graphkin.construction import (
     Swing,
     Touch,
 )
-from graphkin.kept import kept
 from graphkin.value import frozen
-
-if TYPE_CHECKING:
-    from graphkin.planning.method import Method
 
 
 @frozen
@@ -54,49 +50,14 @@ class Act:
         return self.plane != "position"
 
 
-def acts(method: Method) -> tuple[Act, ...]:
-    """All acts in the order in which they are drawn."""
+def acts(constructions: Iterable[Construction], unnamed: Collection[str]) -> tuple[Act, ...]:
+    """All acts in the order in which they are drawn; `unnamed`: points that nobody named."""
     found: list[Act] = []
-    unnamed = method.mechanism.unnamed
-    for construction in method.constructions:
+    for construction in constructions:
         before = 0 if construction.plane in ("position", "velocity") else sum(act.numbered for act in found)
         for number, (steps, done) in enumerate(_groups(construction, unnamed), start=before + 1):
             found.append(Act(construction.plane, number, len(found) + 1, steps, done))
     return tuple(found)
-
-
-@kept(8)
-def pages(method: Method) -> Mapping[tuple[Plane, Step], int]:
-    """In which act each step is done."""
-    return {(act.plane, step): act.page for act in method.acts for step in act.steps}
-
-
-@kept(8)
-def births(method: Method, plane: Plane) -> Mapping[str, int]:
-    """The act in which each point of a plane is found."""
-    found: dict[str, int] = {}
-    for act in method.acts:
-        for step in act.steps if act.plane == plane else ():
-            for name in made(step):
-                found.setdefault(name, act.page)
-    return found
-
-
-def rate_found(method: Method, plane: Plane, link: str) -> int | None:
-    """The act in which a link's rotation is found in a polygon's plane; None for one that is driven."""
-    base = method.structure.base(link)
-    for act in method.acts:
-        for step in act.steps if act.plane == plane else ():
-            match step:
-                case Measure(quantity="omega" | "alpha", of=of) if method.structure.base(of) == base:
-                    return act.page
-                case Roll(angle=angle) if angle == base:
-                    return act.page
-                case Simultaneous(angles=angles) if base in angles:
-                    return act.page
-                case _:
-                    pass
-    return None
 
 
 def _groups(construction: Construction, unnamed: Collection[str]) -> Iterator[tuple[tuple[Step, ...], Step]]:

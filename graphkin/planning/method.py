@@ -94,7 +94,7 @@ class Method:
     @cached_property
     def acts(self) -> tuple[Act, ...]:
         """What each sentence of the solution tells the pencil to do, with its number."""
-        return acts(self)
+        return acts(self.constructions, self.mechanism.unnamed)
 
     @property
     def sites(self) -> Mapping[str, Site]:

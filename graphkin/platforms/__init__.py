@@ -13,7 +13,7 @@ A set has one value, `alternatives`: numbers, tolerances and shares of the point
 these. Results have one value, `Result`: points rounded once; every format's totals are its totals. Texts, names and ids
 are hostile; files are written beside, then renamed; the same input gives the same bytes.
 
-To add a format: a file with one function, and its line in `writing`.
+To add a format: a file with one function, and its line in `set_formats` or `result_formats`.
 """
 
 from graphkin.platforms.alternatives import Alternative, alternatives
@@ -27,9 +27,10 @@ from graphkin.platforms.polygon_pictures import PolygonPictures
 from graphkin.platforms.problem_folder import is_set, students_of, told_of, write_problems
 from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record
+from graphkin.platforms.result_formats import RESULTS, Written, prepared, write_results
+from graphkin.platforms.set_formats import SETS, write_set
 from graphkin.platforms.several import Several
 from graphkin.platforms.stored import Stored
-from graphkin.platforms.writing import RESULTS, SETS, Written, prepared, write_results, write_set
 
 __all__ = [
     "RESULTS", "SETS", "Alternative", "ClassReport", "Feedback", "Line", "Overrides", "Part", "Picture",

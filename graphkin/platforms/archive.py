@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import BinaryIO
 
-COMMENT = b"graphkin"
+_COMMENT = b"graphkin"
+ZIP_MARKS = (_COMMENT,)
 """At the end of each archive: by this graphkin knows its own."""
 _LONG_AGO = (1980, 1, 1, 0, 0, 0)
 _NOWHERE = frozenset('\\:*?"<>|')
@@ -18,7 +19,7 @@ def pack(file: Path | BinaryIO, members: Iterable[tuple[str, bytes | Iterable[by
     """Write an archive, member by member, a long one part by part; of two of one name the first is kept."""
     written: set[str] = set()
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.comment = COMMENT
+        archive.comment = _COMMENT
         for name, data in members:
             if name not in written:
                 written.add(name)

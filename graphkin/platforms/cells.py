@@ -25,6 +25,12 @@ def line(cells: Iterable[Cell]) -> str:
     return written.getvalue()
 
 
+def write_lines(path: Path, lines: Iterable[str]) -> None:
+    """Lines, with their ends, into a file."""
+    with path.open("w", encoding="utf-8", newline="") as file:
+        file.writelines(lines)
+
+
 def _written(cell: Cell) -> str:
     if cell is None:
         return ""

@@ -8,7 +8,7 @@ from pathlib import Path
 from graphkin.grading import Judge
 from graphkin.platforms.from_key import question_of
 from graphkin.platforms.question import ProblemSet, Question
-from graphkin.platforms.writing import SETS
+from graphkin.platforms.set_formats import SETS
 from graphkin.problems import Template, Variant
 from graphkin.say.catalogue import LANGUAGES
 from graphkin.say.problems import statement

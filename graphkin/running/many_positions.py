@@ -15,12 +15,16 @@ from graphkin.running.path import Path, along
 
 MANY = 64
 """From so many positions on a program is worth being made: a few such sweeps take as long as making it."""
+FITTED_MANY = 2000
+"""The same where links are fitted: to fit so many plainly takes about as long as making the program."""
 PART = 4096
 """Positions that are fitted at once."""
 
 
 _PROGRAMS: dict[int, Program | None] = {}
 """By the identity of their methods, as long as these live: methods are alike by value, and too large to be hashed."""
+_ASKED: dict[int, int] = {}
+"""How many positions were replayed without a program, by method, the same."""
 
 
 def program_of(method: Method) -> Program | None:
@@ -37,6 +41,17 @@ def _made(method: Method) -> Program | None:
         return compiled_program(method.constructions, method.facts(None), method.near if method.moves_on else ())
     except CannotRecord:
         return None
+
+
+def _worth_it(method: Method, count: int) -> bool:
+    """Whether a program is there, or so many positions were asked for by now that it is worth being made."""
+    key = id(method)
+    if not method.fits or key in _PROGRAMS:
+        return True
+    if key not in _ASKED:
+        finalize(method, _ASKED.pop, key, None)
+    _ASKED[key] = _ASKED.get(key, 0) + count
+    return _ASKED[key] >= FITTED_MANY
 
 
 def by_program(
@@ -56,7 +71,7 @@ def by_program(
     shapes = {value.shape if isinstance(value, np.ndarray) else np.shape(value) for value in values} - {()}
     if len(shapes) != 1 or len(shape := shapes.pop()) != 1 or shape[0] < MANY:
         return None
-    made = program_of(method)
+    made = program_of(method) if _worth_it(method, shape[0]) else None
     return None if made is None else made.run(values, sides, near, asked)
 
 

@@ -8,7 +8,7 @@ from graphkin.centres.about import About, CarriedPoint
 from graphkin.errors import Lang
 from graphkin.sheet.centre_arrows import coordinates
 from graphkin.sheet.lettering import Label, Run, number, plain, point_label
-from graphkin.sheet.results import Table
+from graphkin.sheet.table import Table
 
 _POINT: dict[Lang, str] = {"en": "point", "zh": "点"}
 _CENTRE: dict[Lang, str] = {"en": "K (x, y) [mm]", "zh": "K（x，y）[mm]"}

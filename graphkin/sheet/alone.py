@@ -15,7 +15,7 @@ from graphkin.sheet.marks import Mark
 from graphkin.sheet.page import Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Room
 from graphkin.sheet.plain_mechanism import plain_mechanism
-from graphkin.sheet.results import Table
+from graphkin.sheet.table import Table
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from graphkin.construction import Plot
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.acts import rate_found
+from graphkin.planning.found_when import rate_found
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
 from graphkin.sheet.wanted import Wanted

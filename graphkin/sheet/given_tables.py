@@ -8,7 +8,7 @@ from graphkin.say.dimensions import dimensions
 from graphkin.say.reading import Reading
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import Label, joined, plain, quantity_label
-from graphkin.sheet.results import SIZE, Table
+from graphkin.sheet.table import SIZE, Table
 from graphkin.sheet.written_lines import WrittenLines
 
 _WIDE = 62.0

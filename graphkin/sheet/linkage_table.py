@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from graphkin.linkages import Report
 from graphkin.sheet.formula import points_label
 from graphkin.sheet.lettering import Label, Run, number, point_label, quantity_label
-from graphkin.sheet.results import Table
+from graphkin.sheet.table import Table
 
 Row = tuple[Label, Label]
 

@@ -10,7 +10,7 @@ from typing import Literal
 from graphkin.construction import Construction, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.acts import births
+from graphkin.planning.found_when import births
 from graphkin.planning.held_still import held_labels
 from graphkin.planning.needed import Fact, at_rest
 from graphkin.say.catalogue import say

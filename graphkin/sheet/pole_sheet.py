@@ -18,9 +18,9 @@ from graphkin.sheet.lettering import Run, number, plain, point_label, quantity_l
 from graphkin.sheet.marks import Disc, Place, Stroke
 from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.pictures import Caption, Picture
-from graphkin.sheet.results import Table
 from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import SWEEP, arrow_head, spin
+from graphkin.sheet.table import Table
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Entry, Figure, Window

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from graphkin.construction import Along, Arc, Direction, Meet, Plot, Ray, Site, Touch
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.acts import pages
+from graphkin.planning.found_when import pages
 from graphkin.sheet.lettering import plain, point_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
 from graphkin.sheet.polygons import named_site

@@ -14,8 +14,8 @@ from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room
 from graphkin.sheet.paragraphs import Paragraphs
-from graphkin.sheet.results import Table, arranged, drawn_tables, height_of
 from graphkin.sheet.scales import written
+from graphkin.sheet.table import Table, arranged, drawn_tables, height_of
 from graphkin.value import frozen
 
 _WIDE = 64.0

@@ -3,32 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from functools import cached_property, partial
-from typing import Any
+from functools import cached_property
 
 import numpy as np
 
-from graphkin.errors import BadRange, BadValues, GivenTwice, GraphkinError, NoPosition, NoSuchDriver, Where
+from graphkin.errors import BadRange, NoPosition, NoSuchDriver
 from graphkin.geometry import Value
-from graphkin.loading.units import LARGEST, UNITS, Dimension, read_quantity
 from graphkin.mechanism import Driver
-from graphkin.naming import driver_number
 from graphkin.planning import Method
 from graphkin.quantities import EDGE, driven
 from graphkin.running.path import Event, Path
 from graphkin.running.reaching import reached
 from graphkin.running.tracing import trace
+from graphkin.sweeps.ranges import ROWS, TURN, WHERE, Ranges, Wanted, first_free, given_ranges, in_proportion
 from graphkin.value import frozen
-
-Ranges = Sequence[str] | Mapping[str, Any] | np.ndarray | Sequence[float]
-"""Texts as on the command line; or by driver a text, a number, numbers [deg, mm]; or numbers for the first driver."""
-TURN = 2 * math.pi
-WHERE = Where("--driver")
-MOST_TURNS, MOST_STEPS = 1000, 1e7
-ROWS = 36
-"""Rows of a table over the reachable range of a slide, and over a turn."""
 
 
 @frozen
@@ -109,14 +99,16 @@ def course(method: Method, ranges: Ranges = ()) -> Course:
 
     Raises BadRange, NoSuchDriver, NotReached; NoPosition where none of the positions is reached.
     """
-    given = _given(method, ranges)
+    given = given_ranges(method, ranges)
     moving = [k for k, wanted in given.items() if wanted.moves]
     if not method.drivers:
         raise NoSuchDriver(method.mechanism.where("driver"), "", ())
     if moving and len(given) > 1:
         return _together(method, given, moving)
     before = _moved(method, given)
-    swept = moving[0] if moving else _first_moving(method, given, ranges)
+    swept = moving[0] if moving else first_free(method, given)
+    if swept is None:
+        raise BadRange(WHERE, ", ".join(map(str, ranges)))
     pace = _pace(method, swept, tuple(given) if before is not None else ())
     return _over(method, swept, pace, given[swept] if moving else None, before)
 
@@ -125,15 +117,8 @@ def course_from(method: Method, values: Sequence[float] | None = None) -> Course
     """The usual course, on through other driver values than the drawn ones [rad, m]. Raises NotReached."""
     if values is None or not method.drivers:
         return course(method)
-    swept = _first_moving(method, {}, ())
+    swept = first_free(method, ()) or 0
     return _over(method, swept, _pace(method, swept, ()), None, reached(method, list(values)))
-
-
-def _first_moving(method: Method, given: dict[int, Wanted], ranges: Ranges) -> int:
-    free = [k for k in range(len(method.drivers)) if k not in given]
-    if not free:
-        raise BadRange(WHERE, ", ".join(map(str, ranges)))
-    return next((k for k in free if method.drivers[k].rate), free[0])
 
 
 def _pace(method: Method, swept: int, still: tuple[int, ...]) -> tuple[float, ...]:
@@ -243,7 +228,7 @@ def _together(method: Method, given: dict[int, Wanted], moving: list[int]) -> Co
     counts = {given[k].values.size for k in moving}
     if len(counts) > 1:
         raise BadRange(WHERE, ", ".join(str(count) for count in sorted(counts)))
-    given = _in_proportion(method, given, moving)
+    given = in_proportion(method, given, moving)
     begin = [given[k].begin if k in given else value for k, value in enumerate(method.facts(None).values)]
     before = reached(method, begin)
     wanted = given[swept].values - begin[swept]
@@ -254,139 +239,3 @@ def _together(method: Method, given: dict[int, Wanted], moving: list[int]) -> Co
     there = np.broadcast_to(path.leads_to(wanted), wanted.shape)
     values = wanted + begin[swept]
     return _of_those(Course(method, path, swept, wanted, values, values[:0]), there)
-
-
-# --- reading ----------------------------------------------------------------------------------
-
-
-@frozen
-class Wanted:
-    """What is asked of a driver [rad, m]: its values, from the first to the last; one that is held has one value."""
-
-    values: np.ndarray
-    begin: float
-    end: float
-    moves: bool
-    listed: bool = False
-
-    @classmethod
-    def held(cls, value: float) -> Wanted:
-        return cls(np.array([value]), value, value, False)
-
-
-def _in_proportion(method: Method, given: dict[int, Wanted], moving: list[int]) -> dict[int, Wanted]:
-    """Several drivers go on one straight way: where values are listed, from the least of the first driver's on."""
-    if not any(given[k].listed for k in moving):
-        return given
-    first = given[moving[0]].values
-    low, high = int(np.argmin(first)), int(np.argmax(first))
-    if first[high] == first[low]:
-        raise BadValues(WHERE, method.drivers[moving[0]].name)
-    part = (first - first[low]) / (first[high] - first[low])
-    found = dict(given)
-    for k in moving:
-        values = given[k].values
-        begin, end = float(values[low]), float(values[high])
-        if not np.allclose(values, begin + (end - begin) * part, rtol=0, atol=1e-9 * max(abs(begin), abs(end))):
-            raise BadValues(WHERE, method.drivers[k].name)
-        found[k] = Wanted(values, begin, end, True, True)
-    return found
-
-
-def _given(method: Method, ranges: Ranges) -> dict[int, Wanted]:
-    """By driver, what is asked of it."""
-    found: dict[int, Wanted] = {}
-    for name, span, written in _named(ranges):
-        number = _number(method, name) if name else _unnamed(method, found, written)
-        if number in found:
-            raise GivenTwice(WHERE, method.drivers[number].name)
-        found[number] = _wanted(method, number, span, written)
-    return found
-
-
-Written = Callable[[], str]
-"""A range as it was written: long arrays are only told where something is wrong with them."""
-
-
-def _named(ranges: Ranges) -> Iterator[tuple[str, object, Written]]:
-    """Each range with its driver's name, "" where none is given, and as it was written."""
-    if isinstance(ranges, Mapping):
-        yield from ((name, span, partial(_told, span, f"{name}=")) for name, span in ranges.items())
-    elif not isinstance(ranges, str) and any(not isinstance(each, str) for each in ranges):
-        yield "", ranges, partial(_told, ranges)
-    else:
-        for text in [ranges] if isinstance(ranges, str) else ranges:
-            name, _, span = str(text).rpartition("=")
-            yield name.strip(), span, partial(str, text)
-
-
-def _told(span: object, name: str = "") -> str:
-    return f"{name}{span}"[:60]
-
-
-def _number(method: Method, name: str) -> int:
-    number = driver_number(method.mechanism, name)
-    if number is None:
-        raise NoSuchDriver(WHERE, name, tuple(driver.name for driver in method.drivers))
-    return number
-
-
-def _unnamed(method: Method, found: dict[int, Wanted], written: Written) -> int:
-    """The first driver that moves and has no range yet."""
-    free = [k for k in range(len(method.drivers)) if k not in found]
-    if not free:
-        raise NoSuchDriver(WHERE, written(), ())
-    return next((k for k in free if method.drivers[k].rate), free[0])
-
-
-def _wanted(method: Method, number: int, span: object, written: Written) -> Wanted:
-    dimension: Dimension = "length" if method.drivers[number].kind == "slide" else "angle"
-    return _read(dimension, span, written) if isinstance(span, str) else _listed(dimension, span, written)
-
-
-def _listed(dimension: Dimension, span: object, written: Written) -> Wanted:
-    """Of a number, or of numbers, in the units of plain numbers."""
-    try:
-        numbers = np.asarray(span, dtype=float)
-    except (TypeError, ValueError):
-        raise BadValues(WHERE, written()) from None
-    times, divided = next(iter(UNITS[dimension].values()))
-    values = numbers * times / divided
-    far = MOST_TURNS * TURN if dimension == "angle" else LARGEST
-    if values.ndim > 1 or not values.size or values.size > MOST_STEPS or not np.all(np.abs(values) <= far):
-        raise BadValues(WHERE, written())
-    if not values.ndim:
-        return Wanted.held(float(values.flat[0]))
-    return Wanted(values, float(values.min()), float(values.max()), True, True)
-
-
-def _read(dimension: Dimension, span: str, written: Written) -> Wanted:
-    try:
-        numbers = [read_quantity(_plain(part), dimension) for part in span.split(":")]
-    except GraphkinError as error:
-        raise error.at(WHERE) from None
-    if len(numbers) == 1:
-        return Wanted.held(numbers[0])
-    if len(numbers) == 2:
-        numbers.append(abs(numbers[1] - numbers[0]) / ROWS)
-    if len(numbers) == 3 and numbers[1] < numbers[0]:
-        numbers[2] = abs(numbers[2])
-    if len(numbers) != 3 or numbers[0] == numbers[1] or not numbers[2] > 0:
-        raise BadRange(WHERE, written())
-    far = MOST_TURNS * TURN if dimension == "angle" else math.inf
-    if abs(numbers[1] - numbers[0]) > min(far, MOST_STEPS * numbers[2]) or max(map(abs, numbers)) > far:
-        raise BadRange(WHERE, written())
-    return Wanted(_steps(*numbers), numbers[0], numbers[1], True)
-
-
-def _plain(text: str) -> float | str:
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
-def _steps(begin: float, end: float, step: float) -> np.ndarray:
-    """From, and on by steps, to and with the end where a step comes to it."""
-    count = math.floor(abs(end - begin) / step + 1e-9)
-    return begin + math.copysign(step, end - begin) * np.arange(count + 1)

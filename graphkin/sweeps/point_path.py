@@ -10,8 +10,9 @@ import numpy as np
 from graphkin.errors import StandsStill, UnknownPoint, Where
 from graphkin.planning import Method
 from graphkin.quantities import EDGE
-from graphkin.sweeps.course import TURN, Course, course_from
+from graphkin.sweeps.course import Course, course_from
 from graphkin.sweeps.proof import prove
+from graphkin.sweeps.ranges import TURN
 from graphkin.sweeps.sweep import quantities_at
 from graphkin.value import frozen
 

@@ -16,9 +16,10 @@ from graphkin.running.compiled import Entry
 from graphkin.running.compiled.memory import lent
 from graphkin.running.many_positions import MANY
 from graphkin.running.path import stride
-from graphkin.sweeps.course import Course, Ranges, course
+from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.proof import prove
 from graphkin.sweeps.quantities import Series, asked, series
+from graphkin.sweeps.ranges import Ranges
 from graphkin.sweeps.roads import Road, centre_path, moving
 from graphkin.value import frozen
 

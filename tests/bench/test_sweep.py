@@ -38,7 +38,7 @@ TIMES_CALL = 1.9
 """The same for a single turn."""
 TIMES_C = {"ex3-5": 1.5, "p3-23a": 1.2, "ex3-7": 1.9}
 """How many times as long as a loop in C many positions may take, at the most."""
-CLASS_III, TIMES_FITTED, TIMES_WALKED = "p3-15", 9.0, 2.5
+CLASS_III, TIMES_FITTED, TIMES_WALKED = "p3-15", 9.0, 1.3
 """How many times as long as a four-bar's a position may take whose links are fitted; and how many times as long as many
 positions, a turn of a mechanism that was only loaded."""
 OF = {"ex3-5": ("theta 3", "omega 3", "alpha 3", "v E", "a E"), "ex3-7": ("theta 4", "omega 4", "alpha 4", "v E", "a E")}

@@ -1,4 +1,4 @@
-"""The formats by name, and their files in a folder: each beside, then renamed, nothing outside the folder."""
+"""The formats of results by name, and their files in a folder: beside, then renamed, nothing outside the folder."""
 
 from __future__ import annotations
 
@@ -15,93 +15,30 @@ from graphkin.outputs.files import beside
 from graphkin.platforms import (
     canvas_results,
     class_table,
-    csv_set,
     gradescope,
     moodle_results,
-    moodle_set,
     prairielearn,
-    qti,
     xlsx,
-    xuexitong,
 )
-from graphkin.platforms.alternatives import refuse
-from graphkin.platforms.archive import COMMENT, pack
-from graphkin.platforms.cells import BOM, Cell, line
+from graphkin.platforms.archive import ZIP_MARKS, pack
+from graphkin.platforms.cells import BOM, Cell, line, write_lines
 from graphkin.platforms.class_figure import write_class_figure
 from graphkin.platforms.class_report import ClassReport, class_report, report_record, report_text
 from graphkin.platforms.feedback import Feedback, Reveal
 from graphkin.platforms.marked_up import clean
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.platform_names import Named, canvas, moodle
-from graphkin.platforms.question import ProblemSet
 from graphkin.platforms.result import Picture, Result
 from graphkin.platforms.several import Several
 from graphkin.platforms.web_page import PAGE, html
-from graphkin.say.catalogue import LANGUAGES, in_both, say
+from graphkin.say.catalogue import in_both, say
 from graphkin.submissions import safe_name
 from graphkin.value import frozen
 
 CLASS_TABLE = "class.csv"
 """In this table of a results folder teachers write their overrides."""
-_JSON, _ZIP, _TABLE = (b'"graphkin"',), (COMMENT,), (b"override",)
+_JSON, _TABLE = (b'"graphkin"',), (b"override",)
 _REPORT = tuple(title.encode() for title in in_both("class_report.title").values())
-
-
-# --- sets -------------------------------------------------------------------------------------
-
-
-Writer = Callable[[Path, ProblemSet, Lang], None]
-
-
-@frozen
-class SetFormat:
-    """How a set is written: the file's suffix, and what writes it; by `marks` graphkin knows a file of its own."""
-
-    suffix: str
-    write: Writer
-    marks: tuple[bytes, ...]
-
-
-def _packed(members: Callable[[ProblemSet, Lang], Iterator[tuple[str, bytes]]]) -> Writer:
-    return lambda path, problems, lang: pack(path, members(problems, lang))
-
-
-def _whole(made: Callable[[ProblemSet, Lang], bytes]) -> Writer:
-    def write(path: Path, problems: ProblemSet, lang: Lang) -> None:
-        path.write_bytes(made(problems, lang))
-
-    return write
-
-
-def _lines(path: Path, lines: Iterable[str]) -> None:
-    with path.open("w", encoding="utf-8", newline="") as file:
-        file.writelines(lines)
-
-
-SETS: Mapping[str, SetFormat] = {
-    "moodle": SetFormat(".xml", _whole(moodle_set.cloze), (b"$course$/graphkin/",)),
-    "moodle-numerical": SetFormat(".xml", _whole(moodle_set.numerical), (b"$course$/graphkin/",)),
-    "qti": SetFormat(".zip", _packed(qti.members), _ZIP),
-    "csv": SetFormat(
-        ".csv", lambda path, problems, lang: _lines(path, csv_set.lines(problems, lang)),
-        tuple(csv_set.head(lang).encode() for lang in LANGUAGES),
-    ),
-    "xuexitong": SetFormat(".docx", _packed(xuexitong.members), _ZIP),
-}  # fmt: skip
-"""By name, as `graphkin problems --format` has them."""
-
-
-def write_set(path: Path, problems: ProblemSet, kind: str, lang: Lang = "en", force: bool = False) -> None:
-    """A set into a file. Raises NoRightNumber, NotForPlatform, FileInTheWay, NoFolder, CannotWrite."""
-    for question in problems.questions:
-        for part in question.parts:
-            refuse(question, part)
-    how = SETS[kind]
-    with beside(path, force, how.marks) as draft:
-        how.write(draft, problems, lang)
-
-
-# --- results ----------------------------------------------------------------------------------
 
 
 @frozen
@@ -149,13 +86,13 @@ class Order:
         """A file of text in the folder."""
         path = self.folder / name
         with beside(path, self.force, marks) as draft:
-            _lines(draft, lines)
+            write_lines(draft, lines)
         return path
 
     def packed(self, name: str, members: Iterable[tuple[str, bytes | Iterable[bytes]]]) -> Path:
         """An archive in the folder."""
         path = self.folder / name
-        with beside(path, self.force, _ZIP) as draft:
+        with beside(path, self.force, ZIP_MARKS) as draft:
             pack(draft, members)
         return path
 
