@@ -47,7 +47,8 @@ def _as_it_comes(
 
 
 class _Wishes:
-    """before: as they come without; found: of what was looked at; votes: of those that need it, for (above 0) and against a place as it is."""
+    """before: as they come without; found: of what was looked at; votes: of those that need it, for (above 0) and
+    against a place as it is."""
 
     def __init__(
         self, tape: Tape, operations: Mapping[int, Operation], laid: Mapping[int, int], before: Mapping[int, int]
