@@ -130,12 +130,6 @@ class Mechanism:
         return owners
 
     @cached_property
-    def most_primes(self) -> int:
-        """How many primes the name of a point has, at the most."""
-        own = (len(point) - len(point.rstrip("'")) for point in self.points if point not in self.unnamed)
-        return max(own, default=0)
-
-    @cached_property
     def unnamed(self) -> frozenset[str]:
         """The points that nobody named: where lines of the frame begin that are given by coordinates, or slots that
         stand for a contact."""
@@ -147,6 +141,11 @@ class Mechanism:
     def points(self) -> tuple[str, ...]:
         """The points people named, fixed ones first."""
         return tuple(point for point in self.owners if point not in self.unnamed)
+
+    @cached_property
+    def most_primes(self) -> int:
+        """How many primes the point has that has most."""
+        return max((len(point) - len(point.rstrip("'")) for point in self.points), default=0)
 
     def named(self, link: str) -> tuple[str, ...]:
         """The points of a link that people named."""

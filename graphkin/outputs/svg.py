@@ -25,9 +25,9 @@ from graphkin.outputs.spans import LATIN, mm, runs, short
 from graphkin.outputs.svgwriting import svgwrite
 from graphkin.seal import seal
 from graphkin.sheet import Sheet
+from graphkin.sheet.composed import HEADINGS
 from graphkin.sheet.lettering import Label
 from graphkin.sheet.marks import Arc, Disc, Half, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark
-from graphkin.sheet.mechanism_sheet import HEADINGS
 from graphkin.sheet.page import Layer
 from graphkin.sheet.scales import KEYS, written
 

@@ -81,7 +81,7 @@ class Annotated:
             return
         step = self.skeleton.step(one, other)
         want = Wanted(formula(length(self.reading, one, other)), start, end, gap=0.5, size=LEAST, step=step)
-        if letters := free.letters(want):
+        if letters := next(free.letters([want])):
             added.over.extend(letters)
             lines = [Stroke(piece, "measured", step=step) for piece in pieces]
             added.under.extend(lines)
@@ -111,7 +111,7 @@ class Annotated:
             middle = start * cmath.rect(1, -sense * SWEEP / 2)
             want = Wanted(label, at + middle * radius, gap=0.9, away=middle, step=step)
             arc = [_accented(mark, plane) for mark in spin(at, start, sense, radius, step)]
-            if letters := free.tried(arc).letters(want):
+            if letters := next(free.tried(arc).letters([want])):
                 found = [*arc, *(_accented(mark, plane) for mark in letters)]
                 free.add(found)
                 return found

@@ -8,10 +8,9 @@ they are, to scale; those of the detail are not measured.
 from __future__ import annotations
 
 import cmath
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from functools import cached_property
-from itertools import pairwise
+from itertools import compress, pairwise
 
 import numpy as np
 
@@ -22,7 +21,7 @@ from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.page import Panel
-from graphkin.sheet.paper import BODY
+from graphkin.sheet.paper import BODY, Room
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
@@ -65,6 +64,13 @@ class _Circle:
         """Whether what a label names lies in it wholly."""
         return self.holds(want.start, want.start if want.end is None else want.end)
 
+    @property
+    def room(self) -> Room:
+        """It, and what letters around it need."""
+        far = self.radius + _AROUND
+        left, top = self.centre.real - far, self.centre.imag - far
+        return Room(left, top, left + 2 * far, top + 2 * far)
+
     def piece(self, start: Place, end: Place) -> tuple[Place, Place] | None:
         """What of a line lies in it."""
         way = end - start
@@ -102,26 +108,29 @@ def detailed(panel: Panel, draw: Callable[[Window], Figure], plane: Plane) -> Pa
 
 @frozen
 class _Drawing:
-    """A panel with the details it has so far; prime: after their numerals."""
+    """A panel with the details it has so far.
+
+    prime  after their numerals
+    known  what its labels trouble the eye, as far as it is known before all are lettered
+    """
 
     panel: Panel
     draw: Callable[[Window], Figure]
     prime: str
     views: tuple[_View, ...] = ()
+    known: Sequence[float] | None = None
 
     def relieved(self) -> _Drawing | None:
         """With the one more detail that relieves it most, None where none does."""
-        if not (views := self._possible()) or (before := self.burden) < _SAVED:
+        if not (views := self._possible()) or sum(self.burdens) < _SAVED:
             return None
-        after, best = min(((other.burden, other) for other in map(self._with, views)), key=lambda found: found[0])
-        return best if after + _SAVED <= before else None
+        best = min(map(self._with, views), key=lambda other: sum(other.burdens))
+        return best if sum(best.burdens) + _SAVED <= sum(self.burdens) else None
 
-    @cached_property
-    def burden(self) -> float:
-        """How many labels find no place near by or stand on leaders; leaders of a detail trouble the eye less."""
-        settled = self.panel.near
-        ends = [mark.places[-1] for mark in settled.marks if isinstance(mark, Stroke)]
-        return settled.clashes + sum(_EASIER if any(v.shown.holds(end) for v in self.views) else 1.0 for end in ends)
+    @property
+    def burdens(self) -> Sequence[float]:
+        """What each label troubles the eye: one on a leader, one without a place."""
+        return _burdens(self.panel, 1.0) if self.known is None else self.known
 
     def _possible(self) -> list[_View]:
         """The details there is room for."""
@@ -144,19 +153,35 @@ class _Drawing:
         return None
 
     def _with(self, view: _View) -> _Drawing:
-        """The letters of one circle left to the other, where that part is drawn once more."""
+        """The letters of one circle left to the other, where that part is drawn once more.
+
+        What is left out is a trouble less, what the detail has to letter for itself a trouble more; that all else has
+        more room then is not counted, so that not all must be lettered anew for each detail that is tried.
+        """
         whole, figure = self.draw(view.window), self.panel.figure
         marks = [mark for each in whole.marks for mark in _clipped(each, view.shown)]
         named = [want for want in whole.wanted if view.shown.names(want)]
         told = {want.of for want in named if want.of}
-        kept = [want for want in figure.wanted if not (want.of in told if want.of else view.part.names(want))]
+        stay = [not (want.of in told if want.of else view.part.names(want)) for want in figure.wanted]
         step = min((mark.step for mark in marks if mark.step is not None), default=None)
         numeral = _NUMERALS[len(self.views)] + self.prime
         sign = Wanted(plain(numeral), view.part.centre, gap=view.part.radius, size=BODY, step=step)
         marks += [Disc(circle.centre, circle.radius, "thin", step=step) for circle in (view.part, view.shown)]
         marks.append(_heading(plain(f"{numeral}  ({view.times:g} : 1)"), view.shown, step))
-        panel = replace(self.panel, figure=Figure([*figure.marks, *marks], [*kept, *named, sign]))
-        return replace(self, panel=panel, views=(*self.views, view))
+        alone = Panel(Figure(marks, named), view.window, view.shown.room)
+        known = [*compress(self.burdens, stay), *_burdens(alone, _EASIER), 0.0]
+        drawn = Figure([*figure.marks, *marks], [*compress(figure.wanted, stay), *named, sign])
+        return replace(self, panel=replace(self.panel, figure=drawn), views=(*self.views, view), known=known)
+
+
+def _burdens(panel: Panel, led: float) -> list[float]:
+    """What each label of a panel troubles the eye; `led`: one on a leader."""
+    found = [0.0] * len(panel.figure.wanted)
+    for label in panel.near.led:
+        found[label] += led
+    for label in panel.near.clashing:
+        found[label] += 1.0
+    return found
 
 
 def _knots(wanted: list[Wanted]) -> Iterator[_Circle]:

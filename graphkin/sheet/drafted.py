@@ -84,17 +84,19 @@ class Drafted:
         for start, end, page in self._carried():
             added.under.extend(Stroke(piece, "measured", step=page) for piece in free.pieces(start, end))
         free.add(added.under)
-        for act in self.acts:
-            added.over.extend(self._number(act, free))
-        for line, tip in marked:
-            want = Wanted(formula(line.text), tip, gap=-0.2, away=(tip - line.meeting), size=LEAST, step=line.page)
-            added.over.extend(free.letters(want))
+        added.over.extend(self._numbers(free))
+        named = [
+            Wanted(formula(line.text), tip, gap=-0.2, away=(tip - line.meeting), size=LEAST, step=line.page)
+            for line, tip in marked
+        ]
+        for letters in free.letters(named):
+            added.over.extend(letters)
         for block in self.loose:
             corner = free.corner(block.size)
-            letters = [] if corner is None else list(block.marks(corner))
-            free.add(letters)
-            added.over.extend(letters)
-            added.left_out.extend([] if letters else [block])
+            lines = [] if corner is None else list(block.marks(corner))
+            free.add(lines)
+            added.over.extend(lines)
+            added.left_out.extend([] if lines else [block])
         return added
 
     # --- direction lines --------------------------------------------------------------------------
@@ -157,17 +159,17 @@ class Drafted:
 
     # --- numbers ----------------------------------------------------------------------------------
 
-    def _number(self, act: Act, free: FreeRoom) -> list[Mark]:
-        """A number in a circle beside what was drawn."""
-        want = self._beside(act)
-        middle = None if want is None else free.place(want, complex(_RING, _RING))
-        if want is None or middle is None:
-            return []
-        wide, up, down = box(want.label, want.size)
-        ring = Disc(middle, _RING, "construction", step=act.page)
-        found: list[Mark] = [ring, Text(want.label, middle + complex(-wide / 2, (up - down) / 2), want.size, act.page)]
-        free.add(found)
-        return found
+    def _numbers(self, free: FreeRoom) -> Iterator[Mark]:
+        """A number in a circle beside each thing that was drawn."""
+        wanted = [want for act in self.acts if (want := self._beside(act)) is not None]
+        for want, spots in zip(wanted, free.spots(wanted, [complex(_RING, _RING)] * len(wanted)), strict=True):
+            if (middle := free.place(spots)) is not None:
+                wide, up, down = box(want.label, want.size)
+                at = middle + complex(-wide / 2, (up - down) / 2)
+                ring = Disc(middle, _RING, "construction", step=want.step)
+                found: list[Mark] = [ring, Text(want.label, at, want.size, want.step)]
+                free.add(found)
+                yield from found
 
     def _beside(self, act: Act) -> Wanted | None:
         points, label = self.polygon.points, plain(str(act.number))

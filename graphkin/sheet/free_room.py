@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from copy import copy
 from dataclasses import field
 from functools import cached_property
-from typing import Any
+from itertools import accumulate
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
-from graphkin.sheet.obstacles import Tree, bounds, tree
+from graphkin.sheet.obstacles import Tree, bounds, places, tree
 from graphkin.sheet.paper import Room
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import Candidates, Wanted
 from graphkin.value import frozen
 
 _CLEAR = 0.6
@@ -37,6 +38,25 @@ class Added:
     left_out: list[EquationBlock] = field(default_factory=list)
 
 
+class Spots(NamedTuple):
+    """Places of a label at what it names that were free when they were looked for.
+
+    half           of the width and height of its box [mm]
+    marks, letters  how many there were then
+    """
+
+    middle: Any
+    cost: Any
+    half: complex
+    marks: int
+    letters: int
+
+    @property
+    def boxes(self) -> tuple[Any, Any]:
+        """Their corners (n, 2)."""
+        return _corners(self.middle, self.half)
+
+
 class FreeRoom:
     """A figure with its labels, and what has been added since."""
 
@@ -44,17 +64,14 @@ class FreeRoom:
         self.room = room
         self.marks, self._first = list(standing), len(standing)
         self._standing = tree(self.marks)
+        self._late: dict[int, Tree] = {}
         self._letters = _boxes([mark for mark in standing if isinstance(mark, Text)])
-
-    @cached_property
-    def _added(self) -> Tree:
-        """Made when somebody asks what is free: much is added before anyone does."""
-        return tree(self.marks[self._first :])
 
     def add(self, marks: Sequence[Mark]) -> None:
         """These lie on the paper now, too."""
         self.marks += marks
-        vars(self).pop("_added", None)
+        self._late = {}
+        vars(self).pop("_places", None)
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
 
     def tried(self, marks: Sequence[Mark]) -> FreeRoom:
@@ -64,13 +81,16 @@ class FreeRoom:
         found.add(marks)
         return found
 
+    def _added(self, first: int) -> list[Tree]:
+        """What came after so many marks, if anything; made when somebody asks what is free: much is added before."""
+        if first < len(self.marks) and first not in self._late:
+            self._late[first] = tree(self.marks[first:])
+        return [self._late[first]] if first < len(self.marks) else []
+
     def free(self, low: Any, high: Any) -> Any:
         """Which of many boxes (n, 2) touch nothing and lie in the room."""
-        clear = np.ones(len(low), dtype=bool)
-        for lying in (self._standing, self._added):
-            clear[lying.touched(low - _CLEAR, high + _CLEAR)] = False
-        inside = np.all(low >= (self.room.left, self.room.top), axis=1)
-        return clear & inside & np.all(high <= (self.room.right, self.room.bottom), axis=1)
+        found = (low >= (self.room.left, self.room.top)) & (high <= (self.room.right, self.room.bottom))
+        return _clear(found[:, 0] & found[:, 1], low, high, [self._standing, *self._added(self._first)])
 
     def reach(self, start: Place, along: complex, most: float) -> float:
         """How far a line may go on from a place without running into letters, or out of the room [mm]."""
@@ -99,40 +119,91 @@ class FreeRoom:
         within = (xs > low[:, 0]) & (xs < high[:, 0]) & (ys > low[:, 1]) & (ys < high[:, 1])
         return way, bad | within.any(axis=0)
 
-    def place(self, want: Wanted, half: complex) -> Place | None:
-        """The middle of the best free place near what is named; None where there is none without a leader."""
-        spots = want.near(half)
-        near = spots.middle
-        middle, size = np.stack([near.real, near.imag], axis=1), np.array((half.real, half.imag))
-        free = self.free(middle - size, middle + size) & ~self._beside_letters(middle - size, middle + size)
-        cost = np.where(free, spots.cost, np.inf)
-        best = int(np.argmin(cost))
-        return complex(near[best]) if np.isfinite(cost[best]) else None
+    @cached_property
+    def _places(self) -> Any:
+        """Some on everything there (2, n)."""
+        return places(self.marks)
 
-    def _beside_letters(self, low: Any, high: Any) -> Any:
-        """Which of many boxes (n, 2) stand on a line with letters and so near that they read as a part of them."""
-        least, most = self._letters[:, 0] - _WORD, self._letters[:, 1] + _WORD
-        beside = [(low[:, k, None] < most[:, k]) & (high[:, k, None] > least[:, k]) for k in range(2)]
-        return (beside[0] & beside[1]).any(axis=1)
+    def spots(self, wanted: Sequence[Wanted], halves: Sequence[complex]) -> list[Spots]:
+        """Where many labels may stand at what they name, all looked at at once; half: of the size of each box [mm]."""
+        if not wanted:
+            return []
+        near = [want.near(half) for want, half in zip(wanted, halves, strict=True)]
+        ends = [0, *accumulate(len(each.cost) for each in near)]
+        every, half = Candidates.joined(near), np.repeat(halves, np.diff(ends))
+        low, high = _corners(every.middle, half)
+        free = self.free(low, high)
+        free[free] = ~_beside(low[free], high[free], self._letters)
+        return [
+            Spots(each.middle[free[a:b]], each.cost[free[a:b]], half, len(self.marks), len(self._letters))
+            for each, half, a, b in zip(near, halves, ends, ends[1:])
+        ]
+
+    def place(self, spots: Spots) -> Place | None:
+        """The middle of the best one that is still free; None where there is none without a leader."""
+        low, high = spots.boxes
+        free = _clear(~_beside(low, high, self._letters[spots.letters :]), low, high, self._added(spots.marks))
+        if not free.any():
+            return None
+        return complex(spots.middle[np.argmin(np.where(free, spots.cost, np.inf))])
 
     def corner(self, size: complex, from_below: bool = False) -> Place | None:
         """The upper left corner of the uppermost (or lowest) free rectangle of a size; None where there is none."""
         xs = np.arange(self.room.left + _EDGE, self.room.right - size.real - _EDGE, _GRID)
         ys = np.arange(self.room.top + _EDGE, self.room.bottom - size.imag - _EDGE, _GRID)
-        low = np.stack(np.meshgrid(xs, ys[::-1] if from_below else ys), axis=-1).reshape(-1, 2)
-        high = low + np.array((size.real, size.imag))
-        found: Any = np.flatnonzero(self.free(low - _EDGE, high + _EDGE)) if len(low) else ()
-        return complex(*low[found[0]]) if len(found) else None
+        if not (len(xs) and len(ys)):
+            return None
+        rows, columns = np.nonzero(self._bare(xs, ys, size))
+        low = np.stack([xs[columns], ys[rows]], axis=1)
+        found = np.flatnonzero(self.free(low - _EDGE, low + np.array((size.real, size.imag)) + _EDGE))
+        if not len(found):
+            return None
+        best = found[np.argmax(low[found, 1])] if from_below else found[0]
+        return complex(*low[best])
 
-    def letters(self, want: Wanted) -> list[Mark]:
-        """A label where there is room for it, else nothing."""
-        wide, up, down = box(want.label, want.size)
-        half = complex(wide, up + down) / 2
-        if (middle := self.place(want, half)) is None:
-            return []
-        found: list[Mark] = [*want.texts(middle + complex(-half.real, (up - down) / 2))]
-        self.add(found)
-        return found
+    def _bare(self, xs: Any, ys: Any, size: complex) -> Any:
+        """Which rectangles of a grid hold no place where surely something lies (y, x); others need no closer look."""
+        wide, high = (int((side + _EDGE) / _GRID) for side in (size.real, size.imag))
+        across, down = len(xs) + wide, len(ys) + high
+        x, y = np.floor((self._places - np.array([xs[:1], ys[:1]])) / _GRID)
+        there = (x >= 0) & (x < across) & (y >= 0) & (y < down)
+        cells = (y[there] * across + x[there]).astype(int)
+        held = np.zeros((down + 1, across + 1), dtype=int)
+        held[1:, 1:] = np.bincount(cells, minlength=down * across).reshape(down, across).cumsum(axis=0).cumsum(axis=1)
+        in_rows = held[high:-1] - held[: -high - 1]
+        return in_rows[:, wide:-1] == in_rows[:, : -wide - 1]
+
+    def letters(self, wanted: Sequence[Wanted]) -> Iterator[list[Mark]]:
+        """Each label where there is room for it, one after the other, else nothing."""
+        boxes = [box(want.label, want.size) for want in wanted]
+        halves = [complex(wide, up + down) / 2 for wide, up, down in boxes]
+        for want, (_, up, down), spots in zip(wanted, boxes, self.spots(wanted, halves), strict=True):
+            middle, found = self.place(spots), list[Mark]()
+            if middle is not None:
+                found += want.texts(middle + complex(-spots.half.real, (up - down) / 2))
+                self.add(found)
+            yield found
+
+
+def _clear(free: Any, low: Any, high: Any, lying: Sequence[Tree]) -> Any:
+    """Which of the boxes that are free as far as is known keep off all that lies there."""
+    for each in lying:
+        rows = np.flatnonzero(free)
+        free[rows[each.touched(low[rows] - _CLEAR, high[rows] + _CLEAR)]] = False
+    return free
+
+
+def _corners(middle: Any, half: Any) -> tuple[Any, Any]:
+    """Lower and upper corner (n, 2) of boxes about places (n,)."""
+    middle, size = np.stack([middle.real, middle.imag], axis=-1), np.stack([np.real(half), np.imag(half)], axis=-1)
+    return middle - size, middle + size
+
+
+def _beside(low: Any, high: Any, letters: Any) -> Any:
+    """Which of many boxes (n, 2) stand on a line with letters and so near that they read as a part of them."""
+    least, most = letters[:, 0] - _WORD, letters[:, 1] + _WORD
+    beside = [(low[:, k, None] < most[:, k]) & (high[:, k, None] > least[:, k]) for k in range(2)]
+    return (beside[0] & beside[1]).any(axis=1)
 
 
 def _boxes(texts: Sequence[Text]) -> Any:

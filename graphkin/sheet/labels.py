@@ -29,20 +29,27 @@ _NEIGHBOUR = 15.0
 
 
 class Settled(NamedTuple):
-    """Labels and leaders at their places; how many labels lie on something, or their leaders on labels.
+    """Labels and leaders at their places.
 
-    crowd  they had to go far off
+    clashing  which labels lie on something, or their leaders on labels
+    crowd     they had to go far off
+    led       which labels stand on leaders
     """
 
     marks: list[Mark]
-    clashes: int
+    clashing: Sequence[int]
     crowd: bool = False
+    led: Sequence[int] = ()
+
+    @property
+    def clashes(self) -> int:
+        return len(self.clashing)
 
 
 def settle(scene: Scene, far: bool = False) -> Settled:
     """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
     if not scene.wanted:
-        return Settled([], 0)
+        return Settled([], ())
     places = Places(scene, NEAR if scene.hopeless else LED if len(scene.wanted) > MANY or not far else FARTHEST)
     clashing = places.clashing()
     for _ in range(_ROUNDS if far else 0):
@@ -50,7 +57,8 @@ def settle(scene: Scene, far: bool = False) -> Settled:
             break
         places.leave_out(out)
         clashing = places.clashing()
-    return Settled([*_lettered(scene.wanted, places)], len(clashing), crowd=far)
+    led = np.flatnonzero(places.stands & places.boxes.led)
+    return Settled([*_lettered(scene.wanted, places)], clashing, far, [*map(int, led)])
 
 
 def _lettered(wanted: Sequence[Wanted], places: Places) -> Iterator[Mark]:

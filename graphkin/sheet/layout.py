@@ -10,6 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
+from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
@@ -151,42 +153,56 @@ def _best(
     best, found = -math.inf, None
     for paper in papers:
         field, strip = divided(paper, strip_height(paper))
-        ways = list(divisions(field, tuple(extents)))
-        scales = [{plane: _scales(extents[plane], rooms[plane]) for plane in extents} for rooms in ways]
-        area = field.size.real * field.size.imag
-        for way, rooms in enumerate(ways):
-            score = np.atleast_1d(_score(extents, scales[way], rooms, area))
-            share = int(np.argmax(np.where(np.isnan(score), -math.inf, score)))
+        rooms, ends = _rooms(divisions, field, tuple(extents))
+        free = {plane: under_heading(room, extents[plane].over) for plane, room in rooms.items()}
+        scales = {plane: _scales(extents[plane], rooms[plane], free[plane]) for plane in extents}
+        score = _score(extents, scales, free, field.size.real * field.size.imag)
+        score = np.where(np.isnan(score), -math.inf, score)
+        for first, end in pairwise(ends):
+            share = first + int(np.argmax(score[first:end]))
             if score[share] > best + 1e-9:
-                best, found = float(score[share]), (paper, rooms, scales[way], strip, share)
+                best, found = float(score[share]), (paper, rooms, scales, strip, share)
     return _picked(*found) if found is not None else None
 
 
-def _scales(extent: Extent, room: Room) -> Any:
-    """The scale at which a figure fits each of many rooms under its heading; NaN where it does not."""
-    return np.where(room.right - room.left >= _NARROWEST, extent.scales_in(under_heading(room, extent.over)), math.nan)
+@lru_cache(16)
+def _rooms(divisions: Divisions, field: Room, planes: tuple[Plane, ...]) -> tuple[dict[Plane, Room], list[int]]:
+    """All ways to divide a field as one: many rooms of each plane, and where those of each way begin and end."""
+    ways = [{plane: _sides(room) for plane, room in way.items()} for way in divisions(field, planes)]
+    ends = [0, *accumulate(max(np.size(side) for each in way.values() for side in each) for way in ways)]
+    sides = {plane: np.empty((4, ends[-1])) for plane in planes}
+    for way, first, end in zip(ways, ends, ends[1:]):
+        for plane in planes:
+            for side, value in zip(sides[plane], way[plane]):
+                side[first:end] = value
+    return {plane: Room(*each) for plane, each in sides.items()}, ends
+
+
+def _sides(room: Room) -> tuple[Any, Any, Any, Any]:
+    return room.left, room.top, room.right, room.bottom
+
+
+def _scales(extent: Extent, room: Room, free: Room) -> Any:
+    """The scale at which a figure fits what each of many rooms has free under its heading; NaN where it does not."""
+    return np.where(room.right - room.left >= _NARROWEST, extent.scales_in(free), math.nan)
 
 
 def _picked(paper: Paper, rooms: Mapping[Plane, Room], scales: Mapping[Plane, Any], strip: Room, share: int) -> Layout:
     """One of many divisions."""
-
-    def one(many: Any) -> float:
-        return float(many if np.ndim(many) == 0 else many[share])
-
-    each = {plane: Room(one(r.left), one(r.top), one(r.right), one(r.bottom)) for plane, r in rooms.items()}
-    return Layout(paper, each, {plane: one(scale) for plane, scale in scales.items()}, strip)
+    each = {plane: Room(*(float(side[share]) for side in _sides(room))) for plane, room in rooms.items()}
+    return Layout(paper, each, {plane: float(scale[share]) for plane, scale in scales.items()}, strip)
 
 
 def _score(
-    extents: Mapping[Plane, Extent], scales: Mapping[Plane, Any], rooms: Mapping[Plane, Room], area: float
+    extents: Mapping[Plane, Extent], scales: Mapping[Plane, Any], free: Mapping[Plane, Room], area: float
 ) -> Any:
     """Large figures count, how much of the field they fill, and a little that none is squeezed. NaN: one has no room.
 
-    area  of the whole field [mm^2]
+    free  what rooms have under their headings; area: of the whole field [mm^2]
     """
     total, inked = 0.0, 0.0  # type: Any, Any
     for plane, extent in extents.items():
-        room = under_heading(rooms[plane], extent.over)
+        room = free[plane]
         wide, high = extent.size.real / scales[plane], extent.size.imag / scales[plane]
         total += _worth(plane, np.maximum(wide, high), extent.labels)
         wide, high = wide + extent.reach.real, high + extent.reach.imag

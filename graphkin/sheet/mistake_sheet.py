@@ -17,11 +17,11 @@ from graphkin.errors import Lang
 from graphkin.marking.beside import Beside
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
+from graphkin.sheet.composed import HEADINGS
 from graphkin.sheet.fit import Extent, enlarged
 from graphkin.sheet.layout import HEAD
 from graphkin.sheet.lettering import joined, plain, point_label
 from graphkin.sheet.marks import Disc, Mark, PointMark, Stroke, VectorMark
-from graphkin.sheet.mechanism_sheet import HEADINGS
 from graphkin.sheet.page import Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.pictures import Caption, Picture

@@ -19,13 +19,13 @@ from graphkin.planning import Method
 from graphkin.planning.found_when import births
 from graphkin.running.path import along, stride
 from graphkin.running.replaying import replay_all
+from graphkin.sheet.composed import HEADINGS
 from graphkin.sheet.drives import drives
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.layout import Layout, lay_out, papers_for
 from graphkin.sheet.lettering import joined, plain, point_label
 from graphkin.sheet.marks import Text
 from graphkin.sheet.mechanism_figure import moving_figure
-from graphkin.sheet.mechanism_sheet import HEADINGS
 from graphkin.sheet.page import Page, Panel, Sheet, heading
 from graphkin.sheet.paper import LABEL
 from graphkin.sheet.plain_mechanism import mechanism_places

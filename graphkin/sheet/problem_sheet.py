@@ -6,7 +6,7 @@ from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.sheet.alone import place_for
-from graphkin.sheet.mechanism_sheet import HEADINGS
+from graphkin.sheet.composed import HEADINGS
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places, plainly
 from graphkin.sheet.skeleton import Skeleton

@@ -51,9 +51,13 @@ OWN_BYTES = 30
 
 
 def graphkin_pva(method: Method, angles: np.ndarray) -> Plot:
-    """Everything of every position, read as arrays: all points of the three planes, all links."""
+    """Everything of every position, read as arrays: all points of the mechanism in the three planes, all links."""
     plot = replay_all(method, [angles])
-    for table in (plot.position, plot.velocity, plot.acceleration, plot.theta, plot.omega, plot.alpha):
+    planes = plot.position, plot.velocity, plot.acceleration
+    for names, table in zip(points_of(method.mechanism.name), planes, strict=True):
+        for name in names:
+            table[name]
+    for table in (plot.theta, plot.omega, plot.alpha):
         for name in table:
             table[name]
     return plot
@@ -71,6 +75,13 @@ def needs(package: str) -> None:
 @cache
 def planned(name: str) -> Method:
     return graphkin.plan(graphkin.load(name))
+
+
+@cache
+def points_of(name: str) -> tuple[tuple[str, ...], ...]:
+    """In each plane what belongs to a point of the mechanism, and is no corner between two arrows."""
+    planes = planned(name).constructions
+    return tuple(tuple(node.name for node in plane.nodes.values() if node.site is not None) for plane in planes)
 
 
 def turn(name: str, count: int) -> np.ndarray:
