@@ -106,12 +106,17 @@ class Composed:
 
 @frozen
 class Work:
-    """What does not depend on the paper; `apart`: equations that go into the strip."""
+    """What does not depend on the paper.
+
+    apart     equations that go into the strip
+    hopeless  even on the largest paper its figures are crammed
+    """
 
     drawing: Planes
     found: list[Table]
     tight: bool = False
     apart: Sequence[EquationBlock] = ()
+    hopeless: bool = False
 
     @property
     def planes(self) -> tuple[Plane, ...]:

@@ -129,8 +129,10 @@ class _Drawing:
 
     @property
     def burdens(self) -> Sequence[float]:
-        """What each label troubles the eye: one on a leader, one without a place."""
-        return _burdens(self.panel, 1.0) if self.known is None else self.known
+        """What each label troubles the eye: one on a leader, one without a place; both, where all are crammed."""
+        if self.known is not None:
+            return self.known
+        return [2.0] * len(self.panel.figure.wanted) if self.panel.scene.crammed else _burdens(self.panel, 1.0)
 
     def _possible(self) -> list[_View]:
         """The details there is room for."""

@@ -78,12 +78,12 @@ def _whole(work: Work, paper: str | None) -> Composed:
     while True:
         whole = _cut(work, paper, large, trials > 1)
         larger = paper is None and whole.layout.paper in LARGE
-        if whole.homeless:
-            work = work.without(whole.homeless)
-        elif larger and large is None and work.apart:
+        if larger and large is None and (work.apart or whole.homeless):
             work, large = every, True
+        elif whole.homeless:
+            work = work.without(whole.homeless)
         elif trials > 1 and (out := whole.left_out):
-            work, large, trials = work.without(out), larger, trials - 1
+            work, large, trials = replace(work.without(out), hopeless=whole.hopeless), larger, trials - 1
         else:
             return whole
 
@@ -147,7 +147,7 @@ def _divided(work: Work, paper: str | None, large: bool | None, trial: bool) -> 
         layout = work.layout(papers)
     except TooLargeForPaper as error:
         raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
-    small, best = paper is None and layout.paper not in LARGE, Composed(work, layout)
+    small, best = paper is None and layout.paper not in LARGE, Composed(work, layout, hopeless=work.hopeless)
     if trial and not best.full and (homeless := work.homeless(layout)):
         return replace(best, homeless=homeless)
     if best.crammed:
