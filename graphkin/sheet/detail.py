@@ -191,25 +191,27 @@ def _knots(wanted: list[Wanted]) -> Iterator[_Circle]:
     if not 0 < len(wanted) <= _MANY:
         return
     about = np.array([want.place for want in wanted])
-    ends = np.array([(want.start, want.start if want.end is None else want.end) for want in wanted])
+    start = np.array([want.start for want in wanted])
+    end = np.array([want.start if want.end is None else want.end for want in wanted])
+    far = _farthest(about, start, end)
     for radius in _RADII:
-        centres = _middles(_holding(about, ends, radius), about, ends)
-        held = _holding(centres, ends, radius).sum(axis=1)
+        centres = _middles(far <= radius + _ON, about, start, end)
+        held = (_farthest(centres, start, end) <= radius + _ON).sum(axis=1)
         if held.max() >= max(_FEW, 2 + 0.8 * radius):
             yield _Circle(complex(centres[held.argmax()]), radius)
 
 
-def _holding(centres: np.ndarray, ends: np.ndarray, radius: float) -> np.ndarray:
-    """Which circles (c,) hold wholly what which labels name, its ends (w, 2): (c, w)."""
-    return np.asarray((abs(ends - centres[:, None, None]) <= radius + _ON).all(axis=2))
+def _farthest(centres: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """How far from places (c,) what labels name reaches, from start to end (w,): (c, w)."""
+    return np.asarray(np.maximum(abs(start - centres[:, None]), abs(end - centres[:, None])))
 
 
-def _middles(held: np.ndarray, centres: np.ndarray, ends: np.ndarray) -> np.ndarray:
+def _middles(held: np.ndarray, centres: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
     """The middles of what circles hold (c, w), or of circles that hold nothing."""
-    lows, highs = [
-        [far(np.where(held[:, :, None], part(ends), none), axis=(1, 2)) for part in (np.real, np.imag)]
-        for far, none in ((np.min, np.inf), (np.max, -np.inf))
-    ]
+    lows, highs = (
+        [far(np.where(held, side(part(start), part(end)), none), axis=1) for part in (np.real, np.imag)]
+        for far, side, none in ((np.min, np.minimum, np.inf), (np.max, np.maximum, -np.inf))
+    )
     with np.errstate(invalid="ignore"):
         x, y = ((low + high) / 2 for low, high in zip(lows, highs))
     return np.where(held.any(axis=1), x + 1j * y, centres)
