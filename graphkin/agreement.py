@@ -108,7 +108,9 @@ def _worst(drawn: Mapping[str, Value], right: Mapping[str, Value], natural: Valu
 
 def _largest(values: Sequence[Value]) -> float:
     """The largest size of all values (nan where one is nan), 0 of none."""
-    return float(np.max([np.max(np.abs(value)) for value in values], initial=0.0))
+    if any(isinstance(value, np.ndarray) for value in values):
+        values = [np.max(np.abs(value)) for value in values]
+    return float(np.abs(np.array(values)).max(initial=0.0))
 
 
 def _largest_of_each(values: Sequence[Value]) -> Value:

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 __all__ = [
-    "Leg", "Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines", "phase", "unit",
-    "weights_of",
+    "Leg", "Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines", "phase", "third_corner",
+    "unit", "weights_of",
 ]  # fmt: skip
 
 Value = Any
@@ -99,6 +99,11 @@ def meet_circles(
         sine = d * height / (r1 * r2)
     miss = np.maximum(d - (r1 + r2), np.abs(r1 - r2) - d)
     return c1 + (along + 1j * side * height) * e, sine, miss
+
+
+def third_corner(first: Value, second: Value, ratio: Value) -> Value:
+    """Of a triangle: `ratio` is the way to it from the first corner by that to the second one."""
+    return first + (second - first) * ratio
 
 
 def weights_of(x: np.ndarray, places: np.ndarray) -> np.ndarray:

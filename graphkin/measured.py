@@ -133,11 +133,16 @@ class Vector(Measured, complex):
 
 
 class Numbers(Measured, np.ndarray):
-    """An array (n,) with its unit, over positions. It shares the memory of what it was made of."""
+    """An array (n,) with its unit, over positions.
+
+    It shares the memory of what it was made of, and cannot be written into, as what is read off later hangs on it, too;
+    `numpy.array` makes a copy.
+    """
 
     def __new__(cls, values: Any, unit: str) -> Numbers:
         made = np.asarray(values).view(cls)
         made.unit = unit
+        made.flags.writeable = False
         return made
 
     @property

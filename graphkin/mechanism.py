@@ -142,6 +142,11 @@ class Mechanism:
         """The points people named, fixed ones first."""
         return tuple(point for point in self.owners if point not in self.unnamed)
 
+    @cached_property
+    def most_primes(self) -> int:
+        """How many primes the point has that has most."""
+        return max((len(point) - len(point.rstrip("'")) for point in self.points), default=0)
+
     def named(self, link: str) -> tuple[str, ...]:
         """The points of a link that people named."""
         return tuple(point for point in self.links[link].points if point not in self.unnamed)

@@ -38,7 +38,8 @@ class Motions:
         if link == FRAME:
             return self._still(point)
         known = self.velocities[link]
-        base = _base(known, point)
+        if (base := _base(known, point)) == point:
+            return known[base] + 0j  # a value of its own, and never -0
         return known[base] + 1j * self.omega[link] * (self.position[point] - self.position[base])
 
     def acceleration_at(self, point: str, link: str) -> Value:
@@ -46,7 +47,9 @@ class Motions:
         if link == FRAME:
             return self._still(point)
         known = self.accelerations[link]
-        base, turning = _base(known, point), 1j * self.alpha[link] - self.omega[link] ** 2
+        if (base := _base(known, point)) == point:
+            return known[base] + 0j
+        turning = 1j * self.alpha[link] - self.omega[link] ** 2
         return known[base] + turning * (self.position[point] - self.position[base])
 
     def _still(self, point: str) -> Value:

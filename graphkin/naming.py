@@ -83,8 +83,7 @@ def _links(mechanism: Mechanism, site: Seen) -> set[str]:
 def primes(mechanism: Mechanism, plane: Plane) -> str:
     """What the letters of a polygon bear: nothing for velocities; for accelerations one prime, or one more than any
     point of the mechanism has, so that b' is never two points."""
-    own = (len(point) - len(point.rstrip("'")) for point in mechanism.points if point not in mechanism.unnamed)
-    return "'" * (max(own, default=0) + 1) if plane == "acceleration" else ""
+    return "'" * (mechanism.most_primes + 1) if plane == "acceleration" else ""
 
 
 def image_name(mechanism: Mechanism, plane: Plane, label: str) -> str:

@@ -22,6 +22,7 @@ SAME_PLACE = 1e-9
 def topology(mechanism: Mechanism) -> tuple[object, ...]:
     """All of a mechanism but its numbers: what has the same, and `coincidences`, is drawn by the same steps."""
     return (
+        mechanism.frame,
         tuple((name, tuple(link.points)) for name, link in mechanism.links.items()),
         tuple(_without_numbers(pair) for pair in mechanism.pairs),
         tuple(_undriven(driver) for driver in mechanism.drivers),

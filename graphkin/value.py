@@ -53,10 +53,11 @@ def filled(cls: type[_T]) -> type[_T]:
 
 
 class Lazy(Mapping[str, _T]):
-    """A table with known names, each entry of which is made when it is first read."""
+    """A table with known names, each entry of which is made when it is first read, but for those that are `made`."""
 
-    def __init__(self, names: Iterable[str], make: Callable[[str], _T]) -> None:
+    def __init__(self, names: Iterable[str], make: Callable[[str], _T], made: Mapping[str, _T] = {}) -> None:
         self._made: dict[str, _T | None] = dict.fromkeys(names)
+        self._made.update(made)
         self._make = make
 
     def __getitem__(self, name: str) -> _T:

@@ -147,6 +147,14 @@ def test_files_in_any_order_say_what_each_says(tmp_path: Path) -> None:
         assert flat(mine) == pytest.approx(flat(json.loads(one.stdout)), rel=1e-12, abs=1e-12)
 
 
+def test_each_names_the_frame_as_its_own_file_does() -> None:
+    """Points of a guide that stands still are called by the frame's number."""
+    many = [replace(library.load("p3-19"), frame=frame) for frame in ("4", "4", "4", "9", "9", "9")]
+    for machine, together in zip(many, proved_together(many), strict=True):
+        assert together is not None
+        assert together[0].velocity == api.plan(machine).velocity
+
+
 def flat(value: object, path: str = "") -> dict[str, object]:
     """Every number and text of plain data, by where it stands; texts are told by the path itself."""
     if isinstance(value, dict | list):

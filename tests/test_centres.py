@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
@@ -17,8 +17,10 @@ from graphkin.centres import Centres, centres
 from graphkin.centres.advantages import carried_through
 from graphkin.centres.levers import Levers
 from graphkin.centres.shortest import shortest
-from graphkin.drafting import Meet, drawn_through, ruled
+from graphkin.drafting import Board, LineStep, Meet, drawn_through, ruled
+from graphkin.drafting.projective import Homogeneous
 from graphkin.errors import NOWHERE, GraphkinError
+from graphkin.loading import loads
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.quantities import centre_of, named
 from graphkin.running import replay_all
@@ -215,3 +217,30 @@ def test_the_shortest_way_to_a_centre_is_a_way_to_it(name: str) -> None:
         assert wanted in known
         assert way.stages[-1].last.name == wanted
         assert len(way.stages) <= len(here.centring.stages)
+
+
+def train_of(count: int) -> str:
+    """Wheels side by side, each in mesh with the next: all centres lie on one line."""
+    names = "ABCDEFGHJKLMNQ"[:count]
+    frame = ["[frame]", *(f"{name} = [{40 * k}, 0]" for k, name in enumerate(names))]
+    links = [f'[links.{k}]\npoints = ["{name}"]' for k, name in enumerate(names, 1)]
+    gears = [
+        f'[[gear]]\nlinks = ["{k}", "{k + 1}"]\ncentres = ["{one}", "{other}"]\nradii = [20, 20]'
+        for k, (one, other) in enumerate(pairwise(names), 1)
+    ]
+    return "\n".join([*frame, *links, *gears, '[[driver]]\nlink = "1"\nomega = 1\n'])
+
+
+def test_each_of_kennedys_lines_is_drawn_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Though no two of them ever meet, and all wait for one centre after another."""
+    drawn: list[LineStep] = []
+
+    def once(line: LineStep, board: Board) -> Homogeneous:
+        drawn.append(line)
+        return ruled(line, board)
+
+    monkeypatch.setattr("graphkin.centres.search.ruled", once)
+    method = plan(loads(train_of(8)))
+    found = centres(method, replay_all(method))
+    assert len(found.names) == 9 * 8 // 2
+    assert len(drawn) <= len(found.names) * 7

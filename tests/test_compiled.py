@@ -38,8 +38,9 @@ from graphkin.running.compiled.operations import CannotRecord
 from graphkin.running.compiled.program import CHUNK, Program, compiled_program
 from graphkin.running.compiled.tape import Tape
 from graphkin.running.compiled.writer import written_out
-from graphkin.running.many_positions import MANY, by_program, program_of, replay_along
+from graphkin.running.many_positions import FITTED_MANY, MANY, by_program, program_of, replay_along
 from graphkin.running.path import Path, along
+from graphkin.running.reaching import on_one_way
 from graphkin.running.tracing import trace
 
 COUNT = 721
@@ -192,6 +193,7 @@ def alike_on_its_way(method: Method) -> int:
     far = 2 * np.pi if method.drivers[0].kind != "slide" else method.size
     path = trace(method, [1.0, *[0.0] * (len(method.drivers) - 1)], -far, far)
     t = np.linspace(1.001 * path.first, 1.001 * path.last, COUNT)
+    assert records(method)
     found, plain = replay_along(method, path, t), along(method, path, t)
     replay(method.acceleration, replay(method.velocity, plain))
     assert isinstance(found, LazyPlot)
@@ -276,6 +278,16 @@ def test_any_shape(shape: tuple[int, ...]):
     assert np.shape(found.omega["3"]) == shape
     assert np.allclose(found.omega["3"], plain.omega["3"], rtol=1e-12, atol=0)
     assert isinstance(found, LazyPlot) == (shape == (MANY,))
+
+
+def test_where_links_are_fitted_a_program_is_made_for_many():
+    """A turn or two come sooner without."""
+    method = plan(library.load("p3-15"))
+    values = around(method)
+    turns = [replay_all(method, values) for _ in range(-(-FITTED_MANY // COUNT))]
+    assert [isinstance(plot, LazyPlot) for plot in turns] == [False] * (len(turns) - 1) + [True]
+    assert (way := on_one_way(method, values)) is not None
+    assert hold_alike(method, turns[-1], turns[0], COUNT, lambda change: nudged(method, *way, 10 * change))
 
 
 def test_what_can_not_be_recorded_is_replayed(monkeypatch: pytest.MonkeyPatch):

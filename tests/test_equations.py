@@ -168,6 +168,46 @@ def test_printed_formulas_hold_for_random_mechanisms(kind: str, seed: int):
     hold_in_all(mechanism, method, ("en",))
 
 
+ARM = """
+ask = ["v E", "a E"]
+[frame]
+A = [0, 0]
+[links.1]
+AB = 30
+[links.2]
+BC = 25
+[links.3]
+shape = { C = [0, 0], D = [20, 0], E = [25, 8] }
+[[driver]]
+vector = "AB"
+angle = 20
+omega = 2
+alpha = 3
+[[driver]]
+vector = "BC"
+from = "AB"
+angle = 30
+omega = -3
+[[driver]]
+vector = "CD"
+from = "CB"
+angle = 130
+omega = 4
+alpha = -1
+"""
+
+
+def test_a_point_of_an_arm_moves_as_each_link_turns():
+    """However many drivers stand behind a link's own ω."""
+    mechanism = graphkin.loads(ARM)
+    hold_in_all(mechanism, graphkin.plan(mechanism), ("en",))
+    _, text = written_for(mechanism, "complex")
+    point = [line for line in text.splitlines() if line.strip().startswith(("v_E =", "a_E ="))]
+    assert len(point) == 2
+    assert "l2 ω2 sin θ2" in point[0]
+    assert not any("ω1 ω2" in line or "ω21" in line or "θ21" in line for line in point)
+
+
 FORMS = {
     ("ex3-5", "complex"): (
         "l1 e^(i θ1) + l2 e^(i θ2) = l4 + l3 e^(i θ3)",  # (3-8)

@@ -279,6 +279,15 @@ def test_arrays_share_memory_and_keep_units():
     assert pickle.loads(pickle.dumps(omega)).unit == "rad/s"
 
 
+def test_what_was_read_cannot_be_written_into():
+    """Else a quantity that is read later would be worked out of what stands there by then."""
+    drawn = graphkin.replay(graphkin.plan(graphkin.load("ex3-1")), [np.radians(np.linspace(50, 70, 9))])
+    for read in (drawn.omega["2"], drawn.position["B"], drawn["omega 2"].si, drawn.v["B"][2:]):
+        with pytest.raises(ValueError, match="read-only"):
+            read *= 1000
+    assert np.array(drawn.omega["2"]).flags.writeable
+
+
 def test_a_name_that_is_not_there():
     drawing = graphkin.Drawing.of(graphkin.load("ex3-1"))
     for table, name, there in ((drawing.omega, "7", "1, 2, 3"), (drawing.v, "Q", "A, D, B, C")):

@@ -33,11 +33,9 @@ def shape(table: dict[str, object], *ccw: str) -> dict[str, complex]:
 
     measures, problems = read_measures({"1": table}, where)
     assert not problems
-    places = {key: where(key) for key in table}
+    places = {"": Where("test.toml", 1)} | {key: where(key) for key in table}
     triples = tuple((a, b, c) for a, b, c in ccw)
-    solved = solve_shape(
-        Measures("1", Where("test.toml", 1), link_points(table), tuple(measures["1"]), triples, places)
-    )
+    solved = solve_shape(Measures("1", link_points(table), tuple(measures["1"]), triples, places))
     return {point: place * 1e3 for point, place in solved.items()}
 
 

@@ -9,6 +9,7 @@ from itertools import combinations
 
 import book
 import pytest
+from large_mechanisms import dyads
 
 from graphkin import library
 from graphkin.construction import Drawn, Given, LayOff, Plane, Plot
@@ -302,6 +303,14 @@ def test_no_label_of_a_crowd_lies_on_another_or_on_an_arrow(name: str, paper: st
         line = shapely.LineString([(start.real, start.imag), (end.real, end.imag)])
         for text, area in placed:
             assert not line.intersects(area.buffer(-0.05)), f"a line runs through {text}"
+
+
+def test_figures_alone_that_no_paper_is_large_enough_for() -> None:
+    """They are drawn on the largest, as with a title."""
+    method = plan(dyads(10, kinds=("RRR",)))
+    drawn = sheet(method, replay_all(method), only="acceleration", tight=True)
+    assert drawn.paper.name in ("A3", "A3-landscape")
+    assert drawn.paper.width < 420
 
 
 def test_a_crowd_is_the_same_each_time() -> None:

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+import os
 from pathlib import Path
 
 import numpy as np
@@ -307,6 +308,15 @@ def test_csv_on_stdout_and_over_an_own_file(tmp_path: Path):
     assert mine.read_text() == "my own numbers\n"
     assert run("sweep", "ex3-1", "-o", str(mine), "--force").exit_code == 0
     assert run("sweep", "ex3-1", "-o", str(mine)).exit_code == 0
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes that are files")
+def test_a_device_is_not_replaced_by_a_file(tmp_path: Path):
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "t.csv").symlink_to(tmp_path / "pipe")
+    done = run("sweep", "ex3-1", "-o", str(tmp_path / "t.csv"), "--force")
+    assert (done.exit_code, "t.csv" in done.stderr) == (3, True)
+    assert (tmp_path / "pipe").is_fifo()
 
 
 def test_a_limited_sweep_says_where_and_why():

@@ -181,5 +181,6 @@ def _named(loops: Loops, values: Real, kind: str, names: Collection[str]) -> dic
 
 def _places(loops: Loops, arrows: Complex) -> dict[str, Complex]:
     """Points by name, in SI units."""
-    rows = ((point, np.expand_dims(row, -2)) for point, row in loops.points.items())
-    return {point: np.asarray(applied(row, arrows)[..., 0] * loops.size)[()] for point, row in rows}
+    rows = np.stack([*loops.points.values()], axis=-2)
+    places = np.ascontiguousarray(np.moveaxis(applied(rows, arrows), -1, 0)) * loops.size
+    return {point: place[()] for point, place in zip(loops.points, places, strict=True)}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
+from functools import cached_property
 
 import numpy as np
 
@@ -29,10 +30,10 @@ class Centres:
         """By the numbers of their links."""
         return [name for pair in self.pairs for name in [self.name(*pair)] if name in self.centring.links]
 
-    @property
-    def pairs(self) -> list[tuple[str, str]]:
+    @cached_property
+    def pairs(self) -> tuple[tuple[str, str], ...]:
         """Every two links, N(N-1)/2 of them (3-5)."""
-        return sorted(self._all_pairs(), key=self._numbers)
+        return tuple(sorted(self._all_pairs(), key=self._numbers))
 
     def _all_pairs(self) -> Iterator[tuple[str, str]]:
         yield from self.centring.links.values()

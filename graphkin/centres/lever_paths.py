@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import cmath
 import heapq
-from collections.abc import Collection
+from collections.abc import Callable, Collection
+from functools import cache, cached_property
 from math import inf, log10
 
 from graphkin.centres.instant_centres import Centres
@@ -31,11 +32,16 @@ class LeverPaths:
             if base == target:
                 return path
             for link in self.found.method.mechanism.moving:
-                total = inf if link in path or link in standing else cost + self._cost(base, link)
+                total = inf if link in path or link in standing else cost + self._cost_once(base, link)
                 if total < best.get(link, inf):
                     best[link] = total
                     heapq.heappush(queue, (total, link, [*path, link]))
         return None
+
+    @cached_property
+    def _cost_once(self) -> Callable[[str, str], float]:
+        """By two links; reckoned once, as it is asked for on the way to every link."""
+        return cache(self._cost)
 
     def _cost(self, base: str, link: str) -> float:
         """1 for a good lever, more for one that is very short or very long; infinite for none."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 
 from graphkin.centres.lever_board import NEAR, SCALE, Lever, LeverBoard, Number, Sense
@@ -91,7 +92,11 @@ class Levers(LeverBoard):
             return [target]
         standing = {link for link in self.turning if self.stands(link)}
         moving = [link for link in self.turning if link not in standing]
-        return LeverPaths(self.found, self.size).path(moving, standing, target)
+        return self._paths.path(moving, standing, target)
+
+    @cached_property
+    def _paths(self) -> LeverPaths:
+        return LeverPaths(self.found, self.size)
 
     def along(self, path: list[str]) -> list[Lever]:
         """What is worked out on the way to a link."""

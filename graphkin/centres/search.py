@@ -9,9 +9,10 @@ left (several freedoms, lines that coincide) one centre is taken from the veloci
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import combinations
 
 import numpy as np
@@ -31,7 +32,7 @@ from graphkin.drafting import (
     draw,
     ruled,
 )
-from graphkin.drafting.projective import product
+from graphkin.drafting.projective import Homogeneous, product
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.readings import readings
@@ -73,6 +74,7 @@ def centre_name(mechanism: Mechanism, first: str, second: str) -> str:
     return f"P{names[0]}{comma}{names[1]}"
 
 
+@cache
 def _by_number(name: str) -> tuple[float, str]:
     number = re.match(r"\d+", name)
     return (float(number[0]) if number else np.inf, name)
@@ -116,7 +118,12 @@ def _moving(method: Method, plot: Plot) -> Plot:
 
 @dataclass
 class _Search:
-    """Centres found so far, by their pair of links; normals of profiles that touch and slide."""
+    """Centres found so far, by their pair of links.
+
+    count   of centres that are known, by link
+    tried   how many of its two links were known when a pair was last tried, and how clear its lines had to be
+    lines   on which a missing one lies, by name
+    """
 
     method: Method
     plot: Plot
@@ -124,6 +131,9 @@ class _Search:
     stages: list[Stage] = field(default_factory=list)
     links: dict[str, tuple[str, str]] = field(default_factory=dict)
     known: dict[Pair, str] = field(default_factory=dict)
+    count: Counter[str] = field(default_factory=Counter)
+    tried: dict[tuple[Pair, float], int] = field(default_factory=dict)
+    lines: dict[Pair, dict[str, Homogeneous]] = field(default_factory=dict)
 
     @property
     def mechanism(self) -> Mechanism:
@@ -141,7 +151,7 @@ class _Search:
         for pair, stage in self._by_definition():
             if pair not in self.known:
                 self.take(pair, stage)
-        left: list[tuple[str, str]] = []
+        left: set[tuple[str, str]] = set()
         while any(pair not in left for pair in self.missing):
             if not any(self._round(clear) for clear in (WELL_APART, CLEAR)) and not self._pole(left):
                 return
@@ -150,6 +160,8 @@ class _Search:
         draw(stage, self.board)
         self.stages.append(stage)
         self.known[pair] = stage.last.name
+        self.count.update(pair)
+        self.lines.pop(pair, None)
         first, second = in_order(self.mechanism, pair)
         self.links[stage.last.name] = first, second
 
@@ -179,14 +191,20 @@ class _Search:
         found = False
         for two in self.missing:
             pair = frozenset(two)
-            if (stage := self._on_two_lines(pair, clear)) is not None:
+            if self._has_new_lines(pair, clear) and (stage := self._on_two_lines(pair, clear)) is not None:
                 self.take(pair, stage)
                 found = True
         return found
 
+    def _has_new_lines(self, pair: Pair, clear: float) -> bool:
+        """Whether it may be found now, though it was not before: there are more centres of its links."""
+        before, now = self.tried.get((pair, clear)), self._joined(pair)
+        self.tried[pair, clear] = now
+        return before != now
+
     def _on_two_lines(self, pair: Pair, clear: float) -> Stage | None:
         """The two lines that are farthest from being one; the first two, where several are clear."""
-        lines = [(line, ruled(line, self.board)) for line in lines_to(self.mechanism, self.known, pair)]
+        lines = [(line, self._ruled(pair, line)) for line in lines_to(self.mechanism, self.known, pair)]
         lines = [(line, place) for line, place in lines if np.isfinite(place).all()]
         if len(lines) < 2:
             return None
@@ -199,9 +217,15 @@ class _Search:
         one, other = lines[first[best]][0], lines[second[best]][0]
         return Stage("two lines", (one, other, Meet(self.named(pair), one.name, other.name)))
 
+    def _ruled(self, pair: Pair, line: LineStep) -> Homogeneous:
+        drawn = self.lines.setdefault(pair, {})
+        if line.name not in drawn:
+            drawn[line.name] = ruled(line, self.board)
+        return drawn[line.name]
+
     # --- from velocities ----------------------------------------------------------------------
 
-    def _pole(self, left: list[tuple[str, str]]) -> bool:
+    def _pole(self, left: set[tuple[str, str]]) -> bool:
         """One centre from velocities, of the pair that most lines wait for; pairs without relative motion are left."""
         waiting = [pair for pair in self.missing if pair not in left]
         waiting.sort(key=lambda pair: (FRAME not in pair, -self._joined(pair)))
@@ -213,9 +237,9 @@ class _Search:
                 centre = self.named(frozenset(pair))
                 self.take(frozenset(pair), Stage("velocities", (Pricked(centre, pole_name(*pair)),)))
                 return True
-            left.append(pair)
+            left.add(pair)
         return False
 
-    def _joined(self, pair: tuple[str, str]) -> int:
-        """To how many others two links are joined directly."""
-        return sum(not pair_.isdisjoint(pair) for pair_ in self.known)
+    def _joined(self, pair: Iterable[str]) -> int:
+        """How many centres of either of two links are known."""
+        return sum(self.count[link] for link in pair)

@@ -7,8 +7,9 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin.construction.chains import solve_together
 from graphkin.construction.construction import Construction
-from graphkin.construction.fitting import fit, roll, solve_together
+from graphkin.construction.fitting import fit
 from graphkin.construction.kinds import (
     Arc,
     Fit,
@@ -24,8 +25,9 @@ from graphkin.construction.kinds import (
     Touch,
 )
 from graphkin.construction.plot import Plot
+from graphkin.construction.rolling import roll
 from graphkin.construction.terms import Plane, Slid
-from graphkin.geometry import Leg, Value, cross, dot, leg, meet_circles, meet_line_circle, meet_lines
+from graphkin.geometry import Leg, Value, cross, dot, leg, meet_circles, meet_line_circle, meet_lines, third_corner
 from graphkin.value import frozen
 
 FIXED = complex(0.0)
@@ -34,12 +36,14 @@ FIXED = complex(0.0)
 
 @frozen
 class Compass:
-    """What finds crossings with circles, and what is calculated: of numbers by `geometry` and `fitting`; where a replay
-    is recorded, what records them."""
+    """What finds crossings, and what is calculated: of numbers by `geometry` and `fitting`; where a replay is recorded,
+    what records them."""
 
     leg: Leg = leg
+    lines: Callable[..., tuple[Value, Value]] = meet_lines
     line_circle: Callable[..., tuple[Value, Value, Value]] = meet_line_circle
     circles: Callable[..., tuple[Value, Value, Value]] = meet_circles
+    image: Callable[[Value, Value, Value], Value] = third_corner
     fit: Callable[[Fit, Plot], None] = fit
     together: Callable[[Simultaneous, Plot, Plane], None] = solve_together
 
@@ -79,7 +83,8 @@ def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value], co
             case Swing():
                 _swing(step, plot, sides, compass)
             case Image(link, corners, base, point):
-                points[point] = _image(plot, plane, link, corners, points[base[0]], points[base[1]])
+                ratio = _ratio(plot, plane, link, corners)
+                points[point] = compass.image(points[base[0]], points[base[1]], ratio)
             case Measure():
                 _measure(step, plot, points)
             case Roll():
@@ -131,7 +136,7 @@ def _meet(step: Meet, plot: Plot, plane: Plane, sides: Mapping[int, Value], comp
     side = step.side if step.choice is None else sides.get(step.choice, step.side)
     match step.first, step.second:
         case Ray(p, u), Ray(q, w):
-            point, sine = meet_lines(points[p], plot.direction(u), points[q], plot.direction(w))
+            point, sine = compass.lines(points[p], plot.direction(u), points[q], plot.direction(w))
         case Ray(p, u), Arc(c, reach):
             point, sine, miss = compass.line_circle(
                 points[p], plot.direction(u), points[c], np.abs(plot.span(reach)), side
@@ -164,13 +169,12 @@ def _swing(step: Swing, plot: Plot, sides: Mapping[int, Value], compass: Compass
     plot.sines["position", step.slide] = half / distance
 
 
-def _image(plot: Plot, plane: Plane, link: str, corners: tuple[str, str, str], first: Value, second: Value) -> Value:
+def _ratio(plot: Plot, plane: Plane, link: str, corners: tuple[str, str, str]) -> Value:
+    """Of two sides of a link, from the first corner."""
     if plane == "position":
         shape = plot.facts.shapes[link]
-        ratio = (shape[corners[2]] - shape[corners[0]]) / (shape[corners[1]] - shape[corners[0]])
-    else:
-        ratio = plot.arm(corners[0], corners[2]) / plot.arm(corners[0], corners[1])
-    return first + (second - first) * ratio
+        return (shape[corners[2]] - shape[corners[0]]) / (shape[corners[1]] - shape[corners[0]])
+    return plot.arm(corners[0], corners[2]) / plot.arm(corners[0], corners[1])
 
 
 def _measure(step: Measure, plot: Plot, points: Mapping[str, Value]) -> None:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import cmath
+from dataclasses import replace
 
 from graphkin.analytic import Motion
 from graphkin.equations.bodies import quarters
-from graphkin.equations.expressions import Sum, one, phasor
+from graphkin.equations.expressions import Sum, Wave, one, phasor
 from graphkin.equations.legend import Entry, Reader, Unit
 from graphkin.equations.model import Model
 from graphkin.equations.polygons import way
 from graphkin.equations.readers import place
-from graphkin.equations.symbols import Symbol
+from graphkin.equations.symbols import Angle, Symbol
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.planning.structure import Hinge, Joint, Sliding
@@ -51,7 +52,20 @@ def chain(model: Model, point: str, low: str) -> Chain:
             total += _slid(model, joints[k], inner)
         goal = point if k == 0 else _at(model, joints[k - 1], inner)
         total += _arm(model, inner, _at(model, joints[k], inner), goal, low)
-    return Chain(_at(model, joints[-1], FRAME), point, total)
+    return Chain(_at(model, joints[-1], FRAME), point, _by_links(model, total))
+
+
+def _by_links(model: Model, of: Sum) -> Sum:
+    """With the links' own angles where these follow from several others: θ3 turns at ω3, not at ω1 + ω21 + ω32."""
+    own = {angle.parts: (symbol, angle.quarters) for symbol, angle in model.alias.items() if len(angle.moving) > 1}
+
+    def named(wave: Wave) -> Wave:
+        if (found := own.get(wave.angle.parts)) is None:
+            return wave
+        symbol, quarters = found
+        return replace(wave, angle=Angle.of(symbol, (wave.angle.quarters - quarters) % 4))
+
+    return Sum.of(replace(term, waves=tuple(map(named, term.waves))) for term in of.terms)
 
 
 def _at(model: Model, joint: Joint, body: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 
 from graphkin.equations.expressions import Sum, Term, Wave
 from graphkin.equations.layout import Call, Exp, Frac, Letter, Minus, Node, Num, Op, Paren, Pow, Row, Word
@@ -75,7 +76,7 @@ class Pretty:
 
     def _called(self, of: Angle) -> list[tuple[Symbol, int]]:
         counts = dict(of.parts)
-        for name, meaning in self.alias.items():
+        for name, meaning in self._longest_first:
             times = {counts.get(symbol, 0) * sign for symbol, sign in meaning.parts if abs(sign) == 1}
             if len(times) == 1 and times != {0} and len(meaning.parts) > 1:
                 count = times.pop()
@@ -83,6 +84,11 @@ class Pretty:
                     counts[symbol] -= count * sign
                 counts[name] = count
         return [(symbol, count) for symbol, count in counts.items() if count]
+
+    @cached_property
+    def _longest_first(self) -> list[tuple[Symbol, Angle]]:
+        """What a long sum is called, before what a part of it is."""
+        return sorted(self.alias.items(), key=lambda each: -len(each[1].parts))
 
     def _product(self, term: Term) -> Node:
         """A term without its sign."""

@@ -13,6 +13,7 @@ from graphkin.loading.names import tidy
 from graphkin.loading.schema import File, LinkTable
 from graphkin.loading.shapes import Measures, check_round, own_axes, solve_shape
 from graphkin.mechanism import FRAME, Link
+from graphkin.value import Lazy
 
 
 def read_links(draft: Draft, file: File, raw: Mapping[str, Any], measures: Mapping[str, Sequence[Measure]]) -> None:
@@ -49,7 +50,7 @@ def _shape(
     if missing := tuple(point for point in points if point not in places):
         raise TooFewMeasures(given.where, name, missing)
     check_round(given, places)
-    return own_axes(places, name, given.where)
+    return own_axes(places, given)
 
 
 def _measures(
@@ -57,11 +58,12 @@ def _measures(
 ) -> Measures:
     """All that is known of the shape, each with its place."""
     ccw = table.ccw or []
-    places = {measure.key: draft.where("links", name, measure.key) for measure in measures}
+    places: dict[str, tuple[str | int, ...]] = {"": ("links", name)}
+    places |= {measure.key: ("links", name, measure.key) for measure in measures}
     for number, triple in enumerate(ccw):
         place = ("links", name, "ccw", number)
-        places[f"ccw {number}"] = draft.where(*place[: 3 if len(ccw) == 1 else 4])
+        places[f"ccw {number}"] = place[: 3 if len(ccw) == 1 else 4]
         for point in triple:
             draft.point(name, point, *place[:3])
     triples = tuple((a, b, c) for a, b, c in ccw)
-    return Measures(name, draft.where("links", name), points, tuple(measures), triples, places)
+    return Measures(name, points, tuple(measures), triples, Lazy(places, lambda key: draft.where(*places[key])))

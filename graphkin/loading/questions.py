@@ -4,26 +4,36 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphkin.errors import NoQuestion, NoRate
+from graphkin.errors import NOWHERE, GraphkinError, NoQuestion, NoRate, Where
 from graphkin.loading.draft import Draft
 from graphkin.mechanism import Driver, Mechanism
 from graphkin.quantities import formed, meant, read
+
+RATES = ("omega", "alpha", "velocity", "acceleration")
+"""Keys that say how fast a driver moves."""
 
 
 def check_questions(draft: Draft, mechanism: Mechanism) -> None:
     """Note every question about something that is not there, and every text that asks nothing."""
     for number, question in enumerate(mechanism.ask):
-        where = draft.where("ask", number)
-        with draft.noting():
-            if read(mechanism, question, where) is None and not formed(question) and question[-1:] not in ("?", "？"):
-                raise NoQuestion(where, question, meant(mechanism, question) or "")
+        try:
+            _check(mechanism, question, NOWHERE)
+        except GraphkinError:  # its place is looked for only now
+            with draft.noting():
+                _check(mechanism, question, draft.where("ask", number))
+
+
+def _check(mechanism: Mechanism, question: str, where: Where) -> None:
+    if read(mechanism, question, where) is None and not formed(question) and question[-1:] not in ("?", "？"):
+        raise NoQuestion(where, question, meant(mechanism, question) or "")
 
 
 def remarks(mechanism: Mechanism) -> Iterator[NoRate]:
     """Notes on drivers that stand still because nothing is said of how fast they move."""
     for number, driver in enumerate(mechanism.drivers):
-        said = any(("driver", number, key) in mechanism.lines for key in ("omega", "alpha", "velocity", "acceleration"))
-        if not said and mechanism.lines:
+        if driver.rate or not mechanism.lines:
+            continue
+        if not any(("driver", number, key) in mechanism.lines for key in RATES):
             yield NoRate(mechanism.where("driver", number), driver.name, rate_keys(driver))
 
 

@@ -40,17 +40,20 @@ MOST_CURVES = 20
 
 @frozen
 class Measures:
-    """All that is known of one link's shape, and where each of it stands in the file."""
+    """All that is known of one link's shape, and where each of it stands in the file, by key; the whole under ""."""
 
     link: str
-    where: Where
     points: tuple[str, ...]
     measures: tuple[Measure, ...] = ()
     ccw: tuple[Triple, ...] = ()
     places: Mapping[str, Where] = field(default_factory=dict)
 
+    @property
+    def where(self) -> Where:
+        return self.places[""]
+
     def place(self, key: str) -> Where:
-        return self.places.get(key, self.where)
+        return self.places[key if key in self.places else ""]
 
 
 def solve_shape(given: Measures) -> dict[str, complex]:
@@ -64,17 +67,17 @@ def solve_shape(given: Measures) -> dict[str, complex]:
         raise _why_not_round(given)
     if len(found) > 1:
         raise _what_is_open(given, *found)
-    return own_axes({point: found[0][point] for point in given.points}, given.link, given.where)
+    return own_axes({point: found[0][point] for point in given.points}, given)
 
 
-def own_axes(places: Places, link: str, where: Where) -> dict[str, complex]:
+def own_axes(places: Places, given: Measures) -> dict[str, complex]:
     """The same figure with its first point in the origin and the next distinct one on +x."""
     origin = next(iter(places.values()))
     arms = {point: place - origin for point, place in places.items()}
     size = max(abs(arm) for arm in arms.values())
     axis = next((arm for arm in arms.values() if abs(arm) > 1e-9 * size), 0j)
     if axis == 0 and len(arms) > 1:
-        raise OneSpot(where, link)
+        raise OneSpot(given.where, given.link)
     turn = axis.conjugate() / abs(axis) if axis.imag or axis.real < 0 else 1 + 0j
     return {point: complex(abs(arm), 0) if arm == axis else arm * turn for point, arm in arms.items()}
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cached_property
 from pathlib import Path as FilePath
 from typing import IO, Any
 
@@ -29,10 +30,12 @@ LARGEST_FILE = 1_000_000
 
 _BLANKS = "\t\n\r"
 """Control characters that may stand in a text; there they are blanks."""
+_WITHOUT_BLANKS = str.maketrans("", "", _BLANKS)
 _WIDE_MARKS = (b"\xff\xfe", b"\xfe\xff")
 _NO_XML = re.compile("[\ufffe\uffff]")
 
-_DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
+_PARTS = 32
+_DEEP = re.compile(rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{_PARTS}}}""")
 """A key of so many parts; thousands of them would cost gigabytes before anyone could refuse them."""
 
 _PLACE = r"\s*\(at (?:line ([0-9]+), column [0-9]+|end of document)\)$"
@@ -77,15 +80,42 @@ def decoded(content: bytes, file: str) -> str:
         raise NotUtf8(Where(file, line), "") from None
 
 
-def read_toml(text: str, file: str) -> tuple[dict[str, Any], dict[Path, int]]:
-    """The data, and the line of each key (primes in keys tidied in the paths)."""
+class Lines(Mapping[Path, int]):
+    """The line of each key (primes in keys tidied in the paths), found when one is asked for: few are."""
+
+    def __init__(self, text: str, file: str) -> None:
+        self.text, self.file = text, file
+
+    @cached_property
+    def _found(self) -> dict[Path, int]:
+        try:
+            return {_tidied(path): line for path, line in positions(self.text).items()}
+        except RecursionError:
+            raise TooDeep(Where(self.file)) from None
+
+    def __getitem__(self, path: Path) -> int:
+        return self._found[path]
+
+    def __iter__(self) -> Iterator[Path]:
+        return iter(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def __reduce__(self) -> tuple[type, tuple[dict[Path, int]]]:
+        """Sent elsewhere it is a plain table."""
+        return dict, (self._found,)
+
+
+def read_toml(text: str, file: str) -> tuple[dict[str, Any], Lines]:
+    """The data, and the line of each key."""
     _check_size(len(text), file)
     text = text.removeprefix("\ufeff")
-    if _DEEP.search(text) is not None:
+    if any(line.count(".") >= _PARTS and _DEEP.search(line) is not None for line in text.split("\n")):
         raise TooDeep(Where(file))
     try:
         document = tomllib.loads(text)
-        lines = {_tidied(path): line for path, line in positions(text).items()}
+        lines = Lines(text, file)
         _refuse_control(document, lines, text, file)
     except RecursionError:
         raise TooDeep(Where(file)) from None
@@ -96,10 +126,12 @@ def read_toml(text: str, file: str) -> tuple[dict[str, Any], dict[Path, int]]:
     return document, lines
 
 
-def _refuse_control(document: dict[str, Any], lines: dict[Path, int], text: str, file: str) -> None:
+def _refuse_control(document: dict[str, Any], lines: Mapping[Path, int], text: str, file: str) -> None:
     """Texts and names go to terminals, into XML, TeX and tables: no character in them may mean more than itself."""
     if (found := _NO_XML.search(text)) is not None:
         raise ControlCharacter(Where(file, text.count("\n", 0, found.start()) + 1), f"U+{ord(found.group()):04X}")
+    if "\\" not in text and text.translate(_WITHOUT_BLANKS).isprintable():
+        return
     for path, word in _words(document, ()):
         if word.isprintable():
             continue

@@ -30,8 +30,9 @@ from graphkin.construction import (
     Swing,
     Touch,
 )
-from graphkin.construction.fitting import roll, solve_together
+from graphkin.construction.chains import solve_together
 from graphkin.construction.pencil import FIXED
+from graphkin.construction.rolling import roll
 from graphkin.geometry import Value, cross, dot, meet_lines
 from graphkin.marking.hand import Hand
 from graphkin.planning import Method

@@ -73,8 +73,11 @@ def _runs(process: int) -> bool:
 
 
 def refuse(path: Path, force: bool, marks: Sequence[bytes]) -> None:
-    """Whether a file may be written there; several are all asked before the first is written."""
+    """Whether a file may be written there; several are all asked before the first is written. A device or a pipe is no
+    file: the new one would take its place."""
     try:
+        if path.exists() and not path.is_file() and not path.is_dir():
+            raise CannotWrite(str(path), "not a regular file")
         if path.exists() and not force and not _ours(path, marks):
             raise FileInTheWay(str(path))
         if not path.parent.is_dir():

@@ -51,7 +51,7 @@ class Polygon:
     """The steps so far, and where the sites drawn by them are.
 
     velocity  the velocity polygon's name of a site, for Coriolis terms
-    reserved  names that points will need, free for no corner between
+    reserved  names that points will need, free for no corner between; letters: those of tips, once they are chosen
     unknown   the arrow of each hop whose size is sought
     apart     pairs of sites of one link that are known to lie apart
     """
@@ -65,6 +65,7 @@ class Polygon:
     nodes: dict[str, Node] = field(default_factory=dict)
     at: dict[Site, str] = field(default_factory=dict)
     reserved: set[str] = field(default_factory=set)
+    letters: dict[str, str] = field(default_factory=dict)
     unknown: dict[Hop, Term] = field(default_factory=dict)
     apart: set[frozenset[Site]] = field(default_factory=set)
 
@@ -76,7 +77,7 @@ class Polygon:
     def key(self, site: Site) -> Site:
         """A hinge moves as one point, whichever of its links it is seen as part of."""
         owners = self.structure.owners.get(site.point, ())
-        return Site(site.point, owners[0]) if site.link in owners else site
+        return Site(site.point, owners[0]) if site.link in owners[1:] else site
 
     def name(self, site: Site) -> str:
         """The polygon's point of a site, known or to be found; points of the frame sit on the pole."""
@@ -101,14 +102,20 @@ class Polygon:
 
     def between(self, letter: str, link: str, of: str) -> str:
         """A corner of the polygon that is no point of the mechanism: n3', n_arm', k'; by a letter that no point has."""
-        taken = {name[0] for name in (*self.reserved, self.pole)}
-        own = next((other for other in TIPS[letter] if other not in taken), letter)
+        own = self.own_letter(letter)
         called = self.structure.mechanism.called(link)
         worded = self.structure.is_link(link) and not called[0].isdigit()
         stem = own if letter == "k" else own + ("_" if worded else "") + called
         dot, prime = "" if letter == "k" else "_", primes(self.structure.mechanism, self.plane)
         names = chain([f"{stem}{prime}"], (f"{stem}{dot}{k}{prime}" for k in count(1)))
         return self.new(next(name for name in names if name not in self.nodes and name not in self.reserved), of)
+
+    def own_letter(self, letter: str) -> str:
+        """The letter for a tip that no point has."""
+        if letter not in self.letters:
+            taken = {name[0] for name in (*self.reserved, self.pole)}
+            self.letters[letter] = next((other for other in TIPS[letter] if other not in taken), letter)
+        return self.letters[letter]
 
     def known(self, site: Site) -> bool:
         key = self.key(site)

@@ -33,9 +33,11 @@ SOON = 1.25
 STRETCH, HALVINGS = 20, 6
 """Steps tried at once, and halvings."""
 FELT = 0.001
-"""Steps below this part of the longest are felt for one by one, by plain replay: the way may be about to end."""
+"""Steps below this part of the longest are felt for one by one, and tried longer: the way may be about to end."""
 GROWTH, STEADY = 1.5, 0.9
 """How much longer each step may be than the one before, and what part of the longest that would do is taken."""
+LEAST = 0.05
+"""What part of the first step of a stretch the others are at the least."""
 BETWEEN = 8
 """From one position found to the next so many are foretold, from which others are found."""
 
@@ -106,13 +108,14 @@ class _Walk:
             return 0.0
         here = min(count, t.size - 1)
         if off[here] < np.inf:  # what is foretold is off by the fourth power of the step
-            self.growth = min(GROWTH, STEADY * max(float(off[here]), 1e-3) ** -0.25)
-            return float(far[here]) * self.growth
+            step = float(far[here]) * min(GROWTH, STEADY * max(float(off[here]), 1e-3) ** -0.25)
+            self.growth = min(GROWTH, step / float(far[max(here - 1, 0)]))
+            return step
         return float(far[here])
 
     def _steps_ahead(self, step: float) -> np.ndarray:
         """Lengths of the next steps, each a little longer than the one before, as links turn there as foretold (k,)."""
-        growing = np.maximum(max(self.growth, STEADY) ** np.arange(STRETCH), 0.5)
+        growing = np.maximum(self.growth ** np.arange(STRETCH), LEAST)
         steps = np.minimum(step * growing, self.longest)
         x, slope = self.nodes.expected(self.at + self.side * np.cumsum(steps))
         turning = FARTHEST / np.maximum(self._largest(slope, x), 1e-300)

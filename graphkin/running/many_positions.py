@@ -10,17 +10,21 @@ import numpy as np
 from graphkin.construction import Plot, replay
 from graphkin.geometry import Value
 from graphkin.planning.method import Method
-from graphkin.running.compiled import TABLES, CannotRecord, Program, compiled_program
+from graphkin.running.compiled import TABLES, CannotRecord, Entry, Program, compiled_program
 from graphkin.running.path import Path, along
 
 MANY = 64
 """From so many positions on a program is worth being made: a few such sweeps take as long as making it."""
+FITTED_MANY = 2000
+"""The same where links are fitted: to fit so many plainly takes about as long as making the program."""
 PART = 4096
 """Positions that are fitted at once."""
 
 
 _PROGRAMS: dict[int, Program | None] = {}
 """By the identity of their methods, as long as these live: methods are alike by value, and too large to be hashed."""
+_ASKED: dict[int, int] = {}
+"""How many positions were replayed without a program, by method, the same."""
 
 
 def program_of(method: Method) -> Program | None:
@@ -39,23 +43,36 @@ def _made(method: Method) -> Program | None:
         return None
 
 
+def _worth_it(method: Method, count: int) -> bool:
+    """Whether a program is there, or so many positions were asked for by now that it is worth being made."""
+    key = id(method)
+    if not method.fits or key in _PROGRAMS:
+        return True
+    if key not in _ASKED:
+        finalize(method, _ASKED.pop, key, None)
+    _ASKED[key] = _ASKED.get(key, 0) + count
+    return _ASKED[key] >= FITTED_MANY
+
+
 def by_program(
     method: Method,
     values: Sequence[Value],
     sides: Mapping[int, Value] | None = None,
     near: Mapping[str, Value] | None = None,
+    asked: set[Entry] | None = None,
 ) -> Plot | None:
     """All three constructions at driver values, scalar or (n,) each; None where they are few, or no program does it.
 
-    near  angles and displacements close by, without which no program does positions that hang on how they are reached
+    near   angles and displacements close by, without which no program does positions that hang on how they are reached
+    asked  as `Program.run` has it
     """
     if method.moves_on and not near:
         return None
     shapes = {value.shape if isinstance(value, np.ndarray) else np.shape(value) for value in values} - {()}
     if len(shapes) != 1 or len(shape := shapes.pop()) != 1 or shape[0] < MANY:
         return None
-    made = program_of(method)
-    return None if made is None else made.run(values, sides, near)
+    made = program_of(method) if _worth_it(method, shape[0]) else None
+    return None if made is None else made.run(values, sides, near, asked)
 
 
 def along_in_parts(method: Method, path: Path, t: Value) -> Plot:
@@ -75,7 +92,8 @@ def _joined(values: Sequence[Value]) -> Value:
     return np.concatenate(values) if np.ndim(values[0]) else values[0]
 
 
-def replay_along(method: Method, path: Path, t: np.ndarray) -> Plot:
-    """All three constructions at t (n,) on the path, each choice on the side that is right there."""
-    found = by_program(method, path.values(t), path.crossings(t), path.near(t))
+def replay_along(method: Method, path: Path, t: np.ndarray, asked: set[Entry] | None = None) -> Plot:
+    """All three constructions at t (n,) on the path, each choice on the side that is right there; `asked`: as
+    `Program.run` has it."""
+    found = by_program(method, path.values(t), path.crossings(t), path.near(t), asked)
     return found or replay(method.acceleration, replay(method.velocity, along_in_parts(method, path, t)))

@@ -15,7 +15,6 @@ from graphkin.geometry import weights_of
 from graphkin.naming import spelled
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
-from graphkin.running.many_positions import program_of
 from graphkin.running.path import Event, Path, along, stride
 from graphkin.tolerances import TOUCH
 
@@ -111,16 +110,8 @@ def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -
 
 
 def _seen(method: Method, path: Path, step: Crossing, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The same at t (n,) on the path; where links are fitted by program, as far as that comes to them."""
-    program = program_of(method) if method.fits else None
-    if program is None:
-        return _angle(method, step, along(method, path, t), t.shape)
-    values = [np.broadcast_to(value, t.shape) for value in path.values(t)]
-    plot, doubtful = program.tried(values, path.crossings(t), path.near(t))
-    sine, miss = _angle(method, step, plot, t.shape)
-    if doubtful.size:
-        sine[doubtful], miss[doubtful] = _angle(method, step, along(method, path, t[doubtful]), doubtful.shape)
-    return sine, miss
+    """The same at t (n,) on the path."""
+    return _angle(method, step, along(method, path, t), t.shape)
 
 
 def _closer(method: Method, path: Path, step: Crossing, begin: float, end: float) -> tuple[float, bool] | None:

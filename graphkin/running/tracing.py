@@ -38,6 +38,8 @@ def _traced(
 ) -> Path:
     path = _setting_out(method, pace, ends, after)
     refuse_far(method, path, LOOK_DEG, LOOK_PART)
+    if path.low == path.high:
+        return path
     if method.fits:
         return continued(method, path)
     for end in reversed(ends):

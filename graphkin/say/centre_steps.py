@@ -159,8 +159,12 @@ class CentreReader:
     def _three(self, ends: Iterable[str]) -> str:
         """The three links whose centres lie on a line: `1, 2, 3`."""
         both = {link for end in ends for link in self.found.centring.links[end]}
-        order = {link: k for k, link in enumerate(dict.fromkeys(x for pair in self.found.pairs for x in pair))}
-        return self.say("common.list").join(self.link(link) for link in sorted(both, key=lambda link: order[link]))
+        return self.say("common.list").join(self.link(link) for link in sorted(both, key=self._order.__getitem__))
+
+    @cached_property
+    def _order(self) -> dict[str, int]:
+        """The place of each link among those that have centres."""
+        return {link: k for k, link in enumerate(dict.fromkeys(link for pair in self.found.pairs for link in pair))}
 
     def _met(self, stage: Stage) -> str:
         centre = stage.last.name

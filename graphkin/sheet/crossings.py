@@ -26,11 +26,13 @@ def through(start: Any, end: Any, low: Any, high: Any) -> Any:
     return found | ~(wide[0] * wide[1] > 0)
 
 
-def meet(start: Any, end: Any, other: Any, other_end: Any) -> Any:
-    """Whether lines cross others: each has its ends on both sides of the other, and none of them upon it."""
+def meet(start: Any, end: Any, other: Any, other_end: Any, touch: bool = False) -> Any:
+    """Whether lines cross others: each has its ends on both sides of the other, and none of them upon it; touch: or
+    upon it, where their surroundings overlap."""
     way, other_way, off = end - start, other_end - other, other - start
     first, second = _turn(way, off), _turn(other_way, off)
-    return (first * (first + _turn(way, other_way)) < 0) & (second * (second - _turn(other_way, way)) < 0)
+    first, second = first * (first + _turn(way, other_way)), second * (second - _turn(other_way, way))
+    return (first <= 0) & (second <= 0) if touch else (first < 0) & (second < 0)
 
 
 def _turn(way: Any, off: Any) -> Any:

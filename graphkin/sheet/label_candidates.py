@@ -6,7 +6,7 @@ on a leader, and far off, only for labels that find none there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import field
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -47,8 +47,15 @@ class Boxes(NamedTuple):
         return cls(np.array([low, high, np.clip(anchor, low, high), anchor]), spots.led)
 
     def taken(self, rows: Any) -> Boxes:
-        """Some of them."""
-        return Boxes(self.places[:, :, rows], self.led[rows])
+        """Some of them; numpy takes numbered columns several times as fast as it indexes them."""
+        return Boxes(self.places.take(rows, axis=2), self.led.take(rows))
+
+    def part(self, begin: int, end: int) -> Boxes:
+        return Boxes(self.places[:, :, begin:end], self.led[begin:end])
+
+    def some(self, rows: Any) -> Boxes:
+        """The same; a single one is that of all rows."""
+        return self if len(self.led) == 1 else self.taken(rows)
 
     @classmethod
     def joined(cls, parts: Iterable[Boxes]) -> Boxes:
@@ -79,7 +86,7 @@ class Rated(NamedTuple):
 
     cost      what each costs by itself; near: how many things are too near to it; hits: on how many it lies
     strange   nearer to another arrow than to its own; inside: in the room
-    lettered  its leader passes through letters; lines: how many lines it crosses
+    lettered  its leader passes through letters; lines: how many things it crosses, where that was asked
     """
 
     boxes: Boxes
@@ -100,6 +107,11 @@ class Rated(NamedTuple):
             return parts[0]
         boxes = Boxes.joined(part.boxes for part in parts)
         return cls(boxes, *map(np.concatenate, zip(*(part[1:] for part in parts), strict=True)))
+
+    def parted(self, counts: Any) -> Iterator[Rated]:
+        """So many of them each time."""
+        for end, count in zip(np.cumsum(counts), counts, strict=True):
+            yield Rated(self.boxes.part(end - count, end), *(each[end - count : end] for each in self[1:]))
 
     @property
     def in_room(self) -> Rated:
@@ -122,6 +134,7 @@ class Scene:
     room: Room
     beneath: Scene | None = None
     _seen: dict[tuple[int, int], Rated] = field(default_factory=dict)
+    _crossing: set[tuple[int, int]] = field(default_factory=set)
 
     def under(self, marks: Sequence[Mark]) -> Scene:
         """The same under some more lines."""
@@ -156,6 +169,11 @@ class Scene:
         found = self.known.touched(low, high)
         return found if self.beneath is None else np.concatenate([found, self.beneath.touched(low, high)])
 
+    def crossed(self, start: Any, end: Any) -> Any:
+        """Rows of the leaders start..end (n, 2) that cross something, once for each thing crossed."""
+        found = self.known.crossed(start, end)
+        return found if self.beneath is None else np.concatenate([found, self.beneath.crossed(start, end)])
+
     @cached_property
     def halves(self) -> Any:
         """Half the width and height of each label's box, complex [mm]."""
@@ -168,11 +186,13 @@ class Scene:
         places = [want.place for want in self.wanted]
         return complex(_middle([place.real for place in places]), _middle([place.imag for place in places]))
 
-    def rated(self, labels: Iterable[int], tier: int) -> list[Rated]:
-        """The candidates of some labels up to a tier."""
+    def rated(self, labels: Iterable[int], tier: int, lines: bool = False) -> list[Rated]:
+        """The candidates of some labels up to a tier; lines: with what leaders cross."""
         labels = list(labels)
         for each in range(tier + 1):
             self._see([label for label in labels if (label, each) not in self._seen], each)
+            if lines and each != NEAR:
+                self._cross([label for label in labels if (label, each) not in self._crossing], each)
         return [Rated.joined([self._seen[label, each] for each in range(tier + 1)]).in_room for label in labels]
 
     def _see(self, labels: Sequence[int], tier: int) -> None:
@@ -184,10 +204,24 @@ class Scene:
         else:
             self.beneath._see([label for label in labels if (label, tier) not in self.beneath._seen], tier)
             parts = [self.beneath._seen[label, tier] for label in labels]
-            counts, found = [len(part.cost) for part in parts], self._looked_at_again(Rated.joined(parts), tier)
-        ends = np.cumsum(counts)
-        for label, end, count in zip(labels, ends, counts, strict=True):
-            self._seen[label, tier] = found.taken(slice(end - count, end))
+            counts, found = [len(part.cost) for part in parts], self._looked_at_again(Rated.joined(parts))
+        for label, part in zip(labels, found.parted(counts), strict=True):
+            self._seen[label, tier] = part
+
+    def _cross(self, labels: Sequence[int], tier: int) -> None:
+        """What the leaders of candidates of one tier cross, of some labels at once; of boxes that lie on nothing."""
+        if not labels:
+            return
+        parts = [self._seen[label, tier] for label in labels]
+        found = Rated.joined(parts)
+        rows = np.flatnonzero(found.inside & (found.hits == 0))
+        start, end = found.boxes.leader.take(rows, axis=2).swapaxes(1, 2)
+        lines = np.zeros(len(found.cost))
+        lines[rows] = np.bincount(self.crossed(start, end), minlength=len(rows))
+        found = found._replace(lines=lines)
+        for label, part in zip(labels, found.parted([len(part.cost) for part in parts]), strict=True):
+            self._seen[label, tier] = part
+            self._crossing.add((label, tier))
 
     def _looked_at(self, labels: Sequence[int], tier: int) -> tuple[Any, Rated]:
         """How many each label has in the room, or anywhere where it has none there; and all of them."""
@@ -199,15 +233,14 @@ class Scene:
         owner, inside, boxes = owner[rows], inside[rows], boxes.taken(rows)
         near, hits = self._touching(boxes)
         free = inside & (hits == 0)
-        strange, (lettered, lines) = self._strange(owner, boxes, free, tier), self._crossing(boxes, free, tier)
-        found = Rated(boxes, every.cost[rows], near, hits, strange, inside, lettered, lines)
+        strange, lettered = self._strange(owner, boxes, free, tier), self._lettered(boxes, free, tier)
+        found = Rated(boxes, every.cost[rows], near, hits, strange, inside, lettered, np.zeros(len(rows)))
         return np.bincount(owner, minlength=len(self.wanted))[labels], found
 
-    def _looked_at_again(self, rated: Rated, tier: int) -> Rated:
+    def _looked_at_again(self, rated: Rated) -> Rated:
         """The same candidates under some more lines."""
         near, hits = self._touching(rated.boxes)
-        _, lines = self._crossing(rated.boxes, rated.inside & (hits == 0), tier)
-        return rated._replace(near=rated.near + near, hits=rated.hits + hits, lines=rated.lines + lines)
+        return rated._replace(near=rated.near + near, hits=rated.hits + hits)
 
     def inside(self, boxes: Boxes) -> Any:
         """Which lie in the room."""
@@ -226,18 +259,17 @@ class Scene:
 
     def _touching(self, boxes: Boxes) -> tuple[Any, Any]:
         """How much of what is drawn is too near to each box, and on how much it lies."""
-        hits, near = self.known.around(boxes.low.T, boxes.high.T, _CLEAR, _EASY)
-        return np.bincount(near, minlength=len(boxes.led)), np.bincount(hits, minlength=len(boxes.led))
+        near, hits = self.known.around(boxes.low, boxes.high, (_EASY, _CLEAR))
+        return near, hits
 
-    def _crossing(self, boxes: Boxes, free: Any, tier: int) -> tuple[Any, Any]:
-        """Whose leaders pass through letters, and how many lines they cross; of boxes that lie on nothing."""
-        lettered, lines = np.zeros(len(free), dtype=bool), np.zeros(len(free))
+    def _lettered(self, boxes: Boxes, free: Any, tier: int) -> Any:
+        """Whose leaders pass through letters; of boxes that lie on nothing."""
+        found = np.zeros(len(free), dtype=bool)
         if tier != NEAR:
             rows = np.flatnonzero(free)
-            start, end = boxes.leader[:, :, rows].swapaxes(1, 2)
-            lettered[rows[self.letters.crossed(start, end)]] = True
-            lines[rows] = np.bincount(self.known.crossed(start, end), minlength=len(rows))
-        return lettered, lines
+            start, end = boxes.leader.take(rows, axis=2).swapaxes(1, 2)
+            found[rows[self.letters.crossed(start, end)]] = True
+        return found
 
     def _strange(self, owner: Any, boxes: Boxes, free: Any, tier: int) -> Any:
         """Which stand nearer to another arrow than to their own, of those that lie on nothing; a leader says whose a

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -44,23 +46,28 @@ class Prices(NamedTuple):
         cost += self.line * np.minimum(rated.hits, 5) + self.outside * ~rated.inside
         return cost + self.crossed * rated.lettered + self.through * rated.lines
 
-    def beside_others(self, boxes: Boxes, others: Boxes) -> tuple[Any, Any]:
-        """What each costs more because the others stand where they do; and which lie on one of them (n,)."""
-        (low, high), (least, most) = boxes.reach, others.reach
-        near = overlap(low[..., None], high[..., None], least[:, None] - _BESIDE, most[:, None] + _BESIDE)
-        rows, columns = np.nonzero(near)
-        more, clash = self._together(boxes.taken(rows), others.taken(columns))
+    @staticmethod
+    def reach(boxes: Boxes) -> tuple[Any, Any]:
+        """What other boxes cost nothing beyond (2, n)."""
+        low, high = boxes.reach
+        return low - _BESIDE, high + _BESIDE
+
+    def beside_others(self, parts: Sequence[Boxes], others: Boxes) -> list[tuple[Any, Any]]:
+        """What each box of some parts costs more because the others stand where they do; and which lie on one of them
+        (n,)."""
+        (least, most), boxes = self.reach(others), Boxes.joined(parts)
+        ends, (low, high) = np.cumsum([len(part.led) for part in parts]), boxes.reach
+        pairs = [_near(low[:, a:b], high[:, a:b], least, most) for a, b in pairwise([0, *ends])]
+        rows = np.concatenate([rows + first for first, (rows, _) in zip([0, *ends], pairs, strict=False)])
+        columns = np.concatenate([columns for _, columns in pairs])
+        more, clash = self.together(boxes.taken(rows), others.taken(columns))
         count = len(boxes.led)
-        return np.bincount(rows, more, count), np.bincount(rows, clash, count) > 0
+        more, clash = np.bincount(rows, more, count), np.bincount(rows, clash, count) > 0
+        return [(more[a:b], clash[a:b]) for a, b in pairwise([0, *ends])]
 
-    def beside_one(self, boxes: Boxes, reach: tuple[Any, Any], other: Boxes) -> tuple[Any, Any, Any]:
-        """Which of them cost more because another stands where it does, how much, and whether they lie on it."""
-        least, most = other.reach
-        rows = np.flatnonzero(overlap(*reach, least - _BESIDE, most + _BESIDE))
-        return rows, *self._together(boxes.taken(rows), other)
-
-    def _together(self, one: Boxes, other: Boxes) -> tuple[Any, Any]:
-        """What pairs of labels cost each other; which of them lie on each other, or under each other's leader."""
+    def together(self, one: Boxes, other: Boxes) -> tuple[Any, Any]:
+        """What pairs of labels cost each other; which of them lie on each other, or under each other's leader. The
+        other may be a single one."""
         clash = overlap(one.low, one.high, other.low - self.apart, other.high + self.apart)
         more = self.label * clash + self.word * overlap(one.low, one.high, other.low - _WORD, other.high + _WORD)
         if not (one.led.any() or other.led.any()):
@@ -68,7 +75,7 @@ class Prices(NamedTuple):
         crossed = under(one, other) | under(other, one)
         both = np.flatnonzero(one.led & other.led)
         more += self.crossed * crossed
-        more[both] += self._leaders(one.taken(both).leader, (other.taken(both) if len(other.led) > 1 else other).leader)
+        more[both] += self._leaders(one.taken(both).leader, other.some(both).leader)
         return more, clash | crossed
 
     def _leaders(self, one: Any, other: Any) -> Any:
@@ -83,7 +90,24 @@ CROWDED = Prices(400.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3, 1.5)
 
 
 def under(led: Boxes, other: Boxes, keep: float = _PASSING) -> Any:
-    """Which labels lie under the leader of the one they are paired with."""
+    """Which labels lie under the leader of the one they are paired with; one of them may be a single one."""
+    found = np.zeros(max(len(led.led), len(other.led)), dtype=bool)
+    if not led.led.any():
+        return found
     low, high, (start, end) = other.low - keep, other.high + keep, led.leader
     around = overlap(np.minimum(start, end), np.maximum(start, end), low, high)
-    return led.led & around & through(start, end, low, high)
+    rows = np.flatnonzero(led.led & around)
+    if len(rows):
+        led, other = led.some(rows), other.some(rows)
+        start, end = led.leader
+        found[rows] = through(start, end, other.low - keep, other.high + keep)
+    return found
+
+
+def _near(low: Any, high: Any, least: Any, most: Any) -> tuple[Any, Any]:
+    """Pairs of the boxes low..high (2, n) that lie together and others that overlap: their rows, and the others'."""
+    others = np.flatnonzero(overlap(least, most, low.min(axis=1, keepdims=True), high.max(axis=1, keepdims=True)))
+    least, most = least.take(others, axis=1), most.take(others, axis=1)
+    near = overlap(low[..., None], high[..., None], least[:, None], most[:, None])
+    rows, columns = np.nonzero(near)
+    return rows, others[columns]

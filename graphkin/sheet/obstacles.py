@@ -1,4 +1,4 @@
-"""What labels keep away from: everything drawn, as shapely geometry in one tree."""
+"""What labels keep away from: everything drawn, as lines and areas."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from graphkin.sheet.crossings import meet, overlap, through
+from graphkin.sheet.areas import Areas
+from graphkin.sheet.blocks import Blocks
+from graphkin.sheet.edges import Edges
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 
@@ -18,79 +20,66 @@ if TYPE_CHECKING:
 
 _TIP, _TIP_HALF = 2.8, 0.5
 """Length and half width of an arrow head [mm]."""
+_SAME = 1e-9
+"""Corners so close together are one [mm]."""
 _CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
 
 
 class Tree:
-    """Obstacles by place: line segments (n, 2, 2), and areas.
+    """Obstacles by place: line segments, and areas.
 
-    shapely finds whose surroundings overlap; those of a box are those of its diagonal. Whether a segment passes
-    through an upright box is seen for all at once: most of what is drawn are segments, and asked one by one they would
-    take longer than all else of a crowded sheet.
+    Boxes are held against them in blocks of a few that are close together: most of what is drawn is far from a block,
+    and asked one by one boxes would take longer than all else of a crowded sheet.
     """
 
-    def __init__(self, segments: NDArray[np.float64], areas: Sequence[Sequence[Place]]) -> None:
-        """areas: the corners of each."""
-        import shapely
-
-        self._shapely, self._segments = shapely, np.ascontiguousarray(np.moveaxis(segments, 0, -1))
-        self._lines = shapely.STRtree(shapely.linestrings(segments))
-        corners = np.array([place for area in areas for place in (*area, area[0])], dtype=complex)
-        owners = np.repeat(np.arange(len(areas)), [len(area) + 1 for area in areas])
-        rings = shapely.linearrings(corners.real, corners.imag, indices=owners)
-        self._areas = shapely.STRtree(shapely.polygons(rings))
+    def __init__(self, start: Any, end: Any, areas: Sequence[Sequence[Place]]) -> None:
+        """start, end: of the segments (2, n); areas: the corners of each."""
+        self._lines, self._areas = Edges.of(start, end), Areas(areas)
 
     def touched(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Rows of the boxes low..high that touch something, once for each thing touched."""
-        diagonals = self._shapely.linestrings(np.stack([low, high], axis=1))
-        rows, numbers = self._lines.query(diagonals)
-        start, end = self._ends(numbers)
-        hit = through(start, end, low[rows].T, high[rows].T)
-        near = _once(self._areas.query(diagonals)[0])
-        return np.concatenate([rows[hit], self._upon(near, low, high)])
+        """Rows of the boxes low..high (n, 2) that touch something, once for each thing touched."""
+        return _rows(self.around(low.T, high.T, (0.0,))[0])
 
-    def around(
-        self, low: NDArray[np.float64], high: NDArray[np.float64], clear: float, easy: float
-    ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        """Rows of the boxes low..high to which something is nearer than is clear, and than is easy [mm], once for each
-        thing."""
-        wide, narrow = (low - easy, high + easy), (low - clear, high + clear)
-        diagonals = self._shapely.linestrings(np.stack(wide, axis=1))
-        rows, numbers = self._lines.query(diagonals)
-        start, end = self._ends(numbers)
-        hit = np.flatnonzero(through(start, end, wide[0][rows].T, wide[1][rows].T))
-        near, start, end = rows[hit], start[:, hit], end[:, hit]
-        least, most = narrow[0][near].T, narrow[1][near].T
-        on = overlap(np.minimum(start, end), np.maximum(start, end), least, most) & through(start, end, least, most)
-        beside = self._upon(_once(self._areas.query(diagonals)[0]), *wide)
-        upon = self._upon(_once(beside), *narrow)
-        return np.concatenate([near[on], upon]), np.concatenate([near, beside])
-
-    def _upon(self, rows: Any, low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Which of some of the boxes lie on areas, once for each."""
-        if not len(rows):
-            return rows  # type: ignore[no-any-return]
-        boxes = self._shapely.box(low[rows, 0], low[rows, 1], high[rows, 0], high[rows, 1])
-        found: NDArray[np.intp] = rows[self._areas.query(boxes, predicate="intersects")[0]]
-        return found
+    def around(self, low: Any, high: Any, margins: Sequence[float]) -> list[Any]:
+        """To how many things each of the boxes low..high (2, n) is nearer than each of some margins [mm]."""
+        if not low.shape[1]:
+            return [np.zeros(0, dtype=np.intp) for _ in margins]
+        most = max(margins)
+        blocks, within = Blocks.of(low - most, high + most), [margin - most for margin in margins]
+        found = [np.zeros(blocks.low.shape[1:], dtype=np.intp) for _ in margins]
+        for block, lines in blocks.beside(self._lines.low, self._lines.high):
+            apart = self._lines.apart(lines[:, None], *blocks.taken(block))
+            for count, margin in zip(found, within, strict=True):
+                _add(count, block, apart <= margin)
+        for boxes, apart in self._areas.touched(blocks):
+            for count, margin in zip(found, within, strict=True):
+                count += np.bincount(boxes[apart <= margin], minlength=count.size).reshape(count.shape)
+        return [blocks.back(count) for count in found]
 
     def crossed(self, start: NDArray[np.float64], end: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Rows of the lines start..end that touch something, once for each thing touched."""
-        lines = self._shapely.linestrings(np.stack([start, end], axis=1))
-        rows, numbers = self._lines.query(lines)
-        other, other_end = self._ends(numbers)
-        hit = meet(start[rows].T, end[rows].T, other, other_end)
-        areas: NDArray[np.intp] = self._areas.query(lines, predicate="intersects")[0]
-        return np.concatenate([rows[hit], areas])
+        """Rows of the lines start..end (n, 2) that touch something, once for each thing touched."""
+        if not len(start):
+            return np.zeros(0, dtype=np.intp)
+        blocks = Blocks.of(np.minimum(start, end).T, np.maximum(start, end).T)
+        start, end = start.T.take(blocks.order, axis=1), end.T.take(blocks.order, axis=1)
+        found = np.zeros(blocks.low.shape[1:], dtype=np.intp)
+        ends = start.reshape(blocks.low.shape), end.reshape(blocks.low.shape)
+        for block, lines in blocks.beside(self._lines.low, self._lines.high):
+            _add(found, block, self._lines.met(lines[:, None], *(each.take(block, axis=1) for each in ends)))
+        for met in self._areas.met(blocks, start, end):
+            found += np.bincount(met, minlength=found.size).reshape(found.shape)
+        return _rows(blocks.back(found))
 
-    def _ends(self, numbers: NDArray[np.intp]) -> Any:
-        """Where some of the segments start and end (2, 2, n)."""
-        return self._segments[:, :, numbers]
+
+def _add(count: Any, blocks: Any, found: Any) -> None:
+    """Things found beside boxes of blocks (m, size), block by block, are counted."""
+    first = np.flatnonzero(np.concatenate([[True], blocks[1:] != blocks[:-1]]))
+    count[blocks[first]] += np.add.reduceat(found, first, axis=0, dtype=np.intp)
 
 
-def _once(rows: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Each row once, in order; numpy's own way there loads its masked arrays first."""
-    return np.flatnonzero(np.bincount(rows))
+def _rows(counts: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Each row as often as something was counted for it."""
+    return np.repeat(np.arange(len(counts)), counts)
 
 
 def tree(drawn: Iterable[Mark]) -> Tree:
@@ -100,12 +89,13 @@ def tree(drawn: Iterable[Mark]) -> Tree:
     for mark in drawn:
         for places, filled in _outlines(mark):
             if filled:
-                areas.append(places)
+                areas.append(places[:-1] if abs(places[-1] - places[0]) < _SAME else places)
             else:
                 for ends in pairwise(places):
                     lines += ends
     corners = np.array(lines, dtype=complex)
-    return Tree(np.stack([corners.real, corners.imag], axis=-1).reshape(-1, 2, 2), areas)
+    xy = np.array([corners.real, corners.imag])
+    return Tree(xy[:, ::2], xy[:, 1::2], areas)
 
 
 def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,6 +12,8 @@ from graphkin.measured import Numbers, Readable
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.quantities import EDGE, Centre, Quantity, Quotient, named
+from graphkin.running.compiled import Entry
+from graphkin.running.compiled.memory import lent
 from graphkin.running.path import stride
 from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.proof import prove
@@ -98,16 +100,18 @@ def sweep(method: Method, ranges: Ranges = (), of: Sequence[str] = (), by: Road 
 
 def sweep_over(course: Course, names: Sequence[str], by: Road = "construction") -> Sweep:
     """The same over a course."""
-    return _joined(list(in_parts(course, names, by)))
+    parts = in_parts(course, names, by)
+    return next(parts) if course.t.size <= PART else _joined(parts, course.t.size)
 
 
 def in_parts(course: Course, names: Sequence[str], by: Road = "construction", size: int = PART) -> Iterator[Sweep]:
     """The same, some positions at a time: a sweep of any length needs no more memory."""
     wanted = _read(course, names)
     turned = _Turned(course, wanted, by)
+    asked = set[Entry]() if course.t.size > size else None
     for begin in range(0, course.t.size, size):
         here = slice(begin, begin + size)
-        yield _defined(replace(_at(course, wanted, course.t[here], by, turned), driven=course.values[here]))
+        yield _defined(replace(_at(course, wanted, course.t[here], by, turned, asked), driven=course.values[here]))
 
 
 def _defined(found: Sweep) -> Sweep:
@@ -133,8 +137,10 @@ def _read(course: Course, names: Sequence[str]) -> Wanted:
     return {name: named(course.method.mechanism, name, NOWHERE) for name in names}
 
 
-def _at(course: Course, wanted: Wanted, t: np.ndarray, by: Road, turned: _Turned) -> Sweep:
-    motions = moving(course.method, course.path, t, by)
+def _at(
+    course: Course, wanted: Wanted, t: np.ndarray, by: Road, turned: _Turned, asked: set[Entry] | None = None
+) -> Sweep:
+    motions = moving(course.method, course.path, t, by, asked)
     found = []
     for name, quantity in wanted.items():
         if isinstance(quantity, Centre) and by == "construction":
@@ -180,16 +186,33 @@ def _unwrapped(angles: np.ndarray) -> np.ndarray:
     return found
 
 
-def _joined(found: Sequence[Sweep]) -> Sweep:
-    if len(found) == 1:
-        return found[0]
-    entries = tuple(
-        Series(
-            first.name, first.quantity, np.concatenate([part.series[k].values for part in found]),
-            None if first.vectors is None else np.concatenate([part.series[k].vectors for part in found]),
-        )
-        for k, first in enumerate(found[0].series)
-    )  # fmt: skip
-    rows = ("t", "driven", "undefined")
-    t, driven, undefined = (np.concatenate([getattr(part, name) for part in found]) for name in rows)
-    return Sweep(found[0].course, t, driven, entries, undefined, found[0].by)
+def _joined(parts: Iterable[Sweep], count: int) -> Sweep:
+    """One sweep of parts, with `count` positions at most: each is copied as it comes, while it is in the cache."""
+    columns: list[np.ndarray] = []
+    undefined, end = [], 0
+    for part in parts:
+        found = _columns(part)
+        columns = columns or _room(found, count)
+        begin, end = end, end + part.t.size
+        for column, values in zip(columns, found, strict=True):
+            column[begin:end] = values
+        undefined.append(part.undefined)
+    t, driven, *rest = (column[:end] for column in columns)
+    own = iter(rest)
+    series = tuple(
+        replace(entry, values=next(own), vectors=None if entry.vectors is None else next(own)) for entry in part.series
+    )
+    return Sweep(part.course, t, driven, series, np.concatenate(undefined), part.by)
+
+
+def _columns(part: Sweep) -> list[np.ndarray]:
+    """All that has an entry a position."""
+    found = [column for entry in part.series for column in (entry.values, entry.vectors) if column is not None]
+    return [part.t, part.driven, *found]
+
+
+def _room(columns: Sequence[np.ndarray], count: int) -> list[np.ndarray]:
+    """For columns like these with so many entries, in one piece of memory."""
+    sizes = [count * (column.itemsize // 8) for column in columns]
+    rooms = np.split(lent(sum(sizes)), np.cumsum(sizes)[:-1])
+    return [room.view(column.dtype) for room, column in zip(rooms, columns, strict=True)]

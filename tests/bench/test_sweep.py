@@ -38,7 +38,7 @@ TIMES_CALL = 1.9
 """The same for a single turn."""
 TIMES_C = {"ex3-5": 1.5, "p3-23a": 1.2, "ex3-7": 1.9}
 """How many times as long as a loop in C many positions may take, at the most."""
-CLASS_III, TIMES_FITTED, TIMES_WALKED = "p3-15", 9.0, 2.5
+CLASS_III, TIMES_FITTED, TIMES_WALKED = "p3-15", 9.0, 1.3
 """How many times as long as a four-bar's a position may take whose links are fitted; and how many times as long as many
 positions, a turn of a mechanism that was only loaded."""
 OF = {"ex3-5": ("theta 3", "omega 3", "alpha 3", "v E", "a E"), "ex3-7": ("theta 4", "omega 4", "alpha 4", "v E", "a E")}
@@ -51,9 +51,13 @@ OWN_BYTES = 30
 
 
 def graphkin_pva(method: Method, angles: np.ndarray) -> Plot:
-    """Everything of every position, read as arrays: all points of the three planes, all links."""
+    """Everything of every position, read as arrays: all points of the mechanism in the three planes, all links."""
     plot = replay_all(method, [angles])
-    for table in (plot.position, plot.velocity, plot.acceleration, plot.theta, plot.omega, plot.alpha):
+    planes = plot.position, plot.velocity, plot.acceleration
+    for names, table in zip(points_of(method.mechanism.name), planes, strict=True):
+        for name in names:
+            table[name]
+    for table in (plot.theta, plot.omega, plot.alpha):
         for name in table:
             table[name]
     return plot
@@ -71,6 +75,13 @@ def needs(package: str) -> None:
 @cache
 def planned(name: str) -> Method:
     return graphkin.plan(graphkin.load(name))
+
+
+@cache
+def points_of(name: str) -> tuple[tuple[str, ...], ...]:
+    """In each plane what belongs to a point of the mechanism, and is no corner between two arrows."""
+    planes = planned(name).constructions
+    return tuple(tuple(node.name for node in plane.nodes.values() if node.site is not None) for plane in planes)
 
 
 def turn(name: str, count: int) -> np.ndarray:

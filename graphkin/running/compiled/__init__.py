@@ -8,8 +8,9 @@ writes down what is found by trial.
 
 from __future__ import annotations
 
+from graphkin.running.compiled.columns import Entry
 from graphkin.running.compiled.lazy_plot import TABLES
 from graphkin.running.compiled.operations import CannotRecord
 from graphkin.running.compiled.program import Program, compiled_program
 
-__all__ = ["TABLES", "CannotRecord", "Program", "compiled_program"]
+__all__ = ["TABLES", "CannotRecord", "Entry", "Program", "compiled_program"]

@@ -11,19 +11,13 @@ from itertools import pairwise
 
 import numpy as np
 
-from graphkin.construction.fitting import (
-    Row,
-    chains,
-    gaps,
-    reach,
-    settle_all,
-    settle_rates,
-    units_of,
-    unknowns_of,
-)
-from graphkin.construction.kinds import Fit, Simultaneous
-from graphkin.construction.plot import Plot
-from graphkin.construction.terms import Plane
+from graphkin.construction.chains import chains, settle_rates
+from graphkin.construction.fitting import reach, settle_all, unknowns_of
+from graphkin.construction.kinds import Closure, Fit, Simultaneous
+from graphkin.construction.linear import Row, two
+from graphkin.construction.plot import Plot, slide_key
+from graphkin.construction.rolling import in_step
+from graphkin.construction.terms import Arm, Plane, Slid
 from graphkin.geometry import Value
 from graphkin.running.compiled.columns import Judged
 from graphkin.running.compiled.operations import CannotRecord
@@ -36,10 +30,10 @@ SHORT = 1e-7
 def fitted(step: Fit, plot: Plot) -> Value:
     """Settle a group's unknowns; gives what is above 0 where they are found, 1 at best."""
     x: list[Value] = [plot.near[name] for name in unknowns_of(step)]
-    units = units_of(step, reach(step, plot))
+    units = _units(step, reach(step, plot))
     for _ in range(STEPS):
         settle_all(step, plot, x)
-        change = solved(gaps(step, plot), dict(zip(unknowns_of(step), units)))
+        change = solved(_gaps(step, plot), dict(zip(unknowns_of(step), units)))
         x = [value - part * unit for value, part, unit in zip(x, change, units)]
     settle_all(step, plot, x)
     plot.senses[step.name], plot.sines["position", step.name] = Judged(step, 0), Judged(step, 1)
@@ -50,10 +44,50 @@ def fitted(step: Fit, plot: Plot) -> Value:
     return 1.0 - longest / SHORT
 
 
+def _units(step: Fit, size: float) -> list[float]:
+    """What each unknown is counted in: 1 rad, or the group's size [m]."""
+    return [1.0] * len(step.angles) + [size] * len(step.slides)
+
+
 def together(step: Simultaneous, plot: Plot, plane: Plane) -> None:
     """The unknown rates of a group."""
     rows = [(-known, coefficients) for known, coefficients in chains(step, plot, plane)]
     settle_rates(step, plot, plane, solved(rows, dict.fromkeys(unknowns_of(step), 1.0)))
+
+
+# --- gaps -------------------------------------------------------------------------------------
+
+
+def _gaps(step: Fit, plot: Plot) -> list[Row]:
+    """What closures and contacts leave open, and what each unknown does to it."""
+    rows = [row for closure in step.closures for row in two(*_closure(closure, plot))]
+    for contact in step.contacts:
+        gap, _ = in_step(contact, plot, "position", set(), set())
+        rows.append((gap, in_step(contact, plot, "position", set(step.angles), set(step.slides))[1]))
+    return rows
+
+
+def _closure(closure: Closure, plot: Plot) -> Row:
+    """What is left open of a way round, and what each unknown does to it [m]."""
+    gap = plot.position[closure.start] - plot.position[closure.end]
+    slopes: dict[str, Value] = {}
+    for part in closure.parts:
+        base, arrow = _stretch(part, plot)
+        gap = gap + arrow
+        slopes[base] = slopes.get(base, 0.0) + 1j * arrow
+        if isinstance(part, Slid):
+            slopes[slide_key(part.slide)] = part.sign * plot.guide_direction(part.slide)
+    return gap, slopes
+
+
+def _stretch(part: Arm | Slid, plot: Plot) -> tuple[str, Value]:
+    """One part of a closure as it lies now, with the base link that turns it [m]."""
+    if isinstance(part, Arm):
+        shape = plot.facts.shapes[part.link]
+        arrow = (shape[part.head] - shape[part.tail]) * np.exp(1j * plot.theta[part.link])
+        return plot.facts.turns[part.link].base, arrow
+    guide = plot.facts.lines[part.slide][0]
+    return plot.facts.turns[guide].base, part.sign * plot.s[part.slide] * plot.guide_direction(part.slide)
 
 
 # --- linear equations -------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -42,7 +42,8 @@ class Calls:
 
     @cached_property
     def run(self) -> Callable[..., None]:
-        """`run(given, rows, parts, registers)`: each as many arrays of one length; what is given may be scalars."""
+        """`run(given, rows, parts, registers)`: each as many arrays of one length, of the parts all x, all y, and
+        the vectors; what is given may be scalars."""
         return self._made("", "")
 
     @cached_property
@@ -51,8 +52,9 @@ class Calls:
         return self._made(", watch", "; watch({})")
 
     def _made(self, watch: str, after: str) -> Callable[..., None]:
-        body = [_unpacked("x", self.given, "given"), _unpacked("y", self.rows, "rows")]
-        body += [_unpacked("v", self.parts, "parts"), _unpacked("r", self.registers, "registers")]
+        body = [_unpacked("x", range(self.given), "given"), _unpacked("y", range(self.rows), "rows")]
+        body += [_vectors(self.parts)]
+        body += [_unpacked("r", range(self.registers), "registers")]
         body += [line.call + (after.format(line.into) if line.risky else "") for line in self.lines]
         functions = {line.call.partition("(")[0] for line in self.lines}
         names: dict[str, Any] = {name: getattr(np, name) for name in functions} | dict(self.constants)
@@ -61,5 +63,10 @@ class Calls:
         return made
 
 
-def _unpacked(letter: str, count: int, name: str) -> str:
-    return "".join(f"{letter}{k}," for k in range(count)) + f" = {name}" if count else "pass"
+def _unpacked(letter: str, numbers: Sequence[int], name: str) -> str:
+    return "".join(f"{letter}{k}," for k in numbers) + f" = {name}" if numbers else "pass"
+
+
+def _vectors(parts: int) -> str:
+    names = [f"v{k}" for k in (*range(0, parts, 2), *range(1, parts, 2))] + [f"w{k}" for k in range(parts // 2)]
+    return ", ".join(names) + " = parts" if names else "pass"

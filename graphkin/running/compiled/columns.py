@@ -63,8 +63,19 @@ class Late:
     sign: int
 
 
-Place = Column | Vector | Pair | Judged | Late
+@frozen
+class LateVector:
+    """A vector of which parts are told late."""
+
+    x: Late | Column
+    y: Late | Column
+
+
+Place = Column | Vector | Pair | Judged | Late | LateVector
 """Where a quantity of the plot comes from."""
+
+Entry = tuple[str, Any]
+"""A table of a plot, and a name in it."""
 
 Own = Column | Pair
 """What can be handed out as it lies there."""
@@ -76,13 +87,15 @@ class Columns:
 
     known        all names; what is the same at all positions has its value already
     pairs, rows  names of what is handed out as it lies there
-    others       what is worked out, or copied
+    others       what is copied, or put together
+    late         what is worked out when it is asked for
     """
 
     known: Mapping[Any, Value]
     pairs: tuple[tuple[Any, int], ...]
     rows: tuple[tuple[Any, int], ...]
-    others: tuple[tuple[Any, Place], ...]
+    others: tuple[tuple[Any, Column | Vector | Pair], ...]
+    late: Mapping[Any, Judged | Late | LateVector]
 
     @classmethod
     def of(cls, places: Mapping[Any, Place], owned: Mapping[Any, Own]) -> Columns:
@@ -90,8 +103,10 @@ class Columns:
         pairs = tuple((name, place.number) for name, place in owned.items() if isinstance(place, Pair))
         columns = [(name, place.row) for name, place in owned.items() if isinstance(place, Column)]
         rows = tuple((name, row) for name, row in columns if row is not None)
-        others = tuple((name, place) for name, place in places.items() if known[name] is None and name not in owned)
-        return cls(known, pairs, rows, others)
+        rest = {name: place for name, place in places.items() if known[name] is None and name not in owned}
+        late = {name: place for name, place in rest.items() if isinstance(place, Judged | Late | LateVector)}
+        others = tuple((name, place) for name, place in rest.items() if isinstance(place, Column | Vector | Pair))
+        return cls(known, pairs, rows, others, late)
 
 
 def told_apart(tables: Mapping[str, Mapping[Any, Place]]) -> dict[str, Columns]:

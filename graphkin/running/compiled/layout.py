@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from functools import cached_property
 from typing import Any
 
@@ -10,18 +10,27 @@ import numpy as np
 
 from graphkin.geometry import Value
 from graphkin.running.compiled.calls import Calls
-from graphkin.running.compiled.columns import Column, Columns, Judged, Late, Pair, Place, Vector, told_apart
+from graphkin.running.compiled.columns import (
+    Column,
+    Columns,
+    Entry,
+    Judged,
+    Late,
+    LateVector,
+    Pair,
+    Place,
+    Vector,
+    told_apart,
+)
+from graphkin.running.compiled.needed import works
 from graphkin.running.compiled.operations import NUMBER
 from graphkin.running.compiled.recorder import Recording, Written
-from graphkin.running.compiled.tape import Tape
-from graphkin.running.compiled.writer import Signed, works, written_out
+from graphkin.running.compiled.tape import Signed, Tape
+from graphkin.running.compiled.writer import written_out
 from graphkin.value import frozen
 
 PLANES = ("position", "velocity", "acceleration")
 """Tables of vectors; the others are of numbers."""
-LATE = ("sines", "misses")
-"""Tables that only tell how near to a dead point it is."""
-
 Tables = Mapping[str, Mapping[Any, Value]]
 
 
@@ -32,29 +41,37 @@ class Layout:
     calls    by which everything is worked out but what is asked for late
     late     what that is, on the tape
     columns  where each quantity of the plot is found, by table and name
+    spare    registers that no run has in hand: a run takes a set from here, or new ones, so runs never share any
     """
 
     tape: Tape
     calls: Calls
     late: tuple[Signed, ...]
     columns: Mapping[str, Columns]
+    spare: list[np.ndarray]
 
     @cached_property
     def late_calls(self) -> Calls:
         return written_out(self.tape, self.calls.given, 0, self.late)
 
 
-def laid_out(recording: Recording, tables: Tables, given: int) -> Layout:
-    """Where everything is to lie; what only tells dead points is asked for seldom, and late."""
+def laid_out(recording: Recording, tables: Tables, given: int, at_once: Set[Entry]) -> Layout:
+    """Where everything is to lie; what is not wanted `at_once` is worked out late, if ever."""
     tape, layout = recording.tape, _Layout(recording.tape)
     sines = [value.real_at for value in (*tables["sines"].values(), *recording.sound) if isinstance(value, Written)]
     doubts = [place for place in dict.fromkeys(tape.unsigned(place) for place in sines) if works(tape, place[0])]
-    told = dict.fromkeys(tables, layout.show)
-    told |= dict.fromkeys(PLANES, layout.vector) | dict.fromkeys(LATE, layout.tell_late)
-    places = {name: {key: told[name](value) for key, value in table.items()} for name, table in tables.items()}
+    found: dict[Entry, Place] = {}
+    entries = [(name, key, value) for name, table in tables.items() for key, value in table.items()]
+    for name, key, value in entries:
+        if (name, key) in at_once:
+            found[name, key] = layout.vector(value) if name in PLANES else layout.show(value)
+    for name, key, value in entries:
+        if (name, key) not in at_once:
+            found[name, key] = layout.vector_late(value) if name in PLANES else layout.tell_late(value)
+    places = {name: {key: found[name, key] for key in table} for name, table in tables.items()}
     parts = [part for pair in layout.pairs for part in pair]
     calls = written_out(tape, given, len(doubts), [*doubts, *layout.rows.items()], parts)
-    return Layout(tape, calls, (*layout.late,), told_apart(places))
+    return Layout(tape, calls, (*layout.late,), told_apart(places), [])
 
 
 class _Layout:
@@ -76,19 +93,36 @@ class _Layout:
         if isinstance(value, Judged):
             return value
         place, sign = self._unsigned(value)
+        if (known := self._known(place, sign)) is not None:
+            return known
+        self.numbers[place] = len(self.numbers)
+        self.rows[place] = sign
+        return Column(row=self.numbers[place])
+
+    def _known(self, place: int, sign: int) -> Column | None:
+        """Where it is found that takes no more work."""
         if not works(self.tape, place):
             return self._at_hand(place, sign)
-        if place in self.parts and place not in self.rows:
+        if place in self.rows:
+            return Column(row=self.numbers[place], sign=sign * self.rows[place])
+        if place in self.parts:
             part, found = self.parts[place]
             return Column(part=part, sign=sign * found)
-        self.numbers.setdefault(place, len(self.numbers))
-        return Column(row=self.numbers[place], sign=sign * self.rows.setdefault(place, sign))
+        return None
 
     def tell_late(self, value: Value) -> Place:
-        """A number that is worked out when it is asked for."""
-        if isinstance(value, Judged):
-            return value
-        place, sign = self._unsigned(value)
+        """A number that is worked out when it is asked for, if it is not at hand."""
+        return value if isinstance(value, Judged) else self._late(*self._unsigned(value))
+
+    def vector_late(self, value: Value) -> Place:
+        """The same of a vector."""
+        if not isinstance(value, Written):
+            return self.vector(value)
+        x, y = (self._late(*self.tape.unsigned(part)) for part in (value.real_at, value.imag_at))
+        return Vector(x, y) if isinstance(x, Column) and isinstance(y, Column) else LateVector(x, y)
+
+    def _late(self, place: int, sign: int) -> Late | Column:
+        """What lies in a row or a part is worked out again, too: those are in others' hands."""
         if not works(self.tape, place):
             return self._at_hand(place, sign)
         return Late(self.late.setdefault((place, 1), len(self.late)), sign)

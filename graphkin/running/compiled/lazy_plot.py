@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, MutableMapping, Sequence
 from dataclasses import field, fields, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -12,8 +12,8 @@ import numpy as np
 from graphkin.construction.fitting import sense_and_sine
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
-from graphkin.running.compiled.columns import Column, Columns, Judged, Late, Pair, Place, Vector
-from graphkin.value import frozen
+from graphkin.running.compiled.columns import Column, Columns, Entry, Judged, Late, LateVector, Pair, Vector
+from graphkin.value import Lazy, frozen
 
 TABLES = tuple(each.name for each in fields(Plot) if each.name not in ("facts", "near", "follows"))
 
@@ -78,6 +78,7 @@ class Told:
     late      gives what is worked out late (k, n) of what was given
     patches   positions told otherwise
     judged    senses and sines of groups, once they were asked for
+    asked     is told what is read late, by table and name
     """
 
     standing: Facts
@@ -86,6 +87,7 @@ class Told:
     late: Callable[[Sequence[np.ndarray]], np.ndarray]
     patches: Sequence[Patch] = ()
     judged: dict[str, tuple[Value, Value]] = field(default_factory=dict)
+    asked: set[Entry] | None = None
 
     @property
     def facts(self) -> Facts:
@@ -93,7 +95,7 @@ class Told:
         given = self.numbers.given[: len(self.standing.values)]
         return replace(self.standing, values=tuple(value[()] for value in given))
 
-    def table(self, name: str) -> dict[Any, Value]:
+    def table(self, name: str) -> Mapping[Any, Value]:
         """Quantities by name: most are read as they lie there, the others get arrays of their own."""
         columns, vectors, block = self.columns[name], self.numbers.vectors, self.numbers.block
         found = dict(columns.known)
@@ -102,24 +104,47 @@ class Told:
         for key, row in columns.rows:
             found[key] = block[row]
         for key, place in columns.others:
-            found[key] = self._worked_out(place)
+            found[key] = self.numbers.read(place)
+        for key in columns.known if self.patches else ():
+            if key not in columns.late:
+                found[key] = self._patched(name, key, found[key])
+        return Table(found, partial(self._made_late, name), found) if columns.late else found
+
+    def _patched(self, table: str, key: Any, value: Value) -> Value:
         for patch in self.patches:
-            for key, value in getattr(patch.plot, name).items():
-                found[key] = _patched(found[key], self.numbers.count, patch.rows, value)
-        return found
+            value = _patched(value, self.numbers.count, patch.rows, getattr(patch.plot, table)[key])
+        return value
+
+    def _made_late(self, table: str, key: Any) -> Value:
+        if self.asked is not None:
+            self.asked.add((table, key))
+        return self._patched(table, key, self._worked_out(self.columns[table].late[key]))
 
     @cached_property
     def _late(self) -> np.ndarray:
         return self.late(self.numbers.given)
 
-    def _worked_out(self, place: Place) -> Value:
+    def _worked_out(self, place: Judged | Late | LateVector) -> Value:
         if isinstance(place, Late):
             return place.sign * self._late[place.number]
-        if not isinstance(place, Judged):
-            return self.numbers.read(place)
+        if isinstance(place, LateVector):
+            return self._part(place.x) + 1j * self._part(place.y)
         if (name := place.step.name) not in self.judged:
             self.judged[name] = sense_and_sine(place.step, LazyPlot.of(self))
         return self.judged[name][place.which]
+
+    def _part(self, place: Late | Column) -> Value:
+        return self._worked_out(place) if isinstance(place, Late) else self.numbers.read(place)
+
+
+class Table(Lazy[Value], MutableMapping[str, Value]):
+    """A table of a plot, to be written in as any."""
+
+    def __setitem__(self, name: str, value: Value) -> None:
+        self._made[name] = value
+
+    def __delitem__(self, name: str) -> None:
+        del self._made[name]
 
 
 class LazyPlot(Plot):
@@ -136,13 +161,23 @@ class LazyPlot(Plot):
         """Sent elsewhere it is a plain plot."""
         return Plot, tuple(getattr(self, each.name) for each in fields(Plot))
 
-    def __getattr__(self, name: str) -> Any:
-        """Tables and facts, which a plot has as attributes, when they are first asked for."""
-        known = self.__dict__
-        if "_told" not in known or name not in ("facts", *TABLES):
-            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-        told: Told = known["_told"]
-        return known.setdefault(name, told.facts if name == "facts" else told.table(name))
+
+class _WhenRead:
+    """An attribute of a plot that is made when it is first read."""
+
+    def __init__(self, name: str, make: Callable[[Told], Any]) -> None:
+        self.name, self.make = name, make
+
+    def __get__(self, plot: LazyPlot | None, owner: type) -> Any:
+        if plot is None or "_told" not in plot.__dict__:
+            raise AttributeError(f"{owner.__name__!r} object has no attribute {self.name!r}")
+        found = plot.__dict__[self.name] = self.make(plot.__dict__["_told"])
+        return found
+
+
+setattr(LazyPlot, "facts", _WhenRead("facts", lambda told: told.facts))  # noqa: B010
+for _name in TABLES:
+    setattr(LazyPlot, _name, _WhenRead(_name, partial(Told.table, name=_name)))
 
 
 def _patched(value: Value, count: int, here: np.ndarray, found: Value) -> Value:

@@ -7,6 +7,9 @@ import numpy as np
 LEAST, MOST = 2**15, 2**23
 """Numbers in what is lent, and kept, at the least and at most: from a quarter of a MiB to 64."""
 
+KEPT = 2
+"""Pieces that are kept at most: those of a program, and of what its results are put together in."""
+
 _KEPT: list[np.ndarray] = []
 """What came back last."""
 
@@ -15,11 +18,10 @@ def lent(size: int) -> np.ndarray:
     """So many numbers of any value (size,)."""
     if size < LEAST:
         return np.empty(size)
+    fitting = (number for number, memory in enumerate(_KEPT) if size <= memory.size <= 2 * size)
     try:
-        memory = _KEPT.pop()
-    except IndexError:
-        memory = np.empty(size)
-    if not size <= memory.size <= 2 * size:
+        memory = _KEPT.pop(next(fitting))
+    except (IndexError, StopIteration):
         memory = np.empty(size)
     return np.asarray(_Lent(memory))[:size]
 
@@ -33,4 +35,4 @@ class _Lent:
 
     def __del__(self) -> None:
         if self.memory.size <= MOST:
-            _KEPT[:] = [self.memory]
+            _KEPT[:] = [*_KEPT, self.memory][-KEPT:]

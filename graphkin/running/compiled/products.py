@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 from graphkin.running.compiled.operations import NUMBER, SIDE, Operation, Operations
+
+ROUNDING = 5e-16
+"""What a number and its reciprocal make may be off 1."""
 
 Powers = Mapping[int, int]
 """Places with how often each is a factor; below 0 where it divides."""
@@ -44,6 +48,11 @@ class Products(Operations):
             return self.multiply(a, b)
         return self.times(number * more, self.multiply(one, other))
 
+    def divide_numbers(self, a: int, b: int) -> int:
+        """The same of a quotient."""
+        (number, one), (more, other) = self.scaled(a), self.scaled(self.reciprocal(b))
+        return self.times(number * more, self.multiply(one, other))
+
     def divide(self, a: int, b: int) -> int:
         return self.multiply(a, self.reciprocal(b))
 
@@ -63,6 +72,8 @@ class Products(Operations):
     def times(self, number: float, place: int) -> int:
         more, rest = self.scaled(place)
         number *= more
+        if abs(abs(number) - 1) < ROUNDING:
+            number = math.copysign(1.0, number)
         if number == 0 or rest == self.one:
             return self.number(number)
         found = rest if abs(number) == 1 else self._entered_product(self.number(abs(number)), rest)
@@ -97,12 +108,21 @@ class Products(Operations):
                 return self.times(number, other)
             if self._inside(one, "reciprocal") == other:
                 return self.one
+            if self.operations[one].does == SIDE and self.scaled(other)[0] != 1:
+                number, rest = self.scaled(other)
+                return self.times(number, self.multiply(one, rest))
         if a in self._divided or b in self._divided:
             of_a, of_b = self.factored(a), self.factored(b)
             if any(self._cancels(factor, power, of_b.get(factor, 0)) for factor, power in of_a.items()):
-                return self.product(together(of_a, of_b))
+                before = len(self.operations)
+                found = self.product(together(of_a, of_b))
+                if len(self.operations) - before <= 1:
+                    return found
         if a == b:
-            a = b = self._bare(a)
+            before = len(self.operations)
+            bare = self._bare(a)
+            if len(self.operations) == before:
+                a = b = bare
         return self._entered_product(a, b)
 
     def _entered_product(self, a: int, b: int) -> int:

@@ -17,7 +17,7 @@ from graphkin.construction.construction import Construction
 from graphkin.construction.kinds import Meet, Swing
 from graphkin.construction.pencil import Compass, replay
 from graphkin.construction.plot import Facts, Plot
-from graphkin.geometry import Value, leg, meet_circles, meet_line_circle
+from graphkin.geometry import Value, cross, leg, meet_circles, meet_line_circle, meet_lines, third_corner
 from graphkin.running.compiled.calculated import fitted, together
 from graphkin.running.compiled.operations import CannotRecord
 from graphkin.running.compiled.tape import Tape
@@ -108,6 +108,11 @@ class Written:
         return None if x is None or y is None else complex(x, y)
 
     @property
+    def straight(self) -> bool:
+        """Whether one of its parts is a number."""
+        return any(self.tape.number_at(part) is not None for part in (self.real_at, self.imag_at))
+
+    @property
     def _is_real(self) -> bool:
         return self.tape.number_at(self.imag_at) == 0
 
@@ -137,11 +142,23 @@ class Written:
             parts = (c, d) if self._is_real else (a, b)
             x, y = (tape.multiply(number, part) for part in parts)
         else:
+            for one, arrow in ((self, times), (times, self)):
+                if (found := one._along(arrow)) is not None:
+                    return found
             x = tape.times(k * m, tape.subtract(tape.multiply(a, c), tape.multiply(b, d)))
             y = tape.times(k * m, tape.add(tape.multiply(a, d), tape.multiply(b, c)))
         if known := times.number:
             tape.know_multiple((x, y), known, (self.real_at, self.imag_at))
         return Written(tape, x, y)
+
+    def _along(self, arrow: Written) -> Written | None:
+        """The product with an arrow that is known to lie along this vector's mirror image, or across it."""
+        if (known := self.tape.along((arrow.real_at, arrow.imag_at))) is None:
+            return None
+        times, of = known
+        found = self * Written(self.tape, *of)
+        straight = self.tape.number_at(found.real_at) == 0 or found._is_real
+        return found * Written(self.tape, times) if straight else None
 
     def _drawn_out(self) -> tuple[float, int, int]:
         """The number that both parts begin with, and these parts."""
@@ -152,7 +169,7 @@ class Written:
     def __truediv__(self, other: Value) -> Written:
         tape, by = self.tape, self._lifted(other)
         if self._is_real and by._is_real:
-            return Written(tape, tape.multiply_numbers(self.real_at, tape.reciprocal(by.real_at)))
+            return Written(tape, tape.divide_numbers(self.real_at, by.real_at))
         if by._is_real:
             return Written(tape, tape.divide(self.real_at, by.real_at), tape.divide(self.imag_at, by.real_at))
         if (known := tape.quotient((self.real_at, self.imag_at), (by.real_at, by.imag_at))) is not None:
@@ -175,6 +192,20 @@ class Written:
     def know_length(self, length: Value) -> None:
         """How long it is, where that was laid off."""
         self.tape.know_length(self.real_at, self.imag_at, self._lifted(length).real_at)
+
+    def know_along(self, times: Value, of: Value) -> None:
+        """Of which vector it is so many times."""
+        times, of = self._lifted(times), self._lifted(of)
+        self.tape.know_along((self.real_at, self.imag_at), times.real_at, (of.real_at, of.imag_at))
+
+    def know_cross(self, other: Written, value: Value) -> None:
+        """Its vector product with another one."""
+        self.tape.know_cross((self.real_at, self.imag_at), (other.real_at, other.imag_at), self._lifted(value).real_at)
+
+    def know_image(self, first: Value, second: Value, ratio: complex) -> None:
+        """That it is the third corner of a triangle whose shape does not change."""
+        vectors = ((each.real_at, each.imag_at) for each in (self, self._lifted(first), self._lifted(second)))
+        self.tape.know_image(vectors, ratio)
 
     # --- by NumPy -----------------------------------------------------------------------------
 
@@ -257,6 +288,23 @@ def _leg(hypotenuse: Value, other: Value) -> Value:
     return leg(hypotenuse, other)
 
 
+def _meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Value]:
+    """The same crossing; how far it lies along both lines is known where that is measured.
+
+    On a line that is drawn along an axis, one of its coordinates is a number; the other line gives the other sooner.
+    """
+    point, sine = meet_lines(p, u, q, w)
+    if not isinstance(point, Written):
+        return point, sine
+    start, way, far = p, u, cross(q - p, w) / cross(u, w)
+    if isinstance(w, Written) and not isinstance(u, Written):
+        times = cross(q - p, u) / cross(u, w)
+        if (sooner := q + w * times).straight:
+            start, way, far, point = q, w, times, sooner
+    (point - start).know_along(far, way)
+    return point, sine
+
+
 def _meet_line_circle(p: Value, u: Value, c: Value, r: Value, side: Value) -> tuple[Value, Value, Value]:
     """The same crossing; the compass has laid its distance from the centre off, and it need not be measured again."""
     found = meet_line_circle(p, u, c, r, side, _leg)
@@ -265,9 +313,22 @@ def _meet_line_circle(p: Value, u: Value, c: Value, r: Value, side: Value) -> tu
 
 
 def _meet_circles(c1: Value, r1: Value, c2: Value, r2: Value, side: Value) -> tuple[Value, Value, Value]:
-    found = meet_circles(c1, r1, c2, r2, side, _leg)
-    _know_length(found[0] - c1, r1)
-    _know_length(found[0] - c2, r2)
+    """The same crossing; nor need the area between its arms."""
+    point, sine, miss = meet_circles(c1, r1, c2, r2, side, _leg)
+    arm, other = point - c1, point - c2
+    _know_length(arm, r1)
+    _know_length(other, r2)
+    if isinstance(arm, Written) and isinstance(other, Written):
+        arm.know_cross(other, side * sine * r1 * r2)
+    return point, sine, miss
+
+
+def _image(first: Value, second: Value, ratio: Value) -> Value:
+    """The same corner; it may be found with the vectors as wholes."""
+    found = third_corner(first, second, ratio)
+    number = ratio.number if isinstance(ratio, Written) else complex(ratio)
+    if number is not None and isinstance(found, Written):
+        found.know_image(first, second, number)
     return found
 
 
@@ -276,4 +337,4 @@ def _know_length(arm: Value, length: Value) -> None:
         arm.know_length(length)
 
 
-WRITING = Compass(_leg, _meet_line_circle, _meet_circles, together=together)
+WRITING = Compass(_leg, _meet_lines, _meet_line_circle, _meet_circles, _image, together=together)

@@ -8,9 +8,15 @@ fails: `risky` operations are never crossed out, so that whoever carries the tap
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 from graphkin.running.compiled.operations import Operation
 from graphkin.running.compiled.products import Powers, Products, together
+
+Signed = tuple[int, int]
+"""A place, and the sign with which it is meant."""
+Parts = tuple[Signed, Signed]
+"""Those of a vector."""
 
 
 class Tape(Products):
@@ -23,6 +29,9 @@ class Tape(Products):
         self._differences: dict[tuple[int, int], int] = {}
         self._lengths: dict[frozenset[tuple[tuple[int, int], ...]], tuple[float, Powers]] = {}
         self._multiples: dict[tuple[int, int], tuple[complex, tuple[int, int]]] = {}
+        self.images: dict[Parts, tuple[Parts, Parts, complex]] = {}
+        """Vectors that are third corners of triangles, the other two, and the ratio of the sides."""
+        self._along: dict[tuple[int, int], tuple[int, tuple[int, int]]] = {}
 
     # --- sums -------------------------------------------------------------------------------------
 
@@ -135,6 +144,31 @@ class Tape(Products):
         """A vector that is another one turned and stretched by numbers."""
         self._multiples[vector] = times, of
 
+    def know_along(self, vector: tuple[int, int], times: int, of: tuple[int, int]) -> None:
+        """A vector that is another one stretched, and its opposite."""
+        x, y = vector
+        self._along.setdefault(vector, (times, of))
+        self._along.setdefault((self.negative(x), self.negative(y)), (self.negative(times), of))
+
+    def along(self, vector: tuple[int, int]) -> tuple[int, tuple[int, int]] | None:
+        """What it is known to be: so many times another vector."""
+        return self._along.get(vector)
+
+    def know_cross(self, a: tuple[int, int], b: tuple[int, int], value: int) -> None:
+        """The vector product of two vectors."""
+        (one, sign), (other, second) = (self.unsigned(self.multiply(a[k], b[1 - k])) for k in range(2))
+        value = value if sign > 0 else self.negative(value)
+        if sign == second:
+            self._differences.setdefault((one, other), value)
+            self._differences.setdefault((other, one), self.negative(value))
+        else:
+            self._sums.setdefault((min(one, other), max(one, other)), value)
+
+    def know_image(self, corners: Iterable[tuple[int, int]], ratio: complex) -> None:
+        """A vector that is the third corner of a triangle, told before the first two."""
+        third, first, second = ((self.unsigned(x), self.unsigned(y)) for x, y in corners)
+        self.images.setdefault(third, (first, second, ratio))
+
     def quotient(self, a: tuple[int, int], b: tuple[int, int]) -> tuple[int, int] | None:
         """A vector divided by another along which it lies, or of which it is a known multiple; None where it is not."""
         times, of = self._multiples.get(a, (0j, None))
@@ -151,10 +185,13 @@ class Tape(Products):
         return sign * other, together(self.factored(a), self.factored(b), -1)
 
     def absolute(self, a: int) -> int:
-        if (inside := self._inside(a, "negative")) is not None:
-            return self.absolute(inside)
-        a = self._bare(a)
-        return a if self.operations[a].does == "sqrt" else self._done("absolute", a)
+        """A product of roots, and of squares, is its own."""
+        number, rest = self.scaled(a)
+        bare = self._bare(rest)
+        kinds = {self.operations[factor].does for factor, power in self.factored(bare).items() if power % 2}
+        if bare != self.one and kinds - {"sqrt"}:
+            return self._done("absolute", self._bare(a))
+        return self.times(abs(number), bare)
 
     def sign(self, a: int) -> int:
         return self._done("sign", a)

@@ -7,17 +7,18 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from graphkin.running.compiled.calls import Calls, Instruction
-from graphkin.running.compiled.operations import GIVEN, NUMBER, RISKY, SIDE
-from graphkin.running.compiled.tape import Tape
+from graphkin.running.compiled.needed import DIVIDE, WHOLE, Whole, needed
+from graphkin.running.compiled.operations import GIVEN, NUMBER, RISKY, SIDE, Operation
+from graphkin.running.compiled.signs import AS_THEY_ARE, wished
+from graphkin.running.compiled.tape import Signed, Tape
+from graphkin.running.compiled.vectors import made_of_others
 
-Signed = tuple[int, int]
-"""A place, and the sign with which it is shown."""
 Operand = tuple[str, int, float | None]
 """A name, the sign with which what is meant lies there, and the number that it is."""
 ODD, EVEN = ("rint", "sign", "sin", "tan"), ("absolute", "cos")
 """What turns its sign with that of its operand, and what does not."""
-AS_THEY_ARE = ("sqrt", "maximum", "arctan2")
-"""What takes no operands with another sign."""
+SLOW_APART = ("arctan2",)
+"""What is much slower with numbers that do not lie side by side."""
 
 
 def written_out(tape: Tape, given: int, sines: int, shown: Sequence[Signed], parts: Sequence[Signed] = ()) -> Calls:
@@ -25,23 +26,6 @@ def written_out(tape: Tape, given: int, sines: int, shown: Sequence[Signed], par
     rest is left out. The first `sines` of those that are shown are sines."""
     writer = _Writer(tape, shown, parts)
     return Calls(tuple(writer.lines), writer.constants, len(shown), sines, len(parts), given, writer.registers)
-
-
-def works(tape: Tape, place: int) -> bool:
-    """Whether something is to be done for it."""
-    return tape.operations[place].does not in (NUMBER, GIVEN, SIDE)
-
-
-def _needed(tape: Tape, results: Iterable[int]) -> list[int]:
-    """Places of operations to be done, in their order; signs are no work of their own."""
-    waiting = [*results, *(place for place, operation in enumerate(tape.operations) if operation.does in RISKY)]
-    found: set[int] = set()
-    while waiting:
-        place = waiting.pop()
-        if place not in found and works(tape, place):
-            found.add(place)
-            waiting += (tape.unsigned(of)[0] for of in tape.operations[place].of)
-    return sorted(found)
 
 
 class _Writer:
@@ -55,7 +39,7 @@ class _Writer:
         self.tape = tape
         # NumPy takes an array of no dimensions quicker than a float
         self.constants: dict[str, np.ndarray] = {}
-        self.named: dict[float, str] = {}
+        self.named: dict[str, str] = {}
         self.lines: list[Instruction] = []
         self.free: list[str] = []
         self.registers = 0
@@ -64,23 +48,67 @@ class _Writer:
         for letter, results in (("y", shown), ("v", parts)):
             for number, (place, sign) in enumerate(results):
                 self.asked.setdefault(place, []).append((f"{letter}{number}", sign))
-        order = _needed(tape, self.asked)
-        self.last = {tape.unsigned(of)[0]: place for place in order for of in tape.operations[place].of}
-        for place in order:
-            self._write(place)
-        for place in self.asked.keys() - {*order}:
+        pairs = [*zip(parts[::2], parts[1::2])]
+        self.made = {each.number: each for each in made_of_others(tape, pairs)}
+        self.operations = self._ordered()
+        slow = [each for each in self.operations.values() if each.does in SLOW_APART]
+        of_slow = {tape.unsigned(of)[0] for each in slow for of in each.of}
+        self.at_once = {place: asked[0] for place, asked in self.asked.items() if place not in of_slow}
+        self.signs = wished(tape, self.operations, {place: sign for place, (_, sign) in self.at_once.items()})
+        self.last = {tape.unsigned(of)[0]: place for place, each in self.operations.items() for of in each.of}
+        for place, operation in self.operations.items():
+            self._write(place, operation)
+        for place in self.asked.keys() - self.held.keys():
             self._lay(place, self.asked[place])
 
-    def _write(self, place: int) -> None:
-        does, of, _ = self.tape.operations[place]
+    def _ordered(self) -> dict[int, Operation]:
+        """What is to be done; a vector of which a part is needed before its other part is known is not made whole."""
+        wholes: dict[int, Whole] = {}
+        for each in self.made.values():
+            if wholes.keys().isdisjoint(each.twins):
+                wholes |= dict.fromkeys(each.twins, Whole(each.twins[1], Operation(WHOLE, each.of, each.number)))
+        while True:
+            found = needed(self.tape, self.asked, wholes)
+            used = [(self.tape.unsigned(of)[0], place) for place, each in found.items() for of in each.of]
+            early = {wholes[of].at for of, place in used if of in wholes and place < wholes[of].at}
+            if not early:
+                return found
+            wholes = {place: whole for place, whole in wholes.items() if whole.at not in early}
+
+    def _write_whole(self, number: int) -> None:
+        """Into its own room, and where else its parts are shown."""
+        made, into = self.made[number], f"w{number}"
+        ratio, first = self._constant(made.ratio), f"w{made.first}"
+        if made.second is None:
+            self._call("multiply", [ratio, first], into)
+        else:
+            self._call("subtract", [f"w{made.second}", first], into)
+            self._call("multiply", [ratio, into], into)
+            self._call("add", [first, into], into)
+        for name, place in zip((f"v{2 * number}", f"v{2 * number + 1}"), made.places):
+            sign = next(sign for asked, sign in self.asked[place] if asked == name)
+            self.held[place] = name, sign
+            self._lay(place, [other for other in self.asked[place] if other[0] != name])
+
+    def _write(self, place: int, operation: Operation) -> None:
+        does, of, number = operation
+        if does == WHOLE:
+            self._write_whole(int(number))
+            self.free += {self.held[each][0] for each in of if self.held[each][0][0] == "r" and self._ends(each, place)}
+            return
         operands = [self._operand(each) for each in of]
         ending = {name for each, (name, *_) in zip(of, operands) if name[0] == "r" and self._ends(each, place)}
         if does in AS_THEY_ARE:
-            turned = {name: self._turned(name) for name, sign, _ in operands if sign < 0}
-            operands = [(turned.get(name, name), 1, number) for name, _, number in operands]
+            unlike = operands[does == "arctan2" :]
+            turned = {name: self._turned(name) for name, sign, _ in unlike if sign < 0}
+            operands[does == "arctan2" :] = [(turned.get(name, name), 1, number) for name, _, number in unlike]
             ending |= {*turned.values()}
         self.free += ending
-        (into, sign), *others = self.asked.get(place) or [(self._register(), 1)]
+        others = self.asked.get(place, [])
+        if place in self.at_once:
+            (into, sign), *others = others
+        else:
+            into, sign = self._register(), self.signs[place]
         found = self._called(does, operands, into, sign)
         if found != sign and into[0] != "r":
             self._call("negative", [into], into)
@@ -113,7 +141,11 @@ class _Writer:
             case "multiply":
                 return self._product(operands[0], operands[1], into, wanted)
             case "reciprocal":  # NumPy's own is not vectorised
-                self._call("divide", [self._constant(1.0), operands[0][0]], into, True)
+                return self._quotient((self._constant(1.0), 1, 1.0), operands[0], into, wanted)
+            case _ if does == DIVIDE:
+                return self._quotient(operands[0], operands[1], into, wanted)
+            case "arctan2":
+                self._call(does, [name for name, *_ in operands], into)
                 return operands[0][1]
             case _ if does in ODD or does in EVEN:
                 self._call(does, [operands[0][0]], into)
@@ -146,6 +178,13 @@ class _Writer:
             self._call("multiply", [a[0], b[0]], into)
         return a[1] * b[1]
 
+    def _quotient(self, a: Operand, by: Operand, into: str, wanted: int) -> int:
+        (name, sign, number), (other, second, _) = a, by
+        if number is not None:
+            name, sign = self._constant(number * sign * second * wanted), second * wanted
+        self._call("divide", [name, other], into, True)
+        return sign * second
+
     # --- operands -----------------------------------------------------------------------------
 
     def _operand(self, place: int) -> Operand:
@@ -164,8 +203,8 @@ class _Writer:
         self._call("negative", [name], into)
         return into
 
-    def _constant(self, number: float) -> str:
-        name = self.named.setdefault(number, f"k{len(self.named)}")
+    def _constant(self, number: complex) -> str:
+        name = self.named.setdefault(repr(number), f"k{len(self.named)}")
         self.constants[name] = np.array(number)
         return name
 
