@@ -44,7 +44,7 @@ _EASIER = 0.5
 _ON = 0.05
 """Nearer than this to a circle's rim is still in it [mm]."""
 _CROWD = 60
-"""Among more labels only the two largest knots are tried."""
+"""Among more labels only the detail of the worst knot is tried."""
 _NUMERALS = ("I", "II")
 """Of the details of one figure, which has no more."""
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
@@ -124,7 +124,8 @@ class _Drawing:
         """With the one more detail that relieves it most, None where none does."""
         if not (views := self._possible()) or sum(self.burdens) < _SAVED:
             return None
-        best = min(map(self._with, views), key=lambda other: sum(other.burdens))
+        tried = views if len(self.burdens) <= _CROWD else [max(views, key=self._troubled)]
+        best = min(map(self._with, tried), key=lambda other: sum(other.burdens))
         return best if sum(best.burdens) + _SAVED <= sum(self.burdens) else None
 
     @property
@@ -139,8 +140,12 @@ class _Drawing:
         if not (knots := list(_knots(self.panel.figure.wanted))):
             return []
         free = FreeRoom(self.panel.drawn, self.panel.room)
-        views = [view for knot in knots if (view := self._view(knot, free)) is not None]
-        return views if len(self.panel.figure.wanted) <= _CROWD else views[-2:]
+        return [view for knot in knots if (view := self._view(knot, free)) is not None]
+
+    def _troubled(self, view: _View) -> float:
+        """What the labels trouble the eye of what a detail shows."""
+        labels = zip(self.panel.figure.wanted, self.burdens, strict=True)
+        return sum(burden for want, burden in labels if view.part.names(want))
 
     def _view(self, knot: _Circle, free: FreeRoom) -> _View | None:
         """A part of the figure, or of a detail, magnified as far as there is room for; None where there is none."""
