@@ -234,7 +234,7 @@ def test_drivers_are_counted():
     mechanism(five)
     result = run("draw", "mine.toml")
     assert result.exit_code == 3
-    assert "2 degrees" in result.stderr
+    assert "degrees of freedom) is 2, and drivers take 1" in result.stderr
 
 
 # --- find, equations, centres -------------------------------------------------------------------
