@@ -499,7 +499,7 @@ def test_what_squares_of_a_known_length_are_part_of():
     ],
 )  # fmt: skip
 def test_what_a_ledger_has_no_word_for(do: Callable[[Any], Any]):
-    from graphkin.running.compiled.recorder import Written
+    from graphkin.running.compiled.written import Written
 
     tape = Tape()
     with pytest.raises(CannotRecord):

@@ -1,9 +1,9 @@
 """Constructions recorded once, as a flat program for many positions.
 
-`recorder` replays them with quantities that only write down, on a `tape` of `operations` and `products`, how they come
-about; `layout` says where the results are to lie, and the `writer` makes NumPy `calls` of these. `program` carries them
-out, in `memory` that is lent again, and `lazy_plot` is the plot that it gives, read by its `columns`. `calculated`
-writes down what is found by trial.
+`recorder` replays them with quantities that are only `written` down, on a `tape` of `operations` and `products`;
+`calculated` writes down what is found by trial. `layout` says where results are to lie, and the `writer` makes NumPy
+`calls` of what is `needed` for them, `vectors` as wholes, with few changes of `signs`. `program` carries them out, a
+`run` at a time, in `memory` that is lent again, and `lazy_plot` is the plot that it gives, read by its `columns`.
 """
 
 from __future__ import annotations

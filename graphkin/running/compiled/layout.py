@@ -24,9 +24,10 @@ from graphkin.running.compiled.columns import (
 )
 from graphkin.running.compiled.needed import works
 from graphkin.running.compiled.operations import NUMBER
-from graphkin.running.compiled.recorder import Recording, Written
+from graphkin.running.compiled.recorder import Recording
 from graphkin.running.compiled.tape import Signed, Tape
 from graphkin.running.compiled.writer import written_out
+from graphkin.running.compiled.written import Written
 from graphkin.value import frozen
 
 PLANES = ("position", "velocity", "acceleration")
