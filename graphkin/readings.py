@@ -21,7 +21,7 @@ def readings(method: Method, plot: Plot) -> Motions:
     for cams; angles between 0 and a full turn."""
     mechanism = method.mechanism
     slides = {pair.name for pair in mechanism.pairs if pair.path is not None}
-    links, nodes = set(mechanism.moving), _nodes(method)
+    links, nodes = set(mechanism.moving), method.nodes_of_links
     prime = primes(mechanism, "acceleration")
     theta = Lazy((link for link in plot.theta if link in links), lambda link: _within_a_turn(plot.theta[link]))
     return Motions(
@@ -49,15 +49,3 @@ def _of_nodes(
         return Lazy(nodes[link], lambda point: polygon[nodes[link][point] + prime])
 
     return Lazy(nodes, of_link)
-
-
-def _nodes(method: Method) -> dict[str, dict[str, str]]:
-    """By moving link: its points that the polygons show, with the velocity polygon's point."""
-    found: dict[str, dict[str, str]] = {}
-    owners = method.mechanism.owners
-    for node in method.velocity.nodes.values():
-        if node.site is not None and node.site.point in owners:
-            links = owners[node.site.point] if node.site.link in owners[node.site.point] else (node.site.link,)
-            for link in links:
-                found.setdefault(link, {}).setdefault(node.site.point, node.name)
-    return found

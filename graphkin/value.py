@@ -53,11 +53,10 @@ def filled(cls: type[_T]) -> type[_T]:
 
 
 class Lazy(Mapping[str, _T]):
-    """A table with known names, each entry of which is made when it is first read, but for those that are `made`."""
+    """A table with known names, each entry of which is made when it is first read."""
 
-    def __init__(self, names: Iterable[str], make: Callable[[str], _T], made: Mapping[str, _T] = {}) -> None:
+    def __init__(self, names: Iterable[str], make: Callable[[str], _T]) -> None:
         self._made: dict[str, _T | None] = dict.fromkeys(names)
-        self._made.update(made)
         self._make = make
 
     def __getitem__(self, name: str) -> _T:
@@ -121,15 +120,19 @@ def _filler(cls: Any) -> Callable[..., None]:
     """Values by place or by name, defaults for the rest. A class that is filled often gets a way of its own."""
     names = tuple(cls.__match_args__)
     known = frozenset(names)
-    defaults = {field.name: field.default for field in fields(cls) if field.default is not MISSING}
-    makers = {field.name: field.default_factory for field in fields(cls) if field.default_factory is not MISSING}
+    entries = getattr(cls, _FIELDS)
+    defaults = {name: entry.default for name, entry in entries.items() if entry.default is not MISSING}
+    makers = {name: entry.default_factory for name, entry in entries.items() if entry.default_factory is not MISSING}
     post = getattr(cls, "__post_init__", None)
-    rests = {
-        count: {name: defaults[name] for name in names[count:]}
-        for count in range(len(names) + 1) if defaults.keys() >= {*names[count:]}
-    }  # fmt: skip
+    rests: dict[int, dict[str, Any] | None] = {}
     """What a number of values by place leaves to the defaults, where it may."""
     count = 0
+
+    def left(given: int) -> dict[str, Any] | None:
+        """Reckoned once for each number."""
+        most = given <= len(names) and all(name in defaults for name in names[given:])
+        rests[given] = {name: defaults[name] for name in names[given:]} if most else None
+        return rests[given]
 
     def fill(self: Any, *args: Any, **given: Any) -> None:
         nonlocal count
@@ -137,7 +140,8 @@ def _filler(cls: Any) -> Callable[..., None]:
         if count == _OFTEN and (own := _own_filler(cls, defaults, makers)):
             _replace(cls, fill, own)
         data = self.__dict__
-        rest = None if given else rests.get(len(args))
+        number = len(args)
+        rest = None if given else rests[number] if number in rests else left(number)
         if rest is not None:
             data.update(zip(names, args))
             if rest:

@@ -327,6 +327,35 @@ def test_runs_share_nothing():
     assert second.facts.values[0][-1] != 0
 
 
+def test_what_was_read_is_worked_out_at_once():
+    """What a run is asked for is all that it does; the rest is the same, later."""
+    method = plan(library.load("ex3-7"))
+    values, program = around(method), records(plan(library.load("ex3-7")))
+    asked = set[tuple[str, Any]]()
+    first = program.run(values, asked=asked)
+    read = [first.omega["4"], first.velocity["e"], first.acceleration["n4'"]]
+    assert asked == {("omega", "4"), ("velocity", "e"), ("acceleration", "n4'")}
+    again = program.run(values, asked=asked)
+    for one, other in zip(read, (again.omega["4"], again.velocity["e"], again.acceleration["n4'"]), strict=True):
+        assert np.allclose(one, other, rtol=1e-12, equal_nan=True)
+    few, usual = (program.prepared(of).calls.lines for of in (frozenset(asked), None))
+    assert len(few) < len(usual)
+    assert hold_alike(method, again, plainly(method, values), COUNT)
+
+
+@pytest.mark.parametrize("name", ["ex3-5", "p3-23a", "ex3-7"])
+def test_hardly_a_call_only_turns_a_sign(name: str):
+    calls = [line.call.partition("(")[0] for line in records(plan(library.load(name))).prepared().calls.lines]
+    assert calls.count("negative") <= 0.06 * len(calls), calls
+
+
+def test_images_are_made_as_wholes():
+    """The coupler's point of a four-bar: three calls in each plane."""
+    calls = [line.into for line in records(plan(library.load("ex3-5"))).prepared().calls.lines]
+    assert max(calls.count(f"w{k}") for k in range(len(calls))) == 3
+    assert sum(into.startswith("w") for into in calls) >= 9
+
+
 def test_threads():
     """Two at once, on one method, give what one gives."""
     method = plan(library.load("ex3-7"))

@@ -20,7 +20,7 @@ from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Complex, Real, applied
 from graphkin.errors import NoAssembly
 from graphkin.kept import kept
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.mechanism import FRAME, Link, Mechanism
 from graphkin.tolerances import ROUNDED
 from graphkin.value import frozen
 
@@ -30,6 +30,8 @@ _MANY = 32
 EXACT = 1e-6
 """An assembly this near its sketch has none nearer [size]."""
 
+_APART, _OFF = 0.05, 0.02
+"""Points of a guide that show where it lies; a displacement that is not 0 by rounding, or by the sketch's [size]."""
 _AJAR = 1e-2
 """Loops open by more than this at the sketch are closed nowhere so near to it [size]."""
 
@@ -90,7 +92,8 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
     closure = EquationSystem.of(loops, relations)
     seen = guess(mechanism, loops)
     if np.isnan(seen).any() or loops.open_by(seen) < _AJAR:
-        first, _ = _closed(closure, np.nan_to_num(seen)[None], c)
+        near = np.nan_to_num(seen)[None]
+        first = _met(closure, near, c) if loops.open_by(seen) < EXACT else _closed(closure, near, c)[0]
         if len(first) and _as_sketched(mechanism, loops, first[0]):
             return Assembled(first[0], 0.0)
     starts = cache(partial(_starts, seen, mechanism, loops))
@@ -125,8 +128,28 @@ def _met(closure: EquationSystem, near: Real, c: Real) -> Real:
 def _as_sketched(mechanism: Mechanism, loops: Loops, q: Real) -> bool:
     """Whether `choose` would choose this assembly from any: at the sketch, and no displacement the wrong way."""
     away = from_sketch(mechanism, loops, q[None])[0]
-    wrong = negative(loops, q[None], drawn_lengths(mechanism, loops) | taken_forwards(mechanism))
-    return bool(away < EXACT * loops.size and wrong[0] == 0)
+    if away >= EXACT * loops.size:
+        return False
+    open_to_doubt = taken_forwards(mechanism) - _shown(mechanism, loops, q)
+    return not negative(loops, q[None], drawn_lengths(mechanism, loops) | open_to_doubt)[0]
+
+
+def _shown(mechanism: Mechanism, loops: Loops, q: Real) -> set[str]:
+    """Displacements of which an exact sketch leaves no sign open: well off 0, of a point that it shows, along a guide
+    of which it shows two points well apart."""
+    fixed, apart = mechanism.links[FRAME].points, _APART * loops.size
+    guides = {FRAME} | {name for name, link in mechanism.links.items() if _spread(mechanism, link) > apart}
+    far = {unknown.name for unknown, value in zip(loops.unknowns, q) if unknown.kind == "s" and abs(value) > _OFF}
+    shown = {pair.name for pair in mechanism.slides
+             if pair.guide in guides and (pair.point in mechanism.sketch or pair.point in fixed)}  # fmt: skip
+    return shown & far
+
+
+def _spread(mechanism: Mechanism, link: Link) -> float:
+    """How far apart those points of a link lie that the sketch shows, or the frame [m]."""
+    fixed = mechanism.links[FRAME].points
+    arms = [arm for point, arm in link.points.items() if point in mechanism.sketch or point in fixed]
+    return max((abs(arm - arms[0]) for arm in arms), default=0.0)
 
 
 def _smallest_gap(closure: EquationSystem, ends: Real, c: Real) -> float:

@@ -60,8 +60,10 @@ def eliminate(weights: Real) -> Elimination:
         if n == 0 or sizes[column] < _ZERO:
             continue
         table[..., row, :] /= table[..., row, column, None]
-        others = np.arange(k) != row
-        table[..., others, :] -= table[..., others, column, None] * table[..., None, row, :]
+        shares = table[..., column].copy()
+        shares[..., row] = 0.0
+        if shares.any():
+            table -= shares[..., None] * table[..., None, row, :]
         pivots[row] = column
     return _solution(table, pivots, n)
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
@@ -77,11 +78,16 @@ class Loops:
         points = {point: row[which] for point, row in self.points.items()}
         return replace(self, unit=self.unit[which], size=self.size[which], rows=self.rows[which], points=points)
 
+    @cached_property
+    def moving(self) -> Flags:
+        """Which unknowns move any arrow of a loop, or any point: (n,)."""
+        rows = self.rows.reshape(-1, len(self.vectors.base))
+        return self.moves(np.vstack([rows, *self.points.values()]))
+
     def silent(self, relations: Sequence[Relation]) -> tuple[Unknown, ...]:
         """Unknowns that move nothing and stand in no relation: the rotation of a link of one point."""
         named = np.abs(self.weights(relations)).reshape(-1, len(self.unknowns)).sum(axis=0) > 0
-        rows = self.rows.reshape(-1, len(self.vectors.base))
-        loud = self.moves(np.vstack([rows, *self.points.values()])) | named
+        loud = self.moving | named
         return tuple(unknown for unknown, on in zip(self.unknowns, loud, strict=True) if not on)
 
 

@@ -61,12 +61,13 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     """
     start = drawn(mechanism)
     closure, first = driving(mechanism, start.loops)
-    _definite(mechanism, _conditioning(closure, start.q))
     wanted = _wanted(mechanism, start, values)
     shape = wanted[0].shape if wanted else ()
     flat = np.stack([value.ravel() for value in wanted], axis=-1) if wanted else np.zeros((1, 0))
     change = np.zeros((len(flat), len(closure.weights)))
     change[:, first:] = flat - np.array(start.values).reshape(-1)
+    if shape or change.any():  # else its rates tell
+        _definite(mechanism, _conditioning(closure, start.q))
     q, limits = _moved(closure, start.q, change)
     found = rates_of(mechanism, closure, first, q, single=shape == ())
     for limit in limits:

@@ -40,6 +40,11 @@ def _turned(angle: Value) -> Value:
     return np.exp(1j * angle) if isinstance(angle, np.ndarray) else cmath.rect(1, angle)
 
 
+def _everywhere(true: Value) -> bool:
+    """In all of many mechanisms."""
+    return bool(true.all()) if isinstance(true, np.ndarray) else bool(true)
+
+
 @filled
 class _Seen:
     """Located points [m] and angles of links [rad]; `look` adds what follows from them."""
@@ -79,7 +84,7 @@ class _Seen:
         if joint.tail in self.angles and origin is not None:
             place = origin + value * joint.direction * _turned(self.angles[joint.tail])
             for name, arm in self.mechanism.links[joint.head].points.items():
-                if np.all(arm == joint.head_arm):
+                if _everywhere(arm == joint.head_arm):
                     self.points.setdefault(name, place)
 
     def _aligned(self, pair: Slide) -> None:
@@ -99,7 +104,7 @@ class _Seen:
             return
         place, arm = (sum(column) / len(at) for column in zip(*at, strict=True))
         turn = sum((here - place) * (there - arm).conjugate() for here, there in at)
-        if np.all(abs(turn) > 0):
+        if _everywhere(abs(turn) > 0):
             self.angles.setdefault(link.name, phase(turn))
         if link.name in self.angles:
             unit = _turned(self.angles[link.name])
@@ -133,4 +138,4 @@ class _Seen:
         away, base, rest = min(seen, key=lambda each: float(np.max(each[0])), default=(np.inf, 0j, 0j))
         if name in self.angles and seen:
             return base + rest * _turned(self.angles[name])
-        return base if np.all(away == 0) else None
+        return base if _everywhere(away == 0) else None

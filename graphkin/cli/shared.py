@@ -213,6 +213,8 @@ def at_values(method: Method, angles: Sequence[float], displacements: Sequence[f
 def json_line(value: object) -> str:
     """One line of JSON for programs, on one line for those, too, that end lines as Unicode does."""
     text = json.dumps(value, ensure_ascii=False, allow_nan=False)
+    if text.isascii() and "\x7f" not in text:
+        return text
     return re.sub(_LINE_ENDS, lambda end: f"\\u{ord(end.group()):04x}", text)
 
 

@@ -55,6 +55,8 @@ def assemble(
 
 def _nearest(structure: Structure, found: Branches) -> int:
     """The assembly nearest to the sketch; raises where the sketch lies between two."""
+    if found.count == 1:
+        return 0
     plot, sketch, count = found.plot, structure.mechanism.sketch, found.count
     sketched = np.array([np.broadcast_to(plot.position[p], count) for p in sketch if p in plot.position])
     target = np.array([sketch[p] for p in sketch if p in plot.position])
@@ -123,7 +125,7 @@ def _millimetres(place: complex) -> str:
 
 def refuse_bad_positions(structure: Structure, construction: Construction, plot: Plot) -> None:
     """A single position that does not close, or is a dead point, raises; arrays pass, with NaN in them."""
-    if any(np.ndim(value) for value in plot.position.values()):
+    if any(isinstance(value, np.ndarray) and value.ndim for value in plot.position.values()):
         return
     for step, key in _crossings(construction):
         sine = plot.sines["position", key]

@@ -7,7 +7,8 @@ arrays over branches. After each block those that do not close are left out, and
 2. then every branch is followed that may still be nearer to the sketch than that assembly, or as near to it that the
    sketch lies between the two. What the points still to be drawn can at most make good is known beforehand.
 
-Only where more branches than `WIDEST` remain are the farthest given up.
+Where the first search met no other branch that may be meant, there is nothing more to follow. Only where more branches
+than `WIDEST` remain are the farthest given up.
 """
 
 from __future__ import annotations
@@ -66,6 +67,8 @@ def branches(structure: Structure, construction: Construction, facts: Facts, kno
     """
     search = _Search(structure, construction, facts, known)
     found, nearest = search.first(), np.inf
+    if search.alone(found):
+        return found
     while (away := search.away(found)).min() < nearest:
         nearest = float(away.min())
         try:
@@ -93,10 +96,12 @@ class _Search:
         self.late = _late(last)
         self.blocks[-1] = Block(last.opening, last.rest[: len(last.rest) - len(self.late)])
         self.starts = Starts(structure)
+        self.left: list[Branches] = []
 
     def first(self) -> Branches:
         """The assembly nearest to the sketch as far as can be seen block by block."""
         for width in WIDTHS:
+            self.left = []
             try:
                 return self.run(width, None)
             except DeadEnd:
@@ -121,6 +126,14 @@ class _Search:
                 here = here.taken(np.flatnonzero(closed))
             here = self._thinned(here, width, bound)
         return here
+
+    def alone(self, found: Branches) -> bool:
+        """Whether the first assembly is the only one that the sketch may mean: of the branches from which it was chosen
+        the others would be left out by its bound, too."""
+        if found.count > 1 or any(isinstance(block.opening, Fit) for block in self.blocks):
+            return False
+        bound = self.bound(found, 0)
+        return all(np.count_nonzero(self._open(here, bound)) == 1 for here in self.left)
 
     # --- one block ----------------------------------------------------------------------------
 
@@ -182,6 +195,7 @@ class _Search:
             here = here.taken(np.flatnonzero(self._open(here, bound)))
         if here.count <= width:
             return here
+        self.left.append(here)
         away = self.away(here)
         steps = np.round(away / max(1e-9 * float(away.max()), np.finfo(float).tiny))
         return here.taken(np.sort(np.lexsort((-self._forward(here), steps))[:width]))

@@ -49,12 +49,12 @@ class Method:
         """The drivers, each with its value at the drawn position."""
         return self.structure.mechanism.drivers
 
-    @property
+    @cached_property
     def moves_on(self) -> bool:
         """Whether positions hang on how they are reached from the drawn one: where links are fitted, or wheels roll."""
         return any(isinstance(step, Fit | Roll) for step in self.position.steps)
 
-    @property
+    @cached_property
     def fits(self) -> bool:
         """Whether links are fitted: each such position is found from one close by."""
         return any(isinstance(step, Fit) for step in self.position.steps)
@@ -74,6 +74,18 @@ class Method:
     def special(self) -> frozenset[str]:
         """The special points, which no link of the file has."""
         return frozenset(found.name for found in self.ternaries.values())
+
+    @cached_property
+    def nodes_of_links(self) -> Mapping[str, Mapping[str, str]]:
+        """By moving link: its points that the polygons show, with the velocity polygon's point."""
+        found: dict[str, dict[str, str]] = {}
+        owners = self.mechanism.owners
+        for node in self.velocity.nodes.values():
+            if node.site is not None and node.site.point in owners:
+                links = owners[node.site.point] if node.site.link in owners[node.site.point] else (node.site.link,)
+                for link in links:
+                    found.setdefault(link, {}).setdefault(node.site.point, node.name)
+        return found
 
     @property
     def constructions(self) -> tuple[Construction, Construction, Construction]:

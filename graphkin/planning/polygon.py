@@ -84,10 +84,10 @@ class Polygon:
         key = self.key(site)
         if key.link == FRAME:
             return self.pole
-        if key not in self.at:
+        if (name := self.at.get(key)) is None:
             label = self.labels.label(key)
-            self.at[key] = self.new(self.image(label), label, key)
-        return self.at[key]
+            name = self.at[key] = self.new(self.image(label), label, key)
+        return name
 
     def new(self, name: str, of: str, site: Site | None = None) -> str:
         assert name not in self.nodes, name

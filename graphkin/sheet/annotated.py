@@ -111,7 +111,7 @@ class Annotated:
             middle = start * cmath.rect(1, -sense * SWEEP / 2)
             want = Wanted(label, at + middle * radius, gap=0.9, away=middle, step=step)
             arc = [_accented(mark, plane) for mark in spin(at, start, sense, radius, step)]
-            if letters := next(free.tried(arc).letters([want])):
+            if letters := free.letters_with(arc, want):
                 found = [*arc, *(_accented(mark, plane) for mark in letters)]
                 free.add(found)
                 return found

@@ -26,6 +26,8 @@ _ON, _ALONG = 0.3, 1.0
 """Nearer than this to a line, over more than this of it, an arrow lies on it [mm]."""
 _SHORT = 0.9
 """Shorter arrows stay where they are [mm]."""
+_NO_LENGTH = 1e-9
+"""Nothing is divided by less [mm]."""
 _SAME = 0.2
 """Heads nearer than this are at one place [mm]."""
 _MELT = math.radians(22)
@@ -60,30 +62,44 @@ def _with_arrow(want: Wanted, asides: dict[str, complex]) -> Wanted:
 def _asides(vectors: Sequence[VectorMark]) -> Iterator[complex]:
     """How far each is moved: by the least that keeps it off those before it."""
     start, end = (np.array([getattr(v, side) for v in vectors], dtype=complex) for side in ("start", "end"))
-    planes = np.array([vector.plane for vector in vectors])
+    planes, moved = np.array([vector.plane for vector in vectors]), np.zeros(len(vectors), dtype=bool)
     long = np.abs(end - start) >= _SHORT
+    before = np.tri(len(vectors), k=-1, dtype=bool) & (planes == planes[:, None]) & long & long[:, None]
+    meeting = before & _run_along(start[:, None], end[:, None], start, end)
     for k, vector in enumerate(vectors):
-        others = np.flatnonzero(long[:k] & (planes[:k] == vector.plane) & long[k])
-        normal = 1j * (vector.end - vector.start) / vector.length if vector.length > _SHORT else 0j
-        if (normal.imag, normal.real) > (0, 0):
-            normal = -normal
-        for turn in count():
-            aside = normal * ASIDE * ((turn + 1) // 2) * (1 if turn % 2 else -1)
-            begin, tip = vector.start + aside, vector.end + aside
-            if not normal or not _runs_along(begin, tip, start[others], end[others]):
-                break
-        start[k], end[k] = begin, tip
+        if not (meeting[k] & ~moved).any() and not _met(vector.start, vector.end, start, end, before[k] & moved):
+            yield 0j
+            continue
+        aside = _aside(vector, start, end, before[k])
+        start[k], end[k], moved[k] = vector.start + aside, vector.end + aside, bool(aside)
         yield aside
 
 
-def _runs_along(start: complex, end: complex, starts: Any, ends: Any) -> bool:
-    """Whether an arrow runs along one of others."""
-    length = abs(end - start)
-    along = ((end - start) / length).conjugate()
+def _aside(vector: VectorMark, start: Any, end: Any, others: Any) -> complex:
+    """How far an arrow is moved off others, of which some run along it."""
+    normal = 1j * (vector.end - vector.start) / vector.length if vector.length > _SHORT else 0j
+    if (normal.imag, normal.real) > (0, 0):
+        normal = -normal
+    for turn in count(1):
+        aside = normal * ASIDE * ((turn + 1) // 2) * (1 if turn % 2 else -1)
+        if not normal or not _met(vector.start + aside, vector.end + aside, start, end, others):
+            return aside
+    raise AssertionError("paper ends somewhere")
+
+
+def _met(start: complex, end: complex, starts: Any, ends: Any, others: Any) -> bool:
+    """Whether an arrow runs along one of some others."""
+    return bool(others.any() and _run_along(start, end, starts[others], ends[others]).any())
+
+
+def _run_along(start: Any, end: Any, starts: Any, ends: Any) -> Any:
+    """Which arrows run along which others; none does along one without a length."""
+    length = np.abs(end - start)
+    along = ((end - start) / np.maximum(length, _NO_LENGTH)).conjugate()
     one, other = (starts - start) * along, (ends - start) * along
     near = np.maximum(np.abs(one.imag), np.abs(other.imag)) < _ON
     low, high = np.minimum(one.real, other.real), np.maximum(one.real, other.real)
-    return bool(np.any(near & (np.minimum(length, high) - np.maximum(0.0, low) > _ALONG)))
+    return near & (np.minimum(length, high) - np.maximum(0.0, low) > _ALONG)
 
 
 # --- heads ------------------------------------------------------------------------------------

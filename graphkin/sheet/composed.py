@@ -20,7 +20,6 @@ from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, headed, lay_out, un
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.page import Last, Lettered, Page, Panel, heading
 from graphkin.sheet.paper import Paper
-from graphkin.sheet.pencil import pencil_lines
 from graphkin.sheet.planes import Planes
 from graphkin.sheet.table import Table
 from graphkin.sheet.titleblock import Strip, strip_height
@@ -106,12 +105,17 @@ class Composed:
 
 @frozen
 class Work:
-    """What does not depend on the paper; `apart`: equations that go into the strip."""
+    """What does not depend on the paper.
+
+    apart     equations that go into the strip
+    hopeless  even on the largest paper its figures are crammed
+    """
 
     drawing: Planes
     found: list[Table]
     tight: bool = False
     apart: Sequence[EquationBlock] = ()
+    hopeless: bool = False
 
     @property
     def planes(self) -> tuple[Plane, ...]:
@@ -223,6 +227,8 @@ class Work:
         if plane in layout.headed:
             before += laid_out(self.blocks[plane], corner, room.size.real - 2 * HEAD_LEFT)
         if stages and plane == "position":
+            from graphkin.sheet.pencil import pencil_lines
+
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         more = self.drafted(layout, plane, window) if drawing.style == "construction" else None
         return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)

@@ -44,7 +44,7 @@ _EASIER = 0.5
 _ON = 0.05
 """Nearer than this to a circle's rim is still in it [mm]."""
 _CROWD = 60
-"""Among more labels only the two largest knots are tried."""
+"""Among more labels only the detail of the worst knot is tried."""
 _NUMERALS = ("I", "II")
 """Of the details of one figure, which has no more."""
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
@@ -124,21 +124,28 @@ class _Drawing:
         """With the one more detail that relieves it most, None where none does."""
         if not (views := self._possible()) or sum(self.burdens) < _SAVED:
             return None
-        best = min(map(self._with, views), key=lambda other: sum(other.burdens))
+        tried = views if len(self.burdens) <= _CROWD else [max(views, key=self._troubled)]
+        best = min(map(self._with, tried), key=lambda other: sum(other.burdens))
         return best if sum(best.burdens) + _SAVED <= sum(self.burdens) else None
 
     @property
     def burdens(self) -> Sequence[float]:
-        """What each label troubles the eye: one on a leader, one without a place."""
-        return _burdens(self.panel, 1.0) if self.known is None else self.known
+        """What each label troubles the eye: one on a leader, one without a place; both, where all are crammed."""
+        if self.known is not None:
+            return self.known
+        return [2.0] * len(self.panel.figure.wanted) if self.panel.scene.crammed else _burdens(self.panel, 1.0)
 
     def _possible(self) -> list[_View]:
         """The details there is room for."""
         if not (knots := list(_knots(self.panel.figure.wanted))):
             return []
         free = FreeRoom(self.panel.drawn, self.panel.room)
-        views = [view for knot in knots if (view := self._view(knot, free)) is not None]
-        return views if len(self.panel.figure.wanted) <= _CROWD else views[-2:]
+        return [view for knot in knots if (view := self._view(knot, free)) is not None]
+
+    def _troubled(self, view: _View) -> float:
+        """What the labels trouble the eye of what a detail shows."""
+        labels = zip(self.panel.figure.wanted, self.burdens, strict=True)
+        return sum(burden for want, burden in labels if view.part.names(want))
 
     def _view(self, knot: _Circle, free: FreeRoom) -> _View | None:
         """A part of the figure, or of a detail, magnified as far as there is room for; None where there is none."""
@@ -189,25 +196,27 @@ def _knots(wanted: list[Wanted]) -> Iterator[_Circle]:
     if not 0 < len(wanted) <= _MANY:
         return
     about = np.array([want.place for want in wanted])
-    ends = np.array([(want.start, want.start if want.end is None else want.end) for want in wanted])
+    start = np.array([want.start for want in wanted])
+    end = np.array([want.start if want.end is None else want.end for want in wanted])
+    far = _farthest(about, start, end)
     for radius in _RADII:
-        centres = _middles(_holding(about, ends, radius), about, ends)
-        held = _holding(centres, ends, radius).sum(axis=1)
+        centres = _middles(far <= radius + _ON, about, start, end)
+        held = (_farthest(centres, start, end) <= radius + _ON).sum(axis=1)
         if held.max() >= max(_FEW, 2 + 0.8 * radius):
             yield _Circle(complex(centres[held.argmax()]), radius)
 
 
-def _holding(centres: np.ndarray, ends: np.ndarray, radius: float) -> np.ndarray:
-    """Which circles (c,) hold wholly what which labels name, its ends (w, 2): (c, w)."""
-    return np.asarray((abs(ends - centres[:, None, None]) <= radius + _ON).all(axis=2))
+def _farthest(centres: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """How far from places (c,) what labels name reaches, from start to end (w,): (c, w)."""
+    return np.asarray(np.maximum(abs(start - centres[:, None]), abs(end - centres[:, None])))
 
 
-def _middles(held: np.ndarray, centres: np.ndarray, ends: np.ndarray) -> np.ndarray:
+def _middles(held: np.ndarray, centres: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
     """The middles of what circles hold (c, w), or of circles that hold nothing."""
-    lows, highs = [
-        [far(np.where(held[:, :, None], part(ends), none), axis=(1, 2)) for part in (np.real, np.imag)]
-        for far, none in ((np.min, np.inf), (np.max, -np.inf))
-    ]
+    lows, highs = (
+        [far(np.where(held, side(part(start), part(end)), none), axis=1) for part in (np.real, np.imag)]
+        for far, side, none in ((np.min, np.minimum, np.inf), (np.max, np.maximum, -np.inf))
+    )
     with np.errstate(invalid="ignore"):
         x, y = ((low + high) / 2 for low, high in zip(lows, highs))
     return np.where(held.any(axis=1), x + 1j * y, centres)

@@ -74,8 +74,8 @@ class FreeRoom:
         vars(self).pop("_places", None)
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
 
-    def tried(self, marks: Sequence[Mark]) -> FreeRoom:
-        """As it would be with these; nothing is added here."""
+    def _with(self, marks: Sequence[Mark]) -> FreeRoom:
+        """As it would be with these."""
         found = copy(self)
         found.marks = [*self.marks]
         found.add(marks)
@@ -175,14 +175,27 @@ class FreeRoom:
 
     def letters(self, wanted: Sequence[Wanted]) -> Iterator[list[Mark]]:
         """Each label where there is room for it, one after the other, else nothing."""
-        boxes = [box(want.label, want.size) for want in wanted]
-        halves = [complex(wide, up + down) / 2 for wide, up, down in boxes]
-        for want, (_, up, down), spots in zip(wanted, boxes, self.spots(wanted, halves), strict=True):
-            middle, found = self.place(spots), list[Mark]()
-            if middle is not None:
-                found += want.texts(middle + complex(-spots.half.real, (up - down) / 2))
-                self.add(found)
+        for want, spots in zip(wanted, self.spots(wanted, [_half(want) for want in wanted]), strict=True):
+            found = _lettered(want, self.place(spots))
+            self.add(found)
             yield found
+
+    def letters_with(self, marks: Sequence[Mark], want: Wanted) -> list[Mark]:
+        """A label where there would be room for it with some more marks, else nothing; nothing is added here."""
+        (spots,) = self.spots([want], [_half(want)])
+        return _lettered(want, self._with(marks).place(spots))
+
+
+def _half(want: Wanted) -> complex:
+    """Of the width and height of a label's box [mm]."""
+    wide, up, down = box(want.label, want.size)
+    return complex(wide, up + down) / 2
+
+
+def _lettered(want: Wanted, middle: Place | None) -> list[Mark]:
+    """A label about a place; nothing without one."""
+    wide, up, down = box(want.label, want.size)
+    return [] if middle is None else [*want.texts(middle + complex(-wide / 2, (up - down) / 2))]
 
 
 def _clear(free: Any, low: Any, high: Any, lying: Sequence[Tree]) -> Any:

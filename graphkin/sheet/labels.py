@@ -1,7 +1,7 @@
 """Labels find their places: none lies on a line, a vector or another label where there is room.
 
 Each label has candidate places around its point or along its vector. All are held against everything drawn
-at once (shapely's tree); then the label with the fewest free places left chooses first, and takes the one
+at once; then the label with the fewest free places left chooses first, and takes the one
 nearest to what it names. The same marks give the same places. Where nothing near is free, a thin leader
 goes to a place farther off. In a crowd that leaves no place at all, leaders go much farther (`far`), labels
 make way for one another, and at last those that say nothing new are left out.

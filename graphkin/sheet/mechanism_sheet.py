@@ -14,7 +14,7 @@ from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.sheet.composed import Composed, Work
 from graphkin.sheet.given_tables import given_tables
-from graphkin.sheet.layout import cut_to, papers_for
+from graphkin.sheet.layout import Layout, cut_to, papers_for
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import LARGE
 from graphkin.sheet.path_figure import NONE, Paths
@@ -77,13 +77,13 @@ def _whole(work: Work, paper: str | None) -> Composed:
     trials, large, every = 1 if work.tight else _TRIALS, None, work
     while True:
         whole = _cut(work, paper, large, trials > 1)
-        larger = paper is None and whole.layout.paper in LARGE
-        if whole.homeless:
-            work = work.without(whole.homeless)
-        elif larger and large is None and work.apart:
+        larger = paper is None and _is_large(whole.layout)
+        if larger and large is None and (work.apart or whole.homeless):
             work, large = every, True
+        elif whole.homeless:
+            work = work.without(whole.homeless)
         elif trials > 1 and (out := whole.left_out):
-            work, large, trials = work.without(out), larger, trials - 1
+            work, large, trials = replace(work.without(out), hopeless=whole.hopeless), larger, trials - 1
         else:
             return whole
 
@@ -147,8 +147,7 @@ def _divided(work: Work, paper: str | None, large: bool | None, trial: bool) -> 
         layout = work.layout(papers)
     except TooLargeForPaper as error:
         raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
-    small = paper is None and layout.paper.name not in [each.name for each in LARGE]  # a tight one has no margin
-    best = Composed(work, layout)
+    small, best = paper is None and not _is_large(layout), Composed(work, layout, hopeless=work.hopeless)
     if trial and not best.full and (homeless := work.homeless(layout)):
         return replace(best, homeless=homeless)
     if best.crammed:
@@ -160,3 +159,8 @@ def _divided(work: Work, paper: str | None, large: bool | None, trial: bool) -> 
         eased = larger.near.crowded <= best.near.crowded - _EASED
         return larger.detailed if (larger.near.lost, not eased) < (best.near.lost, True) else found
     return found
+
+
+def _is_large(layout: Layout) -> bool:
+    """Whether its paper is a large one; one that is cut tight has no margin."""
+    return layout.paper.name in [paper.name for paper in LARGE]

@@ -14,9 +14,17 @@ from graphkin.sheet.marks import Place, Text
 from graphkin.sheet.paper import LABEL
 from graphkin.value import frozen
 
+
+def _leaning(turns: Any) -> Any:
+    """How far to its side, and up or down, a box stands from what it touches, of its half width and height, in each
+    direction; in four of eight its corners come to the ring."""
+    return np.clip(turns.real * 1.6, -1.0, 1.0) + 1j * np.clip(turns.imag * 1.6, -1.0, 1.0)
+
+
 _RINGS, _LED = np.array([0.0, 1.0, 2.2]), np.array([4.0, 6.5, 9.5, 13.0])
 """How far from its sign a letter may stand, and from where on a leader is drawn [mm]."""
 _TURNS = np.array([cmath.rect(1, math.tau * k / 16) for k in range(16)])
+_LEANING = _leaning(_TURNS)
 _LITTLE = np.array([0.05 * ((k - 14) % 16) for k in range(16)])
 """What a direction costs where none is liked: above and to the right first."""
 _NOWHERE = complex("nan")
@@ -27,6 +35,7 @@ _LEADER, _FARTHER = 6.0, 1.6
 LEAST = (0.0, *(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR, _FARTHEST)))
 """No place of the tiers costs less: near, led, far, farthest."""
 _FAR_TURNS = np.array([cmath.rect(1, math.tau * k / 32) for k in range(32)])
+_FAR_LEANING = _leaning(_FAR_TURNS)
 _ANCHORS = (0.5, 0.3, 0.7)
 """Where along a line a far leader may end."""
 _LED_ALONG = (0.3, 0.7)
@@ -121,7 +130,8 @@ class Wanted:
         """Wide rings, away from the middle of the crowd first."""
         ends, rings = (self.start, self.start if self.end is None else self.end), _FARTHEST if farthest else _FAR
         anchors = dict.fromkeys(ends[0] + (ends[1] - ends[0]) * t for t in _ANCHORS)
-        return Candidates.joined(_far(anchor, crowd, half, self.gap + 0.6, rings) for anchor in anchors)
+        sides = _sides(_FAR_LEANING, half)[:, None]
+        return Candidates.joined(_far(anchor, crowd, sides, self.gap + 0.6, rings) for anchor in anchors)
 
 
 def lettering(wanted: Iterable[Wanted]) -> float:
@@ -134,23 +144,23 @@ def _around(point: Place, half: complex, want: Wanted, rings: Any) -> Candidates
     """Rings about a point; a box touches the ring with its near side or corner."""
     away = want.away.conjugate() / abs(want.away) if want.away else 0j
     liking = 0.8 * (1 - (_TURNS * away).real) if away else _LITTLE
-    middle = point + (want.gap + 0.6 + rings[:, None]) * _TURNS + _sides(_TURNS, half)
+    middle = point + (want.gap + 0.6 + rings[:, None]) * _TURNS + _sides(_LEANING, half)
     cost = _FARTHER * rings[:, None] + (_LEADER if rings is _LED else 0.0) + liking
     return Candidates(middle.ravel(), cost.ravel(), np.full(middle.size, point if rings is _LED else _NOWHERE))
 
 
-def _far(anchor: Place, crowd: Place, half: complex, gap: float, rings: Any) -> Candidates:
-    """Wide rings about a point."""
+def _far(anchor: Place, crowd: Place, sides: Any, gap: float, rings: Any) -> Candidates:
+    """Wide rings about a point; sides: from what a box touches to its middle, in each direction."""
     away = (anchor - crowd).conjugate() / max(abs(anchor - crowd), 1e-9)
     liking = 5.0 * (1 - (_FAR_TURNS * away).real)
-    middle = anchor + (gap + rings) * _FAR_TURNS[:, None] + _sides(_FAR_TURNS, half)[:, None]
+    middle = anchor + (gap + rings) * _FAR_TURNS[:, None] + sides
     cost = _FARTHER * rings + _LEADER + liking[:, None]
     return Candidates(middle.ravel(), cost.ravel(), np.full(middle.size, anchor))
 
 
-def _sides(turns: Any, half: complex) -> Any:
-    """From what a box touches to its middle, in each direction; in four of eight its corners come to the ring."""
-    return np.clip(turns.real * 1.6, -1.0, 1.0) * half.real + 1j * (np.clip(turns.imag * 1.6, -1.0, 1.0) * half.imag)
+def _sides(leaning: Any, half: complex) -> Any:
+    """From what a box touches to its middle, in each direction."""
+    return leaning.real * half.real + 1j * (leaning.imag * half.imag)
 
 
 def _beside(start: Place, end: Place, half: complex, want: Wanted) -> Candidates:

@@ -90,7 +90,7 @@ def series(name: str, quantity: Quantity, motions: Motions, count: int) -> Serie
 
 
 def _row(value: Value, count: int) -> np.ndarray:
-    return np.array(np.broadcast_to(value, (count,)))
+    return np.array(value if np.shape(value) == (count,) else np.broadcast_to(value, (count,)))
 
 
 def asked(mechanism: Mechanism, names: Sequence[str] = ()) -> tuple[str, ...]:

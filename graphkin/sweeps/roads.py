@@ -93,6 +93,8 @@ def _alike(method: Method, neighbours: Motions) -> bool:
 
 def _by_other_points(method: Method, path: Path, t: np.ndarray, plot: Plot) -> list[Patch]:
     """Rows at which the lines of a special point hardly meet, by other special points."""
+    if not method.ternaries:
+        return []
     sines = _special_sines(method, plot, t.shape)
     rows, patches = np.flatnonzero(sines < FAR_SINE), []
     for _ in range(OTHER_POINTS):

@@ -14,6 +14,7 @@ from graphkin.planning import Method
 from graphkin.quantities import EDGE, Centre, Quantity, Quotient, named
 from graphkin.running.compiled import Entry
 from graphkin.running.compiled.memory import lent
+from graphkin.running.many_positions import MANY
 from graphkin.running.path import stride
 from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.proof import prove
@@ -108,18 +109,26 @@ def in_parts(course: Course, names: Sequence[str], by: Road = "construction", si
     """The same, some positions at a time: a sweep of any length needs no more memory."""
     wanted = _read(course, names)
     turned = _Turned(course, wanted, by)
-    asked = set[Entry]() if course.t.size > size else None
+    asked = _asked(course, wanted, by, turned) if course.t.size > size else None
     for begin in range(0, course.t.size, size):
         here = slice(begin, begin + size)
         yield _defined(replace(_at(course, wanted, course.t[here], by, turned, asked), driven=course.values[here]))
 
 
+def _asked(course: Course, wanted: Wanted, by: Road, turned: _Turned) -> set[Entry]:
+    """What the quantities are read from, as the first few positions show."""
+    found = set[Entry]()
+    _at(course, wanted, course.t[:MANY], by, turned, found)
+    return found
+
+
 def _defined(found: Sweep) -> Sweep:
     """Without positions at which some quantity has no value; quotients and centres may lie at infinity."""
     own = [entry.values for entry in found.series if not isinstance(entry.quantity, Centre | Quotient)]
-    good = np.all([np.isfinite(values) for values in own], axis=0) if own else np.True_
-    if np.all(good):
+    finite = [np.isfinite(values) for values in own]
+    if all(each.all() for each in finite):
         return found
+    good = np.all(finite, axis=0)
     series = tuple(
         replace(entry, values=entry.values[good], vectors=None if entry.vectors is None else entry.vectors[good])
         for entry in found.series

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Collection, Mapping, Set
 from functools import cached_property
 from typing import Any
 
@@ -55,9 +55,14 @@ class Layout:
         return written_out(self.tape, self.calls.given, 0, self.late)
 
 
-def laid_out(recording: Recording, tables: Tables, given: int, at_once: Set[Entry]) -> Layout:
-    """Where everything is to lie; what is not wanted `at_once` is worked out late, if ever."""
-    tape, layout = recording.tape, _Layout(recording.tape)
+def laid_out(
+    recording: Recording, tables: Tables, given: int, at_once: Set[Entry], arrays: Collection[int] = ()
+) -> Layout:
+    """Where everything is to lie; what is not wanted `at_once` is worked out late, if ever.
+
+    arrays  which of what is given has an entry a position
+    """
+    tape, layout = recording.tape, _Layout(recording.tape, arrays)
     sines = [value.real_at for value in (*tables["sines"].values(), *recording.sound) if isinstance(value, Written)]
     doubts = [place for place in dict.fromkeys(tape.unsigned(place) for place in sines) if works(tape, place[0])]
     found: dict[Entry, Place] = {}
@@ -77,11 +82,13 @@ def laid_out(recording: Recording, tables: Tables, given: int, at_once: Set[Entr
 class _Layout:
     """What of a tape is shown so far: rows by place, with their signs, and pairs, each once.
 
+    copied places of what is given at each position: with the rest, while it is in the cache
     parts  which part of a vector a place is, and with which sign: it need not be a row, too
     """
 
-    def __init__(self, tape: Tape) -> None:
+    def __init__(self, tape: Tape, arrays: Collection[int]) -> None:
         self.tape = tape
+        self.copied = {tape.given(k) for k in arrays}
         self.rows: dict[int, int] = {}
         self.numbers: dict[int, int] = {}
         self.pairs: dict[tuple[Signed, Signed], int] = {}
@@ -101,7 +108,7 @@ class _Layout:
 
     def _known(self, place: int, sign: int) -> Column | None:
         """Where it is found that takes no more work."""
-        if not works(self.tape, place):
+        if not works(self.tape, place) and place not in self.copied:
             return self._at_hand(place, sign)
         if place in self.rows:
             return Column(row=self.numbers[place], sign=sign * self.rows[place])

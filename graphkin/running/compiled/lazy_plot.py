@@ -76,18 +76,18 @@ class Told:
     standing  facts with the drivers at other values
     columns   where each quantity is found, by table and name
     late      gives what is worked out late (k, n) of what was given
+    asked     is told what is read late, by table and name
     patches   positions told otherwise
     judged    senses and sines of groups, once they were asked for
-    asked     is told what is read late, by table and name
     """
 
     standing: Facts
     columns: Mapping[str, Columns]
     numbers: Numbers
     late: Callable[[Sequence[np.ndarray]], np.ndarray]
+    asked: set[Entry] | None = None
     patches: Sequence[Patch] = ()
     judged: dict[str, tuple[Value, Value]] = field(default_factory=dict)
-    asked: set[Entry] | None = None
 
     @property
     def facts(self) -> Facts:
@@ -108,7 +108,7 @@ class Told:
         for key in columns.known if self.patches else ():
             if key not in columns.late:
                 found[key] = self._patched(name, key, found[key])
-        return Table(found, partial(self._made_late, name), found) if columns.late else found
+        return Table(found, partial(self._made_late, name)) if columns.late else found
 
     def _patched(self, table: str, key: Any, value: Value) -> Value:
         for patch in self.patches:
@@ -138,7 +138,10 @@ class Told:
 
 
 class Table(Lazy[Value], MutableMapping[str, Value]):
-    """A table of a plot, to be written in as any."""
+    """A table of a plot, to be written in as any; what is None is made when it is first read."""
+
+    def __init__(self, found: dict[Any, Value], make: Callable[[Any], Value]) -> None:
+        self._made, self._make = found, make
 
     def __setitem__(self, name: str, value: Value) -> None:
         self._made[name] = value

@@ -22,7 +22,7 @@ from graphkin.construction.pencil import replay
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.running.compiled.columns import Entry
-from graphkin.running.compiled.layout import Layout, laid_out
+from graphkin.running.compiled.layout import laid_out
 from graphkin.running.compiled.lazy_plot import TABLES, LazyPlot, Numbers, Patch, Told
 from graphkin.running.compiled.recorder import Recording, record
 from graphkin.running.compiled.run import CHUNK, Run
@@ -48,13 +48,14 @@ class Program:
     """Three constructions as one list of calls, for any values of the drivers and any sides of the crossings.
 
     facts    with the drivers at any values
-    layouts  its calls, and where each quantity of a plot is found after them, by what is worked out at once
+    runs     its calls, and where each quantity of a plot is found after them, by what is worked out at once, and the
+             drivers that have a value for each position
     """
 
     constructions: tuple[Construction, ...]
     facts: Facts
     recording: Recording
-    layouts: dict[frozenset[Entry] | None, Layout]
+    runs: dict[tuple[frozenset[Entry] | None, tuple[int, ...]], Run]
 
     @property
     def sides(self) -> Mapping[int, int]:
@@ -66,14 +67,15 @@ class Program:
         """What a run must be given of positions close by, where links are fitted or roll."""
         return self.recording.near
 
-    def layout(self, asked: frozenset[Entry] | None = None) -> Layout:
-        """Where what is asked for is worked out at once, else what usually is: points, and how links turn."""
-        if asked not in self.layouts:
+    def prepared(self, asked: frozenset[Entry] | None = None, arrays: tuple[int, ...] = (0,)) -> Run:
+        """By which what is asked for is worked out at once, else what usually is: points, and how links turn."""
+        if (found := self.runs.get((asked, arrays))) is None:
             tables = {name: getattr(self.recording.plot, name) for name in TABLES}
             given = len(self.facts.values) + len(self.sides) + len(self.near)
             at_once = self._entries(USUAL) if asked is None else asked
-            self.layouts[asked] = laid_out(self.recording, tables, given, at_once)
-        return self.layouts[asked]
+            layout = laid_out(self.recording, tables, given, at_once, arrays)
+            found = self.runs[asked, arrays] = Run(layout, layout.calls)
+        return found
 
     def _entries(self, tables: Sequence[str]) -> set[Entry]:
         """All of some tables, but for points of polygons that belong to none of the mechanism."""
@@ -111,15 +113,15 @@ class Program:
     def _tried(
         self, values: Sequence[Value], taken: Mapping[int, Value], near: Mapping[str, Value], asked: set[Entry] | None
     ) -> tuple[Told, np.ndarray]:
-        layout = self.layout(None if asked is None else frozenset(asked))
         given = tuple(
             np.array(value, dtype=float) for value in (*values, *taken.values(), *(near[name] for name in self.near))
         )
-        run = Run(layout)
+        arrays = tuple(k for k in range(len(values)) if given[k].ndim)
+        run = self.prepared(None if asked is None else frozenset(asked), arrays)
         block, vectors = run.room(max(value.size for value in given))
         failed, flat = run.filled(block, vectors, given)
         doubtful = run.doubtful(block, vectors, given, failed, flat) if failed or flat else _NONE
-        return Told(self.facts, layout.columns, Numbers(block, vectors, given), run.late, asked=asked), doubtful
+        return Told(self.facts, run.layout.columns, Numbers(block, vectors, given), run.late, asked), doubtful
 
     # --- positions that fail ------------------------------------------------------------------
 

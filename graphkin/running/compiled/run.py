@@ -29,15 +29,12 @@ class Run:
     """How the calls of a layout are carried out."""
 
     layout: Layout
-
-    @property
-    def calls(self) -> Calls:
-        return self.layout.calls
+    calls: Calls
 
     def late(self, given: Sequence[np.ndarray]) -> np.ndarray:
         """What is asked for late (k, n)."""
         calls, count = self.layout.late_calls, max(value.size for value in given)
-        found, none = np.empty((calls.rows, count)), np.empty((0, count), dtype=complex)
+        found, none = lent(calls.rows * count).reshape(-1, count), np.empty((0, count), dtype=complex)
         with np.errstate(all="ignore"):
             for _, chunk in _chunks(found, none, given, [*np.empty((calls.registers, min(count, CHUNK)))]):
                 calls.run(*chunk)
@@ -83,8 +80,8 @@ class Run:
         """Where a chunk lies, what it is done with, and where its sines are found, which nobody keeps."""
         size, sines = min(block.shape[1], CHUNK), self.calls.sines
         registers = self._borrowed(size)
-        for here, (values, rows, sides, rooms) in _chunks(block, vectors, given, [*registers]):
-            yield here, (values, rooms[:sines] + rows, sides, rooms[sines:]), registers[:sines, : rooms[0].size]
+        for here, (values, rows, parts, rooms) in _chunks(block, vectors, given, [*registers]):
+            yield here, (values, rooms[:sines] + rows, parts, rooms[sines:]), registers[:sines, : rooms[0].size]
         self.layout.spare.append(registers)
 
     def _borrowed(self, size: int) -> Registers:

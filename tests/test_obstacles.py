@@ -1,0 +1,74 @@
+"""What is drawn as obstacles: boxes and lines among random marks, held against shapely's geometry."""
+
+from __future__ import annotations
+
+import cmath
+import random
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+import shapely
+
+from graphkin.sheet.lettering import plain
+from graphkin.sheet.marks import Arc, Disc, Mark, Stroke, Text
+from graphkin.sheet.obstacles import arc_places, tree
+
+_COUNT = 60
+
+
+def _star(rng: random.Random, centre: complex, corners: int, bulge: float) -> tuple[complex, ...]:
+    """Corners of an area about its middle; it bulges inwards where the bulge is large."""
+    turns = sorted(rng.uniform(0, cmath.pi * 2) for _ in range(corners))
+    return tuple(centre + cmath.rect(rng.uniform(4 - bulge, 4 + bulge), turn) for turn in turns)
+
+
+def _marks(rng: random.Random) -> Iterator[tuple[Mark, shapely.Geometry]]:
+    """Marks of all kinds, each with its geometry."""
+    for k in range(_COUNT):
+        at = complex(rng.uniform(0, 100), rng.uniform(0, 80))
+        far = at + cmath.rect(rng.choice((0.0, 3.0, 30.0)), rng.choice((0.0, cmath.pi / 2, rng.uniform(0, 6))))
+        corners = _star(rng, at, 3 + k % 9, rng.uniform(0, 3))
+        arc = Arc(at, rng.uniform(1, 9), rng.uniform(0, 6), rng.uniform(-6, 6), "thin")
+        rim = [at + cmath.rect(2, cmath.pi / 12 * turn) for turn in range(24)]
+        low = at + 1j * 0.04 * 3.5
+        yield Stroke((at, far, at + 5), "thin"), shapely.LineString(_xy([at, far, at + 5]))
+        yield Stroke(corners, "thin", closed=True, fill="ink"), shapely.Polygon(_xy(corners))
+        yield Stroke(corners, "thin", closed=True), shapely.LinearRing(_xy(corners))
+        yield arc, shapely.LineString(_xy(arc_places(arc)))
+        yield Disc(at, 2, "thin", "ink"), shapely.Polygon(_xy(rim))
+        yield Text(plain("A"), at, 3.5), shapely.box(low.real, at.imag - 0.68 * 3.5, at.real + 0.722 * 3.5, low.imag)
+
+
+def _xy(places: Any) -> list[tuple[float, float]]:
+    return [(place.real, place.imag) for place in places]
+
+
+def _pieces(shape: shapely.Geometry) -> list[shapely.Geometry]:
+    """An area is one thing, a line as many as it has straight pieces."""
+    if isinstance(shape, shapely.Polygon):
+        return [shape]
+    return [shapely.LineString(ends) for ends in zip(shape.coords[:-1], shape.coords[1:], strict=True)]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_boxes_and_lines_touch_what_they_touch(seed: int) -> None:
+    rng = random.Random(seed)
+    marks = list(_marks(rng))
+    things = [piece for _, shape in marks for piece in _pieces(shape)]
+    known, dice = tree(mark for mark, _ in marks), np.random.default_rng(seed)
+    low = dice.uniform(0, 80, (200, 2))
+    high, end = low + dice.uniform(0.1, 9, low.shape), low + dice.uniform(-30, 30, low.shape)
+    boxes, lines = shapely.box(*low.T, *high.T), shapely.linestrings(np.stack([low, end], axis=1))
+    assert np.bincount(known.touched(low, high), minlength=200).tolist() == _met(boxes, things)
+    assert np.bincount(known.crossed(low, end), minlength=200).tolist() == _met(lines, things)
+    wide, narrow = known.around(low.T, high.T, (1.3, 0.4))
+    for margin, found in ((1.3, wide), (0.4, narrow)):
+        assert found.tolist() == _met(shapely.box(*(low - margin).T, *(high + margin).T), things)
+
+
+def _met(shapes: Any, things: list[shapely.Geometry]) -> list[int]:
+    """How many of the things each shape touches."""
+    rows = shapely.STRtree(things).query(shapes, predicate="intersects")[0]
+    return [int(count) for count in np.bincount(rows, minlength=len(shapes))]
