@@ -54,11 +54,15 @@ def sense(matrix: np.ndarray) -> Value:
     """The sign of a system's determinant: another assembly close by has the other one."""
     if matrix.shape[-2] != matrix.shape[-1]:
         return 1.0
-    return np.linalg.slogdet(np.nan_to_num(matrix))[0]
+    return np.linalg.slogdet(_finite(matrix))[0]
 
 
 def least(matrix: np.ndarray) -> Value:
     """How far a system is from singular: least singular value, columns of length 1. Like the sine of an angle."""
-    lengths = np.linalg.norm(matrix, axis=-2, keepdims=True)
-    matrix = np.nan_to_num(matrix / np.where(lengths > 0, lengths, 1.0))
-    return np.linalg.svd(matrix, compute_uv=False)[..., -1]
+    lengths = np.sqrt((matrix * matrix).sum(axis=-2, keepdims=True))
+    lengths[lengths == 0] = 1.0
+    return np.linalg.svd(_finite(matrix / lengths), compute_uv=False)[..., -1]
+
+
+def _finite(matrix: np.ndarray) -> np.ndarray:
+    return matrix if np.isfinite(matrix).all() else np.nan_to_num(matrix)

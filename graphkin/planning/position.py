@@ -10,9 +10,7 @@ from graphkin.construction import (
     Along,
     AlongGuide,
     Arm,
-    Closure,
     Construction,
-    Drawn,
     Equation,
     Fit,
     Given,
@@ -34,18 +32,19 @@ from graphkin.mechanism import FRAME
 from graphkin.planning.closing import close
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
-from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
-from graphkin.value import filled, frozen
-
-
-@frozen
-class _Piece:
-    """One stretch of a loop: an arm of a body, or the displacement of a slide."""
-
-    part: Arm | Slid
-    tail: str
-    head: str
-    base: str
+from graphkin.planning.stretches import (
+    Piece,
+    closure,
+    drawn_from,
+    link_of,
+    pieces_of,
+    reverse,
+    runs_of,
+    term_of,
+    turned_round,
+)
+from graphkin.planning.structure import Sliding, Structure
+from graphkin.value import filled
 
 
 @filled
@@ -91,15 +90,15 @@ class _Drawing:
         self.fill(stage.body)
 
     def loop(self, stage: Loop) -> None:
-        pieces = _pieces(self.structure, stage)
-        runs = _runs(pieces, self.angles)
+        pieces = pieces_of(self.structure, stage)
+        runs = runs_of(pieces, self.angles)
         if any(isinstance(p.part, Slid) and p.part.slide in stage.slides and p.base in stage.angles for p in pieces):
             self.swing(stage, pieces)
         else:
             self.meet(stage, runs)
         for run in runs:
             if run[0].base not in self.angles:
-                link = _link(self.structure, run[0])
+                link = link_of(self.structure, run[0])
                 self.measure_angle(link, run)
         for slide in stage.slides:
             self.measure_slide(slide)
@@ -107,24 +106,24 @@ class _Drawing:
         for body in stage.bodies:
             self.fill(body)
 
-    def meet(self, stage: Loop, runs: list[list[_Piece]]) -> None:
+    def meet(self, stage: Loop, runs: list[list[Piece]]) -> None:
         terms, reaches = [], {}
         for run in runs:
-            term = _term(self.structure, stage, run, self.angles)
+            term = term_of(self.structure, stage, run, self.angles)
             if term.direction is None:
                 reaches[term] = Span(tuple(piece.part for piece in run))
             terms.append(term)
         unknown = [k for k, term in enumerate(terms) if term.unknowns]
-        left = _drawn(terms[0].tail) + tuple(terms[: unknown[1]])
-        right = _drawn(terms[-1].head) + tuple(_reverse(t, reaches) for t in reversed(terms[unknown[1] :]))
+        left = drawn_from(terms[0].tail) + tuple(terms[: unknown[1]])
+        right = drawn_from(terms[-1].head) + tuple(reverse(t, reaches) for t in reversed(terms[unknown[1] :]))
         equation = close(left[-1].head, left, right, reaches, self.aside, self.choice)
         self.parts.append(equation)
         self.points.update(node for term in terms for node in (term.tail, term.head))
 
-    def swing(self, stage: Loop, pieces: list[_Piece]) -> None:
+    def swing(self, stage: Loop, pieces: list[Piece]) -> None:
         guide = self.structure.slides[stage.slides[0]].guide
         if guide != stage.bodies[0]:
-            pieces = [_turned(piece) for piece in reversed(pieces)]
+            pieces = [turned_round(piece) for piece in reversed(pieces)]
         pivot, through = pieces[0].tail, pieces[-1].head
         span = Span(tuple(piece.part for piece in pieces))
         self.parts.append(
@@ -148,7 +147,7 @@ class _Drawing:
         self.contacts.append(letter)
 
     def group(self, stage: Group) -> None:
-        closures = tuple(_closure(self.structure, loop) for loop in stage.loops)
+        closures = tuple(closure(self.structure, loop) for loop in stage.loops)
         contacts = tuple(in_step(contact) for contact in stage.contacts)
         self.fits += 1
         self.parts.append(Fit(f"fit {self.fits}", stage.angles, stage.slides, closures, contacts))
@@ -170,7 +169,7 @@ class _Drawing:
 
     # --- further points -----------------------------------------------------------------------
 
-    def measure_angle(self, link: str, run: list[_Piece]) -> None:
+    def measure_angle(self, link: str, run: list[Piece]) -> None:
         """A swing has found its angle itself; any other group's is read off."""
         if isinstance(self.parts[-1], Swing):
             return
@@ -270,91 +269,3 @@ def touching(structure: Structure) -> Iterator[tuple[str, Contact]]:
 
 def in_step(contact: Contact) -> InStep:
     return InStep(contact.name, contact.angles, contact.slide, contact.on_slide, contact.way)
-
-
-def _closure(structure: Structure, loop: Loop) -> Closure:
-    pieces = _pieces(structure, loop)
-    return Closure(pieces[0].tail, tuple(piece.part for piece in pieces), pieces[-1].head)
-
-
-def _pieces(structure: Structure, loop: Loop) -> list[_Piece]:
-    """The way round as arms and displacements, from a known point to a known point."""
-    pieces: list[_Piece] = []
-    for k, joint in enumerate(loop.joints):
-        if not isinstance(joint, Hinge):
-            pair = structure.slides[joint.slide]
-            forward = (loop.bodies[k] if k < len(loop.bodies) else "") == structure.block(pair) or (
-                k > 0 and loop.bodies[k - 1] == pair.guide
-            )
-            ends = (pair.line.origin, pair.point)
-            tail, head = ends if forward else ends[::-1]
-            part = Slid(joint.slide, 1 if forward else -1)
-            pieces.append(_Piece(part, tail, head, structure.base(pair.guide)))
-        if k < len(loop.bodies):
-            body = loop.bodies[k]
-            tail, head = _end(structure, joint, body), _end(structure, loop.joints[k + 1], body)
-            if tail != head:
-                pieces.append(_Piece(Arm(body, tail, head), tail, head, structure.base(body)))
-    return pieces
-
-
-def _end(structure: Structure, joint: Joint, body: str) -> str:
-    """The point at which a joint holds a body."""
-    return joint.point if isinstance(joint, Hinge) else structure.slide_point(joint.slide, body)
-
-
-def _runs(pieces: list[_Piece], known: set[str]) -> list[list[_Piece]]:
-    """Pieces of one unknown group together; pieces whose direction is known one by one."""
-    runs: list[list[_Piece]] = []
-    for piece in pieces:
-        if runs and piece.base not in known and runs[-1][0].base == piece.base:
-            runs[-1].append(piece)
-        else:
-            runs.append([piece])
-    return runs
-
-
-def _term(structure: Structure, stage: Loop, run: list[_Piece], known: set[str]) -> Term:
-    tail, head = run[0].tail, run[-1].head
-    span = Span(tuple(piece.part for piece in run))
-    part = run[0].part
-    if run[0].base not in known:
-        return Term(head, tail, "", span, None, tail, head)
-    if isinstance(part, Slid):
-        size = None if part.slide in stage.slides else span
-        return Term(head, tail, "", size, AlongGuide(part.slide), tail, head)
-    return Term(head, tail, "", span, Along(tail, head), tail, head)
-
-
-def _turned(piece: _Piece) -> _Piece:
-    part: Arm | Slid
-    if isinstance(piece.part, Arm):
-        part = Arm(piece.part.link, piece.part.head, piece.part.tail)
-    else:
-        part = Slid(piece.part.slide, -piece.part.sign)
-    return _Piece(part, piece.head, piece.tail, piece.base)
-
-
-def _reverse(term: Term, reaches: dict[Term, Span]) -> Term:
-    """The same arrow seen from its other end."""
-    size = term.size
-    if isinstance(size, Span):
-        size = Span(tuple(_turned(_Piece(p, "", "", "")).part for p in reversed(size.parts)))
-    direction = term.direction
-    if isinstance(direction, Along):
-        direction = Along(direction.head, direction.tail)
-    turned = Term(term.seen_from, term.of, "", size, direction, term.head, term.tail)
-    if term in reaches:
-        reaches[turned] = reaches.pop(term)
-    return turned
-
-
-def _drawn(start: str) -> tuple[Term, ...]:
-    """The known end of a side, measured from the drawing's origin."""
-    return (Term(start, "", "", Drawn("", start), None, "", start),)
-
-
-def _link(structure: Structure, piece: _Piece) -> str:
-    if isinstance(piece.part, Arm):
-        return piece.part.link
-    return structure.slides[piece.part.slide].guide

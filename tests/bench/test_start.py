@@ -18,8 +18,8 @@ TRIES, ROUNDS = 6, 8
 LIMITS = {
     "list": 0.4,
     "equations ex3-1": 1.3,
-    "draw ex3-1": 1.45,
-    "draw p3-15": 2.3,
+    "draw ex3-1": 1.35,
+    "draw p3-15": 1.65,
 }
 """Of the time that the imports take."""
 
