@@ -13,6 +13,7 @@ import pytest
 from graphkin import api
 from graphkin.errors import NOWHERE, BadKey
 from graphkin.grading import Pencils, key_for, key_from, marking_of
+from graphkin.grading.keys import key_drawn
 from graphkin.marking.diagnosis import independent
 from graphkin.marking.habits import Trace, added
 from graphkin.marking.making import drawings_of, half_digit
@@ -337,3 +338,12 @@ def test_broken_keys_are_refused():
         with pytest.raises(BadKey):
             key_of(text, NOWHERE)
 
+
+
+def test_a_key_is_the_same_however_many_mistakes_are_drawn_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    method = api.plan(api.load("ex3-1"))
+    whole = key_drawn(method).singles
+    monkeypatch.setattr("graphkin.marking.scatter._NUMBERS", 1)
+    one_by_one = key_drawn(method).singles
+    for name in ("values", "scatters", "together"):
+        assert np.array_equal(getattr(whole, name), getattr(one_by_one, name), equal_nan=True)

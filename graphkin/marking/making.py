@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -203,25 +203,37 @@ def hypotheses_of(
         return Hypotheses((), np.empty((0, len(entries))), np.empty((0, len(entries))))
     values = combined(method, plot, quantities, columns).values
     drawings = drawings_of(method, marking, _FEWER)
-    every = drawings.values(quantities, [(), *columns])
-    right, drawn = every[0], every[1:]
-    scatters = spread(drawn, values, [entry.sort for entry in entries])
+    spreads, untouched = np.empty(values.shape), np.empty(values.shape, dtype=bool)
+    together = np.empty((*values.shape, len(entries)))
+    for row, told in enumerate(_told_of_each(drawings, quantities, entries, columns, values)):
+        spreads[row], untouched[row], together[row] = told
     least = np.array([[least_of(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
-    scatters = np.hypot(scatters, least.reshape(values.shape))
+    scatters = np.hypot(spreads, least.reshape(values.shape))
     # what a mistake leaves as it is scatters as it does: few drawings say little of that near a dead point
-    scatters = np.where(_untouched(drawn, right), [entry.scatter for entry in entries], scatters)
+    scatters = np.where(untouched, [entry.scatter for entry in entries], scatters)
     scatters = np.where(np.isfinite(values), scatters, np.nan)
-    sizes = np.array([entry.sort == "size" for entry in entries], dtype=bool)
-    judged = np.isfinite(values)[:, None]
-    drawn = np.where(judged, np.where(sizes, np.abs(drawn), drawn), 0.0)
-    together = np.stack([np.round(_together(each), 2) for each in drawn])
     return Hypotheses(tuple(_names(column) for column in columns), values, scatters, together)
 
 
+def _told_of_each(
+    drawings: Drawings, quantities: Sequence[Quantity], entries: Sequence[Entry],
+    columns: Sequence[tuple[Rewrite, ...]], values: np.ndarray,
+) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:  # fmt: skip
+    """Of each column's drawings: how they scatter (n,), what comes out as of the right ones, and how all hang together
+    (n, n)."""
+    sorts = [entry.sort for entry in entries]
+    sizes = np.array([sort == "size" for sort in sorts], dtype=bool)
+    drawn = (one for part in drawings.parts(quantities, [(), *columns]) for one in part)
+    right = next(drawn).copy()
+    for one, value in zip(drawn, values, strict=True):
+        judged = np.where(np.isfinite(value), np.where(sizes, np.abs(one), one), 0.0)
+        yield spread(one, value, sorts), _untouched(one, right), np.round(_together(judged), 2)
+
+
 def _untouched(drawn: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """Which quantities come out of every drawing (m, drawings, n) as they do of the right ones (drawings, n)."""
+    """Which quantities come out of every drawing (drawings, n) as they do of the right ones."""
     close = np.abs(drawn - right) <= _NOTHING * np.abs(right)
-    found: np.ndarray = np.all(close | np.isnan(right), axis=1)
+    found: np.ndarray = np.all(close | np.isnan(right), axis=0)
     return found
 
 

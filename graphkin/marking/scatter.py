@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -19,8 +19,8 @@ from graphkin.planning import Method
 from graphkin.quantities import Component, Displacement, Moving, Place, Quantity, Quotient, Rotation
 from graphkin.value import frozen
 
-_AT_ONCE = 64
-"""Mistakes that are drawn at once, each many times."""
+_AT_ONCE, _NUMBERS = 64, 2**21
+"""Mistakes that are drawn at once, each many times; fewer where more numbers than these are read off."""
 _HARDLY = 0.05
 """Where a smaller part of the drawings closes, nobody begins again."""
 _PARTS = ((0.6826894921370859, 1.0), (0.99, 2.5758293035489004))
@@ -54,8 +54,14 @@ class Drawings:
 
     def values(self, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]] = ((),)) -> np.ndarray:
         """What is read off: (columns, n, quantities); each column is drawn with its mistakes."""
-        parts = [self._values(quantities, columns[k : k + _AT_ONCE]) for k in range(0, len(columns), _AT_ONCE)]
+        parts = [*self.parts(quantities, columns)]
         return np.concatenate(parts) if parts else np.empty((0, self.slips.count, len(quantities)))
+
+    def parts(self, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]]) -> Iterator[np.ndarray]:
+        """The same, some columns at a time: of many links all of them are more than a memory holds."""
+        some = min(_AT_ONCE, max(1, _NUMBERS // (self.slips.count * max(1, len(quantities)))))
+        for k in range(0, len(columns), some):
+            yield self._values(quantities, columns[k : k + some])
 
     def _values(self, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]]) -> np.ndarray:
         mistaken = Mistaken(columns, (self.slips.count,))
@@ -63,7 +69,7 @@ class Drawings:
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             plot = redraw(self.method, mistaken.placed(self.method, self.positions), hand, mistaken.shape)
             found = [np.broadcast_to(self._read(plot, quantity), mistaken.shape) for quantity in quantities]
-        values = np.stack(found, axis=-1).astype(float) if found else np.empty((*mistaken.shape, 0))
+        values = np.stack(found, axis=-1).astype(float, copy=False) if found else np.empty((*mistaken.shape, 0))
         for row, rewrites in enumerate(columns):
             for written in (one for rewrite in rewrites for one in rewrite.asked):
                 k = [q.text for q in quantities].index(written.quantity)
