@@ -14,14 +14,11 @@ from collections.abc import Callable
 Path = tuple[str | int, ...]
 """A key's way from the top: `("slide", 0, "angle")`."""
 
-_BLANK = re.compile(r"(?:[ \t\r\n]|#[^\n]*)*")
-_SPACE = re.compile(r"[ \t]*")
-_BARE = re.compile(r"[A-Za-z0-9_-]+")
-_PLAIN = re.compile(r"[^,\]}#\n]+")
-_STRING = re.compile(
-    r'"""(?:\\.|[^\\])*?"{3,5}' r"|'''.*?'{3,5}" r'|"(?:\\.|[^"\\])*"' r"|'[^']*'",
-    re.DOTALL,
-)
+_BLANK = r"(?:[ \t\r\n]|#[^\n]*)*"
+_SPACE = r"[ \t]*"
+_BARE = r"[A-Za-z0-9_-]+"
+_PLAIN = r"[^,\]}#\n]+"
+_STRING = r'(?s:"""(?:\\.|[^\\])*?"{3,5}' r"|'''.*?'{3,5}" r'|"(?:\\.|[^"\\])*"' r"|'[^']*')"
 
 
 def positions(text: str) -> dict[Path, int]:
@@ -138,6 +135,6 @@ class _Walk:
     def _note(self, path: Path, at: int) -> None:
         self.found.setdefault(path, at)
 
-    def _after(self, pattern: re.Pattern[str], at: int) -> int:
-        match = pattern.match(self.text, at)
+    def _after(self, pattern: str, at: int) -> int:
+        match = re.compile(pattern).match(self.text, at)
         return at if match is None else match.end()

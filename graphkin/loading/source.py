@@ -35,7 +35,7 @@ _WIDE_MARKS = (b"\xff\xfe", b"\xfe\xff")
 _NO_XML = re.compile("[\ufffe\uffff]")
 
 _PARTS = 32
-_DEEP = re.compile(rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{_PARTS}}}""")
+_DEEP = rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{_PARTS}}}"""
 """A key of so many parts; thousands of them would cost gigabytes before anyone could refuse them."""
 
 _PLACE = r"\s*\(at (?:line ([0-9]+), column [0-9]+|end of document)\)$"
@@ -111,7 +111,7 @@ def read_toml(text: str, file: str) -> tuple[dict[str, Any], Lines]:
     """The data, and the line of each key."""
     _check_size(len(text), file)
     text = text.removeprefix("\ufeff")
-    if any(line.count(".") >= _PARTS and _DEEP.search(line) is not None for line in text.split("\n")):
+    if any(line.count(".") >= _PARTS and re.search(_DEEP, line) is not None for line in text.split("\n")):
         raise TooDeep(Where(file))
     try:
         document = tomllib.loads(text)

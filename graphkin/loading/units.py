@@ -39,7 +39,7 @@ LARGEST = 1e12
 LARGEST_ANGLE = 2 * math.pi * 10_000
 """Nor an angle, which is a direction, or some turns on from one."""
 
-_TEXT = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(.*?)\s*", re.DOTALL)
+_TEXT = r"(?s)\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(.*?)\s*"
 
 
 def read_quantity(given: float | str, dimension: Dimension) -> float:
@@ -68,7 +68,7 @@ def short_number(number: float) -> str:
 
 def _split(text: str, dimension: Dimension) -> tuple[float, str]:
     """`"120 r/min"` -> (120.0, "r/min")."""
-    match = _TEXT.fullmatch(text)
+    match = re.fullmatch(_TEXT, text)
     if match is None:
         raise NotANumber(NOWHERE, text[:40])
     number, unit = match.groups()

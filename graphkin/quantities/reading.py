@@ -41,7 +41,7 @@ SHAPE = r"\S+ \S+(?: ?/ ?\S+ \S+)?"
 """What a quantity or a quotient looks like, as a regular expression."""
 
 _ONE = re.compile(r"(\w+) +(\S+)")
-_COMMA = re.compile(r",\s*(?=[a-z]\w* |P[\w@']+\s*(?:,|$))")
+_COMMA = r",\s*(?=[a-z]\w* |P[\w@']+\s*(?:,|$))"
 _LONGEST_FIRST = sorted(WORDS, key=len, reverse=True)
 _GREEK = {"ω": "omega", "α": "alpha", "θ": "theta", "φ": "theta"}
 _OF_TWO = ("a_n", "a_t", "a_k", "a_r")
@@ -83,7 +83,7 @@ def parts(mechanism: Mechanism, text: str) -> tuple[Quantity, ...]:
 
 def split(text: str) -> list[str]:
     """The quantities of `--of`: between commas that a new one follows; `v B@guide,B@block` is one."""
-    return [part.strip() for part in _COMMA.split(text) if part.strip()]
+    return [part.strip() for part in re.split(_COMMA, text) if part.strip()]
 
 
 def meant(mechanism: Mechanism, question: str) -> str | None:

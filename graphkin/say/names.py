@@ -123,11 +123,11 @@ def of_slide(symbol: str, slide: str) -> str:
     return f"{symbol}_{slide}"
 
 
-_DEGREES = re.compile(r" ?\bdeg\b")
+_DEGREES = r" ?\bdeg\b"
 
 
 def in_signs(text: str, lang: Lang) -> str:
     """Quantities and units as they are typed, in Chinese as they are written: `omega 3` as ω3, `rad/s^2` as rad/s²."""
     if lang != "zh":
         return text
-    return _DEGREES.sub("°", rewritten(text, asked)).replace("/s^2", "/s²")
+    return re.sub(_DEGREES, "°", rewritten(text, asked)).replace("/s^2", "/s²")

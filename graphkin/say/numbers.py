@@ -95,12 +95,12 @@ def quantity(value: float, unit: str, *, gravity: bool = False) -> str:
     return f"{text} ({exact(value * IN_GRAVITY.factor)} {IN_GRAVITY.name})" if gravity and unit == "m/s^2" else text
 
 
-_MINUS = re.compile(r"(?<![\w)])-(?=\d)")
+_MINUS = r"(?<![\w)])-(?=\d)"
 
 
 def in_print(text: str) -> str:
     """A text with the signs of print: a minus sign, °, ²."""
-    return _MINUS.sub("−", text.replace(" deg", "°").replace("^2", "²"))
+    return re.sub(_MINUS, "−", text.replace(" deg", "°").replace("^2", "²"))
 
 
 def at_edge(value: float, unit: str) -> str:

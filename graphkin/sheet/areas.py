@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -23,16 +24,15 @@ _ROUNDED = 1e-9
 class Areas:
     """Areas by their edges, one area after the other: of any shape, inside one another or not.
 
-    _first, _count  where the edges of each begin, and how many there are
+    _first, _count  where the edges of each begin, and how many there are; _way: from corner to corner, complex [mm]
     _low, _high     corners of what each lies in (2, k) [mm]; _plain: those that are all of that, as letters are
-    _round, _sides  those that bulge nowhere inwards, and how many edges they have; _out: where edges face
     """
 
     def __init__(self, areas: Sequence[Sequence[Place]]) -> None:
         """areas: the corners of each."""
         corners = np.array([place for area in areas for place in area], dtype=complex)
         nexts = np.array([place for area in areas for place in (*area[1:], area[0])], dtype=complex)
-        self._edges = Edges.of(_xy(corners), _xy(nexts))
+        self._edges, self._way = Edges.of(_xy(corners), _xy(nexts)), nexts - corners
         self._count = np.array([len(area) for area in areas], dtype=np.intp)
         self._first = np.cumsum(self._count) - self._count
         self._low, self._high, slanted = self._edges.low, self._edges.high, self._edges.across.all(axis=0)
@@ -41,8 +41,12 @@ class Areas:
             self._high = np.maximum.reduceat(self._high, self._first, axis=1)
             slanted = np.logical_or.reduceat(slanted, self._first)
         self._plain = ~slanted & (self._count <= _SIDES)
-        self._out, self._round = _outwards(corners, nexts, self._first, self._count)
-        self._sides = sorted(set(self._count[self._round & ~self._plain].tolist()))
+
+    @cached_property
+    def _shapes(self) -> tuple[Any, Any, list[int]]:
+        """Where edges face; which areas bulge nowhere inwards, and how many edges these have. For boxes close by."""
+        out, round_ = _outwards(self._way, self._first, self._count)
+        return out, round_, sorted(set(self._count[round_ & ~self._plain].tolist()))
 
     def touched(self, blocks: Blocks) -> Iterator[tuple[Any, Any]]:
         """Boxes (where they stand in blocks) that touch an area, once for each, and by how much they would have to
@@ -85,13 +89,13 @@ class Areas:
 
     def _beyond_sides(self, areas: Any, low: Any, high: Any) -> Any:
         """By how much each box would have to grow to reach across all sides of the area it is paired with."""
-        found = np.empty(len(areas))
-        for sides in self._sides:
-            rows = np.flatnonzero(self._round[areas] & (self._count[areas] == sides))
+        found, (out, round_, counts) = np.empty(len(areas)), self._shapes
+        for sides in counts:
+            rows = np.flatnonzero(round_[areas] & (self._count[areas] == sides))
             edges = self._first[areas[rows]] + np.arange(sides)[:, None]
             corners = low.take(rows, axis=1)[:, None], high.take(rows, axis=1)[:, None]
-            found[rows] = self._edges.outside(edges, self._out.take(edges), *corners).max(axis=0)
-        rows = np.flatnonzero(~self._round[areas])
+            found[rows] = self._edges.outside(edges, out.take(edges), *corners).max(axis=0)
+        rows = np.flatnonzero(~round_[areas])
         if len(rows):
             found[rows] = self._from_edges(areas[rows], low.take(rows, axis=1), high.take(rows, axis=1))
         return found
@@ -112,10 +116,9 @@ class Areas:
         return first, owner, np.arange(len(owner)) + (self._first[areas] - first)[owner]
 
 
-def _outwards(corners: Any, nexts: Any, first: Any, count: Any) -> tuple[Any, Any]:
+def _outwards(way: Any, first: Any, count: Any) -> tuple[Any, Any]:
     """On which side of each edge its area does not lie, 1 where that is the left as it goes down, else -1; and which
     areas bulge nowhere inwards, nor go round twice."""
-    way = nexts - corners
     after = np.arange(1, len(way) + 1)
     after[first + count - 1] = first
     turn = np.angle(way[after] * way.conj())

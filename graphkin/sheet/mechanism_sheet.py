@@ -13,7 +13,6 @@ from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.sheet.composed import Composed, Work
-from graphkin.sheet.given_tables import given_tables
 from graphkin.sheet.layout import Layout, cut_to, papers_for
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import LARGE
@@ -65,6 +64,8 @@ def mechanism_sheet(
 
 def _given(drawing: Planes, paper: str | None, tight: bool) -> Sheet:
     """The mechanism alone, with what the problem gives and asks."""
+    from graphkin.sheet.given_tables import given_tables
+
     work = Work(drawing, [] if tight else given_tables(drawing.reading({})), tight)
     return replace(_whole(work, paper).lettered.sheet, given=True)
 
