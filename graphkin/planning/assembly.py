@@ -16,8 +16,6 @@ from graphkin.geometry import Value, cross
 from graphkin.naming import spelled
 from graphkin.planning.branch_search import BETWEEN, DeadEnd, branches, told_slides
 from graphkin.planning.branches import Branches
-from graphkin.planning.far_sketch import cannot_assemble
-from graphkin.planning.own_axis import along_own_axis
 from graphkin.planning.structure import Structure
 from graphkin.tolerances import CLOSED
 from graphkin.value import frozen
@@ -138,6 +136,8 @@ def refuse_open(structure: Structure, plot: Plot, part: float) -> None:
     """A link that repeats a constraint must fit it to a part of the mechanism's size."""
     link, gap = _open_link(structure, plot)
     if gap > part * extent(plot):
+        from graphkin.planning.far_sketch import cannot_assemble
+
         mechanism = structure.mechanism
         called = (spelled(mechanism.called(link)),)
         raise cannot_assemble(mechanism, mechanism.where("links", link), called, [link], gap * 1000)
@@ -178,6 +178,9 @@ def _driven_back(structure: Structure, plot: Plot) -> CannotAssemble:
 def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: Plot) -> CannotAssemble | DeadPoint:
     mechanism, links = structure.mechanism, links_of(structure, step)
     where = mechanism.where("links", *[link for link in links if structure.is_link(link)][-1:])
+    from graphkin.planning.far_sketch import cannot_assemble
+    from graphkin.planning.own_axis import along_own_axis
+
     called = tuple(spelled(mechanism.called(link)) for link in links)
     gap = float(np.nanmin(plot.misses.get(key, np.array(0.0))))
     if gap > CLOSED * extent(plot):

@@ -118,7 +118,7 @@ class Places:
             best = self._table.cost[waiting].min(axis=1)
             next_ = int(np.lexsort((-best, left))[0])
             label = int(waiting[next_])
-            waiting = np.delete(waiting, next_)
+            waiting = waiting[waiting != label]
             if best[next_] > enough[label]:
                 put_off.append(label)
             else:
