@@ -342,7 +342,8 @@ def test_what_is_worked_out_late_is_of_what_was_replayed(name: str):
             np.asarray(array)[...] = 0.0
         except ValueError:  # it is read-only
             refused += 1
-    assert isinstance(found, LazyPlot) and refused > len(method.mechanism.points)
+    assert isinstance(found, LazyPlot)
+    assert refused > len(method.mechanism.points)
     for table in late:
         for key, value in getattr(untouched, table).items():
             assert np.array_equal(getattr(found, table)[key], value, equal_nan=True), (table, key)
