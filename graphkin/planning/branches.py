@@ -32,4 +32,4 @@ class Branches:
 
 
 def _taken(value: Value, which: np.ndarray) -> Value:
-    return value[which] if np.ndim(value) else value
+    return value[which] if isinstance(value, np.ndarray) and value.ndim else value

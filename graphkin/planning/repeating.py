@@ -11,8 +11,11 @@ from graphkin.planning.polygon import Polygon
 
 def measure_all_slides(polygon: Polygon) -> None:
     """Every sliding pair and every wheel on a line whose motion along it no step has given yet."""
+    given = _given(polygon)
     for name in polygon.structure.measured:
-        measure_slide(polygon, name)
+        if name not in given:
+            measure_slide(polygon, name)
+            given = _given(polygon)
 
 
 def measure_slide(polygon: Polygon, name: str) -> None:

@@ -252,7 +252,7 @@ def _walk(
                 yield Loop(bodies, (*joints, joint), angles, slides)
             continue
         for other in others:
-            if other not in bodies and other not in known.bodies | known.structure.followers:
+            if other not in bodies and other not in known.bodies and other not in known.structure.followers:
                 yield from _walk(known, (*bodies, other), (*joints, joint), most)
 
 
