@@ -27,12 +27,14 @@ from random_mechanisms import (
     triad,
 )
 
+from graphkin.agreement import apart
 from graphkin.errors import DeadPoint, RoadsDiffer
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.say.sweeps import left_out
 from graphkin.sweeps import course, in_parts, prove, sweep
+from graphkin.sweeps.roads import moving
 
 COUNT = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
 """Mechanisms of each kind; 0: one of some kinds."""
@@ -153,3 +155,14 @@ def test_positions_without_a_motion_are_left_out(monkeypatch: pytest.MonkeyPatch
     assert found.driven.size == found["v B"].values.size == 12
     assert math.degrees(found.undefined[0]) == pytest.approx(60)
     assert "60°" in next(left_out(moved, found.undefined, "en"))
+
+
+def test_blocks_that_run_off_are_told_by_both_roads():
+    """Beside a stop where guides become parallel and displacements grow without bound, though the links hardly turn."""
+    method = plan(chain(9))
+    moved = course(method, ["0:360:2"])
+    prove(moved)
+    t = moved.path.first + np.radians([0.2, 1.0, 5.0])
+    drawn, exact = (moving(method, moved.path, t, by) for by in ("construction", "analysis"))
+    assert max(np.max(np.abs(s)) for s in exact.s.values()) > 5 * method.size
+    assert apart(method.mechanism, drawn, exact) < 1e-9

@@ -10,9 +10,9 @@ import numpy as np
 from graphkin.analytic.assembly import DrawnPosition, drawn, held, idle
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.newton import EquationSystem, inverse
-from graphkin.analytic.rates import Rates, rates
+from graphkin.analytic.rates import Rates, rates, reaching
 from graphkin.analytic.rules import driven
-from graphkin.analytic.vectors import Complex, Real, applied
+from graphkin.analytic.vectors import Complex, Flags, Real, applied
 from graphkin.errors import SingularPosition, ValueForEach
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
@@ -27,7 +27,8 @@ if TYPE_CHECKING:
 SINGULAR = 1e-5
 """Reciprocal condition below which velocities count as not determined.
 
-A position is known to rounding / condition there, a velocity to rounding / condition^2: six digits.
+A position is known to rounding / condition there, a velocity to rounding / condition^2: six digits. More, where it is
+only displacements far off that make the condition bad: there they are measured by how far they reach.
 """
 
 
@@ -67,7 +68,7 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     change = np.zeros((len(flat), len(closure.weights)))
     change[:, first:] = flat - np.array(start.values).reshape(-1)
     if shape or change.any():  # else its rates tell
-        _definite(mechanism, _conditioning(closure, start.q))
+        _definite(mechanism, closure, start.q)
     q, limits = _moved(closure, start.q, change)
     found = rates_of(mechanism, closure, first, q, single=shape == ())
     for limit in limits:
@@ -95,9 +96,18 @@ def _conditioning(closure: EquationSystem, q: Real) -> float:
     return float(inverse(closure.matrix(q[None]))[1][0])
 
 
-def _definite(mechanism: Mechanism, condition: float) -> None:
-    if condition < SINGULAR:
+def _definite(mechanism: Mechanism, closure: EquationSystem, q: Real) -> None:
+    condition = _conditioning(closure, q)
+    if not _clear(closure, q[None], np.array([condition])).all():
         raise SingularPosition(mechanism.where("driver"), condition)
+
+
+def _clear(closure: EquationSystem, q: Real, condition: Real) -> Flags:
+    """Where velocities are determined, at q (p, n): (p,); also where it is only far displacements that weigh."""
+    clear = condition >= SINGULAR
+    if (doubtful := np.flatnonzero(~clear)).size:
+        clear[doubtful] = reaching(closure.of_some(doubtful), q[doubtful]) >= SINGULAR
+    return clear
 
 
 def driving(mechanism: Mechanism, loops: Loops) -> tuple[EquationSystem, int]:
@@ -124,9 +134,9 @@ def rates_of(mechanism: Mechanism, closure: EquationSystem, first: int, q: Real,
     there = np.isfinite(q).all(axis=1)
     speed, push = (sides if sides.ndim == 1 else sides[there] for sides in (speed, push))
     found = rates(closure.of_some(np.flatnonzero(there)), q[there], speed, push)
-    if single and there.all():
-        _definite(mechanism, float(found.condition[0]))
-    clear = (found.condition >= SINGULAR)[:, None]
+    clear = _clear(closure.of_some(np.flatnonzero(there)), q[there], found.condition)[:, None]
+    if single and there.all() and not clear.all():
+        raise SingularPosition(mechanism.where("driver"), float(found.condition[0]))
     full = np.full((3, *q.shape), np.nan)
     full[0, there] = np.where(clear, found.first, np.nan)
     full[1, there] = np.where(clear, found.second, np.nan)

@@ -180,8 +180,8 @@ class _Walk:
     # --- change points ------------------------------------------------------------------------
 
     def _foretold(self) -> float | None:
-        """Where the matrix becomes singular, if soon."""
-        if len(self.nodes) == 1:
+        """Where the matrix becomes singular, if soon; not again where it just was."""
+        if len(self.nodes) == 1 or (self.changes and self.nodes[-2].at <= self.changes[-1]):
             return None
         before, here = self.nodes[-2:]
         falls = (abs(before.measure) - abs(here.measure)) / (here.at - before.at)
@@ -199,13 +199,13 @@ class _Walk:
 
     def _gone_through(self, beyond: PathNode) -> bool:
         """Take the change point between here and there, if it is one."""
-        here, shares = self.last, (abs(self.last.measure), abs(beyond.measure))
-        place = here.at + (beyond.at - here.at) * shares[0] / max(sum(shares), 1e-300)
+        here = self.last
+        place = _meeting(here.at, beyond.at, abs(here.measure), abs(beyond.measure))
         half = min(self.longest / 4, place - here.at, beyond.at - place)
         left, right = (self._inside(here, beyond, place + side * half) for side in (-1, 1))
         if left is None or right is None or left.measure * here.measure <= 0 or right.measure * beyond.measure <= 0:
             return False
-        place = self._singular(left, right, place)
+        place = self._singular(left, right)
         if not self._closes(left, right, place):
             return False
         self.changes.append(place)
@@ -218,13 +218,17 @@ class _Walk:
         node = self.line.node(at, q)
         return node if node is not None and self.line.largest(node.q - q, q) < AWAY else None
 
-    def _singular(self, left: PathNode, right: PathNode, place: float) -> float:
-        """Where the matrix is singular between two nodes: the condition falls and rises there in straight lines."""
+    def _singular(self, left: PathNode, right: PathNode) -> float:
+        """Where the matrix is singular between two nodes: the condition falls and rises there in straight lines.
+
+        So close to each other they tell it well, where nodes further off, one of them beside the place, do not.
+        """
+        place = _meeting(left.at, right.at, abs(left.measure), abs(right.measure))
         width = (right.at - left.at) / 16
         for _ in range(3):
             at = np.clip(place + width * np.array([-1.0, 1.0]), left.at, right.at)
             _, condition, _ = tangent(self.line.closure, _between(left, right, at)[0], self.line.toward)
-            place = float(at[0] + (at[1] - at[0]) * condition[0] / max(condition.sum(), 1e-300))
+            place = _meeting(*at.tolist(), *condition.tolist())
             width /= 16
         return place
 
@@ -239,6 +243,11 @@ class _Walk:
             clear = sizes > FLAT * sizes[0]
             q = closure.move(q, -((left_vectors[:, clear].T @ gap) / sizes[clear]) @ right_vectors[clear])
         return not clear.all() and float(closure.loops.open_by(q)) < TOUCH
+
+
+def _meeting(left: float, right: float, before: float, after: float) -> float:
+    """Where a condition that falls from `before` at `left`, and rises to `after` at `right`, is 0."""
+    return left + (right - left) * before / max(before + after, 1e-300)
 
 
 def _between(left: PathNode, right: PathNode, at: Real) -> tuple[Real, Real]:

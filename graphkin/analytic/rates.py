@@ -47,6 +47,19 @@ def tangent(closure: EquationSystem, q: Real, first: Real) -> tuple[Real, Real, 
     return _solved(closure, inverted, slope, first, np.zeros(slope.shape[:-1])), condition, sense
 
 
+def reaching(closure: EquationSystem, q: Real) -> Real:
+    """The reciprocal condition number at q (p, n), far displacements and their loops measured by how far they reach.
+
+    Beside guides that become parallel, blocks run off: rows and columns of many sizes there make A ill-conditioned long
+    before it is singular.
+    """
+    slides = np.array([unknown.kind == "s" for unknown in closure.loops.unknowns])[closure.known.free]
+    reach = np.where(slides, np.maximum(np.abs(q[..., closure.known.free]), 1.0), 1.0)
+    matrix = closure.matrix(q) * reach[..., None, :]
+    farthest = np.max(np.abs(matrix[..., slides]), axis=-1, initial=1.0, keepdims=True)
+    return inverse(matrix / farthest)[1]
+
+
 def _solved(closure: EquationSystem, inverted: Real, slope: Real, given: Real, rest: Real) -> Real:
     """The x with W x = given and slope x + rest = 0."""
     driven = applied(closure.known.given, given)

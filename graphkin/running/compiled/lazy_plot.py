@@ -30,8 +30,8 @@ class Patch:
 class Numbers:
     """What a program gives: real numbers (rows, n) and vectors (pairs, n), beside what it was given, () or (n,).
 
-    What belongs to one quantity is handed out as it lies there, all else as a copy: what is done with an array that was
-    read changes no other.
+    What belongs to one quantity is handed out as it lies there, and cannot be written into, as what is worked out late
+    hangs on it, too; all else is handed out as a copy. `numpy.array` makes one of any.
     """
 
     block: np.ndarray
@@ -93,6 +93,8 @@ class Told:
     def facts(self) -> Facts:
         """With the drivers where they are."""
         given = self.numbers.given[: len(self.standing.values)]
+        for value in given:
+            value.flags.writeable = False  # what is worked out late is made of it
         return replace(self.standing, values=tuple(value[()] for value in given))
 
     def table(self, name: str) -> Mapping[Any, Value]:
@@ -189,5 +191,7 @@ def _patched(value: Value, count: int, here: np.ndarray, found: Value) -> Value:
         if np.all(np.equal(found, value)):
             return value
         value = np.full(count, value)
+    elif not value.flags.writeable:
+        value = value.copy()
     value[here] = found
     return value

@@ -121,6 +121,7 @@ class Program:
         block, vectors = run.room(max(value.size for value in given))
         failed, flat = run.filled(block, vectors, given)
         doubtful = run.doubtful(block, vectors, given, failed, flat) if failed or flat else _NONE
+        block.flags.writeable = vectors.flags.writeable = False  # what is read is a view of them
         return Told(self.facts, run.layout.columns, Numbers(block, vectors, given), run.late, asked), doubtful
 
     # --- positions that fail ------------------------------------------------------------------
