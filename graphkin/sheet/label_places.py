@@ -19,9 +19,8 @@ _MOST, _LEAST, _ALL = 80, 16, 8000
 """So many places of a label are kept in mind, fewer of each of many labels, and of all together."""
 _FEW = 8
 """For so many labels without a good place others make way."""
-_PATIENCE, _WORK, _CRAMMED = 24, 900, 350
-"""How often a label of a figure may claim a place; less often in a crowd, where so many labels are asked at most, and
-where some will lie on others whatever is done."""
+_PATIENCE, _WORK = 24, 900
+"""How often a label of a figure may claim a place; less often in a crowd, where so many labels are asked at most."""
 _CHAIN = 3
 """So many labels may claim places one after the other."""
 _YIELDING = 0.02
@@ -45,7 +44,7 @@ class Places:
         self.boxes = Boxes(np.zeros((4, 2, count)), np.zeros(count, dtype=bool))
         self.stands = np.zeros(count, dtype=bool)
         self._spot, self._tier = np.zeros(count, dtype=np.intp), np.full(count, NEAR)
-        self._patience = min(_PATIENCE, (_CRAMMED if scene.crammed else _WORK) // count)
+        self._patience = min(_PATIENCE, _WORK // count)
         self._many = max(_LEAST, min(_MOST, _ALL // count))
         self._table = Table(self._offered(range(count), NEAR), self._many)
         self._look_on(self._greedy(range(count)))
