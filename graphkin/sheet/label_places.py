@@ -172,11 +172,11 @@ class Places:
         self._lift(label)
         self._tier[label] = self._last
         [rated] = self._rated([label], self._last)
-        alone = self.prices.alone(rated)
-        [(more, _)] = self.prices.beside_others([rated.boxes], self._standing)
-        liking = alone + _YIELDING * more
+        choice = Choice(rated.boxes, self.prices.alone(rated), rated.free).cheapest(3 * self._many)
+        [(more, _)] = self.prices.beside_others([choice.boxes], self._standing)
+        liking = choice.cost + _YIELDING * more
         liked = np.sort(np.argsort(liking)[: self._many])
-        self._table.write(label, Choice(rated.boxes, alone + more, rated.free).taken(liked))
+        self._table.write(label, choice._replace(cost=choice.cost + more).taken(liked))
         self._put(label, int(np.argmin(liking[liked])))
         others = np.flatnonzero(self.stands & (np.arange(len(self.stands)) != label))
         more, _ = self.prices.together(self.boxes.taken(others), self.boxes.taken([label]))
