@@ -17,8 +17,8 @@ IMPORTS = "import numpy, shapely, svgwrite, click"
 TRIES, ROUNDS = 6, 8
 LIMITS = {
     "list": 0.4,
-    "equations ex3-1": 1.3,
-    "draw ex3-1": 1.35,
+    "equations ex3-1": 1.2,
+    "draw ex3-1": 1.4,
     "draw p3-15": 1.65,
 }
 """Of the time that the imports take."""
