@@ -13,7 +13,7 @@ import shapely
 
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Arc, Disc, Mark, Stroke, Text
-from graphkin.sheet.obstacles import arc_places, tree
+from graphkin.sheet.obstacles import arc_places, obstacles
 
 _COUNT = 60
 
@@ -57,7 +57,7 @@ def test_boxes_and_lines_touch_what_they_touch(seed: int) -> None:
     rng = random.Random(seed)
     marks = list(_marks(rng))
     things = [piece for _, shape in marks for piece in _pieces(shape)]
-    known, dice = tree(mark for mark, _ in marks), np.random.default_rng(seed)
+    known, dice = obstacles(mark for mark, _ in marks), np.random.default_rng(seed)
     low = dice.uniform(0, 80, (200, 2))
     high, end = low + dice.uniform(0.1, 9, low.shape), low + dice.uniform(-30, 30, low.shape)
     boxes, lines = shapely.box(*low.T, *high.T), shapely.linestrings(np.stack([low, end], axis=1))

@@ -13,7 +13,7 @@ from graphkin.sheet.centre_places import Line as PaperLine
 from graphkin.sheet.centre_places import OnPaper, Spot, centre_label, clipped
 from graphkin.sheet.lettering import Label, Run, number, plain
 from graphkin.sheet.marks import Mark, Place, VectorMark
-from graphkin.sheet.obstacles import tree
+from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.symbols import BLOCK
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
@@ -116,7 +116,7 @@ def _free(
 ) -> _Stand:
     """The place that touches the fewest things; the first of equals."""
     tried = [(start, way, start + length * way) for start, way in stands]
-    known = tree([*drawn, *taken])
+    known = obstacles([*drawn, *taken])
     low = np.array([(start.real, start.imag) for start, _, _ in tried])
     high = np.array([(end.real, end.imag) for _, _, end in tried])
     hits = np.bincount(known.crossed(low, high), minlength=len(tried))

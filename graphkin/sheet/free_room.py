@@ -14,7 +14,7 @@ import numpy as np
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
-from graphkin.sheet.obstacles import Tree, bounds, places, tree
+from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
 from graphkin.sheet.paper import Room
 from graphkin.sheet.wanted import Candidates, Wanted
 from graphkin.value import frozen
@@ -63,8 +63,8 @@ class FreeRoom:
     def __init__(self, standing: Sequence[Mark], room: Room) -> None:
         self.room = room
         self.marks, self._first = list(standing), len(standing)
-        self._standing = tree(self.marks)
-        self._late: dict[int, Tree] = {}
+        self._standing = obstacles(self.marks)
+        self._late: dict[int, Obstacles] = {}
         self._letters = _boxes([mark for mark in standing if isinstance(mark, Text)])
 
     def add(self, marks: Sequence[Mark]) -> None:
@@ -81,10 +81,10 @@ class FreeRoom:
         found.add(marks)
         return found
 
-    def _added(self, first: int) -> list[Tree]:
+    def _added(self, first: int) -> list[Obstacles]:
         """What came after so many marks, if anything; made when somebody asks what is free: much is added before."""
         if first < len(self.marks) and first not in self._late:
-            self._late[first] = tree(self.marks[first:])
+            self._late[first] = obstacles(self.marks[first:])
         return [self._late[first]] if first < len(self.marks) else []
 
     def free(self, low: Any, high: Any) -> Any:
@@ -198,7 +198,7 @@ def _lettered(want: Wanted, middle: Place | None) -> list[Mark]:
     return [] if middle is None else [*want.texts(middle + complex(-wide / 2, (up - down) / 2))]
 
 
-def _clear(free: Any, low: Any, high: Any, lying: Sequence[Tree]) -> Any:
+def _clear(free: Any, low: Any, high: Any, lying: Sequence[Obstacles]) -> Any:
     """Which of the boxes that are free as far as is known keep off all that lies there."""
     for each in lying:
         rows = np.flatnonzero(free)

@@ -16,7 +16,7 @@ import numpy as np
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.nearness import Arrows
-from graphkin.sheet.obstacles import Tree, tree
+from graphkin.sheet.obstacles import Obstacles, obstacles
 from graphkin.sheet.paper import Room
 from graphkin.sheet.wanted import CRAMMED, Candidates, Wanted, lettering
 from graphkin.value import filled
@@ -152,13 +152,13 @@ class Scene:
         return len(self.wanted) > MANY and self.crammed
 
     @cached_property
-    def known(self) -> Tree:
-        return tree(self.drawn)
+    def known(self) -> Obstacles:
+        return obstacles(self.drawn)
 
     @cached_property
-    def letters(self) -> Tree:
+    def letters(self) -> Obstacles:
         """What lets no leader through."""
-        return tree(mark for mark in self.drawn if isinstance(mark, Text))
+        return obstacles(mark for mark in self.drawn if isinstance(mark, Text))
 
     @cached_property
     def arrows(self) -> Arrows:

@@ -25,8 +25,8 @@ _SAME = 1e-9
 _CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
 
 
-class Tree:
-    """Obstacles by place: line segments, and areas.
+class Obstacles:
+    """All of it by place: line segments, and areas.
 
     Boxes are held against them in blocks of a few that are close together: most of what is drawn is far from a block,
     and asked one by one boxes would take longer than all else of a crowded sheet.
@@ -82,7 +82,7 @@ def _rows(counts: NDArray[np.intp]) -> NDArray[np.intp]:
     return np.repeat(np.arange(len(counts)), counts)
 
 
-def tree(drawn: Iterable[Mark]) -> Tree:
+def obstacles(drawn: Iterable[Mark]) -> Obstacles:
     """The marks as obstacles."""
     lines: list[Place] = []
     areas: list[tuple[Place, ...]] = []
@@ -95,7 +95,7 @@ def tree(drawn: Iterable[Mark]) -> Tree:
                     lines += ends
     corners = np.array(lines, dtype=complex)
     xy = np.array([corners.real, corners.imag])
-    return Tree(xy[:, ::2], xy[:, 1::2], areas)
+    return Obstacles(xy[:, ::2], xy[:, 1::2], areas)
 
 
 def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:

@@ -15,7 +15,7 @@ import numpy as np
 from graphkin.sheet.crossings import overlap
 from graphkin.sheet.lettering import Label, box
 from graphkin.sheet.marks import Mark, Place, Text
-from graphkin.sheet.obstacles import Tree, tree
+from graphkin.sheet.obstacles import Obstacles, obstacles
 from graphkin.sheet.paper import Room
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
@@ -42,13 +42,13 @@ Boxes = tuple[np.ndarray, np.ndarray]
 def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list[list[Mark]]:
     """The marks of each figure with their letters; `off`: what letters keep off, too."""
     found: list[list[Mark]] = [list(figure.marks) for figure in figures]
-    trees = [tree([*figure.marks, *off]) for figure in figures]
+    standing = [obstacles([*figure.marks, *off]) for figure in figures]
     taken: list[list[Boxes]] = [[] for _ in figures]
     for wants in _by_label(figures).values():
         at = list(wants)
         middles = np.array([_middles(want) for want in wants.values()])
         half = _half(wants[at[0]].label, wants[at[0]].size)
-        costs = [_costs(row, half, trees[k], taken[k], room) for k, row in zip(at, middles, strict=True)]
+        costs = [_costs(row, half, standing[k], taken[k], room) for k, row in zip(at, middles, strict=True)]
         best = int(np.argmin(np.sum(costs, axis=0) + len(costs) * _dislikes(middles.shape[1])))
         for k, row in zip(at, middles, strict=True):
             place = _boxes(row[best : best + 1], half)
@@ -116,7 +116,7 @@ def _lies(one: Boxes, other: Boxes) -> np.ndarray:
     return lies
 
 
-def _costs(middles: np.ndarray, half: complex, drawn: Tree, taken: Sequence[Boxes], room: Room) -> np.ndarray:
+def _costs(middles: np.ndarray, half: complex, drawn: Obstacles, taken: Sequence[Boxes], room: Room) -> np.ndarray:
     """On how many things each of the places lies."""
     low, high = _boxes(middles, half)
     cost = np.bincount(drawn.touched(low, high), minlength=len(middles)).astype(float)
