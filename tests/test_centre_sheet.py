@@ -23,7 +23,7 @@ from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet
 from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets
 from graphkin.sheet.marks import PointMark, Stroke, Text, VectorMark
-from graphkin.sheet.obstacles import tree
+from graphkin.sheet.obstacles import obstacles
 
 SVG = "{http://www.w3.org/2000/svg}"
 EACH_KIND = ("fig3-4", "p3-11a", "p3-11b", "fig3-5", "p3-8", "p3-15", "ex3-3", "p3-14", "s4-ex3")
@@ -152,7 +152,7 @@ def test_no_name_of_a_centre_lies_on_anything(name: str):
     drawn = sheet(name)
     names = [mark for mark in drawn.marks if isinstance(mark, Text) and _names_a_centre(mark)]
     figure = [m for m in drawn.marks if not isinstance(m, Text) and not (isinstance(m, Stroke) and m.pen == "leader")]
-    known = tree(figure)
+    known = obstacles(figure)
     boxes = [_box(mark) for mark in names]
     low = np.array([(left, top) for left, top, _, _ in boxes])
     high = np.array([(right, bottom) for _, _, right, bottom in boxes])
@@ -184,7 +184,7 @@ def test_arrows_stay_in_their_figure(name: str):
     ruled = [mark for mark in ruled if abs(mark.places[1] - mark.places[0]) > 100 and mark.pen in ("outline", "thin")]
     assert ruled
     arrows = [mark for mark in drawn.marks if isinstance(mark, VectorMark)]
-    assert not set(tree(arrows).touched(*_spans(ruled)))
+    assert not set(obstacles(arrows).touched(*_spans(ruled)))
 
 
 def _spans(strokes: list[Stroke]) -> tuple[np.ndarray, np.ndarray]:

@@ -16,7 +16,7 @@ from graphkin.say.design import as_toml
 from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Stroke, Text
-from graphkin.sheet.obstacles import tree
+from graphkin.sheet.obstacles import obstacles
 
 
 def words(mark):
@@ -46,7 +46,7 @@ def test_links_are_drawn_at_scale(name):
 def test_letters_lie_on_nothing_and_on_the_paper(name, lang):
     sheet = design_sheet(DESIGNS[name], lang=lang)
     texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
-    others = tree(mark for mark in sheet.marks if not isinstance(mark, Text) and getattr(mark, "pen", "") != "leader")
+    others = obstacles(mark for mark in sheet.marks if not isinstance(mark, Text) and getattr(mark, "pen", "") != "leader")
     low, high = [], []
     for mark in texts:
         wide, up, down = box(mark.label, mark.size)
