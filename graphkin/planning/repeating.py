@@ -14,14 +14,18 @@ def measure_all_slides(polygon: Polygon) -> None:
     given = _given(polygon)
     for name in polygon.structure.measured:
         if name not in given:
-            measure_slide(polygon, name)
+            _measure(polygon, name)
             given = _given(polygon)
 
 
 def measure_slide(polygon: Polygon, name: str) -> None:
+    """One whose motion no step has given yet."""
+    if name not in _given(polygon):
+        _measure(polygon, name)
+
+
+def _measure(polygon: Polygon, name: str) -> None:
     """The point seen from the guide under it; of the acceleration what the Coriolis term leaves."""
-    if name in _given(polygon):
-        return
     pair, owners = polygon.structure.slides[name], polygon.structure.owners
     of = Site(pair.point, next(body for body in owners[pair.point] if body != pair.guide))
     seen_from = Site(pair.point, pair.guide)
