@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import field
+from functools import cached_property
 from typing import assert_never
 
 import numpy as np
@@ -65,15 +66,23 @@ class Facts:
     drawn: Mapping[str, float] = field(default_factory=dict)
     """Angles by link [rad] and displacements by `slide_key` [m] as drawn, from where contacts count."""
 
+    @cached_property
+    def groups(self) -> Mapping[str, Sequence[str]]:
+        """The links that hang on each base link, itself among them."""
+        found: dict[str, list[str]] = {}
+        for link, turn in self.turns.items():
+            found.setdefault(turn.base, []).append(link)
+        return found
+
     def relative_angle(self, link: str) -> Value:
         """Angle of a link against its base link [rad]."""
         turn = self.turns[link]
-        return turn.constant + sum(sign * self.values[k] for k, sign in turn.drivers)
+        return turn.constant + sum([sign * self.values[k] for k, sign in turn.drivers])
 
     def relative_rate(self, link: str, order: int) -> Value:
         """Angular velocity (order 1) or acceleration (order 2) of a link against its base link."""
         given = self.rates if order == 1 else self.accelerations
-        return sum(sign * given[k] for k, sign in self.turns[link].drivers)
+        return sum([sign * given[k] for k, sign in self.turns[link].drivers])
 
 
 @filled
@@ -198,11 +207,9 @@ class Plot:
         table: dict[str, Value] = getattr(self, quantity)
         if quantity == "theta" and base in self.near and not counted:
             value = self._counted(value, self.near[base])
-        for link, turn in self.facts.turns.items():
-            if turn.base != base:
-                continue
-            order = ("theta", "omega", "alpha").index(quantity)
-            more = self.facts.relative_angle(link) if order == 0 else self.facts.relative_rate(link, order)
+        order = ("theta", "omega", "alpha").index(quantity)
+        for link in self.facts.groups[base]:
+            more = self.facts.relative_rate(link, order) if order else self.facts.relative_angle(link)
             table[link] = value + more
 
     def _counted(self, angle: Value, near: Value) -> Value:

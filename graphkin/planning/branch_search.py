@@ -13,12 +13,14 @@ than `WIDEST` remain are the farthest given up.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from graphkin.construction import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, replay, unknowns_of
+from graphkin.construction import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, unknowns_of
+from graphkin.construction.pencil import begin, draw
 from graphkin.mechanism import FRAME
+from graphkin.pairs import Slide
 from graphkin.planning.branches import Branches
 from graphkin.planning.starts import Starts
 from graphkin.planning.structure import Structure
@@ -90,7 +92,9 @@ class _Search:
     def __init__(
         self, structure: Structure, construction: Construction, facts: Facts, known: Mapping[str, float]
     ) -> None:
-        self.structure, self.construction, self.facts, self.known = structure, construction, facts, known
+        self.structure, self.facts, self.known = structure, facts, known
+        self.sketch = structure.mechanism.sketch
+        self.cylinders = [name for name, slide in structure.slides.items() if _is_cylinder(structure, slide)]
         self.blocks = list(blocks_of(construction))
         last = self.blocks[-1]
         self.late = _late(last)
@@ -110,14 +114,19 @@ class _Search:
 
     def run(self, width: int, bound: _Bound | None) -> Branches:
         """All blocks, with so many branches kept at most."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return self._run(width, bound)
+
+    def _run(self, width: int, bound: _Bound | None) -> Branches:
         here = Branches(Plot(self.facts, dict(self.known)), np.zeros((1, 0), dtype=int))
+        begin(here.plot, "position")
         waiting = list(self.late)
         for block in self.blocks:
             if isinstance(block.opening, Fit):
                 here = self._thinned(here, min(width, WIDEST_FITTED), None)
             before = set(here.plot.position)
             here = self._opened(here, block, self._spare(here, bound))
-            self._drawn(here.plot, [*block.rest])
+            draw(block.rest, here.plot, "position", {})
             waiting = self._measured(here.plot, waiting)
             closed = self._closed(here, [p for p in here.plot.position if p not in before])
             if not closed.any():
@@ -149,21 +158,14 @@ class _Search:
                 here = here.taken(np.repeat(np.arange(here.count), 2))
                 here.sides = np.column_stack([here.sides, both])
                 assert step.choice is not None
-                replay(self._part([step]), here.plot, {step.choice: both})
+                draw([step], here.plot, "position", {step.choice: both})
                 return here
 
     def _fitted(self, here: Branches, step: Fit, spare: float) -> Branches:
         if all(name in self.known for name in unknowns_of(step)):
-            self._drawn(here.plot, [step])
+            draw([step], here.plot, "position", {})
             return here
-        return self.starts.fitted(here, step, lambda plot: self._drawn(plot, [step]), spare)
-
-    def _drawn(self, plot: Plot, steps: Sequence[Step]) -> None:
-        if steps:
-            replay(self._part(steps), plot)
-
-    def _part(self, steps: Sequence[Step]) -> Construction:
-        return Construction("position", tuple(steps), {})
+        return self.starts.fitted(here, step, lambda plot: draw([step], plot, "position", {}), spare)
 
     def _measured(self, plot: Plot, waiting: list[Measure]) -> list[Measure]:
         """Displacements are measured as soon as both ends are drawn; those that are not yet."""
@@ -171,17 +173,14 @@ class _Search:
         for step in waiting:
             drawn = {step.tail, step.head} <= plot.position.keys() and lines[step.of][0] in plot.theta
             (ready if drawn else left).append(step)
-        self._drawn(plot, ready)
+        draw(ready, plot, "position", {})
         return left
 
     def _closed(self, here: Branches, points: Sequence[str]) -> np.ndarray:
         """Branches whose new points have places, with cylinders at the positive displacement they were drawn with."""
-        closed = np.ones(here.count, dtype=bool)
-        for point in points:
-            closed &= np.isfinite(here.plot.position[point])
-        for name, slide in self.structure.slides.items():
-            alone = slide.guide != FRAME and len(self.structure.bodies[slide.guide]) == 1
-            if name in here.plot.s and alone and slide.line.on_axis:
+        closed: np.ndarray = np.isfinite(_places(here, points)).all(axis=0)
+        for name in self.cylinders:
+            if name in here.plot.s:
                 closed &= here.plot.s[name] > 0
         return closed
 
@@ -202,13 +201,9 @@ class _Search:
 
     def away(self, here: Branches) -> np.ndarray:
         """Squared distance of all points drawn so far from their places in the sketch [m²]: (w,)."""
-        away = np.zeros(here.count)
-        for point, target in self._sketched(here):
-            away += np.abs(here.plot.position[point] - target) ** 2
-        return away
-
-    def _sketched(self, here: Branches) -> Iterator[tuple[str, complex]]:
-        return ((p, z) for p, z in self.structure.mechanism.sketch.items() if p in here.plot.position)
+        points = [point for point in self.sketch if point in here.plot.position]
+        apart = _places(here, points) - _column(self.sketch[point] for point in points)
+        return np.asarray((np.abs(apart) ** 2).sum(axis=0))
 
     def _forward(self, here: Branches) -> np.ndarray:
         """How many displacements are positive rather than negative: (w,)."""
@@ -219,26 +214,43 @@ class _Search:
 
     def bound(self, here: Branches, k: int) -> _Bound:
         """To follow every branch that may come nearer to the sketch than branch k, or lies with it about the sketch."""
-        places = {p: complex(np.broadcast_to(here.plot.position[p], here.count)[k]) for p, _ in self._sketched(here)}
+        points = [point for point in self.sketch if point in here.plot.position]
+        places = dict(zip(points, _places(here, points)[:, k].tolist(), strict=True))
         reach = max((abs(z) for z in places.values()), default=1.0)
         return _Bound(places, (1e-8 * reach) ** 2)
 
     def _open(self, here: Branches, bound: _Bound) -> np.ndarray:
         """Whether no more distance is lost, by `BETWEEN`, than the points still to be drawn can make good: (w,)."""
-        lost, sketch = np.zeros(here.count), self.structure.mechanism.sketch
-        for point, place in bound.places.items():
-            if point in here.plot.position:
-                apart = here.plot.position[point] - place
-                lost += (1 - BETWEEN) * np.abs(apart) ** 2 - 2 * (np.conj(apart) * (sketch[point] - place)).real
+        points = [point for point in bound.places if point in here.plot.position]
+        apart = _places(here, points) - _column(bound.places[point] for point in points)
+        short = _column(self.sketch[point] - bound.places[point] for point in points)
+        lost = ((1 - BETWEEN) * np.abs(apart) ** 2 - 2 * (np.conj(apart) * short).real).sum(axis=0)
         return np.asarray(lost <= self._spare(here, bound))
 
     def _spare(self, here: Branches, bound: _Bound | None) -> float:
         """What the points still to be drawn can make good at most [m²]."""
         if bound is None:
             return 0.0
-        sketch = self.structure.mechanism.sketch
         left = ((point, place) for point, place in bound.places.items() if point not in here.plot.position)
-        return bound.rounding + sum(abs(sketch[point] - place) ** 2 / (1 - BETWEEN) for point, place in left)
+        return bound.rounding + sum(abs(self.sketch[point] - place) ** 2 / (1 - BETWEEN) for point, place in left)
+
+
+def _places(here: Branches, points: Sequence[str]) -> np.ndarray:
+    """Where points lie on each branch: (k, w)."""
+    table = np.empty((len(points), here.count), dtype=complex)
+    for row, point in zip(table, points, strict=True):
+        row[:] = here.plot.position[point]
+    return table
+
+
+def _column(places: Iterable[complex]) -> np.ndarray:
+    """Places of points, the same for all branches: (k, 1)."""
+    return np.array([*places], dtype=complex)[:, None]
+
+
+def _is_cylinder(structure: Structure, slide: Slide) -> bool:
+    """Whether a slide's guide is a moving link of one point, which is its own line."""
+    return slide.guide != FRAME and len(structure.bodies[slide.guide]) == 1 and slide.line.on_axis
 
 
 def _late(block: Block) -> list[Measure]:
