@@ -36,18 +36,20 @@ def results(
 ) -> Json:  # fmt: skip
     """One object for one mechanism, an entry in `positions` for the drawn one and for each of `also`, or one alone for
     other driver values [rad, m]; `drawn`: the drawn position, where it is proved already."""
-    wanted = [*driver_values(method)] if values is None else [tuple(values)]
-    found = [drawn if values is None and k == 0 else None for k in range(len(wanted))]
+    first, *others = driver_values(method) if values is None else [tuple(values)]
+    found = (drawn or proved(method)) if values is None else proved(method, values)
     return {
         "format": 1,
         "name": mechanism.name,
         "title": mechanism.headline(lang),
-        "positions": [_position(mechanism, method, *each) for each in zip(wanted, found, strict=True)],
+        "positions": [
+            _position(mechanism, method, first, found),
+            *(_position(mechanism, method, each, proved(method, each)) for each in others),
+        ],
     }
 
 
-def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...], drawn: Proved | None) -> Json:
-    found = proved(method, values) if drawn is None else drawn
+def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...], found: Proved) -> Json:
     plot, seen = found.plot, readings(method, found.plot)
     return {
         "drivers": list(values),

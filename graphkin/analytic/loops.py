@@ -53,8 +53,18 @@ class Loops:
         table = np.zeros((len(relations), len(self.unknowns), *np.shape(self.size)))
         for row, relation in zip(table, relations, strict=True):
             for unknown, weight in relation.weights.items():
-                row[self.unknowns.index(unknown)] += weight
+                row[self.column[unknown]] += weight
         return _by_mechanism(table) * self.unit[..., None, :]
+
+    @cached_property
+    def column(self) -> dict[Unknown, int]:
+        """The number of each unknown."""
+        return {unknown: at for at, unknown in enumerate(self.unknowns)}
+
+    @cached_property
+    def places(self) -> Complex:
+        """The rows of all points: (p, m), of many mechanisms (b, p, m)."""
+        return np.stack([*self.points.values()], axis=-2)
 
     def gap(self, q: Real) -> Real:
         """How far each loop stays open, x and y: (..., 2r), in units of size."""
@@ -81,11 +91,12 @@ class Loops:
     @cached_property
     def moving(self) -> Flags:
         """Which unknowns move any arrow of a loop, or any point: (n,)."""
-        rows = self.rows.reshape(-1, len(self.vectors.base))
-        return self.moves(np.vstack([rows, *self.points.values()]))
+        return self.moves(self.rows) | self.moves(self.places)
 
     def silent(self, relations: Sequence[Relation]) -> tuple[Unknown, ...]:
         """Unknowns that move nothing and stand in no relation: the rotation of a link of one point."""
+        if self.moving.all():
+            return ()
         named = np.abs(self.weights(relations)).reshape(-1, len(self.unknowns)).sum(axis=0) > 0
         loud = self.moving | named
         return tuple(unknown for unknown, on in zip(self.unknowns, loud, strict=True) if not on)

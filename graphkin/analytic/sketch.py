@@ -45,6 +45,11 @@ def _everywhere(true: Value) -> bool:
     return bool(true.all()) if isinstance(true, np.ndarray) else bool(true)
 
 
+def _greatest(size: Value) -> float:
+    """Of all mechanisms."""
+    return float(size.max()) if isinstance(size, np.ndarray) else float(size)
+
+
 @filled
 class _Seen:
     """Located points [m] and angles of links [rad]; `look` adds what follows from them."""
@@ -99,6 +104,8 @@ class _Seen:
 
     def _fitted(self, link: Link) -> None:
         """Two located points give the link's angle; the angle and one point give all its points."""
+        if link.name in self.angles and all(name in self.points for name in link.points):
+            return
         at = [(self.points[name], arm) for name, arm in link.points.items() if name in self.points]
         if not at:
             return
@@ -135,7 +142,7 @@ class _Seen:
                 if point in self.points]  # fmt: skip
         if name == FRAME:
             return arm
-        away, base, rest = min(seen, key=lambda each: float(np.max(each[0])), default=(np.inf, 0j, 0j))
+        away, base, rest = min(seen, key=lambda each: _greatest(each[0]), default=(np.inf, 0j, 0j))
         if name in self.angles and seen:
             return base + rest * _turned(self.angles[name])
         return base if _everywhere(away == 0) else None
