@@ -97,12 +97,16 @@ def _point(mechanism: Mechanism, motions: Motions, point: str) -> Json:
 
 def _coincident(method: Method, drawn: Motions) -> Iterator[tuple[str, Json]]:
     """Each pair of coincident points of the polygons, seen either way round."""
-    points = method.mechanism.points
-    sites = {label: _home(method, site) for label, site in method.sites.items() if site.point in points}
-    for label, of in sites.items():
-        for other, seen_from in sites.items():
-            if other == label or seen_from.point != of.point:
+    sites, points = method.sites, set(method.mechanism.points)
+    of_point: dict[str, list[str]] = {}
+    for label, site in sites.items():
+        of_point.setdefault(site.point, []).append(label)
+    for label in sites:
+        point = sites[label].point
+        for other in of_point[point] if point in points else ():
+            if other == label:
                 continue
+            of, seen_from = _home(method, sites[label]), _home(method, sites[other])
             comma = "," if "@" in label + other else ""
             yield f"{label}{comma}{other}", {
                 "v": _vector(relative(drawn, "velocity", "", of, seen_from)),

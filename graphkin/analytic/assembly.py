@@ -19,6 +19,7 @@ from graphkin.analytic.rules import Relation, driven, placing
 from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Complex, Real, applied
 from graphkin.errors import NoAssembly
+from graphkin.geometry import Value
 from graphkin.kept import kept
 from graphkin.mechanism import FRAME, Link, Mechanism
 from graphkin.tolerances import ROUNDED
@@ -173,7 +174,9 @@ def standing(mechanism: Mechanism, loops: Loops, driving: bool = True) -> tuple[
     known += [(relation, 0.0) for relation in held(loops, [relation for relation, _ in known + placed])]
     known += placed
     shape = np.shape(loops.size)
-    sides = [np.broadcast_to(value - relation.constant, shape) for relation, value in known]
+    sides: list[Value] = [value - relation.constant for relation, value in known]
+    if shape:
+        sides = [np.broadcast_to(side, shape) for side in sides]
     return tuple(relation for relation, _ in known), np.array(sides, dtype=np.float64).reshape(-1, *shape).T
 
 

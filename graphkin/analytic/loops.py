@@ -11,6 +11,7 @@ from collections import deque
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
+from itertools import combinations
 
 import numpy as np
 
@@ -80,7 +81,13 @@ class Loops:
 
     def moves(self, rows: Complex) -> Flags:
         """Which unknowns move any of these rows: (n,)."""
-        arrows = np.abs(np.reshape(rows, (-1, len(self.vectors.base)))).sum(axis=0)
+        return self._moved_with(self._arrows_in(rows))
+
+    def _arrows_in(self, rows: Complex) -> Real:
+        """How much of each arrow there is in any of these rows: (m,)."""
+        return np.asarray(np.abs(np.reshape(rows, (-1, len(self.vectors.base)))).sum(axis=0))
+
+    def _moved_with(self, arrows: Real) -> Flags:
         return np.asarray(arrows @ (np.abs(self.vectors.turning) + np.abs(self.vectors.stretching)) > 0)
 
     def of_some(self, which: Indices | int) -> Loops:
@@ -91,7 +98,7 @@ class Loops:
     @cached_property
     def moving(self) -> Flags:
         """Which unknowns move any arrow of a loop, or any point: (n,)."""
-        return self.moves(self.rows) | self.moves(self.places)
+        return self._moved_with(self._arrows_in(self.rows) + self._arrows_in(self.places))
 
     def silent(self, relations: Sequence[Relation]) -> tuple[Unknown, ...]:
         """Unknowns that move nothing and stand in no relation: the rotation of a link of one point."""
@@ -143,8 +150,7 @@ def size_of(mechanism: Mechanism) -> float:
     """The longest distance between two points of one link, or radius [m]; without any, the largest displacement."""
     circles = [radius for pair in mechanism.pairs for _, _, radius in pair.circles]
     circles += [rod.length for pair in mechanism.pairs if isinstance(rod := pair.equivalent, Rod)]
-    arms = [abs(a - b) for link in mechanism.links.values() for a in link.points.values()
-            for b in link.points.values()]  # fmt: skip
+    arms = [abs(a - b) for link in mechanism.links.values() for a, b in combinations(link.points.values(), 2)]
     values = [abs(driver.value) for driver in mechanism.drivers if driver.kind == "slide" and driver.value]
     return max([*arms, *circles], default=0.0) or max(values, default=0.0) or 1.0
 
@@ -178,9 +184,14 @@ class _Sums:
     slides: tuple[str, ...]
     size: Value
 
+    @cached_property
+    def column(self) -> dict[str, int]:
+        """The number of each link."""
+        return {link: at for at, link in enumerate(self.links)}
+
     def arm(self, link: str, arm: complex) -> Complex:
         row = np.zeros((len(self.links) + len(self.slides), *np.shape(self.size)), dtype=np.complex128)
-        row[self.links.index(link)] = arm / self.size
+        row[self.column[link]] = arm / self.size
         return row
 
     def step(self, joint: Joint) -> Complex:

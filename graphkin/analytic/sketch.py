@@ -31,8 +31,10 @@ def guess(mechanism: Mechanism, loops: Loops) -> Real:
         if joint.slide is not None:
             found[Unknown("s", joint.slide)] = seen.displacement(joint)
     shape = np.shape(loops.size)
-    seen_of = [np.broadcast_to(found.get(unknown, np.nan), shape) for unknown in loops.unknowns]
-    return np.asarray(np.array(seen_of).reshape(-1, *shape).T / loops.unit)
+    seen_of = [found.get(unknown, np.nan) for unknown in loops.unknowns]
+    if shape:
+        seen_of = [np.broadcast_to(value, shape) for value in seen_of]
+    return np.asarray(np.array(seen_of, dtype=np.float64).reshape(-1, *shape).T / loops.unit)
 
 
 def _turned(angle: Value) -> Value:

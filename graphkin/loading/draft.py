@@ -92,7 +92,7 @@ class Draft:
 
     def known(self, given: str, *path: str | int) -> str:
         """A point of any link."""
-        if not self.owners(given):
+        if not any(given in link.points for link in self.links.values()):
             points = dict.fromkeys(point for link in self.links for point in self.named(link))
             raise UnknownPoint(self.where(*path), given, tuple(points))
         return given
@@ -103,7 +103,8 @@ class Draft:
 
     def owners(self, *points: str) -> Sequence[str]:
         """The links that have all these points, moving ones first."""
-        owners = [name for name, link in self.links.items() if all(point in link.points for point in points)]
+        wanted = set(points)
+        owners = [name for name, link in self.links.items() if link.points.keys() >= wanted]
         return sorted(owners, key=lambda name: name == FRAME)
 
     def name(self, given: str | None, default: str, *path: str | int) -> str:
