@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import field
 from functools import cached_property
 
 from graphkin.construction import Site
@@ -21,8 +22,14 @@ class Labels:
     structure: Structure
     coincident: Mapping[str, str]
     """Points at which links slide past each other, with the link whose point the hinge itself is."""
+    _known: dict[Site, str] = field(default_factory=dict)
 
     def label(self, site: Site) -> str:
+        if (found := self._known.get(site)) is None:
+            found = self._known[site] = self._label(site)
+        return found
+
+    def _label(self, site: Site) -> str:
         point = site.point
         owners = self.structure.owners.get(point, ())
         owned = site.link in owners or (site.link == FRAME and bool(owners))

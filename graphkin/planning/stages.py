@@ -80,16 +80,13 @@ Stage = Carry | Bridge | Mesh | Loop | Group
 
 @filled
 class _Known:
-    """What is known so far."""
+    """What is known so far, and the bodies that are not."""
 
     structure: Structure
     bodies: set[str] = field(default_factory=lambda: {FRAME})
     angles: set[str] = field(default_factory=lambda: {FRAME})
     slides: set[str] = field(default_factory=set)
-
-    @property
-    def unknown(self) -> list[str]:
-        return [body for body in self.structure.bodies if body not in self.bodies]
+    unknown: list[str] = field(default_factory=list)
 
     def point(self, point: str) -> bool:
         return any(body in self.bodies for body in self.structure.owners[point])
@@ -102,6 +99,7 @@ class _Known:
         return self.point(joint.point) if isinstance(joint, Hinge) else others[0] in self.bodies
 
     def learn(self, stage: Stage) -> None:
+        """What a stage gives; displacements between bodies that are known by then, too."""
         match stage:
             case Carry() | Bridge():
                 self.bodies.add(stage.body)
@@ -117,11 +115,13 @@ class _Known:
             aside = name in self.structure.aside.slides and self.point(slide.point)
             if slide.guide in self.bodies and (aside or self.structure.block(slide) in self.bodies):
                 self.slides.add(name)
+        self.unknown = [body for body in self.unknown if body not in self.bodies]
 
 
 def stages(structure: Structure) -> tuple[tuple[Stage, ...], tuple[str, ...]]:
     """The stages in the order a textbook takes them, and the bodies that no stage reaches."""
-    known, found = _Known(structure, slides=set(structure.slides_driven)), list[Stage]()
+    bodies, found = [body for body in structure.bodies if body != FRAME], list[Stage]()
+    known = _Known(structure, slides=set(structure.slides_driven), unknown=bodies)
     while known.unknown:
         stage = _carried(known) or _bridged(known) or _meshed(known) or _loop(known) or _group(known)
         if stage is None:
@@ -246,10 +246,10 @@ def _walk(
         if joint in joints:
             continue
         if known.joint(joint, others):
-            angles, slides = _unknowns(known, bodies, (*joints, joint))
-            count = len(angles) + len(slides)
-            if most > 2 or (count == 2 and _together(known, bodies)):
-                yield Loop(bodies, (*joints, joint), angles, slides)
+            slid = (joint.slide,) if isinstance(joint, Sliding) and joint.slide not in known.slides else ()
+            found = (*slides, *slid)
+            if most > 2 or (len(angles) + len(found) == 2 and _together(known, bodies)):
+                yield Loop(bodies, (*joints, joint), angles, found)
             continue
         for other in others:
             if other not in bodies and other not in known.bodies and other not in known.structure.followers:
