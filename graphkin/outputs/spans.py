@@ -63,9 +63,9 @@ def runs(mark: Text) -> list[Span]:
     for run, start, drop in scripts(mark.label, mark.size):
         size = run_size(run, mark.size)
         for text in _of_one_script(run.text):
-            bare = text.lstrip(" ") if found else text
+            bare = text.lstrip(" ")
             spaces = text[: len(text) - len(bare)]
-            if spaces:
+            if spaces and found:
                 found[-1] = replace(found[-1], text=found[-1].text + spaces)
             at = mark.at + complex(start + advance(spaces, run.italic) * size, drop)
             found += [Span(bare, at, size, run.italic, run.bold)] if bare else []

@@ -278,10 +278,10 @@ _WIDTHS: Mapping[Half, tuple[float, float]] = {"": (0.45, 0.45), "left": (0.6, 0
 
 
 def _value(mark: VectorMark, scales: Mapping[Plane, float]) -> str:
-    """`v_B3 = 0.2712 m/s`."""
+    """`v_B3 = v_C = 0.2712 m/s`."""
     scale = next(scale for plane, scale in scales.items() if plane == mark.plane)
     said = f"{mark.length * scale:.4g}" if mark.length > 0.0001 else "0"
-    return f"{mark.name} = {said} {'m/s' if mark.plane == 'velocity' else 'm/s²'}"
+    return f"{' = '.join((mark.name, *mark.also))} = {said} {'m/s' if mark.plane == 'velocity' else 'm/s²'}"
 
 
 def _described(sheet: Sheet) -> str:
