@@ -23,7 +23,9 @@ from graphkin.value import frozen
 _SAME = 0.15
 """Closer than this two points are one on paper [mm]."""
 _LETTERS = 8
-"""Of the points in one place so many are lettered at most; so many names an arrow bears."""
+"""Of the points in one place so many are lettered at most."""
+_NAMES = 4
+"""So many names an arrow bears; others are read from the letters at its head."""
 _NOTHING = 0.1
 """Shorter arrows are points [mm]."""
 _EXACT = 5
@@ -140,10 +142,19 @@ class Polygon:
 
     def names(self, vector: VectorMark) -> list[tuple[Label, int | None]]:
         """What is written at an arrow, name by name, and with which step each comes."""
-        alike = self._shared[vector.tail, vector.head]
-        every = [(vector_label(self.told(one.name)), self.step(one.tail, one.head)) for one in alike]
-        shown = every if len(every) <= _LETTERS else [*every[: _LETTERS - 1], (plain("\u2026"), every[_LETTERS - 1][1])]
-        return [shown[0], *(((Run(" = "), *label), step) for label, step in shown[1:])]
+        first, *others = self._shared[vector.tail, vector.head]
+        written = [first, *sorted(others, key=lambda one: one.name not in self._carried)[: _NAMES - 1]]
+        told = [(vector_label(self.told(one.name)), self.step(one.tail, one.head)) for one in (first, *others)
+                if one in written]  # fmt: skip
+        more = [(plain("\u2026"), told[-1][1])] if len(others) >= _NAMES else []
+        return [told[0], *(((Run(" = "), *label), step) for label, step in told[1:] + more)]
+
+    @cached_property
+    def _carried(self) -> set[str]:
+        """The motions from which equations find those of other points."""
+        plane, equations = self.construction.plane, self.construction.equations
+        terms = ((equation.of, term) for equation in equations for term in equation.left + equation.right)
+        return {term.name(plane) for of, term in terms if term.of != of and not term.seen_from}
 
     def letters(self, name: str) -> str:
         """What a point is called on paper: `d` of `d7` where a driver at rest holds D."""
