@@ -21,7 +21,7 @@ from typing import Any, ClassVar, assert_never
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs.paint import Colours, Ink
-from graphkin.outputs.spans import LATIN, mm, runs, short
+from graphkin.outputs.spans import LATIN, lettered, mm, runs, short
 from graphkin.outputs.svgwriting import svgwrite
 from graphkin.seal import seal
 from graphkin.sheet import Sheet
@@ -345,7 +345,7 @@ def _metadata(sheet: Sheet) -> ET.Element:
     drawn = [(_class(mark), told) for mark in sheet.marks if (told := stated(mark))]
     data["drawn"] = sorted([kind, *sorted(f"{key}={value}" for key, value in told.items())] for kind, told in drawn)
     texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
-    data["letters"] = sorted(["".join(run.text for run in text.label), *_rounded(text.at)] for text in texts)
+    data["letters"] = sorted([lettered(text), *_rounded(text.at)] for text in texts)
     data["signs"] = len(sheet.marks) - len(texts) - len(drawn)
     data["seal"] = seal(data)
     element = ET.Element("gk:sheet")
