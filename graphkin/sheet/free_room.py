@@ -13,10 +13,10 @@ import numpy as np
 
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.held import Held
+from graphkin.sheet.label_candidates import Scene
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
-from graphkin.sheet.paper import Room
 from graphkin.sheet.wanted import Candidates, Wanted
 from graphkin.value import frozen
 
@@ -61,12 +61,11 @@ class Spots(NamedTuple):
 class FreeRoom:
     """A figure with its labels, and what has been added since."""
 
-    def __init__(self, standing: Sequence[Mark], room: Room) -> None:
-        self.room = room
-        self.marks, self._first = list(standing), len(standing)
-        self._standing = obstacles(self.marks)
+    def __init__(self, scene: Scene, labels: Sequence[Mark] = ()) -> None:
+        self.room, self.marks = scene.room, [*scene.drawn, *labels]
+        self._first, self._standing = len(self.marks), [scene.known, *([obstacles(labels)] if labels else [])]
         self._late: dict[int, Obstacles] = {}
-        self._letters = _boxes([mark for mark in standing if isinstance(mark, Text)])
+        self._letters = _boxes([mark for mark in self.marks if isinstance(mark, Text)])
 
     def add(self, marks: Sequence[Mark]) -> None:
         """These lie on the paper now, too."""
@@ -91,7 +90,7 @@ class FreeRoom:
     def free(self, low: Any, high: Any) -> Any:
         """Which of many boxes (n, 2) touch nothing and lie in the room."""
         found = (low >= (self.room.left, self.room.top)) & (high <= (self.room.right, self.room.bottom))
-        return _clear(found[:, 0] & found[:, 1], low, high, [self._standing, *self._added(self._first)])
+        return _clear(found[:, 0] & found[:, 1], low, high, [*self._standing, *self._added(self._first)])
 
     def reach(self, start: Place, along: complex, most: float) -> float:
         """How far a line may go on from a place without running into letters, or out of the room [mm]."""
