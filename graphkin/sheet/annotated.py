@@ -25,7 +25,7 @@ from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Added, FreeRoom
 from graphkin.sheet.lettering import quantity_label
 from graphkin.sheet.marks import Arc, Mark, Place, Stroke, Text
-from graphkin.sheet.paper import LEAST, Room
+from graphkin.sheet.paper import LEAST
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.wanted import Wanted
@@ -61,9 +61,9 @@ class Annotated:
     def lines(self) -> list[Mark]:
         return []
 
-    def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
+    def __call__(self, free: FreeRoom) -> Added:
         """All of it among what stands there."""
-        free, added = FreeRoom(standing, room), Added()
+        added = Added()
         for one, other in measured_lengths(self.reading) if self.planes else ():
             self._length(one, other, free, added)
         for rotation in self._asked():
