@@ -201,10 +201,11 @@ def test_each_step_has_its_sentence_and_only_the_planes_asked(lang: Lang) -> Non
 def test_a_line_stops_before_letters() -> None:
     """Direction lines are drawn last, and shortened where labels stand."""
     from graphkin.sheet.free_room import FreeRoom
+    from graphkin.sheet.label_candidates import Scene
     from graphkin.sheet.lettering import plain
     from graphkin.sheet.paper import Room
 
-    free = FreeRoom([Text(plain("xxxx"), 20 + 1j, 4.0)], Room(0, -10, 60, 10))
+    free = FreeRoom(Scene((), [Text(plain("xxxx"), 20 + 1j, 4.0)], Room(0, -10, 60, 10)))
     assert 18 < free.reach(0j, 1 + 0j, 50) < 20
     assert free.reach(0j, -1j, 8) == 8
     assert Drafted.__doc__

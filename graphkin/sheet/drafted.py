@@ -20,7 +20,7 @@ from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Added, FreeRoom
 from graphkin.sheet.lettering import box, plain
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
-from graphkin.sheet.paper import LEAST, Room
+from graphkin.sheet.paper import LEAST
 from graphkin.sheet.polygons import Polygon, arrows
 from graphkin.sheet.wanted import Wanted
 from graphkin.value import frozen
@@ -75,9 +75,9 @@ class Drafted:
         on = [Stroke((line.foot, line.meeting, line.meeting + side * _LIKED), "construction") for line, side in sides]
         return [*on, *(Stroke((start, end), "measured") for start, end, _ in self._carried())]
 
-    def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
+    def __call__(self, free: FreeRoom) -> Added:
         """All of it among what stands there."""
-        free, added = FreeRoom(standing, room), Added()
+        added = Added()
         marked: list[tuple[_Line, Place]] = []
         for line in self._lines():
             tip = _drawn(line, free, added)
