@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from functools import cached_property
 
 from graphkin.construction import Site
 from graphkin.mechanism import FRAME
 from graphkin.planning.hops import Slip, Twist, way_round
+from graphkin.planning.position import touching
 from graphkin.planning.stages import Carry, Group, Loop, Stage
 from graphkin.planning.structure import Sliding, Structure
 from graphkin.value import filled
@@ -35,10 +37,26 @@ class Labels:
         return self.numbered(point, link)
 
     def numbered(self, point: str, link: str) -> str:
-        plain = point + self.structure.mechanism.called(link)
-        numbered = self.structure.mechanism.called(link).isdigit() and not point[-1].isdigit()
-        clear = numbered and plain not in self.structure.owners
-        return plain if clear else f"{point}@{self.structure.mechanism.called(link)}"
+        called = self.structure.mechanism.called(link)
+        clear = called.isdigit() and not point[-1].isdigit() and (plain := point + called) not in self.structure.owners
+        return plain if clear else f"{point}@{called}"
+
+    @cached_property
+    def reserved(self) -> frozenset[str]:
+        """What points need in polygons, without the primes: free for no corner between."""
+        return frozenset(label[0].lower() + label[1:] for label in self._written())
+
+    @cached_property
+    def initials(self) -> frozenset[str]:
+        """With which letters points begin in polygons."""
+        return frozenset(name[0] for name in self.reserved)
+
+    def _written(self) -> Iterator[str]:
+        """Every point as it may be written: with links' numbers those at which links roll or slide on each other."""
+        structure = self.structure
+        yield from structure.owners
+        yield from (self.numbered(point, link) for point in self.coincident for link in structure.mechanism.links)
+        yield from (self.numbered(letter, link) for letter, each in touching(structure) for link in each.wheels)
 
 
 def coincident_points(structure: Structure, order: tuple[Stage, ...]) -> dict[str, str]:

@@ -114,7 +114,12 @@ class Structure:
 
     def named(self, body: str) -> tuple[str, ...]:
         """The points of a body that people named."""
-        return tuple(point for point in self.bodies[body] if point not in self.mechanism.unnamed)
+        return self._named[body]
+
+    @cached_property
+    def _named(self) -> dict[str, tuple[str, ...]]:
+        unnamed = self.mechanism.unnamed
+        return {body: tuple(p for p in points if p not in unnamed) for body, points in self.bodies.items()}
 
     def home(self, body: str) -> str:
         """The link people name for a body: for a pin, the first link that carries it."""
