@@ -9,7 +9,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
-from itertools import islice, product
+from itertools import islice
 
 import numpy as np
 
@@ -34,7 +34,9 @@ from graphkin.value import frozen
 
 _RADII = (7.0, 9.5, 12.0, 15.0)
 """Of the arcs that show how a link turns [mm]."""
-_TURNS = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
+_ROUND = tuple(cmath.rect(1, math.tau * k / 48) for k in range(48))
+_TURNS, _SWEPT = _ROUND[::2], 1 + round(48 * SWEEP / math.tau)
+"""Where places are looked at round a point; in which of these directions an arc may start, and how many it passes."""
 _NARROWER = (75.0, 50.0, 30.0, 20.0)
 """What is given is written in shorter lines where long ones have no room [mm]."""
 _SHORT = 5.0
@@ -120,13 +122,14 @@ class Annotated:
     def _places(self, link: str, sense: float, free: FreeRoom) -> Iterator[tuple[Place, float, complex]]:
         """Where such an arc has room: centre, radius, direction in which it starts; about fixed points first."""
         owners, skeleton = self.reading.mechanism.owners, self.skeleton
-        turned = np.outer(_TURNS, np.exp(1j * np.linspace(0, -sense * SWEEP, 8)))
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
-        for at, radius in product(map(skeleton.at, points), _RADII):
-            along = at + radius * turned
-            middle = np.stack([along.real, along.imag], axis=-1).reshape(-1, 2)
-            clear = free.free(middle - _HALF, middle + _HALF).reshape(along.shape).all(axis=1)
-            yield from ((at, radius, _TURNS[k]) for k in np.flatnonzero(clear))
+        swept = (2 * np.arange(len(_TURNS))[:, None] - int(sense) * np.arange(_SWEPT)) % len(_ROUND)
+        for at in map(skeleton.at, points):
+            around = at + np.outer(_RADII, _ROUND)
+            middle = np.stack([around.real, around.imag], axis=-1)
+            clear = free.free((middle - _HALF).reshape(-1, 2), (middle + _HALF).reshape(-1, 2)).reshape(around.shape)
+            for radius, places in zip(_RADII, clear, strict=True):
+                yield from ((at, radius, _TURNS[k]) for k in np.flatnonzero(places[swept].all(axis=1)))
 
 
 def _accented(mark: Mark, plane: Plane) -> Mark:

@@ -10,7 +10,7 @@ import numpy as np
 from graphkin.sheet.crossings import overlap
 from graphkin.sheet.label_candidates import FARTHEST, NEAR, Boxes, Scene
 from graphkin.sheet.label_prices import CROWDED, NEARBY, under
-from graphkin.sheet.label_table import Choice, Table
+from graphkin.sheet.label_table import Choice, LabelTable
 from graphkin.sheet.wanted import LEAST
 
 _TOUCH = 0.05
@@ -48,7 +48,7 @@ class Places:
         self._patience = min(_PATIENCE, _WORK // count)
         self._many = max(_LEAST, min(_MOST, _ALL // count))
         self._liked: dict[tuple[int, int], Choice] = {}
-        self._table = Table(self._offered(range(count), NEAR), self._many)
+        self._table = LabelTable(self._offered(range(count), NEAR), self._many)
         self._look_on(self._greedy(range(count)))
         self._mend()
 
