@@ -156,9 +156,9 @@ class _Search:
             case Fit():
                 return self._fitted(here, block.opening, spare)
             case step:
-                both = np.tile((1, -1), here.count)
-                here = here.taken(np.repeat(np.arange(here.count), 2))
-                here.sides = np.column_stack([here.sides, both])
+                both = np.array((1, -1) * here.count)
+                here = here.taken(np.arange(2 * here.count) // 2)
+                here.sides = np.hstack([here.sides, both[:, None]])
                 assert step.choice is not None
                 draw([step], here.plot, "position", {step.choice: both})
                 return here

@@ -82,8 +82,7 @@ class Polygon:
 
     def key(self, site: Site) -> Site:
         """A hinge moves as one point, whichever of its links it is seen as part of."""
-        owners = self.structure.owners.get(site.point, ())
-        return Site(site.point, owners[0]) if site.link in owners[1:] else site
+        return self.structure.seen_as.get(site, site)
 
     def name(self, site: Site) -> str:
         """The polygon's point of a site, known or to be found; points of the frame sit on the pole."""
@@ -118,9 +117,9 @@ class Polygon:
         called = self.structure.mechanism.called(link)
         worded = self.structure.is_link(link) and not called[0].isdigit()
         stem = own if letter == "k" else own + ("_" if worded else "") + called
-        dot, prime, reserved = "" if letter == "k" else "_", self.prime, self.labels.reserved
+        dot, prime, reserves = "" if letter == "k" else "_", self.prime, self.labels.reserves
         stems = chain([stem], (f"{stem}{dot}{k}" for k in count(1)))
-        return self.new(next(s + prime for s in stems if s + prime not in self.nodes and s not in reserved), of)
+        return self.new(next(s + prime for s in stems if s + prime not in self.nodes and not reserves(s)), of)
 
     def own_letter(self, letter: str) -> str:
         """The letter for a tip that no point has."""
@@ -224,7 +223,7 @@ class Polygon:
             sides = found[0].terms, found[1].terms
             carried = [*found[0].carried, *found[1].carried]
         drawn = close(self.labels.label(of), *sides, {}, _nothing_between, _no_choice, pole)
-        self.parts.append(replace(drawn, steps=(*drawn.steps, *carried)))
+        self.parts.append(replace(drawn, steps=(*drawn.steps, *carried)) if carried else drawn)
 
     def known_first(self, side: tuple[Term, ...]) -> Ordered:
         """A side with its unknown term, which its hop remembers, at the end."""
