@@ -97,9 +97,12 @@ def _coincident(method: Method, drawn: Motions) -> Iterator[tuple[str, Json]]:
     """Each pair of coincident points of the polygons, seen either way round."""
     points = method.mechanism.points
     sites = {label: _home(method, site) for label, site in method.sites.items() if site.point in points}
+    meeting: dict[str, dict[str, Seen]] = {}
+    for label, site in sites.items():
+        meeting.setdefault(site.point, {})[label] = site
     for label, of in sites.items():
-        for other, seen_from in sites.items():
-            if other == label or seen_from.point != of.point:
+        for other, seen_from in meeting[of.point].items():
+            if other == label:
                 continue
             comma = "," if "@" in label + other else ""
             yield f"{label}{comma}{other}", {

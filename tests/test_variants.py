@@ -121,6 +121,19 @@ def test_arrays_for_mechanisms() -> None:
     assert speeds == pytest.approx(float(speeds[0]) * np.array([1, 2, -3]))
 
 
+@pytest.mark.parametrize("name", ["scotch-yoke", "s4-ex6", "s3-cam", "p3-19"])
+def test_arrays_of_speeds_alone(name: str) -> None:
+    """Of positions that no array enters, and of mechanisms with rolling wheels, cams and gears."""
+    mechanism = library.load(name)
+    rates = np.array([1.0, 2.0, -3.0])
+    drivers = tuple(replace(driver, rate=rates, acceleration=0.0) for driver in mechanism.drivers)  # type: ignore[arg-type]
+    found = replay_many(graphkin.plan(mechanism), replace(mechanism, drivers=drivers))
+    assert not found.refused
+    assert any(np.any(omega) for omega in found.plot.omega.values())
+    for omega in found.plot.omega.values():
+        assert np.broadcast_to(omega, 3) == pytest.approx(np.broadcast_to(omega, 3)[0] * rates)
+
+
 @pytest.mark.parametrize("make", [triad, rolling])
 def test_what_arrays_do_not_settle_is_planned_one_by_one(make) -> None:
     mechanism = make(3)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field
+from functools import cached_property
 from typing import assert_never
 
 import numpy as np
@@ -64,6 +65,14 @@ class Facts:
     accelerations: tuple[Value, ...]
     drawn: Mapping[str, float] = field(default_factory=dict)
     """Angles by link [rad] and displacements by `slide_key` [m] as drawn, from where contacts count."""
+
+    @cached_property
+    def groups(self) -> dict[str, list[str]]:
+        """By base link, the links that hold their angles to it, itself among them."""
+        groups: dict[str, list[str]] = {}
+        for link, turn in self.turns.items():
+            groups.setdefault(turn.base, []).append(link)
+        return groups
 
     def relative_angle(self, link: str) -> Value:
         """Angle of a link against its base link [rad]."""
@@ -198,10 +207,8 @@ class Plot:
         table: dict[str, Value] = getattr(self, quantity)
         if quantity == "theta" and base in self.near and not counted:
             value = self._counted(value, self.near[base])
-        for link, turn in self.facts.turns.items():
-            if turn.base != base:
-                continue
-            order = ("theta", "omega", "alpha").index(quantity)
+        order = ("theta", "omega", "alpha").index(quantity)
+        for link in self.facts.groups.get(base, ()):
             more = self.facts.relative_angle(link) if order == 0 else self.facts.relative_rate(link, order)
             table[link] = value + more
 

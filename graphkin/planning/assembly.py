@@ -202,7 +202,7 @@ def _open_link(structure: Structure, plot: Plot) -> tuple[str, float]:
 
     Only a link that repeats a constraint can fail so; every other has been drawn from its shape.
     """
-    worst = ("", 0.0)
+    worst, size = ("", 0.0), extent(plot)
     for link in structure.mechanism.links.values():
         points = list(link.points)
         if link.name not in plot.theta or link.name in structure.followers:
@@ -216,7 +216,7 @@ def _open_link(structure: Structure, plot: Plot) -> tuple[str, float]:
         gap = abs(cross(plot.guide_direction(slide.name), arm))
         if slide.block is not None:  # which may not turn on its guide
             leaning = plot.theta[slide.block] - plot.theta[slide.guide] - slide.turn
-            gap = max(gap, abs(np.exp(1j * leaning) - 1) * extent(plot))
+            gap = max(gap, abs(np.exp(1j * leaning) - 1) * size)
         worst = max(worst, (structure.home(structure.block(slide)), float(gap)), key=lambda entry: entry[1])
     return worst
 

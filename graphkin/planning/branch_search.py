@@ -18,6 +18,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from graphkin.construction import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, replay, unknowns_of
+from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.planning.branches import Branches
 from graphkin.planning.starts import Starts
@@ -80,9 +81,10 @@ def branches(structure: Structure, construction: Construction, facts: Facts, kno
 
 @frozen
 class _Bound:
-    """What a branch is measured by: an assembly's points as drawn, and what points not drawn yet may make good [m²]."""
+    """What a branch is measured by: an assembly's points as drawn, and what each may make good while it is not [m²]."""
 
     places: Mapping[str, complex]
+    spare: Mapping[str, float]
     rounding: float
 
 
@@ -115,11 +117,11 @@ class _Search:
         for block in self.blocks:
             if isinstance(block.opening, Fit):
                 here = self._thinned(here, min(width, WIDEST_FITTED), None)
-            before = set(here.plot.position)
+            before = len(here.plot.position), len(here.plot.s)
             here = self._opened(here, block, self._spare(here, bound))
             self._drawn(here.plot, [*block.rest])
             waiting = self._measured(here.plot, waiting)
-            closed = self._closed(here, [p for p in here.plot.position if p not in before])
+            closed = self._closed(here, [*here.plot.position][before[0] :], [*here.plot.s][before[1] :])
             if not closed.any():
                 raise DeadEnd(here.plot)
             if not closed.all():
@@ -174,14 +176,15 @@ class _Search:
         self._drawn(plot, ready)
         return left
 
-    def _closed(self, here: Branches, points: Sequence[str]) -> np.ndarray:
+    def _closed(self, here: Branches, points: Sequence[str], slides: Sequence[str]) -> np.ndarray:
         """Branches whose new points have places, with cylinders at the positive displacement they were drawn with."""
         closed = np.ones(here.count, dtype=bool)
         for point in points:
             closed &= np.isfinite(here.plot.position[point])
-        for name, slide in self.structure.slides.items():
+        for name in slides:
+            slide = self.structure.slides[name]
             alone = slide.guide != FRAME and len(self.structure.bodies[slide.guide]) == 1
-            if name in here.plot.s and alone and slide.line.on_axis:
+            if alone and slide.line.on_axis:
                 closed &= here.plot.s[name] > 0
         return closed
 
@@ -202,10 +205,14 @@ class _Search:
 
     def away(self, here: Branches) -> np.ndarray:
         """Squared distance of all points drawn so far from their places in the sketch [m²]: (w,)."""
-        away = np.zeros(here.count)
+        alike, away = 0.0, np.zeros(here.count)
         for point, target in self._sketched(here):
-            away += np.abs(here.plot.position[point] - target) ** 2
-        return away
+            place = here.plot.position[point]
+            if isinstance(place, np.ndarray):
+                away += np.abs(place - target) ** 2
+            else:
+                alike += abs(place - target) ** 2
+        return away + alike
 
     def _sketched(self, here: Branches) -> Iterator[tuple[str, complex]]:
         return ((p, z) for p, z in self.structure.mechanism.sketch.items() if p in here.plot.position)
@@ -219,16 +226,18 @@ class _Search:
 
     def bound(self, here: Branches, k: int) -> _Bound:
         """To follow every branch that may come nearer to the sketch than branch k, or lies with it about the sketch."""
-        places = {p: complex(np.broadcast_to(here.plot.position[p], here.count)[k]) for p, _ in self._sketched(here)}
+        places = {p: _at(here.plot.position[p], k) for p, _ in self._sketched(here)}
+        sketch = self.structure.mechanism.sketch
+        spare = {p: abs(sketch[p] - place) ** 2 / (1 - BETWEEN) for p, place in places.items()}
         reach = max((abs(z) for z in places.values()), default=1.0)
-        return _Bound(places, (1e-8 * reach) ** 2)
+        return _Bound(places, spare, (1e-8 * reach) ** 2)
 
     def _open(self, here: Branches, bound: _Bound) -> np.ndarray:
         """Whether no more distance is lost, by `BETWEEN`, than the points still to be drawn can make good: (w,)."""
-        lost, sketch = np.zeros(here.count), self.structure.mechanism.sketch
+        lost, sketch, drawn = np.zeros(here.count), self.structure.mechanism.sketch, here.plot.position
         for point, place in bound.places.items():
-            if point in here.plot.position:
-                apart = here.plot.position[point] - place
+            if point in drawn and (isinstance(now := drawn[point], np.ndarray) or now != place):
+                apart = now - place
                 lost += (1 - BETWEEN) * np.abs(apart) ** 2 - 2 * (np.conj(apart) * (sketch[point] - place)).real
         return np.asarray(lost <= self._spare(here, bound))
 
@@ -236,9 +245,12 @@ class _Search:
         """What the points still to be drawn can make good at most [m²]."""
         if bound is None:
             return 0.0
-        sketch = self.structure.mechanism.sketch
-        left = ((point, place) for point, place in bound.places.items() if point not in here.plot.position)
-        return bound.rounding + sum(abs(sketch[point] - place) ** 2 / (1 - BETWEEN) for point, place in left)
+        drawn = here.plot.position
+        return bound.rounding + sum(spare for point, spare in bound.spare.items() if point not in drawn)
+
+
+def _at(value: Value, k: int) -> complex:
+    return complex(value[k] if isinstance(value, np.ndarray) and value.ndim else value)
 
 
 def _late(block: Block) -> list[Measure]:

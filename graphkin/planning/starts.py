@@ -112,9 +112,7 @@ class Starts:
 
     def angle(self, plot: Plot, base: str) -> Value | None:
         """The angle of a base link by two points of one of its group whose places are told; nan where they are one."""
-        for body, turn in self.structure.turns.items():
-            if turn.base != base:
-                continue
+        for body in plot.facts.groups.get(base, ()):
             shape = self.structure.shapes[body]
             places = ((point, self._place(plot, point)) for point in self.structure.bodies[body])
             told: dict[str, Value] = {point: place for point, place in places if place is not None}

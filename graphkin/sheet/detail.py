@@ -139,7 +139,7 @@ class _Drawing:
         """The details there is room for."""
         if not (knots := list(_knots(self.panel.figure.wanted))):
             return []
-        free = FreeRoom(self.panel.drawn, self.panel.room)
+        free = FreeRoom(self.panel.scene)
         return [view for knot in knots if (view := self._view(knot, free)) is not None]
 
     def _troubled(self, view: _View) -> float:
