@@ -37,24 +37,28 @@ def seen(mechanism: Mechanism, text: str, more: Collection[str] = ()) -> Seen | 
 
     more  points that a construction has added: a special point S, a rolling contact K
     """
-    if text in mechanism.points:
+    if _named(mechanism, text):
         owners = mechanism.owners[text]
         return Seen(text, next((link for link in owners if link != FRAME), FRAME), False)
     if text in more:
         return Seen(text, FRAME, False)
-    points = (*mechanism.points, *more)
     point, at, link = text.partition("@")
     if at:
-        return _site(mechanism, point, link, points)
-    found = [_site(mechanism, point, text[len(point) :], points) for point in points if text.startswith(point)]
-    return next((site for site in found if site is not None), None)
+        return _site(mechanism, point, link, more)
+    sites = (_site(mechanism, text[:k], text[k:], more) for k in range(1, len(text) + 1))
+    found = {site.point: site for site in sites if site is not None}
+    return next((found[point] for point in (*mechanism.points, *more) if point in found), None) if found else None
 
 
-def _site(mechanism: Mechanism, point: str, link: str, points: Collection[str]) -> Seen | None:
+def _site(mechanism: Mechanism, point: str, link: str, more: Collection[str]) -> Seen | None:
     name = FRAME if link == mechanism.frame else link
-    if point not in points or name not in mechanism.links:
+    if name not in mechanism.links or not (_named(mechanism, point) or point in more):
         return None
     return Seen(point, name, True)
+
+
+def _named(mechanism: Mechanism, point: str) -> bool:
+    return point in mechanism.owners and point not in mechanism.unnamed
 
 
 def pair(mechanism: Mechanism, text: str, more: Collection[str] = ()) -> tuple[Seen, Seen] | None:

@@ -108,7 +108,7 @@ def _numbers(mechanism: Mechanism) -> list[Value]:
     found: list[Value] = [z for link in mechanism.links.values() for z in link.points.values()]
     found += [number for slide in mechanism.slides for number in (slide.line.direction, slide.tilt)]
     found += [number for d in mechanism.drivers for number in (d.value, d.rate, d.acceleration) if number is not None]
-    return [*found, *mechanism.sketch.values()]
+    return [*found, *(pose.value for pose in mechanism.poses), *mechanism.sketch.values()]
 
 
 def single(mechanism: Mechanism, row: int) -> Mechanism:
@@ -121,13 +121,16 @@ def single(mechanism: Mechanism, row: int) -> Mechanism:
         name: replace(link, points={point: at(z) for point, z in link.points.items()})
         for name, link in mechanism.links.items()
     }
-    slides = tuple(
-        replace(slide, line=replace(slide.line, direction=at(slide.line.direction)), tilt=at(slide.tilt))
-        for slide in mechanism.slides
+    pairs = tuple(
+        replace(pair, line=replace(pair.line, direction=at(pair.line.direction)), tilt=at(pair.tilt))
+        if isinstance(pair, Slide)
+        else pair
+        for pair in mechanism.pairs
     )
+    poses = tuple(replace(pose, value=at(pose.value)) for pose in mechanism.poses)
     drivers = tuple(
         replace(driver, value=at(driver.value), rate=at(driver.rate), acceleration=at(driver.acceleration))
         for driver in mechanism.drivers
     )
     sketch = {point: at(z) for point, z in mechanism.sketch.items()}
-    return replace(mechanism, links=links, pairs=slides, drivers=drivers, sketch=sketch)
+    return replace(mechanism, links=links, pairs=pairs, drivers=drivers, poses=poses, sketch=sketch)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable
 
 import numpy as np
@@ -22,6 +23,14 @@ ROUNDING = 1e-14
 """What the roads may differ by, by the square of the condition: more than 1e-9 only where that is below 0.003."""
 ALIKE = 20
 """Random mechanisms of one topology that are proved together."""
+COUNT, BATCH = max(ALIKE, int(os.environ.get("GRAPHKIN_RANDOM", "2000"))), 500
+"""Random mechanisms of each kind, and of how many a test is made; other numbers with GRAPHKIN_RANDOM in the environment."""
+BATCHES = range(-(-COUNT // BATCH))
+
+
+def kinds(batch: int) -> range:
+    """The topologies of a batch."""
+    return range(batch * BATCH // ALIKE, min((batch + 1) * BATCH, COUNT) // ALIKE)
 
 
 def planned(mechanism: Mechanism) -> tuple[Method, Plot] | None:

@@ -58,6 +58,16 @@ def test_several_drawings_into_a_folder() -> None:
     assert (result.exit_code, sorted(path.name for path in Path("sheets/new").iterdir())) == (3, ["ex3-1.svg", "fig3-1.svg"])
 
 
+@pytest.mark.parametrize("words", [("draw",), ("draw", "-o", "sheets"), ("handout", "-o", "sheets")])
+def test_two_files_of_one_name_are_not_written_into_one(words: tuple[str, ...]) -> None:
+    for folder, name in (("a", "ex3-1"), ("b", "fig3-1")):
+        Path(folder).mkdir()
+        Path(folder, "x.toml").write_text(run("show", name).stdout, encoding="utf-8")
+    result = run(*words, "a/x.toml", "b/x.toml")
+    assert (result.exit_code, "written into x." in result.stderr) == (2, True)
+    assert sorted(path.name for path in Path().iterdir()) == ["a", "b"]
+
+
 @pytest.mark.parametrize("command", ["solve", "structure"])
 def test_what_is_printed_is_written(command: str) -> None:
     """Again, too; but not over a file of another's, and nothing where nothing could be told."""

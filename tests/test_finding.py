@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from graphkin import api, finding, loading, sweeps
+from graphkin import Mechanism, api, finding, loading, sweeps
 from graphkin.errors import GraphkinError, Lang
 from graphkin.finding.search import Curve, crossings, differences, followed, tops, touches, vanishing
 from graphkin.say.finding import lines
@@ -233,6 +233,15 @@ def test_held_everywhere_is_said_so() -> None:
     level = found_by("p3-13", "max omega 2")
     assert level.everywhere
     assert level.positions[0].values == (10.0,)
+
+
+def test_what_is_level_between_dead_points_is_drawn() -> None:
+    """Where nothing changes any position will do, but not a dead point, at which nothing can be drawn."""
+    rocker = Mechanism.new("rocker").fix(A=(0, 0), D=(80, 0)).link(1, AB=60).link(2, BC=30).link(3, DC=40)
+    method = api.plan(rocker.drive("AB", angle=30, omega=-2).sketch(C=(65, 35)).done())
+    found = finding.find(method, "max v B")
+    assert (found.everywhere, found.stopped) == (True, (True, True))
+    assert finding_sheet.drawn(method, found) is not None
 
 
 def test_scaling_by_speed_keeps_the_sense_and_knows_squares() -> None:

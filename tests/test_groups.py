@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import os
-
 import numpy as np
 import pytest
 import random_mechanisms
-from roads import ALIKE, hold_derivatives, hold_roads_together
+from roads import BATCHES, hold_derivatives, hold_roads_together, kinds
 
 from graphkin import library
 from graphkin.agreement import compare
@@ -21,15 +19,9 @@ from graphkin.sweeps import course
 from graphkin.sweeps.roads import moving
 
 KINDS = ("triad", "six_bar", "geared_five_bar", "epicyclic", "rolling", "cam", "circular_slot")
-COUNT, BATCH = int(os.environ.get("GRAPHKIN_RANDOM", "2000")), 500
-"""Random mechanisms of each kind; other numbers of them with GRAPHKIN_RANDOM in the environment."""
 
 
-def kinds(batch: int) -> range:
-    return range(batch * BATCH // ALIKE, (batch + 1) * BATCH // ALIKE)
-
-
-@pytest.mark.parametrize("batch", range(COUNT // BATCH))
+@pytest.mark.parametrize("batch", BATCHES)
 @pytest.mark.parametrize("kind", KINDS)
 def test_polygons_equal_loop_equations(kind: str, batch: int):
     hold_roads_together(getattr(random_mechanisms, kind), kinds(batch))

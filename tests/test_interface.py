@@ -69,7 +69,7 @@ def test_data_that_no_file_holds():
 # --- built in Python --------------------------------------------------------------------------
 
 
-def four_bar() -> Builder:
+def four_bar() -> Builder[Mechanism]:
     return (
         Mechanism.new("s3-four").fix("4", A=(0, 0), D=(70, 0))
         .link(1, AB=30).link(2, BC=60, BE=40, CE=35, ccw="BCE").link(3, DC=50)
@@ -77,7 +77,7 @@ def four_bar() -> Builder:
     )  # fmt: skip
 
 
-def slider_crank() -> Builder:
+def slider_crank() -> Builder[Mechanism]:
     return (
         Mechanism.new("p3-23a").fix("4", A=(0, 0)).link(1, AB=100).link(2, BC=300).link(3, points="C")
         .slide(block=3, point="C", guide="frame", through=(0, 30), angle=0)
@@ -85,7 +85,7 @@ def slider_crank() -> Builder:
     )  # fmt: skip
 
 
-def shaper() -> Builder:
+def shaper() -> Builder[Mechanism]:
     return (
         Mechanism.new("s3-shaper").fix("6", A=(0, 0), C=(0, -90))
         .link(1, AB=40).link(2, points="B").link(3, CD=170).link(4, DE=60).link(5, points="E")
@@ -95,7 +95,7 @@ def shaper() -> Builder:
     )  # fmt: skip
 
 
-def gear_train() -> Builder:
+def gear_train() -> Builder[Mechanism]:
     return (
         Mechanism.new("ex3-3").fix(1, O=(0, 0), D=(95, -10))
         .link(2, OM=20).link(3, PB=10).link(4, OP=35).link(5, BC=60).link(6, DC=45)
@@ -106,7 +106,7 @@ def gear_train() -> Builder:
     )  # fmt: skip
 
 
-def cam() -> Builder:
+def cam() -> Builder[Mechanism]:
     eccentric, face = {"centre": "B", "radius": 25}, {"through": "D", "toward": "H", "side": "left"}
     return (
         Mechanism.new("p3-8").fix("3", A=(0, 0), D=(50, 0)).link(1, AB=15).link(2, DH=70)
@@ -114,7 +114,7 @@ def cam() -> Builder:
     )  # fmt: skip
 
 
-def six_bar() -> Builder:
+def six_bar() -> Builder[Mechanism]:
     return (
         Mechanism.new("ex3-2").fix(1, A=(0, 0), G=(80, -30), F=(170, -40))
         .link(2, AB=25).link(3, BC=75).link(4, CD=34, DE=60, CE=91, ccw="DEC").link(5, EF=82).link(6, GD=71)
@@ -123,7 +123,7 @@ def six_bar() -> Builder:
 
 
 @pytest.mark.parametrize("build", [four_bar, slider_crank, shaper, gear_train, cam, six_bar])
-def test_built_as_the_file_says(build: Callable[[], Builder], tmp_path: Path):
+def test_built_as_the_file_says(build: Callable[[], Builder[Mechanism]], tmp_path: Path):
     builder = build()
     read = graphkin.load(builder.name)
     made = builder.titled(**read.title, source=read.source).asking(*read.ask).done()

@@ -6,6 +6,7 @@ import json
 import math
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -25,6 +26,8 @@ from graphkin.marking.slips import Mark, Slips
 from graphkin.marking.tolerances import tolerances
 from graphkin.outputs.key_json import key_data, key_of, key_text
 from graphkin.quantities import named
+
+CASES = Path(__file__).parent / "cases"
 
 
 @cache
@@ -125,6 +128,15 @@ def test_parts_of_the_scatter_add_up():
     worst = found.worst("omega 3")
     assert worst is not None
     assert worst.name == "v_B2"
+
+
+def test_an_error_of_a_line_or_a_link_alone_reaches_a_group_that_is_fitted():
+    """With one error at a time nothing differs before a group of Class III but its own guides and links."""
+    method = api.plan(api.load(CASES / "three-sided-link-on-guides.toml"))
+    found = tolerances(key_for(method.mechanism), method)
+    assert sum(cost.parts["omega 4"] for cost in found.costs) == pytest.approx(1.0, abs=0.25)
+    felt = {cost.mark for cost in found.costs if cost.parts["omega 4"] > 0.01}
+    assert felt >= {Mark("position", "guide", ("s0",)), Mark("position", "point", ("4", "E"))}
 
 
 def test_fixed_tolerances():

@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 import shapely
 
+from graphkin.sheet.held import Held
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Arc, Disc, Mark, Stroke, Text
-from graphkin.sheet.obstacles import arc_places, obstacles
+from graphkin.sheet.obstacles import arc_places, obstacles, places
 
 _COUNT = 60
 
@@ -72,3 +73,19 @@ def _met(shapes: Any, things: list[shapely.Geometry]) -> list[int]:
     """How many of the things each shape touches."""
     rows = shapely.STRtree(things).query(shapes, predicate="intersects")[0]
     return [int(count) for count in np.bincount(rows, minlength=len(shapes))]
+
+
+@pytest.mark.parametrize("cell", [0.5, 1.0, 3.0])
+def test_boxes_that_surely_hold_something_touch_something(cell: float) -> None:
+    marks = [mark for mark, _ in _marks(random.Random(1))][:40]
+    dice = np.random.default_rng(0)
+    low = dice.uniform(-30, 110, (4000, 2))
+    high = low + dice.uniform(0, 12 * cell, low.shape)
+    held = Held(places(marks), cell).within(low.T, high.T)
+    touched = np.isin(np.arange(len(low)), obstacles(marks).touched(low, high))
+    assert not (held & ~touched).any()
+    assert held.sum() > touched.sum() / 3
+
+
+def test_nothing_is_held_where_nothing_is_drawn() -> None:
+    assert not Held(places([]), 1.0).within([np.zeros(2), np.zeros(2)], [np.ones(2), np.ones(2)]).any()

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import cmath
 import math
-import os
 import random
 from dataclasses import replace
 
 import pytest
 from random_mechanisms import DYADS, Seed, chain, coupler_angle, cylinder, dyad, relative_angle
-from roads import ALIKE, hold_derivatives, hold_roads_together
+from roads import ALIKE, BATCHES, hold_derivatives, hold_roads_together, kinds
 
 from graphkin.agreement import proved
 from graphkin.alike import proved_together
@@ -21,8 +20,6 @@ from graphkin.running import replay_all
 
 KINDS = (*DYADS, "cylinder", "relative", "coupler", "chain")
 ROUGH = 200
-COUNT, BATCH = int(os.environ.get("GRAPHKIN_RANDOM", "2000")), 500
-"""Random mechanisms of each kind; other numbers of them with GRAPHKIN_RANDOM in the environment."""
 OTHERS = {"cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain}
 
 
@@ -37,11 +34,7 @@ def rough(mechanism: Mechanism, seed: int) -> Mechanism:
     return replace(mechanism, sketch=sketch)
 
 
-def kinds(batch: int) -> range:
-    return range(batch * BATCH // ALIKE, (batch + 1) * BATCH // ALIKE)
-
-
-@pytest.mark.parametrize("batch", range(COUNT // BATCH))
+@pytest.mark.parametrize("batch", BATCHES)
 @pytest.mark.parametrize("kind", KINDS)
 def test_polygons_equal_loop_equations(kind: str, batch: int):
     hold_roads_together(lambda seed: make(kind, seed), kinds(batch))

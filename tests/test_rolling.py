@@ -22,7 +22,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.say import explain
 
-COUNT = int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40
+COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40)
 """Random files of each family; more of them with GRAPHKIN_RANDOM=8000 in the environment."""
 
 

@@ -202,7 +202,7 @@ ANSWER = TOML.replace('student = "s1"', "").encode()
 def test_moodles_download(tmp_path: Path):
     members = {
         "First Last_123_assignsubmission_file_/answers.toml": ANSWER,
-        "王 小明_124_assignsubmission_file_/work/a.pdf": b"%PDF",
+        "王 小明_124_assignsubmission_file_/sheets/a.pdf": b"%PDF",
         "王 小明_124_assignsubmission_file_/b.toml": ANSWER,
         "Bad One_125_assignsubmission_file_/a.json": b"{",
         "Big One_126_assignsubmission_file_/a.json": b"0" * 3_000_000,

@@ -20,7 +20,7 @@ from graphkin.running.compiled import TABLES
 from graphkin.running.variants import Drawn, is_simple, replay_many
 from graphkin.stacking import stacked
 
-COUNT = int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40
+COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40)
 OTHERS = {"cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain}
 LIBRARY = ("ex3-1", "ex3-5", "ex3-7", "p3-22", "p3-23a", "fig3-10")
 
@@ -119,6 +119,19 @@ def test_arrays_for_mechanisms() -> None:
     drivers = (replace(mechanism.drivers[0], rate=np.array([1.0, 2.0, -3.0])),)  # type: ignore[arg-type]
     speeds = replay_many(method, replace(mechanism, drivers=drivers)).plot.omega["4"]
     assert speeds == pytest.approx(float(speeds[0]) * np.array([1, 2, -3]))
+
+
+@pytest.mark.parametrize("name", ["scotch-yoke", "s4-ex6", "s3-cam", "p3-19"])
+def test_arrays_of_speeds_alone(name: str) -> None:
+    """Of positions that no array enters, and of mechanisms with rolling wheels, cams and gears."""
+    mechanism = library.load(name)
+    rates = np.array([1.0, 2.0, -3.0])
+    drivers = tuple(replace(driver, rate=rates, acceleration=0.0) for driver in mechanism.drivers)  # type: ignore[arg-type]
+    found = replay_many(graphkin.plan(mechanism), replace(mechanism, drivers=drivers))
+    assert not found.refused
+    assert any(np.any(omega) for omega in found.plot.omega.values())
+    for omega in found.plot.omega.values():
+        assert np.broadcast_to(omega, 3) == pytest.approx(np.broadcast_to(omega, 3)[0] * rates)
 
 
 @pytest.mark.parametrize("make", [triad, rolling])

@@ -5,11 +5,12 @@ from __future__ import annotations
 import functools
 import sys
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any
 
 import click
 
-from graphkin.cli.shared import is_folder, mechanisms_argument
+from graphkin.cli.shared import is_folder, mechanisms_argument, refuse_one_file
 
 
 def each_mechanism(command: Callable[..., None]) -> Callable[..., None]:
@@ -21,6 +22,8 @@ def each_mechanism(command: Callable[..., None]) -> Callable[..., None]:
         or_folder = ", or a folder" if command.__name__ == "draw" else ""
         if len(mechanisms) > 1 and output is not None and not (or_folder and is_folder(output)):
             raise click.UsageError(f"-o writes one file; name one MECHANISM{or_folder}, or leave -o out")
+        if command.__name__ == "draw":
+            refuse_one_file((Path(source).stem for source in dict.fromkeys(mechanisms)), ".svg")
         if watch:
             from graphkin.cli import watching
 

@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphkin.cli.shared import PAPERS, angle_option, at_option, force_option, lang_option, read, read_at, speaking
+from graphkin.cli.shared import (
+    PAPERS,
+    angle_option,
+    at_option,
+    force_option,
+    lang_option,
+    read,
+    read_at,
+    refuse_one_file,
+    speaking,
+)
 from graphkin.errors import Lang
 
 if TYPE_CHECKING:
@@ -67,6 +77,7 @@ def handout(
         raise click.UsageError("--scan needs a .pdf: a page of a browser has no fixed size")
     langs: tuple[Lang, ...] = ("zh", "en") if both else (lang,)
     if folder:
+        refuse_one_file((machine.name for machine, _ in problems), kind)
         output.mkdir(parents=True, exist_ok=True)
     for path, several in _files(output, problems, folder):
         files.refuse(path, force, _MARKS)

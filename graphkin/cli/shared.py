@@ -8,7 +8,7 @@ import math
 import os
 import re
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -236,6 +236,15 @@ def told_each(
         _write_told(output, whole, as_json, force)
     if failed:
         sys.exit(3)
+
+
+def refuse_one_file(names: Iterable[str], suffix: str) -> None:
+    """Each mechanism has a file of its name: of two with one name the second would replace the first."""
+    seen = set[str]()
+    for name in names:
+        if name in seen:
+            raise click.UsageError(f"two mechanisms would be written into {name}{suffix}: rename one of them")
+        seen.add(name)
 
 
 def as_told(as_json: bool, output: Path | None, count: int) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cached_property
 from itertools import pairwise
 
@@ -69,14 +69,10 @@ class Construction:
     nodes: Mapping[str, Node]
     pole: str = ""
 
-    @property
-    def steps(self) -> Iterator[Step]:
+    @cached_property
+    def steps(self) -> tuple[Step, ...]:
         """Every step, one after another."""
-        for part in self.parts:
-            if isinstance(part, Equation):
-                yield from part.steps
-            else:
-                yield part
+        return tuple(step for part in self.parts for step in (part.steps if isinstance(part, Equation) else (part,)))
 
     @property
     def equations(self) -> tuple[Equation, ...]:

@@ -24,7 +24,8 @@ GAP = 1e-10
 
 def fit(step: Fit, plot: Plot, rounds: int = ROUNDS) -> None:
     """Newton's method on the closures and contacts of a group, for all positions at once."""
-    x, gaps, before = _first_trial(step, plot), Gaps(step, plot, reach(step, plot)), np.inf
+    gaps, before = Gaps(step, plot, reach(step, plot)), np.inf
+    x = _first_trial(step, plot, gaps)
     for _ in range(rounds):
         x, moved = _next_trial(gaps, x)
         farthest = np.max(moved, where=np.isfinite(moved), initial=0.0)
@@ -39,19 +40,19 @@ def unknowns_of(step: Fit | Simultaneous) -> tuple[str, ...]:
     return step.angles + tuple(map(slide_key, step.slides))
 
 
-def _first_trial(step: Fit, plot: Plot) -> np.ndarray:
+def _first_trial(step: Fit, plot: Plot, gaps: Gaps) -> np.ndarray:
     """The unknowns at the position close by, over positions (.., n)."""
-    x = np.empty((*_shape(plot), len(step.angles) + len(step.slides)))
+    x = np.empty((*_shape(plot, gaps), len(step.angles) + len(step.slides)))
     for k, name in enumerate(unknowns_of(step)):
         x[..., k] = plot.near[name]
     return x
 
 
-def _shape(plot: Plot) -> tuple[int, ...]:
-    """Of the positions."""
+def _shape(plot: Plot, gaps: Gaps) -> tuple[int, ...]:
+    """Of the positions; where nothing differs so far but the group's own links or lines, over these."""
     tables = (plot.position, plot.theta, plot.s, plot.near)
     shapes = {value.shape for table in tables for value in table.values() if isinstance(value, np.ndarray)}
-    return np.broadcast_shapes(*shapes)
+    return np.broadcast_shapes(gaps.shape, *shapes)
 
 
 def reach(step: Fit, plot: Plot) -> float:
@@ -88,8 +89,9 @@ def _keep_what_fits(step: Fit, plot: Plot, x: np.ndarray, gaps: Gaps) -> None:
 def sense_and_sine(step: Fit, plot: Plot) -> tuple[Value, Value]:
     """The same of a group that is found, where somebody wants to know."""
     found = (*(plot.theta[base] for base in step.angles), *(plot.s[slide] for slide in step.slides))
-    x = np.stack(np.broadcast_arrays(*found, np.empty(_shape(plot)))[:-1], axis=-1)
-    slope = Gaps(step, plot, reach(step, plot)).at(x)[1]
+    gaps = Gaps(step, plot, reach(step, plot))
+    x = np.stack(np.broadcast_arrays(*found, np.empty(_shape(plot, gaps)))[:-1], axis=-1)
+    slope = gaps.at(x)[1]
     return sense(slope), least(slope)[()]
 
 

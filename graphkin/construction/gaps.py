@@ -37,6 +37,13 @@ class Gaps:
         self.arms = _filled((len(self.bases), len(known)), self.turning) / size
         self._roll(step.contacts)
 
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Of the positions over which what is known differs."""
+        rolled = () if self.rolled is None else (self.rolled[0].shape[:-1], self.rolled[1].shape[:-2])
+        lines = (np.shape(direction) for *_, direction in self.sliding)
+        return np.broadcast_shapes(self.known.shape[:-1], self.arms.shape[:-2], *rolled, *lines)
+
     def at(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Gaps (.., m) and their slopes by each unknown in its unit (.., m, n), for unknowns x (.., n).
 

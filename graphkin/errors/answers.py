@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+from graphkin.errors.base import Choice, GraphkinError, Lang, Where, listed
 
 __all__ = [
     "AnsweredTwice",
@@ -34,7 +34,7 @@ class OffTheDrawing(GraphkinError):
     }
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "listed": _listed(self.quantities, lang)}
+        return {**super()._words(lang), "listed": listed(self.quantities, lang)}
 
 
 class NoSenseDrawn(GraphkinError):
@@ -48,11 +48,7 @@ class NoSenseDrawn(GraphkinError):
     }
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "listed": _listed(self.quantities, lang)}
-
-
-def _listed(names: tuple[str, ...], lang: Lang) -> str:
-    return ("、" if lang == "zh" else ", ").join(names)
+        return {**super()._words(lang), "listed": listed(self.quantities, lang)}
 
 
 class NotAQuestion(Choice):

@@ -119,7 +119,8 @@ def _extreme(method: Method, wanted: Extreme, drawn: tuple[Series, ...], over: S
     found, blank = extremes(over), _looked(method, wanted, drawn, over)
     if found.level:
         zero = float(np.nanmax(np.abs(found.curve.values), initial=0.0)) <= over.noise(drawn[0].unit)
-        here = over.position(over.low, "here", (0.0, *(0.0 for _ in over.names[1:])) if zero else None)
+        place = (over.low + over.high) / 2 if over.stopped[0] else over.low  # at a dead point nothing can be drawn
+        here = over.position(place, "here", (0.0, *(0.0 for _ in over.names[1:])) if zero else None)
         return replace(blank, everywhere=True, zero=zero, positions=(here,))
     if wanted.which == "max":
         return replace(blank, positions=found.highest + _larger(over, found, drawn[0]))

@@ -30,6 +30,8 @@ class Draft:
     problems  what was found wrong; `stop_if_wrong` raises it
     unnamed   what pairs are called that have a displacement, also those that the file gives no name
     slides    the tables of slides, which say how a link of one point is turned; `tracing`: the links that are asked
+    _moving   the moving links of each point, listed when so many links were `_counted`: their points have names
+              before they have places
     """
 
     file: str
@@ -45,6 +47,8 @@ class Draft:
     slides: Sequence[SlideTable] = ()
     tracing: list[str] = field(default_factory=list)
     _numbers: dict[str, int] = field(default_factory=dict)
+    _moving: dict[str, list[str]] = field(default_factory=dict)
+    _counted: int = 0
 
     def where(self, *path: str | int) -> Where:
         """The place of a key, or of the nearest key above it that the file has."""
@@ -103,9 +107,18 @@ class Draft:
 
     def owners(self, *points: str) -> Sequence[str]:
         """The links that have all these points, moving ones first."""
-        wanted = set(points)
-        owners = [name for name, link in self.links.items() if link.points.keys() >= wanted]
-        return sorted(owners, key=lambda name: name == FRAME)
+        if self._counted != len(self.links):
+            self._list_owners()
+        owners = self._moving.get(points[0], ())
+        found = [name for name in owners if all(point in self.links[name].points for point in points[1:])]
+        fixed = FRAME in self.links and all(point in self.links[FRAME].points for point in points)
+        return [*found, FRAME] if fixed else found
+
+    def _list_owners(self) -> None:
+        self._counted, self._moving = len(self.links), {}
+        for name, link in self.links.items():
+            for point in link.points if name != FRAME else ():
+                self._moving.setdefault(point, []).append(name)
 
     def name(self, given: str | None, default: str, *path: str | int) -> str:
         """The name of a pair: as given and not used before, or the default."""

@@ -68,7 +68,7 @@ class Mechanism(mechanism.Mechanism):
         return self.text
 
     @staticmethod
-    def new(name: str = "mechanism", **title: str) -> Builder:
+    def new(name: str = "mechanism", **title: str) -> Builder[Mechanism]:
         """A mechanism to be built step by step; `en="..", zh=".."` are its titles. See `Builder`."""
         from graphkin.loading.builder import Builder
 

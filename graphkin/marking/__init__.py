@@ -9,8 +9,8 @@ from __future__ import annotations
 from graphkin.marking.asked import Arrows, arrows_of, asked
 from graphkin.marking.consequences import Consequences, combined, consequences, rewrites, rewritten
 from graphkin.marking.follow import Followed, Own, replay_with
-from graphkin.marking.hand import Hand, Hands
-from graphkin.marking.redrawing import Redrawing, redraw
+from graphkin.marking.hand import Hand, Hands, Redrawing
+from graphkin.marking.redrawing import redraw
 from graphkin.marking.rewrite import Edit, Mistaken, Rewrite, Written
 from graphkin.marking.right_ways import OtherWay, other_methods, other_ways
 from graphkin.marking.scene import MISTAKES, Mistake

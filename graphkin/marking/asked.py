@@ -8,7 +8,7 @@ import numpy as np
 
 from graphkin.construction import Normal, Plane, Site, Term
 from graphkin.geometry import Value, dot
-from graphkin.marking.redrawing import Redrawing
+from graphkin.marking.hand import Redrawing
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import Seen
 from graphkin.planning import Method

@@ -12,7 +12,8 @@ from graphkin.construction import Plot
 from graphkin.geometry import Value
 from graphkin.marking import mistakes as _entered  # noqa: F401  (enters them)
 from graphkin.marking.asked import arrows_of, asked, size_of
-from graphkin.marking.redrawing import Redrawing, redraw
+from graphkin.marking.hand import Redrawing
+from graphkin.marking.redrawing import redraw
 from graphkin.marking.rewrite import Mistaken, Rewrite
 from graphkin.marking.scene import MISTAKES, Scene
 from graphkin.planning import Method

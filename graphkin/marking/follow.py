@@ -9,8 +9,8 @@ import numpy as np
 from graphkin.construction import Coriolis, Image, LayOff, Measure, Plane, Plot, Size
 from graphkin.geometry import Value
 from graphkin.marking.asked import Arrows, Ends, arrows_of, asked
-from graphkin.marking.hand import Hand
-from graphkin.marking.redrawing import Redrawing, redraw
+from graphkin.marking.hand import Hand, Redrawing
+from graphkin.marking.redrawing import redraw
 from graphkin.planning import Method
 from graphkin.quantities import Answer, Component, Moving, Quantity, Rotation
 from graphkin.value import frozen

@@ -1,4 +1,4 @@
-"""Who draws: the hand that does each step as it should be done, and what another may do differently.
+"""Who draws: the hand that does each step as it should be done, and what another may do differently; and what it draws.
 
 A step comes to the hand with what is right at this place of the drawing as it stands; what the hand gives is drawn, and
 everything after follows from it. Mistakes, a student's own values and a pencil that errs are hands.
@@ -6,13 +6,10 @@ everything after follows from it. Mistakes, a student's own values and a pencil 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, field
 
-from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Plane, Ray, Size
+from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Plane, Plot, Ray, Size
 from graphkin.geometry import Value
-
-if TYPE_CHECKING:
-    from graphkin.marking.redrawing import Redrawing
 
 
 class Hand:
@@ -112,3 +109,29 @@ class Hands(Hand):
     def settled(self, plot: Redrawing, quantity: str, links: tuple[str, ...], of: str) -> None:
         for hand in self.hands:
             hand.settled(plot, quantity, links, of)
+
+
+@dataclass
+class Redrawing(Plot):
+    """A plot whose polygons a hand has drawn.
+
+    laid      known arrows as they were laid off, by plane, tail and head
+    by_hand   who draws
+    before    omega and alpha by link as they follow from all before, where the hand has put another value
+    met       points of the polygons as they follow from all before, likewise, where lines cross or by image
+    reading   the link whose omega or alpha is being read
+    """
+
+    by_hand: Hand = field(default_factory=Hand)
+    laid: dict[tuple[Plane, str, str], Value] = field(default_factory=dict)
+    before: dict[tuple[str, str], Value] = field(default_factory=dict)
+    met: dict[tuple[Plane, str], Value] = field(default_factory=dict)
+    reading: str = ""
+
+    def arrow(self, size: Size, plane: Plane) -> Value:
+        return self.by_hand.arrow(self, plane, size, super().arrow(size, plane))
+
+    def settle(self, quantity: str, base: str, value: Value, counted: bool = False) -> None:
+        super().settle(quantity, base, value, counted)
+        links = tuple(link for link, turn in self.facts.turns.items() if turn.base == base)
+        self.by_hand.settled(self, quantity, links, self.reading)

@@ -37,8 +37,7 @@ from graphkin.construction import (
     replay,
 )
 from graphkin.geometry import Value
-from graphkin.marking.hand import Hand
-from graphkin.marking.redrawing import Redrawing
+from graphkin.marking.hand import Hand, Redrawing
 from graphkin.marking.slips import Mark, Slips
 from graphkin.planning import Method
 from graphkin.value import frozen

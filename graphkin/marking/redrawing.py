@@ -6,7 +6,7 @@ A reader of the steps like `construction.replay`, but one that asks a hand at ea
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from itertools import count
 from typing import assert_never
 
@@ -26,7 +26,6 @@ from graphkin.construction import (
     Ray,
     Roll,
     Simultaneous,
-    Size,
     Swing,
     Touch,
 )
@@ -34,36 +33,10 @@ from graphkin.construction.chains import solve_together
 from graphkin.construction.pencil import FIXED
 from graphkin.construction.rolling import roll
 from graphkin.geometry import Value, cross, dot, meet_lines
-from graphkin.marking.hand import Hand
+from graphkin.marking.hand import Hand, Redrawing
 from graphkin.planning import Method
 
 RIGHT = Hand()
-
-
-@dataclass
-class Redrawing(Plot):
-    """A plot whose polygons a hand has drawn.
-
-    laid      known arrows as they were laid off, by plane, tail and head
-    by_hand   who draws
-    before    omega and alpha by link as they follow from all before, where the hand has put another value
-    met       points of the polygons as they follow from all before, likewise, where lines cross or by image
-    reading   the link whose omega or alpha is being read
-    """
-
-    by_hand: Hand = field(default_factory=Hand)
-    laid: dict[tuple[Plane, str, str], Value] = field(default_factory=dict)
-    before: dict[tuple[str, str], Value] = field(default_factory=dict)
-    met: dict[tuple[Plane, str], Value] = field(default_factory=dict)
-    reading: str = ""
-
-    def arrow(self, size: Size, plane: Plane) -> Value:
-        return self.by_hand.arrow(self, plane, size, super().arrow(size, plane))
-
-    def settle(self, quantity: str, base: str, value: Value, counted: bool = False) -> None:
-        super().settle(quantity, base, value, counted)
-        links = tuple(link for link, turn in self.facts.turns.items() if turn.base == base)
-        self.by_hand.settled(self, quantity, links, self.reading)
 
 
 def redraw(method: Method, right: Plot, hand: Hand = RIGHT, shape: tuple[int, ...] = ()) -> Redrawing:

@@ -10,8 +10,7 @@ import numpy as np
 
 from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Meet, Plane, Plot, Ray, Size, Swing, replay
 from graphkin.geometry import Value
-from graphkin.marking.hand import Hand
-from graphkin.marking.redrawing import Redrawing
+from graphkin.marking.hand import Hand, Redrawing
 from graphkin.planning import Method
 from graphkin.value import frozen
 

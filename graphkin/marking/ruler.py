@@ -29,8 +29,8 @@ from graphkin.construction import (
     Turning,
 )
 from graphkin.geometry import Value, cross
-from graphkin.marking.hand import Hand
-from graphkin.marking.redrawing import Redrawing, redraw
+from graphkin.marking.hand import Hand, Redrawing
+from graphkin.marking.redrawing import redraw
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.planning.position import touching

@@ -9,10 +9,10 @@ import numpy as np
 from graphkin.construction import Plot
 from graphkin.geometry import Value
 from graphkin.marking.asked import Arrows, arrows_of, asked, size_of
-from graphkin.marking.hand import Hands
+from graphkin.marking.hand import Hands, Redrawing
 from graphkin.marking.key import Sort
 from graphkin.marking.pencil import Pencil, PencilHand, drawn_positions
-from graphkin.marking.redrawing import Redrawing, redraw
+from graphkin.marking.redrawing import redraw
 from graphkin.marking.rewrite import Mistaken, Rewrite, Written
 from graphkin.marking.slips import Mark, Slips
 from graphkin.planning import Method

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from itertools import groupby
 
@@ -14,6 +15,11 @@ LATIN = "Times New Roman, Liberation Serif, Tinos, serif"
 _CHINESE = "Noto Serif CJK SC, Source Han Serif SC, Songti SC, SimSun, WenQuanYi Micro Hei, serif"
 _SIGNS = "√∥⊥"
 """Signs that the Chinese letters have, and Latin ones may not."""
+_DOTTED = {"\u1e61": "s\u02d9", "s\u0308": "s\u00a8"}
+"""Letters that few fonts have: another one, and the dots over it by themselves."""
+_OVER = 0.07
+"""So far to the right of where the letter begins the dots begin, which are less wide and lean [em]."""
+_ANY_DOTTED = re.compile(f"({'|'.join(_DOTTED)})")
 
 
 def mm(value: float) -> str:
@@ -63,16 +69,27 @@ def runs(mark: Text) -> list[Span]:
     for run, start, drop in scripts(mark.label, mark.size):
         size = run_size(run, mark.size)
         for text in _of_one_script(run.text):
-            bare = text.lstrip(" ") if found else text
+            bare = text.lstrip(" ")
             spaces = text[: len(text) - len(bare)]
-            if spaces:
+            if spaces and found:
                 found[-1] = replace(found[-1], text=found[-1].text + spaces)
             at = mark.at + complex(start + advance(spaces, run.italic) * size, drop)
-            found += [Span(bare, at, size, run.italic, run.bold)] if bare else []
+            letters = _DOTTED.get(bare, [bare])
+            over = (complex(k * _OVER * size) for k in range(len(letters)))
+            found += [Span(each, at + aside, size, run.italic, run.bold) for each, aside in zip(letters, over) if each]
             start += run_width(run._replace(text=text), mark.size) if text != run.text else 0.0
     return found
 
 
+def lettered(mark: Text) -> str:
+    """Its letters as a reader of the file finds them."""
+    text = "".join(run.text for run in mark.label)
+    return text if text.isascii() else _ANY_DOTTED.sub(lambda found: _DOTTED[found[0]], text)
+
+
 def _of_one_script(text: str) -> list[str]:
-    """Its letters, Chinese and Latin ones apart."""
-    return [text] if text.isascii() else ["".join(letters) for _, letters in groupby(text, _is_chinese)]
+    """Its letters, Chinese and Latin ones apart, and those with dots by themselves."""
+    if text.isascii():
+        return [text]
+    parts = ([part] if part in _DOTTED else groupby(part, _is_chinese) for part in _ANY_DOTTED.split(text))
+    return [each if isinstance(each, str) else "".join(each[1]) for part in parts for each in part]

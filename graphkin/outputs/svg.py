@@ -21,7 +21,7 @@ from typing import Any, ClassVar, assert_never
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs.paint import Colours, Ink
-from graphkin.outputs.spans import LATIN, mm, runs, short
+from graphkin.outputs.spans import LATIN, lettered, mm, runs, short
 from graphkin.outputs.svgwriting import svgwrite
 from graphkin.seal import seal
 from graphkin.sheet import Sheet
@@ -278,10 +278,10 @@ _WIDTHS: Mapping[Half, tuple[float, float]] = {"": (0.45, 0.45), "left": (0.6, 0
 
 
 def _value(mark: VectorMark, scales: Mapping[Plane, float]) -> str:
-    """`v_B3 = 0.2712 m/s`."""
+    """`v_B3 = v_C = 0.2712 m/s`."""
     scale = next(scale for plane, scale in scales.items() if plane == mark.plane)
     said = f"{mark.length * scale:.4g}" if mark.length > 0.0001 else "0"
-    return f"{mark.name} = {said} {'m/s' if mark.plane == 'velocity' else 'm/s²'}"
+    return f"{' = '.join((mark.name, *mark.also))} = {said} {'m/s' if mark.plane == 'velocity' else 'm/s²'}"
 
 
 def _described(sheet: Sheet) -> str:
@@ -345,7 +345,7 @@ def _metadata(sheet: Sheet) -> ET.Element:
     drawn = [(_class(mark), told) for mark in sheet.marks if (told := stated(mark))]
     data["drawn"] = sorted([kind, *sorted(f"{key}={value}" for key, value in told.items())] for kind, told in drawn)
     texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
-    data["letters"] = sorted(["".join(run.text for run in text.label), *_rounded(text.at)] for text in texts)
+    data["letters"] = sorted([lettered(text), *_rounded(text.at)] for text in texts)
     data["signs"] = len(sheet.marks) - len(texts) - len(drawn)
     data["seal"] = seal(data)
     element = ET.Element("gk:sheet")

@@ -206,7 +206,7 @@ def _open_link(structure: Structure, plot: Plot, size: float) -> tuple[str, floa
 
     Only a link that repeats a constraint can fail so; every other has been drawn from its shape.
     """
-    worst = ("", 0.0)
+    worst, size = ("", 0.0), extent(plot)
     for link in structure.mechanism.links.values():
         points = list(link.points)
         if link.name not in plot.theta or link.name in structure.followers:

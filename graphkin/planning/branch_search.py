@@ -13,12 +13,13 @@ than `WIDEST` remain are the farthest given up.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from graphkin.construction import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, unknowns_of
 from graphkin.construction.pencil import begin, draw
+from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Slide
 from graphkin.planning.branches import Branches
@@ -82,9 +83,10 @@ def branches(structure: Structure, construction: Construction, facts: Facts, kno
 
 @frozen
 class _Bound:
-    """What a branch is measured by: an assembly's points as drawn, and what points not drawn yet may make good [m²]."""
+    """What a branch is measured by: an assembly's points as drawn, and what each may make good while it is not [m²]."""
 
     places: Mapping[str, complex]
+    spare: Mapping[str, float]
     rounding: float
 
 
@@ -94,7 +96,7 @@ class _Search:
     ) -> None:
         self.structure, self.facts, self.known = structure, facts, known
         self.sketch = structure.mechanism.sketch
-        self.cylinders = [name for name, slide in structure.slides.items() if _is_cylinder(structure, slide)]
+        self.cylinders = {name for name, slide in structure.slides.items() if _is_cylinder(structure, slide)}
         self.blocks = list(blocks_of(construction))
         last = self.blocks[-1]
         self.late = _late(last)
@@ -120,15 +122,15 @@ class _Search:
     def _run(self, width: int, bound: _Bound | None) -> Branches:
         here = Branches(Plot(self.facts, dict(self.known)), np.zeros((1, 0), dtype=int))
         begin(here.plot, "position")
-        waiting = list(self.late)
+        waiting, before = list(self.late), (0, 0)
         for block in self.blocks:
             if isinstance(block.opening, Fit):
                 here = self._thinned(here, min(width, WIDEST_FITTED), None)
-            before = set(here.plot.position)
             here = self._opened(here, block, self._spare(here, bound))
             draw(block.rest, here.plot, "position", {})
             waiting = self._measured(here.plot, waiting)
-            closed = self._closed(here, [p for p in here.plot.position if p not in before])
+            closed = self._closed(here, [*here.plot.position][before[0] :], [*here.plot.s][before[1] :])
+            before = len(here.plot.position), len(here.plot.s)
             if not closed.any():
                 raise DeadEnd(here.plot)
             if not closed.all():
@@ -176,11 +178,11 @@ class _Search:
         draw(ready, plot, "position", {})
         return left
 
-    def _closed(self, here: Branches, points: Sequence[str]) -> np.ndarray:
+    def _closed(self, here: Branches, points: Sequence[str], slides: Sequence[str]) -> np.ndarray:
         """Branches whose new points have places, with cylinders at the positive displacement they were drawn with."""
         closed: np.ndarray = np.isfinite(_places(here, points)).all(axis=0)
-        for name in self.cylinders:
-            if name in here.plot.s:
+        for name in slides:
+            if name in self.cylinders:
                 closed &= here.plot.s[name] > 0
         return closed
 
@@ -201,9 +203,14 @@ class _Search:
 
     def away(self, here: Branches) -> np.ndarray:
         """Squared distance of all points drawn so far from their places in the sketch [m²]: (w,)."""
-        points = [point for point in self.sketch if point in here.plot.position]
-        apart = _places(here, points) - _column(self.sketch[point] for point in points)
-        return np.asarray((np.abs(apart) ** 2).sum(axis=0))
+        alike, away = 0.0, np.zeros(here.count)
+        for point, target in self.sketch.items():
+            place = here.plot.position.get(point, target)
+            if isinstance(place, np.ndarray):
+                away += np.abs(place - target) ** 2
+            else:
+                alike += abs(place - target) ** 2
+        return away + alike
 
     def _forward(self, here: Branches) -> np.ndarray:
         """How many displacements are positive rather than negative: (w,)."""
@@ -214,25 +221,30 @@ class _Search:
 
     def bound(self, here: Branches, k: int) -> _Bound:
         """To follow every branch that may come nearer to the sketch than branch k, or lies with it about the sketch."""
-        points = [point for point in self.sketch if point in here.plot.position]
-        places = dict(zip(points, _places(here, points)[:, k].tolist(), strict=True))
+        places = {p: _at(here.plot.position[p], k) for p in self.sketch if p in here.plot.position}
+        spare = {p: abs(self.sketch[p] - place) ** 2 / (1 - BETWEEN) for p, place in places.items()}
         reach = max((abs(z) for z in places.values()), default=1.0)
-        return _Bound(places, (1e-8 * reach) ** 2)
+        return _Bound(places, spare, (1e-8 * reach) ** 2)
 
     def _open(self, here: Branches, bound: _Bound) -> np.ndarray:
         """Whether no more distance is lost, by `BETWEEN`, than the points still to be drawn can make good: (w,)."""
-        points = [point for point in bound.places if point in here.plot.position]
-        apart = _places(here, points) - _column(bound.places[point] for point in points)
-        short = _column(self.sketch[point] - bound.places[point] for point in points)
-        lost = ((1 - BETWEEN) * np.abs(apart) ** 2 - 2 * (np.conj(apart) * short).real).sum(axis=0)
+        lost, sketch, drawn = np.zeros(here.count), self.sketch, here.plot.position
+        for point, place in bound.places.items():
+            if point in drawn and (isinstance(now := drawn[point], np.ndarray) or now != place):
+                apart = now - place
+                lost += (1 - BETWEEN) * np.abs(apart) ** 2 - 2 * (np.conj(apart) * (sketch[point] - place)).real
         return np.asarray(lost <= self._spare(here, bound))
 
     def _spare(self, here: Branches, bound: _Bound | None) -> float:
         """What the points still to be drawn can make good at most [m²]."""
         if bound is None:
             return 0.0
-        left = ((point, place) for point, place in bound.places.items() if point not in here.plot.position)
-        return bound.rounding + sum(abs(self.sketch[point] - place) ** 2 / (1 - BETWEEN) for point, place in left)
+        drawn = here.plot.position
+        return bound.rounding + sum(spare for point, spare in bound.spare.items() if point not in drawn)
+
+
+def _at(value: Value, k: int) -> complex:
+    return complex(value[k] if isinstance(value, np.ndarray) and value.ndim else value)
 
 
 def _places(here: Branches, points: Sequence[str]) -> np.ndarray:
@@ -241,11 +253,6 @@ def _places(here: Branches, points: Sequence[str]) -> np.ndarray:
     for row, point in zip(table, points, strict=True):
         row[:] = here.plot.position[point]
     return table
-
-
-def _column(places: Iterable[complex]) -> np.ndarray:
-    """Places of points, the same for all branches: (k, 1)."""
-    return np.array([*places], dtype=complex)[:, None]
 
 
 def _is_cylinder(structure: Structure, slide: Slide) -> bool:

@@ -21,40 +21,68 @@ def fewest_closed(names: list[frozenset[str]], equations: list[int]) -> tuple[in
         )  # fmt: skip
     takers: dict[str, int] = {}
     kept = [k for k in range(len(names)) if _take(k, names, equations[k], takers)]
-    sets = (_needed(k, names, takers) for k in kept)
-    return min((chosen for chosen in sets if chosen), key=lambda chosen: (len(chosen), chosen), default=None)
+    most = 1
+    while most < 2 * len(kept):  # sets of a few first: what a part needs may go on through the whole mechanism
+        sets = [chosen for k in kept if (chosen := _needed(k, names, takers, most))]
+        if sets:
+            return min(sets, key=lambda chosen: (len(chosen), chosen))
+        most *= 2
+    return None
 
 
 def _take(part: int, names: list[frozenset[str]], count: int, takers: dict[str, int]) -> bool:
     """Give a part so many unknowns, others changing theirs where they can; nothing if there are not enough."""
-    before = dict(takers)
     for _ in range(count):
-        if not _one_more(part, names, takers, set()):
-            takers.clear()
-            takers.update(before)
+        if not _one_more(part, names, takers):
+            for name in names[part]:
+                if takers.get(name) == part:
+                    del takers[name]
             return False
     return True
 
 
-def _one_more(part: int, names: list[frozenset[str]], takers: dict[str, int], seen: set[str]) -> bool:
-    for name in sorted(names[part] - seen):
-        if takers.get(name) == part or name in seen:
-            continue
-        seen.add(name)
-        if name not in takers or _one_more(takers[name], names, takers, seen):
+def _one_more(part: int, names: list[frozenset[str]], takers: dict[str, int]) -> bool:
+    """Give a part an unknown that is free; or one that another has, which takes a further one, and so on."""
+    for name in names[part]:
+        if name not in takers:
             takers[name] = part
             return True
+    asked: dict[str, int] = {}
+    """Who would like to have each unknown."""
+    gives: dict[int, str] = {part: ""}
+    """The unknown that each part is asked for."""
+    for one in (waiting := [part]):
+        for name in names[one]:
+            if name in asked:
+                continue
+            asked[name] = one
+            if name not in takers:
+                _hand_on(name, asked, gives, takers)
+                return True
+            if takers[name] not in gives:
+                gives[takers[name]] = name
+                waiting.append(takers[name])
     return False
 
 
-def _needed(part: int, names: list[frozenset[str]], takers: dict[str, int]) -> tuple[int, ...]:
-    """The parts without which this one leaves an unknown open, itself among them; none if one remains open."""
+def _hand_on(name: str, asked: dict[str, int], gives: dict[int, str], takers: dict[str, int]) -> None:
+    """Who asks for a free unknown takes it, and gives its own to the one that asks for that."""
+    while name:
+        takers[name] = asked[name]
+        name = gives[asked[name]]
+
+
+def _needed(part: int, names: list[frozenset[str]], takers: dict[str, int], most: int) -> tuple[int, ...]:
+    """The parts without which this one leaves an unknown open, itself among them; none if one remains open, or if they
+    are more than so many."""
     found, waiting = {part}, [part]
     for one in waiting:
         for name in names[one]:
             if name not in takers:
                 return ()
             if takers[name] not in found:
+                if len(found) == most:
+                    return ()
                 found.add(takers[name])
                 waiting.append(takers[name])
     return tuple(sorted(found))

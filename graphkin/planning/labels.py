@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import field
 from functools import cached_property
 
@@ -48,22 +48,33 @@ class Labels:
         clear = called.isdigit() and not point[-1].isdigit() and (plain := point + called) not in self.structure.owners
         return plain if clear else f"{point}@{called}"
 
+    def reserves(self, name: str) -> bool:
+        """Whether a point may need a name in polygons, without the primes: it is free for no corner between."""
+        return name in self._needed or any(self._is_numbered(name, k) for k in range(1, len(name)))
+
+    def _is_numbered(self, name: str, k: int) -> bool:
+        """Whether a name is that of a point at which links slide past each other, with a link after k letters."""
+        point, link = name[0].upper() + name[1:k], name[k:].removeprefix("@")
+        link = FRAME if link == self.structure.mechanism.frame else link
+        known = point in self.coincident and link in self.structure.mechanism.links
+        return known and _as_begun(self.numbered(point, link)) == name
+
     @cached_property
-    def reserved(self) -> frozenset[str]:
-        """What points need in polygons, without the primes: free for no corner between."""
-        return frozenset(label[0].lower() + label[1:] for label in self._written())
+    def _needed(self) -> frozenset[str]:
+        """The points, and those at which links roll on each other with the links' numbers."""
+        contacts = touching(self.structure)
+        rolling = (self.numbered(letter, link) for letter, contact in contacts for link in contact.wheels)
+        return frozenset(map(_as_begun, (*self.structure.owners, *rolling)))
 
     @cached_property
     def initials(self) -> frozenset[str]:
         """With which letters points begin in polygons."""
-        return frozenset(name[0] for name in self.reserved)
+        return frozenset(name[0] for name in self._needed)
 
-    def _written(self) -> Iterator[str]:
-        """Every point as it may be written: with links' numbers those at which links roll or slide on each other."""
-        structure = self.structure
-        yield from structure.owners
-        yield from (self.numbered(point, link) for point in self.coincident for link in structure.mechanism.links)
-        yield from (self.numbered(letter, link) for letter, each in touching(structure) for link in each.wheels)
+
+def _as_begun(label: str) -> str:
+    """As in a polygon, without the primes."""
+    return label[0].lower() + label[1:]
 
 
 def coincident_points(structure: Structure, order: tuple[Stage, ...]) -> dict[str, str]:

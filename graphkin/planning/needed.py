@@ -61,7 +61,7 @@ _SLIDING: dict[Plane, str] = {"position": "s", "velocity": "s_rate", "accelerati
 
 def turning(method: Method, quantity: str, link: str) -> Fact:
     """The fact of a link's `theta`, `omega` or `alpha`."""
-    turn = method.facts().turns[link]
+    turn = method.structure.turns[link]
     return (f"driven {quantity}", link) if turn.base == FRAME else (quantity, turn.base)
 
 

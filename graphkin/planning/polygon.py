@@ -117,9 +117,9 @@ class Polygon:
         called = self.structure.mechanism.called(link)
         worded = self.structure.is_link(link) and not called[0].isdigit()
         stem = own if letter == "k" else own + ("_" if worded else "") + called
-        dot, prime, reserved = "" if letter == "k" else "_", self.prime, self.labels.reserved
+        dot, prime, reserves = "" if letter == "k" else "_", self.prime, self.labels.reserves
         stems = chain([stem], (f"{stem}{dot}{k}" for k in count(1)))
-        return self.new(next(s + prime for s in stems if s + prime not in self.nodes and s not in reserved), of)
+        return self.new(next(s + prime for s in stems if s + prime not in self.nodes and not reserves(s)), of)
 
     def own_letter(self, letter: str) -> str:
         """The letter for a tip that no point has."""

@@ -28,6 +28,7 @@ from graphkin.construction import (
     Term,
     Touch,
 )
+from graphkin.kept import kept
 from graphkin.mechanism import FRAME
 from graphkin.planning.closing import close
 from graphkin.planning.equivalent import Contact
@@ -57,6 +58,7 @@ class _Drawing:
     choices: int = 0
     fits: int = 0
     contacts: list[str] = field(default_factory=list)
+    swung: set[str] = field(default_factory=set)
 
     def choice(self) -> int:
         self.choices += 1
@@ -126,6 +128,7 @@ class _Drawing:
             pieces = [turned_round(piece) for piece in reversed(pieces)]
         pivot, through = pieces[0].tail, pieces[-1].head
         span = Span(tuple(piece.part for piece in pieces))
+        self.swung.add(stage.slides[0])
         self.parts.append(
             Swing(guide, pivot, through, stage.slides[0], span, choice=self.choice())
         )
@@ -178,11 +181,8 @@ class _Drawing:
 
     def measure_slide(self, slide: str) -> None:
         pair = self.structure.slides[slide]
-        if pair.line.origin in self.points and pair.point in self.points and not self._swung(slide):
+        if pair.line.origin in self.points and pair.point in self.points and slide not in self.swung:
             self.parts.append(Measure("s", slide, pair.line.origin, pair.point))
-
-    def _swung(self, slide: str) -> bool:
-        return any(isinstance(part, Swing) and part.slide == slide for part in self.parts)
 
     def fill(self, body: str) -> None:
         """All further points of a body whose angle is known, from one that is, or from the end of a slide."""
@@ -235,9 +235,9 @@ def position(structure: Structure, order: tuple[Stage, ...]) -> tuple[Constructi
     known = _found_otherwise(order)
     for letter, contact in touching(structure):
         drawing.touch(letter, contact)
-    measured = {part.of for part in drawing.parts if isinstance(part, Measure) and part.quantity == "s"}
+    measured = known | {part.of for part in drawing.parts if isinstance(part, Measure) and part.quantity == "s"}
     for slide in structure.measured:
-        if slide not in measured | known and slide not in structure.slides_driven and not drawing._swung(slide):
+        if slide not in measured and slide not in structure.slides_driven and slide not in drawing.swung:
             drawing.measure_slide(slide)
     nodes = {point: Node(point, point, Site(point, structure.owners[point][0])) for point in drawing.points}
     nodes |= {name: Node(name, "") for name in drawing.asides}
@@ -265,6 +265,12 @@ def touching(structure: Structure) -> Iterator[tuple[str, Contact]]:
     every = (letter + "'" * primes for primes in count() for letter in "KLMQRHJVWXYZ"[sliding:])
     letters = (letter for letter in every if letter not in structure.owners)
     return zip(letters, structure.contacts, strict=False)
+
+
+@kept(4)
+def contact_letters(structure: Structure) -> dict[str, str]:
+    """The letter of each rolling contact, by its name."""
+    return {contact.name: letter for letter, contact in touching(structure)}
 
 
 def in_step(contact: Contact) -> InStep:

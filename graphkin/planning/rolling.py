@@ -8,7 +8,7 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.hops import Lever
 from graphkin.planning.images import base_of, reach
 from graphkin.planning.polygon import Polygon
-from graphkin.planning.position import in_step, touching
+from graphkin.planning.position import contact_letters, in_step
 from graphkin.planning.repeating import measure_slide
 from graphkin.planning.stages import Group, Mesh
 
@@ -17,7 +17,7 @@ def mesh(polygon: Polygon, stage: Mesh) -> None:
     """Pure rolling gives the contact of the one wheel the velocity of the other's; a rack follows its pinion."""
     if stage.contact.slide in polygon.structure.aside.slides and not stage.contact.way:
         measure_slide(polygon, stage.contact.slide)
-    letter = next(one for one, contact in touching(polygon.structure) if contact == stage.contact)
+    letter = contact_letters(polygon.structure)[stage.contact.name]
     wheel = _turned_by(polygon, stage)
     if wheel is None or not polygon.known(wheel):
         polygon.parts.append(Roll(in_step(stage.contact), stage.angle, stage.slide))
@@ -81,14 +81,14 @@ def train(polygon: Polygon, stage: Group) -> bool:
 
 def _contacts_with_known(polygon: Polygon, stage: Group, planet: str) -> list[tuple[Site, Site]]:
     """Each contact as a point of the planet and of the other wheel; none unless both others move as known."""
-    letters = {contact: letter for letter, contact in touching(polygon.structure)}
+    letters = contact_letters(polygon.structure)
     sites = []
     for contact in stage.contacts:
         other = next(wheel for wheel in contact.wheels if wheel != planet)
         known = polygon.structure.base(other) not in stage.angles and (other == FRAME or base_of(polygon, other))
         if not known or contact.arm != stage.contacts[0].arm:
             return []
-        sites.append((Site(letters[contact], planet), Site(letters[contact], other)))
+        sites.append((Site(letters[contact.name], planet), Site(letters[contact.name], other)))
     return sites
 
 

@@ -111,10 +111,8 @@ class Starts:
         return np.array([np.broadcast_to(np.nan if value is None else value, here.count) for value in told])
 
     def angle(self, plot: Plot, base: str) -> Value | None:
-        """The angle of a base link by two points of one of its group whose places are told."""
-        for body, turn in self.structure.turns.items():
-            if turn.base != base:
-                continue
+        """The angle of a base link by two points of one of its group whose places are told; nan where they are one."""
+        for body in plot.facts.groups.get(base, ()):
             shape = self.structure.shapes[body]
             places = ((point, self._place(plot, point)) for point in self.structure.bodies[body])
             told: dict[str, Value] = {point: place for point, place in places if place is not None}
@@ -122,8 +120,9 @@ class Starts:
                 continue
             near = next(iter(told))
             far = max(told, key=lambda point: float(np.max(np.abs(shape[point] - shape[near]))))
-            if np.all((arm := shape[far] - shape[near]) != 0):
-                return np.angle((told[far] - told[near]) / arm) - plot.facts.relative_angle(body)
+            if np.any(apart := (arm := shape[far] - shape[near]) != 0):
+                seen = np.angle((told[far] - told[near]) / np.where(apart, arm, 1.0))
+                return np.where(apart, seen, np.nan)[()] - plot.facts.relative_angle(body)
         return None
 
     def _displacement(self, plot: Plot, slide: str, angles: dict[str, Value | None]) -> Value | None:

@@ -208,36 +208,33 @@ class Structure:
     def turns(self) -> Mapping[str, TurnOf]:
         """Each body's angle by that of the base body of its group; the frame's group is the known one."""
         turns: dict[str, TurnOf] = {}
+        ties: dict[str, list[tuple[str, TurnOf]]] = {}
+        for body, other, more in self._angle_ties():
+            ties.setdefault(body, []).append((other, more))
         for base in self.bodies:
             if base in turns:
                 continue
             turns[base] = TurnOf(base)
             reached = [base]
             for body in reached:
-                for other, more in self._angle_ties(body):
+                for other, more in ties.get(body, ()):
                     if other not in turns:
                         turns[other] = _chain(turns[body], more)
                         reached.append(other)
         return turns
 
-    def _angle_ties(self, body: str) -> Iterator[tuple[str, TurnOf]]:
-        """Bodies whose angle against this one is given, by a slide or by a driver."""
+    def _angle_ties(self) -> Iterator[tuple[str, str, TurnOf]]:
+        """Two bodies, and the second's angle against the first: as given by a slide or by a driver."""
         for slide in self.joining:
-            turn = slide.turn if slide.block is not None else phase(slide.line.direction)
-            if body == slide.guide:
-                yield self.block(slide), TurnOf(body, turn)
-            elif body == self.block(slide):
-                yield slide.guide, TurnOf(body, -turn)
-        if body == FRAME:
-            yield from ((idle, TurnOf(FRAME)) for idle in self.idle)
+            turn, block = slide.turn if slide.block is not None else phase(slide.line.direction), self.block(slide)
+            yield slide.guide, block, TurnOf(slide.guide, turn)
+            yield block, slide.guide, TurnOf(block, -turn)
+        yield from ((FRAME, idle, TurnOf(FRAME)) for idle in self.idle)
         for k, driver in enumerate(self.mechanism.drivers):
-            if driver.kind == "slide":
-                continue
-            offset = self.driver_offset(driver)
-            if body == driver.from_link:
-                yield driver.link, TurnOf(body, offset, ((k, 1),))
-            elif body == driver.link:
-                yield driver.from_link, TurnOf(body, -offset, ((k, -1),))
+            if driver.kind != "slide":
+                offset = self.driver_offset(driver)
+                yield driver.from_link, driver.link, TurnOf(driver.from_link, offset, ((k, 1),))
+                yield driver.link, driver.from_link, TurnOf(driver.link, -offset, ((k, -1),))
 
     def driver_offset(self, driver: Driver) -> float:
         """Angle of the driven link against the other where the driver's own value is 0."""

@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 
 from graphkin.geometry import Value, dot
+from graphkin.kept import kept
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
 from graphkin.naming import Seen, common_link
@@ -64,6 +65,12 @@ def _coincident(motions: Motions, part: str, of: Seen, seen_from: Seen, whole: V
 
 def _slot_of_pin(mechanism: Mechanism, site: Seen) -> bool:
     """Whether a site is of the link in whose slot its point is the pin; a wheel or a cam may stand for one."""
+    return (site.link, site.point) in _slots(mechanism)
+
+
+@kept(4)
+def _slots(mechanism: Mechanism) -> frozenset[tuple[str, str]]:
+    """The link of each slot, and the point of its pin."""
     slides = ((slide.line.link, slide.point) for slide in mechanism.slides if slide.block is None)
     slots = ((same.line.link, same.point) for pair in mechanism.pairs if isinstance(same := pair.equivalent, Slot))
-    return (site.link, site.point) in {*slides, *slots}
+    return frozenset((*slides, *slots))

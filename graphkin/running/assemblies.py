@@ -56,7 +56,7 @@ def assembled_by_sketch(
     ways = np.array([*product((1, -1), repeat=len(choices))], dtype=float).reshape(2 ** len(choices), len(choices))
     start = Plot(facts, {} if told is None else told.near)
     plot = replay(method.position, start, {choice: ways[:, [k]] for k, choice in enumerate(choices)})
-    count = np.broadcast_shapes(*map(np.shape, (*sketch.values(), *plot.position.values())))[-1:]
+    count = np.broadcast_shapes((1,), *map(np.shape, (*sketch.values(), *plot.position.values())))[-1:]
     every = (len(ways), *count)
     points = {point: np.broadcast_to(z, every) for point, z in plot.position.items()}
     shown = [point for point in sketch if point in points]

@@ -8,6 +8,7 @@ import numpy as np
 
 from graphkin.construction import Swing
 from graphkin.geometry import cross
+from graphkin.kept import kept
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Slide
 from graphkin.say import names
@@ -40,25 +41,34 @@ class GuideAngle:
 
 def guide_angle(reading: Reading, slide: Slide) -> GuideAngle | None:
     """The angle at which a moving guide's line lies; None of one through two points, or that is the link itself."""
-    found = {pair.name: pair for pair in reading.mechanism.slides if _corner(reading, pair)}
+    found = _corners(reading)
     if slide.name not in found:
         return None
-    corner, through = _corner(reading, slide), slide.line.origin
+    corner, through = found[slide.name], slide.line.origin
     arm = reading.mechanism.links[slide.guide].arm(corner, through)
     angle = (float(np.angle(slide.line.direction / arm)) + pi) % (2 * pi) - pi
-    alone = len({pair.guide for pair in found.values()}) == 1
+    alone = len({pair.guide for pair in reading.mechanism.slides if pair.name in found}) == 1
     symbol = "γ" if alone else names.of_link("γ", reading.mechanism.called(slide.guide))
     return GuideAngle(symbol, corner, through, angle)
 
 
-def _corner(reading: Reading, slide: Slide) -> str:
-    """The point from which γ is counted: the pivot of the drawing, else another point of the guide; "" for none."""
+@kept(8)
+def _corners(reading: Reading) -> dict[str, str]:
+    """The point from which γ is counted, by the slides that have such an angle."""
+    pivots: dict[str, list[str]] = {}
+    for step in reading.method.position.steps:
+        if isinstance(step, Swing):
+            pivots.setdefault(step.slide, []).append(step.pivot)
+    corners = ((slide.name, _corner(reading, slide, pivots.get(slide.name, []))) for slide in reading.mechanism.slides)
+    return {name: corner for name, corner in corners if corner}
+
+
+def _corner(reading: Reading, slide: Slide, pivots: list[str]) -> str:
+    """The pivot of the drawing, else another point of the guide; "" for none."""
     if slide.guide == FRAME or not slide.line.named:
         return ""
     link, through = reading.mechanism.links[slide.guide], slide.line.origin
     points = [p for p in reading.mechanism.named(slide.guide) if abs(link.arm(p, through)) > reading.noise]
-    swings = (step for step in reading.method.position.steps if isinstance(step, Swing) and step.slide == slide.name)
-    pivots = [step.pivot for step in swings if step.pivot in points]
     if any(abs(cross(slide.line.direction, link.arm(p, through))) <= reading.noise for p in points):
         return ""
-    return next(iter([*pivots, *points]), "")
+    return next((point for point in (*pivots, *points) if point in points), "")

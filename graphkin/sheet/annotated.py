@@ -9,7 +9,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
-from itertools import islice, product
+from itertools import islice
 
 import numpy as np
 
@@ -25,7 +25,7 @@ from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Added, FreeRoom
 from graphkin.sheet.lettering import quantity_label
 from graphkin.sheet.marks import Arc, Mark, Place, Stroke, Text
-from graphkin.sheet.paper import LEAST, Room
+from graphkin.sheet.paper import LEAST
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.wanted import Wanted
@@ -34,7 +34,9 @@ from graphkin.value import frozen
 
 _RADII = (7.0, 9.5, 12.0, 15.0)
 """Of the arcs that show how a link turns [mm]."""
-_TURNS = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
+_ROUND = tuple(cmath.rect(1, math.tau * k / 48) for k in range(48))
+_TURNS, _SWEPT = _ROUND[::2], 1 + round(48 * SWEEP / math.tau)
+"""Where places are looked at round a point; in which of these directions an arc may start, and how many it passes."""
 _NARROWER = (75.0, 50.0, 30.0, 20.0)
 """What is given is written in shorter lines where long ones have no room [mm]."""
 _SHORT = 5.0
@@ -61,9 +63,9 @@ class Annotated:
     def lines(self) -> list[Mark]:
         return []
 
-    def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
+    def __call__(self, free: FreeRoom) -> Added:
         """All of it among what stands there."""
-        free, added = FreeRoom(standing, room), Added()
+        added = Added()
         for one, other in measured_lengths(self.reading) if self.planes else ():
             self._length(one, other, free, added)
         for rotation in self._asked():
@@ -120,13 +122,14 @@ class Annotated:
     def _places(self, link: str, sense: float, free: FreeRoom) -> Iterator[tuple[Place, float, complex]]:
         """Where such an arc has room: centre, radius, direction in which it starts; about fixed points first."""
         owners, skeleton = self.reading.mechanism.owners, self.skeleton
-        turned = np.outer(_TURNS, np.exp(1j * np.linspace(0, -sense * SWEEP, 8)))
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
-        for at, radius in product(map(skeleton.at, points), _RADII):
-            along = at + radius * turned
-            middle = np.stack([along.real, along.imag], axis=-1).reshape(-1, 2)
-            clear = free.free(middle - _HALF, middle + _HALF).reshape(along.shape).all(axis=1)
-            yield from ((at, radius, _TURNS[k]) for k in np.flatnonzero(clear))
+        swept = (2 * np.arange(len(_TURNS))[:, None] - int(sense) * np.arange(_SWEPT)) % len(_ROUND)
+        for at in map(skeleton.at, points):
+            around = at + np.outer(_RADII, _ROUND)
+            middle = np.stack([around.real, around.imag], axis=-1)
+            clear = free.free((middle - _HALF).reshape(-1, 2), (middle + _HALF).reshape(-1, 2)).reshape(around.shape)
+            for radius, places in zip(_RADII, clear, strict=True):
+                yield from ((at, radius, _TURNS[k]) for k in np.flatnonzero(places[swept].all(axis=1)))
 
 
 def _accented(mark: Mark, plane: Plane) -> Mark:

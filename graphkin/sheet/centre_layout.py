@@ -24,8 +24,10 @@ _TRIAL = 80.0
 """Size of the mechanism when it is drawn to see how far its signs reach [mm]."""
 _LETTERS = 7.0
 """What labels and arrows need around the figure [mm]."""
-_LARGE_ENOUGH = 50.0
-"""The mechanism is to be so large, where its centres do not want otherwise [mm]."""
+_LARGE_ENOUGH = 14.0
+"""The mechanism is to be so large, times the root of how many centres there are, which want letters in it [mm]."""
+_SHOWN, _LARGER_PAPER = 16, 30
+"""What a centre on the sheet is worth, and what a larger paper costs, which fewer printers have."""
 _NEAR = (2.0, 1.3, 0.9, 0.6, 0.3, 0.0)
 """Centres so many times the mechanism's size away are looked for room for."""
 _FIT = 20.0
@@ -76,7 +78,11 @@ class Measures:
 
 @frozen
 class CentreLayout:
-    """A paper divided, the window through which the figure is seen; how many centres lie in its room."""
+    """A paper divided, the window through which the figure is seen.
+
+    shown  how many centres lie in its room
+    large  how large the mechanism is, and how large it is to be [mm]
+    """
 
     paper: Paper
     field: Room
@@ -86,13 +92,14 @@ class CentreLayout:
     window: Window
     shown: int
     large: float
+    wanted: float
 
     @property
     def worth(self) -> float:
         """Centres on the sheet count, and that the mechanism is not small; larger paper only where it helps."""
-        small = max(0.0, _LARGE_ENOUGH - self.large)
-        area = self.paper.width * self.paper.height
-        return 16 * self.shown + min(self.large, 100) / 8 - 3 * small - 10 * (area > 80_000) - 40 * self.table.lost
+        small = max(0.0, self.wanted - self.large)
+        costs = 3 * small + _LARGER_PAPER * (self.paper.width * self.paper.height > 80_000) + 40 * self.table.lost
+        return _SHOWN * self.shown + min(self.large, 100) / 8 - costs
 
 
 def layouts(found: Centres, paper: str | None, lang: Lang, fit: bool) -> list[CentreLayout]:
@@ -109,12 +116,12 @@ def _on(measures: Measures, paper: Paper, lang: Lang, fit: bool) -> Iterator[Cen
     inner = room.size - measures.extent.reach
     if min(inner.real, inner.imag) < 15:
         return
-    around = (_FIT,) if fit else _NEAR
+    around, wanted = (_FIT,) if fit else _NEAR, _LARGE_ENOUGH * len(measures.found.centring.stages) ** 0.5
     boxes = (measures.box(place for place in measures.finite if measures.off(place) <= near) for near in around)
     for scale in sorted({_scale(measures, box, room, fit) for box in boxes}):
         shown = _held(measures, inner * scale)
         window = measures.box(shown).window(room, scale)
-        yield CentreLayout(paper, field, circle, strip, table, window, len(shown), measures.longest / scale)
+        yield CentreLayout(paper, field, circle, strip, table, window, len(shown), measures.longest / scale, wanted)
 
 
 def _scale(measures: Measures, box: Extent, room: Room, fit: bool) -> float:

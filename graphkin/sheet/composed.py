@@ -154,7 +154,7 @@ class Work:
         for plane in self.planes:
             if loose := [block for block in self.blocks.get(plane, ()) if plane not in layout.headed]:
                 panel = self.panel(layout, plane, stages=False, details=False)
-                free = FreeRoom(panel.drawn, panel.room)
+                free = FreeRoom(panel.scene)
                 found += [block for block in loose if free.corner(block.size) is None]
         return found
 

@@ -30,8 +30,8 @@ def meet(start: Any, end: Any, other: Any, other_end: Any, touch: bool = False) 
     """Whether lines cross others: each has its ends on both sides of the other, and none of them upon it; touch: or
     upon it, where their surroundings overlap."""
     way, other_way, off = end - start, other_end - other, other - start
-    first, second = _turn(way, off), _turn(other_way, off)
-    first, second = first * (first + _turn(way, other_way)), second * (second - _turn(other_way, way))
+    first, second, between = _turn(way, off), _turn(other_way, off), _turn(way, other_way)
+    first, second = first * (first + between), second * (second + between)
     return (first <= 0) & (second <= 0) if touch else (first < 0) & (second < 0)
 
 

@@ -7,7 +7,9 @@ which there is no room is left out. The numbers are those of the sentences that 
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from itertools import pairwise
 
 from graphkin.construction import Drawn, Image, LayOff, Meet, Ray, Term
@@ -18,7 +20,7 @@ from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Added, FreeRoom
 from graphkin.sheet.lettering import box, plain
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
-from graphkin.sheet.paper import LEAST, Room
+from graphkin.sheet.paper import LEAST
 from graphkin.sheet.polygons import Polygon, arrows
 from graphkin.sheet.wanted import Wanted
 from graphkin.value import frozen
@@ -73,9 +75,9 @@ class Drafted:
         on = [Stroke((line.foot, line.meeting, line.meeting + side * _LIKED), "construction") for line, side in sides]
         return [*on, *(Stroke((start, end), "measured") for start, end, _ in self._carried())]
 
-    def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
+    def __call__(self, free: FreeRoom) -> Added:
         """All of it among what stands there."""
-        free, added = FreeRoom(standing, room), Added()
+        added = Added()
         marked: list[tuple[_Line, Place]] = []
         for line in self._lines():
             tip = _drawn(line, free, added)
@@ -160,29 +162,48 @@ class Drafted:
     # --- numbers ----------------------------------------------------------------------------------
 
     def _numbers(self, free: FreeRoom) -> Iterator[Mark]:
-        """A number in a circle beside each thing that was drawn."""
-        wanted = [want for act in self.acts if (want := self._beside(act)) is not None]
-        for want, spots in zip(wanted, free.spots(wanted, [complex(_RING, _RING)] * len(wanted)), strict=True):
-            if (middle := free.place(spots)) is not None:
-                wide, up, down = box(want.label, want.size)
-                at = middle + complex(-wide / 2, (up - down) / 2)
-                ring = Disc(middle, _RING, "construction", step=want.step)
-                found: list[Mark] = [ring, Text(want.label, at, want.size, want.step)]
-                free.add(found)
-                yield from found
+        """A number in a circle beside each thing that was drawn: what has no room at one thing has it at the next."""
+        left = [wanted for act in self.acts if (wanted := [*self._beside(act)])]
+        while left:
+            spots = free.spots([first for first, *_ in left], [complex(_RING, _RING)] * len(left))
+            others, left = left, []
+            for wanted, free_ones in zip(others, spots, strict=True):
+                if (middle := free.place(free_ones)) is not None:
+                    found = _numbered(wanted[0], middle)
+                    free.add(found)
+                    yield from found
+                elif wanted[1:]:
+                    left.append(wanted[1:])
 
-    def _beside(self, act: Act) -> Wanted | None:
+    def _beside(self, act: Act) -> Iterator[Wanted]:
+        """Where its number may stand: at what it finds first, then at each arrow that comes with it."""
         points, label = self.polygon.points, plain(str(act.number))
         match act.done:
             case LayOff(term, _, tip) if tip in (term.head, term.tail) and {term.tail, term.head} <= points.keys():
                 start, end = points[term.tail], points[term.head]
                 if abs(end - start) > _NOTHING:
-                    return Wanted(label, start, end, gap=0.6, size=LEAST, step=act.page)
-                return Wanted(label, end, gap=0.8, size=LEAST, step=act.page)
+                    yield Wanted(label, start, end, gap=0.6, size=LEAST, step=act.page)
+                yield Wanted(label, end, gap=0.8, size=LEAST, step=act.page)
             case Meet(point=point) | Image(point=point) if point in points:
-                return Wanted(label, points[point], gap=0.8, size=LEAST, step=act.page)
-            case _:
-                return None
+                yield Wanted(label, points[point], gap=0.8, size=LEAST, step=act.page)
+                for start, end in self._found[act.page]:
+                    yield Wanted(label, start, end, gap=0.6, size=LEAST, step=act.page)
+
+    @cached_property
+    def _found(self) -> Mapping[int | None, list[tuple[Place, Place]]]:
+        """The ends of the arrows that come with each act."""
+        found: dict[int | None, list[tuple[Place, Place]]] = defaultdict(list)
+        for vector in self.polygon.vectors():
+            if vector.length > _NOTHING:
+                found[vector.step].append((vector.start, vector.end))
+        return found
+
+
+def _numbered(want: Wanted, middle: Place) -> list[Mark]:
+    """A number in its circle."""
+    wide, up, down = box(want.label, want.size)
+    at = middle + complex(-wide / 2, (up - down) / 2)
+    return [Disc(middle, _RING, "construction", step=want.step), Text(want.label, at, want.size, want.step)]
 
 
 def _drawn(line: _Line, free: FreeRoom, added: Added) -> Place | None:

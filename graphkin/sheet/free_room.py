@@ -12,10 +12,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphkin.sheet.equation_rows import EquationBlock
+from graphkin.sheet.held import Held
+from graphkin.sheet.label_candidates import Scene
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
-from graphkin.sheet.paper import Room
 from graphkin.sheet.wanted import Candidates, Wanted
 from graphkin.value import frozen
 
@@ -60,18 +61,17 @@ class Spots(NamedTuple):
 class FreeRoom:
     """A figure with its labels, and what has been added since."""
 
-    def __init__(self, standing: Sequence[Mark], room: Room) -> None:
-        self.room = room
-        self.marks, self._first = list(standing), len(standing)
-        self._standing = obstacles(self.marks)
+    def __init__(self, scene: Scene, labels: Sequence[Mark] = ()) -> None:
+        self.room, self.marks = scene.room, [*scene.drawn, *labels]
+        self._first, self._standing = len(self.marks), [scene.known, *([obstacles(labels)] if labels else [])]
         self._late: dict[int, Obstacles] = {}
-        self._letters = _boxes([mark for mark in standing if isinstance(mark, Text)])
+        self._letters = _boxes([mark for mark in self.marks if isinstance(mark, Text)])
 
     def add(self, marks: Sequence[Mark]) -> None:
         """These lie on the paper now, too."""
         self.marks += marks
         self._late = {}
-        vars(self).pop("_places", None)
+        vars(self).pop("_held", None)
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
 
     def _with(self, marks: Sequence[Mark]) -> FreeRoom:
@@ -90,7 +90,7 @@ class FreeRoom:
     def free(self, low: Any, high: Any) -> Any:
         """Which of many boxes (n, 2) touch nothing and lie in the room."""
         found = (low >= (self.room.left, self.room.top)) & (high <= (self.room.right, self.room.bottom))
-        return _clear(found[:, 0] & found[:, 1], low, high, [self._standing, *self._added(self._first)])
+        return _clear(found[:, 0] & found[:, 1], low, high, [*self._standing, *self._added(self._first)])
 
     def reach(self, start: Place, along: complex, most: float) -> float:
         """How far a line may go on from a place without running into letters, or out of the room [mm]."""
@@ -120,9 +120,9 @@ class FreeRoom:
         return way, bad | within.any(axis=0)
 
     @cached_property
-    def _places(self) -> Any:
-        """Some on everything there (2, n)."""
-        return places(self.marks)
+    def _held(self) -> Held:
+        """What rectangles surely lie on."""
+        return Held(places(self.marks), _GRID)
 
     def spots(self, wanted: Sequence[Wanted], halves: Sequence[complex]) -> list[Spots]:
         """Where many labels may stand at what they name, all looked at at once; half: of the size of each box [mm]."""
@@ -153,25 +153,14 @@ class FreeRoom:
         ys = np.arange(self.room.top + _EDGE, self.room.bottom - size.imag - _EDGE, _GRID)
         if not (len(xs) and len(ys)):
             return None
-        rows, columns = np.nonzero(self._bare(xs, ys, size))
+        near, far = (xs - _EDGE, ys[:, None] - _EDGE), (xs + size.real + _EDGE, ys[:, None] + size.imag + _EDGE)
+        rows, columns = np.nonzero(~self._held.within(near, far))
         low = np.stack([xs[columns], ys[rows]], axis=1)
         found = np.flatnonzero(self.free(low - _EDGE, low + np.array((size.real, size.imag)) + _EDGE))
         if not len(found):
             return None
         best = found[np.argmax(low[found, 1])] if from_below else found[0]
         return complex(*low[best])
-
-    def _bare(self, xs: Any, ys: Any, size: complex) -> Any:
-        """Which rectangles of a grid hold no place where surely something lies (y, x); others need no closer look."""
-        wide, high = (int((side + _EDGE) / _GRID) for side in (size.real, size.imag))
-        across, down = len(xs) + wide, len(ys) + high
-        x, y = np.floor((self._places - np.array([xs[:1], ys[:1]])) / _GRID)
-        there = (x >= 0) & (x < across) & (y >= 0) & (y < down)
-        cells = (y[there] * across + x[there]).astype(int)
-        held = np.zeros((down + 1, across + 1), dtype=int)
-        held[1:, 1:] = np.bincount(cells, minlength=down * across).reshape(down, across).cumsum(axis=0).cumsum(axis=1)
-        in_rows = held[high:-1] - held[: -high - 1]
-        return in_rows[:, wide:-1] == in_rows[:, : -wide - 1]
 
     def letters(self, wanted: Sequence[Wanted]) -> Iterator[list[Mark]]:
         """Each label where there is room for it, one after the other, else nothing."""

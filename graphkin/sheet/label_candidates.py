@@ -13,10 +13,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from graphkin.sheet.held import Held
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.nearness import Arrows
-from graphkin.sheet.obstacles import Obstacles, obstacles
+from graphkin.sheet.obstacles import Obstacles, obstacles, places
 from graphkin.sheet.paper import Room
 from graphkin.sheet.wanted import CRAMMED, Candidates, Wanted, lettering
 from graphkin.value import filled
@@ -27,6 +28,8 @@ MANY = 150
 """More labels than this are a crowd that far places do not relieve."""
 _FEWER = 6
 """Of the places of a hopeless crowd one in so many is looked at."""
+_CELL = 1.0
+"""How finely it is looked for what surely lies there [mm]."""
 _CLEAR, _EASY = 0.45, 1.3
 """What a label keeps from lines at least, and likes to keep [mm]."""
 
@@ -156,6 +159,11 @@ class Scene:
         return obstacles(self.drawn)
 
     @cached_property
+    def held(self) -> Held:
+        """What labels that look farther off surely lie on."""
+        return Held(places(self.drawn), _CELL)
+
+    @cached_property
     def letters(self) -> Obstacles:
         """What lets no leader through."""
         return obstacles(mark for mark in self.drawn if isinstance(mark, Text))
@@ -224,12 +232,14 @@ class Scene:
             self._crossing.add((label, tier))
 
     def _looked_at(self, labels: Sequence[int], tier: int) -> tuple[Any, Rated]:
-        """How many each label has in the room, or anywhere where it has none there; and all of them."""
+        """How many each label has in the room, or anywhere where it has none there; and all of them. Farther off, none
+        that surely lies on something, where it has others."""
         spots = [self._spots(label, tier) for label in labels]
         owner, every = np.repeat(labels, [len(each.cost) for each in spots]), Candidates.joined(spots)
         boxes = Boxes.of(every, self.halves[owner])
         inside = self.inside(boxes)
-        rows = np.flatnonzero(inside | ~np.isin(owner, owner[inside]))
+        clear = inside if tier == NEAR else inside & ~self.held.within(boxes.low, boxes.high)
+        rows = np.flatnonzero(clear | ~np.isin(owner, owner[clear]))
         owner, inside, boxes = owner[rows], inside[rows], boxes.taken(rows)
         near, hits = self._touching(boxes)
         free = inside & (hits == 0)

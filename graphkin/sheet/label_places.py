@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from graphkin.sheet.crossings import overlap
-from graphkin.sheet.label_candidates import FARTHEST, NEAR, Boxes, Rated, Scene
+from graphkin.sheet.label_candidates import FARTHEST, NEAR, Boxes, Scene
 from graphkin.sheet.label_prices import CROWDED, NEARBY, under
-from graphkin.sheet.label_table import Choice, Table
+from graphkin.sheet.label_table import Choice, LabelTable
 from graphkin.sheet.wanted import LEAST
 
 _TOUCH = 0.05
@@ -35,6 +35,7 @@ class Places:
     boxes   where each label stands; stands: which of them do
     _table  what they choose from; _spot: which of it each takes
     _tier   how far off each looks; _patience: how often one may still claim a place
+    _liked  what each would choose from up to a tier were it alone
     """
 
     def __init__(self, scene: Scene, last: int) -> None:
@@ -46,16 +47,14 @@ class Places:
         self._spot, self._tier = np.zeros(count, dtype=np.intp), np.full(count, NEAR)
         self._patience = min(_PATIENCE, _WORK // count)
         self._many = max(_LEAST, min(_MOST, _ALL // count))
-        self._table = Table(self._offered(range(count), NEAR), self._many)
+        self._liked: dict[tuple[int, int], Choice] = {}
+        self._table = LabelTable(self._offered(range(count), NEAR), self._many)
         self._look_on(self._greedy(range(count)))
         self._mend()
 
     def _offered(self, labels: Sequence[int], tier: int) -> list[Choice]:
         """The candidates of labels up to a tier that cost least as the others stand."""
-        choices = [
-            Choice(rated.boxes, self.prices.alone(rated), rated.free).cheapest(3 * self._many)
-            for rated in self._rated(labels, tier)
-        ]
+        choices = self._alone(labels, tier)
         if not self.stands.any():
             return choices if tier == NEAR else [choice.cheapest(self._many) for choice in choices]
         beside = self.prices.beside_others([choice.boxes for choice in choices], self._standing)
@@ -64,9 +63,13 @@ class Places:
             for choice, (more, clash) in zip(choices, beside, strict=True)
         ]
 
-    def _rated(self, labels: Sequence[int], tier: int) -> list[Rated]:
-        """The candidates of labels up to a tier."""
-        return self.scene.rated(labels, tier, lines=self.prices.through > 0)
+    def _alone(self, labels: Sequence[int], tier: int) -> list[Choice]:
+        """The candidates of labels up to a tier that cost least were they alone; each is asked for once."""
+        new = [label for label in labels if (label, tier) not in self._liked]
+        for label, rated in zip(new, self.scene.rated(new, tier, lines=self.prices.through > 0), strict=True):
+            choice = Choice(rated.boxes, self.prices.alone(rated), rated.free)
+            self._liked[label, tier] = choice.cheapest(3 * self._many)
+        return [self._liked[label, tier] for label in labels]
 
     @property
     def _standing(self) -> Boxes:
@@ -171,8 +174,7 @@ class Places:
         """A label takes the place that is its best if others make way; these look for new ones."""
         self._lift(label)
         self._tier[label] = self._last
-        [rated] = self._rated([label], self._last)
-        choice = Choice(rated.boxes, self.prices.alone(rated), rated.free).cheapest(3 * self._many)
+        [choice] = self._alone([label], self._last)
         [(more, _)] = self.prices.beside_others([choice.boxes], self._standing)
         liking = choice.cost + _YIELDING * more
         liked = np.sort(np.argsort(liking)[: self._many])

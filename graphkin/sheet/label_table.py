@@ -27,7 +27,7 @@ class Choice(NamedTuple):
         return self.taken(np.sort(np.argpartition(self.cost, count)[:count])) if many else self
 
 
-class Table:
+class LabelTable:
     """Rows of places, one for each label, with room for so many; the rest of a row costs infinitely much.
 
     cost, free     of each place (count, width)
@@ -72,8 +72,8 @@ class Table:
         self.cost.ravel()[numbers] += more
         self.free.ravel()[numbers[taken]] = False
 
-    def copy(self) -> Table:
+    def copy(self) -> LabelTable:
         """The same, that can be changed by itself."""
-        found = object.__new__(Table)
+        found = object.__new__(LabelTable)
         vars(found).update({name: value.copy() for name, value in vars(self).items()})
         return found

@@ -105,6 +105,7 @@ class VectorMark:
 
     sites  of, seen from, over and onto (as in `Term`), each as `B@3`: the point, then the link of which it is meant to
            be a part
+    also   the names of others with the same ends, which it shows, too
     part   which part of the motion, as in `Term`
     solved the construction found its length
     half   on which side of the line alone its head opens, seen along it; back: how far its tip stands off the end [mm]
@@ -120,6 +121,7 @@ class VectorMark:
     step: int | None = None
     new: bool = False
     sites: tuple[str, ...] = ()
+    also: tuple[str, ...] = ()
     part: str = ""
     solved: bool = False
     half: Half = ""

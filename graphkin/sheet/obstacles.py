@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 _TIP, _TIP_HALF = 2.8, 0.5
 """Length and half width of an arrow head [mm]."""
+_LETTER = 2.0
+"""No letter is much narrower [mm]."""
 _SAME = 1e-9
 """Corners so close together are one [mm]."""
 _CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
@@ -142,9 +144,11 @@ def bounds(drawn: Iterable[Mark]) -> tuple[float, float, float, float]:
 
 
 def places(drawn: Iterable[Mark]) -> Any:
-    """Some places on all marks: what divides each side of their outlines into eight (2, n)."""
+    """Some places on all marks, no farther apart along their outlines than a letter is wide (2, n)."""
     outlines = [outline for mark in drawn for outline, _ in _outlines(mark)]
     start = np.array([place for outline in outlines for place in outline[:-1]], dtype=complex)
     end = np.array([place for outline in outlines for place in outline[1:]], dtype=complex)
-    along = (start + (end - start) * np.linspace(0.0, 1.0, 9)[:, None]).ravel()
+    count = np.ceil(abs(end - start) / _LETTER).astype(np.intp) + 1
+    number = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+    along = np.repeat(start, count) + np.repeat((end - start) / np.maximum(count - 1, 1), count) * number
     return np.array([along.real, along.imag])

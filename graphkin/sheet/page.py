@@ -18,7 +18,7 @@ from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
 from graphkin.sheet.equation_rows import EquationBlock
-from graphkin.sheet.free_room import Added
+from graphkin.sheet.free_room import Added, FreeRoom
 from graphkin.sheet.label_candidates import Scene
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import plain, width
@@ -107,7 +107,7 @@ class Last(Protocol):
     def lines(self) -> list[Mark]:
         """What labels should keep off, where that costs nothing."""
 
-    def __call__(self, standing: Sequence[Mark], room: Room) -> Added:
+    def __call__(self, free: FreeRoom) -> Added:
         """What there is room for, among figure and labels."""
 
 
@@ -142,8 +142,13 @@ class Panel:
 
     @cached_property
     def near(self) -> Settled:
-        """Its labels near what they name."""
-        return self._settled(self.scene)
+        """Its labels near what they name; at once off the lines of what is drawn last where all find places so."""
+        return self.off if self._easy and self.off is not None else self._settled(self.scene)
+
+    @property
+    def _easy(self) -> bool:
+        """Whether all find places of their own without leaders, and off those lines."""
+        return not self.scene.crammed and self.off is not None and not (self.off.clashes or self.off.led)
 
     @cached_property
     def far(self) -> Settled:
@@ -163,7 +168,7 @@ class Panel:
             return settled, Added()
         if not settled.crowd and self.off is not None:
             settled = self.off if _worth(self.off) <= _worth(settled) else settled
-        return settled, self.more([*self.drawn, *settled.marks, *self.after], self.room)
+        return settled, self.more(FreeRoom(self.scene, [*settled.marks, *self.after]))
 
     @staticmethod
     def _settled(scene: Scene, far: bool = False) -> Settled:

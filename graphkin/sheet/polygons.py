@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import field, replace
 from functools import cached_property
+from itertools import chain
 from typing import Any
 
 from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site, Size
@@ -12,7 +13,7 @@ from graphkin.mechanism import FRAME, Mechanism
 from graphkin.planning.held_still import relabelled
 from graphkin.sheet import gear_images
 from graphkin.sheet.gear_images import GearImage
-from graphkin.sheet.lettering import joined, plain, point_label, vector_label
+from graphkin.sheet.lettering import Label, Run, joined, plain, point_label, vector_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke, VectorMark
 from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.wanted import Wanted
@@ -23,8 +24,12 @@ _SAME = 0.15
 """Closer than this two points are one on paper [mm]."""
 _LETTERS = 8
 """Of the points in one place so many are lettered at most."""
+_NAMES = 4
+"""So many names an arrow bears; others are read from the letters at its head."""
 _NOTHING = 0.1
 """Shorter arrows are points [mm]."""
+_EXACT = 5
+"""Arrows whose ends are the same to so many digits of a millimetre are one."""
 
 
 @frozen
@@ -104,12 +109,23 @@ class Polygon:
         return max((self.born[name] for name in names if name in self.born), default=None)
 
     def vectors(self) -> Iterator[VectorMark]:
-        """Its arrows on paper."""
+        """Its arrows on paper; those with the same ends are one, which bears all their names."""
+        for one, *others in self._shared.values():
+            start, end, step = self.points[one.tail], self.points[one.head], self.step(one.tail, one.head)
+            vector = VectorMark(self.construction.plane, one.name, one.tail, one.head, start, end, step)
+            also, named = tuple(other.name for other in others), tuple(map(named_site, one.sites))
+            yield replace(vector, sites=named, also=also, part=one.part, **self._look(one, *others))
+
+    @cached_property
+    def _shared(self) -> dict[tuple[str, str], list[Arrow]]:
+        """Arrows that have the same ends, as of points that move alike, by tail and head of the one found first."""
+        found: dict[tuple[object, ...], list[Arrow]] = {}
         for arrow in self._arrows():
-            start, end, step = self.points[arrow.tail], self.points[arrow.head], self.step(arrow.tail, arrow.head)
-            vector = VectorMark(self.construction.plane, arrow.name, arrow.tail, arrow.head, start, end, step)
-            named = tuple(map(named_site, arrow.sites))
-            yield replace(vector, sites=named, part=arrow.part, **self._look(arrow))
+            start, end = self.points[arrow.tail], self.points[arrow.head]
+            ends = tuple(round(side, _EXACT) for place in (start, end) for side in (place.real, place.imag))
+            found.setdefault(ends if abs(end - start) >= _NOTHING else (arrow.tail, arrow.head), []).append(arrow)
+        alike = (sorted(group, key=lambda arrow: self.step(arrow.tail, arrow.head) or 0) for group in found.values())
+        return {(group[0].tail, group[0].head): group for group in alike}
 
     def _arrows(self) -> Iterator[Arrow]:
         """Without absolute motions that an equation's arrow is already told as: what is seen from a held point."""
@@ -117,11 +133,28 @@ class Polygon:
         told = {(self.told(arrow.name), arrow.head) for arrow in every if arrow.of_equation}
         return (arrow for arrow in every if arrow.of_equation or (arrow.name, arrow.head) not in told)
 
-    def _look(self, arrow: Arrow) -> dict[str, Any]:
+    def _look(self, *alike: Arrow) -> dict[str, Any]:
         """Where that is told: what the construction finds is as thick as arrows are, what is laid off is thin."""
-        if not self.solving or not arrow.of_equation or isinstance(arrow.size, Drawn):
-            return {}
-        return {"solved": True} if arrow.size is None else {"pen": "laid"}
+        told = [arrow.size for arrow in alike if arrow.of_equation] if self.solving else []
+        if None in told:
+            return {"solved": True}
+        return {"pen": "laid"} if told and not isinstance(told[0], Drawn) else {}
+
+    def names(self, vector: VectorMark) -> list[tuple[Label, int | None]]:
+        """What is written at an arrow, name by name, and with which step each comes."""
+        first, *others = self._shared[vector.tail, vector.head]
+        written = [first, *sorted(others, key=lambda one: one.name not in self._carried)[: _NAMES - 1]]
+        told = [(vector_label(self.told(one.name)), self.step(one.tail, one.head)) for one in (first, *others)
+                if one in written]  # fmt: skip
+        more = [(plain("\u2026"), told[-1][1])] if len(others) >= _NAMES else []
+        return [told[0], *(((Run(" = "), *label), step) for label, step in told[1:] + more)]
+
+    @cached_property
+    def _carried(self) -> set[str]:
+        """The motions from which equations find those of other points."""
+        plane, equations = self.construction.plane, self.construction.equations
+        terms = ((equation.of, term) for equation in equations for term in equation.left + equation.right)
+        return {term.name(plane) for of, term in terms if term.of != of and not term.seen_from}
 
     def letters(self, name: str) -> str:
         """What a point is called on paper: `d` of `d7` where a driver at rest holds D."""
@@ -231,8 +264,11 @@ def _vector_names(polygon: Polygon, vectors: list[VectorMark]) -> list[Wanted]:
     for vector in vectors:
         if vector.length >= _NOTHING and vector.name not in twice:
             away, spare = (vector.start + vector.end) / 2 - middle, _told(polygon, vector)
-            label, ends = vector_label(told[vector.name]), (vector.start, vector.end)
-            wanted.append(Wanted(label, *ends, away=away, step=vector.step, spare=spare, of=vector.name))
+            names, ends = polygon.names(vector), (vector.start, vector.end)
+            label, parts = tuple(chain.from_iterable(name for name, _ in names)), tuple(names) if names[1:] else ()
+            wanted.append(
+                Wanted(label, *ends, away=away, step=vector.step, spare=spare, of=vector.name, parts=parts)
+            )
     return wanted
 
 

@@ -7,7 +7,7 @@ from itertools import chain, product
 
 from graphkin.construction import Simultaneous
 from graphkin.geometry import Value
-from graphkin.marking.redrawing import Redrawing
+from graphkin.marking.hand import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, times
 from graphkin.marking.scene import Scene, mistake
 from graphkin.mechanism import FRAME

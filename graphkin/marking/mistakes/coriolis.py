@@ -8,7 +8,7 @@ import numpy as np
 
 from graphkin.construction import Coriolis
 from graphkin.geometry import Value, unit
-from graphkin.marking.redrawing import Redrawing
+from graphkin.marking.hand import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 

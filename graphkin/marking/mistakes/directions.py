@@ -8,7 +8,7 @@ import numpy as np
 
 from graphkin.construction import Across, AlongGuide, Equation, Measure, Meet, Normal, Plane, Ray, Tangential
 from graphkin.geometry import Value, cross, dot
-from graphkin.marking.redrawing import Redrawing
+from graphkin.marking.hand import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from graphkin.construction import Meet, Relative, Swing, Turning
 from graphkin.geometry import Value
-from graphkin.marking.redrawing import Redrawing
+from graphkin.marking.hand import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, times
 from graphkin.marking.scene import Scene, mistake
 from graphkin.mechanism import FRAME

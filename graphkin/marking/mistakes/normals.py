@@ -8,8 +8,8 @@ import numpy as np
 
 from graphkin.construction import AlongGuide, Normal, Ray, Relative, Size
 from graphkin.geometry import Value, unit
+from graphkin.marking.hand import Redrawing
 from graphkin.marking.mistakes.directions import rays
-from graphkin.marking.redrawing import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, times
 from graphkin.marking.scene import Scene, mistake
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from graphkin.construction import AlongGuide, Image, Measure, Plane, Roll, Simultaneous, Term
 from graphkin.geometry import Value
+from graphkin.marking.hand import Redrawing
 from graphkin.marking.mistakes.directions import guide_lengths
-from graphkin.marking.redrawing import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
