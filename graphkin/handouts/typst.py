@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from graphkin.errors import NoLetter
-from graphkin.handouts.document import Handout, Heading, Rows, Table, Text
+from graphkin.handouts.document import Handout, Heading, Picture, Room, Rows, Table, Text
 from graphkin.handouts.fonts import Fonts, fonts
 from graphkin.handouts.grid import room_svg
 from graphkin.handouts.markers import DIGITS, MARKERS, SIZE, digits, edges, markers_svg
@@ -23,7 +23,8 @@ _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 _MISSING = re.compile(r'the text `"(.+?)"` could not be displayed')
 _ACCENTED = re.compile(r"(.[\u0300-\u036f]+)")
 _BETWEEN_TAGS = re.compile(r">[^<]*[\\u0300-\\u036f][^<]*")
-_MARGIN = 20.0
+_MARGIN, _BOTTOM, _CLEAR = 20.0, 26.0, 5.0
+"""At the sides of a page, at its foot, and between a drawing and words [mm]."""
 _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
 #set text(font: ({families}), size: 10.5pt, lang: {lang}, region: none)
 #set par(justify: false, leading: 0.62em)
@@ -36,6 +37,19 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
 #let lettered(body) = text(font: ({families}), body)
 #let act(number) = box(
   circle(radius: 1.9mm, inset: 0mm, stroke: 0.2mm, align(center + horizon, text(size: 7.5pt, number))))
+// A drawing for which the page has no room comes first on the next one, and what follows it is told before.
+// Whether there is room is asked as if it were not yet on the page, over what it follows.
+#let drawn(name, body) = {{
+  block(height: 0pt, above: 0pt)[#metadata(name)#label(name)]
+  context {{
+    let (high, at) = (measure(body).height + {clear}mm, locate(label(name)).position())
+    let over = query(label(name + "-shown")).map(it => it.location().position())
+      .filter(it => it.page == at.page and it.y < at.y)
+    let room = page.height - {bottom}mm - at.y + over.len() * high
+    let shown = align(center)[#metadata(name)#label(name + "-shown")#body]
+    if high > room {{ place(top + center, float: true, clearance: {clear}mm, shown) }} else {{ shown }}
+  }}
+}}
 #let bar = {{
   set text(size: 7pt)
   stack(dir: ttb, spacing: 1mm,
@@ -45,7 +59,7 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
     }}),
     {bar})
 }}
-#set page(width: {width}mm, height: {height}mm, margin: (x: {margin}mm, top: 18mm, bottom: 26mm),
+#set page(width: {width}mm, height: {height}mm, margin: (x: {margin}mm, top: 18mm, bottom: {bottom}mm),
   background: {background},
   footer: context {{
     set text(size: 8pt)
@@ -107,7 +121,8 @@ def _head(handout: Handout, found: Fonts, page: Paper, scan: int | None) -> str:
     return before + _HEAD.format(
         title=_string(handout.title), families=", ".join(map(_string, found.families)), lang=_string(handout.lang),
         width=mm(page.width), height=mm(page.height), margin=mm(_MARGIN + (8 if scan is not None else 0)),
-        bar=_string(foot.bar), foot=_string(foot.words), number=number, background=background,
+        bottom=mm(_BOTTOM), clear=mm(_CLEAR), bar=_string(foot.bar), foot=_string(foot.words), number=number,
+        background=background,
     )  # fmt: skip
 
 
@@ -140,8 +155,8 @@ def _medium(pictures: dict[str, str]) -> Medium:
         _text,
         lambda formula: f"#pad(left: 8mm, par[{_words(formula.words)}])\n",
         _rows,
-        lambda picture: _image(pictures, svg(picture.sheet), picture.sheet.paper.width, picture.told),
-        lambda room: _image(pictures, room_svg(room), room.width, "".join(run.text for run in room.name)),
+        lambda picture: _picture(pictures, picture),
+        lambda room: _room(pictures, room),
         _table,
         lambda page: "#pagebreak(weak: true" + (', to: "odd"' if page.front else "") + ")\n",
     )
@@ -158,11 +173,21 @@ def _text(text: Text) -> str:
     return f"#par[{number}{_words(text.words)}]\n"
 
 
-def _image(pictures: dict[str, str], text: str, width: float, told: str) -> str:
+def _picture(pictures: dict[str, str], picture: Picture) -> str:
+    name, image = _image(pictures, svg(picture.sheet), picture.sheet.paper.width, picture.told)
+    return f"#drawn({_string(name)}, {image})\n"
+
+
+def _room(pictures: dict[str, str], room: Room) -> str:
+    _, image = _image(pictures, room_svg(room), room.width, "".join(run.text for run in room.name))
+    return f"#align(center, {image})\n"
+
+
+def _image(pictures: dict[str, str], text: str, width: float, told: str) -> tuple[str, str]:
+    """The name of a drawing, and what shows it."""
     name = f"picture{len(pictures)}"
     pictures[name] = _BETWEEN_TAGS.sub(_in_own_font, text)
-    drawn = f'bytes(sys.inputs.{name}), format: "svg", width: {mm(width)}mm, alt: {_string(told)}'
-    return f"#align(center, image({drawn}))\n"
+    return name, f'image(bytes(sys.inputs.{name}), format: "svg", width: {mm(width)}mm, alt: {_string(told)})'
 
 
 def _in_own_font(found: re.Match[str]) -> str:
