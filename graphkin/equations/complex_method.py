@@ -23,13 +23,14 @@ def write_complex(model: Model, page: Page) -> None:
     """All polygons in the order of solution, then the points asked for."""
     pretty = Pretty(model.alias)
     polygons = sum(len(task.polygons) for task in model.tasks)
-    number = 0
+    number, values = 0, model.values
     for task in model.tasks:
         for polygon in task.polygons:
             number += 1
             page.head("equations.polygon", number=number, names=ring(model, polygon))
             if len(task.polygons) == 1 and not task.rollings:
-                _solved(model, page, pretty, task, polygon, str(number) if polygons > 1 else "")
+                solver = Solver(page, pretty, model.ledger, values, str(number) if polygons > 1 else "")
+                _solved(solver, task, polygon)
             else:
                 _closed(page, pretty, polygon)
         for rolling in task.rollings:
@@ -89,13 +90,14 @@ def _derived(page: Page, pretty: Pretty, polygon: Polygon, order: int) -> None:
     page.show(complex_sides(pretty, polygon, derived))
 
 
-def _solved(model: Model, page: Page, pretty: Pretty, task: Task, polygon: Polygon, low: str) -> None:
+def _solved(solver: Solver, task: Task, polygon: Polygon) -> None:
     """A dyad: position, velocity, acceleration."""
+    page, pretty = solver.page, solver.pretty
     split = Split(polygon.sum, task.unknowns)
     page.say("equations.unknown", unknowns=listed(task.unknowns))
     page.head("equations.position", 3)
     _closed(page, pretty, polygon)
-    Solver(page, pretty, model.ledger, model.values, low).write(split)
+    solver.write(split)
     for order in (1, 2):
         page.head("equations.velocity" if order == 1 else "equations.acceleration", 3)
         _derived(page, pretty, polygon, order)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -130,6 +131,12 @@ class Sum:
     def partial(self, symbol: Symbol) -> Sum:
         """Derivative by one symbol."""
         return Sum.of(part for term in self.terms for part in _partial(term, symbol))
+
+    @cached_property
+    def symbols(self) -> frozenset[Symbol]:
+        """All that stand in it."""
+        waves = (part for term in self.terms for wave in term.waves for part in wave.angle.parts)
+        return frozenset(symbol for symbol, _ in (*waves, *(part for term in self.terms for part in term.symbols)))
 
     @property
     def moving(self) -> tuple[Symbol, ...]:

@@ -63,6 +63,7 @@ def _drawn(model: Model, places: list[complex], arrows: list[Arrow], window: Win
     found = mechanism_figure(skeleton, model.method, places).numbered(None)
     found.marks = [_thin(mark) for mark in found.marks]
     turned: set[Symbol] = set()
+    values = model.values
     for arrow in arrows:
         start, end = (window(value) for value in _ends(model, arrow))
         label = symbol_label(arrow.length)
@@ -71,7 +72,7 @@ def _drawn(model: Model, places: list[complex], arrows: list[Arrow], window: Win
         found.wanted.append(Wanted(label, start, end, gap=1.0, step=_VECTORS))
         if (theta := _own_angle(arrow)) is not None and theta not in turned:
             turned.add(theta)
-            _angle(found, theta, float(model.values[theta]), start, abs(end - start))
+            _angle(found, theta, float(values[theta]), start, abs(end - start))
     return found
 
 

@@ -44,15 +44,20 @@ class System:
 
     @cached_property
     def a(self) -> Entries:
-        return tuple(tuple(each.partial(unknown) for unknown in self.unknowns) for each in self.equations)
+        return tuple(tuple(_slope(each, unknown) for unknown in self.unknowns) for each in self.equations)
 
     @cached_property
     def b(self) -> Entries:
-        return tuple(tuple(-each.partial(driver) for driver in self.drivers) for each in self.equations)
+        return tuple(tuple(-_slope(each, driver) for driver in self.drivers) for each in self.equations)
 
     @staticmethod
     def rate(of: Entries) -> Entries:
-        return tuple(tuple(entry.rate for entry in row) for row in of)
+        return tuple(tuple(entry.rate if entry.terms else entry for entry in row) for row in of)
+
+
+def _slope(of: Sum, symbol: Symbol) -> Sum:
+    """Most equations of a large mechanism have few of the unknowns."""
+    return of.partial(symbol) if symbol in of.symbols else Sum()
 
 
 def matrices(
@@ -179,6 +184,8 @@ class _Writer:
 
     def _number(self, of: Sum) -> Node:
         """A sum in figures; what is left of terms that cancel is 0."""
+        if not of.terms:
+            return ZERO
         plain = Sum(tuple(replace(term, waves=()) for term in of.terms))
         most = max((abs(float(Sum((term,)).at(self._values))) for term in plain.terms), default=0.0)
         return written(float(of.at(self._values)), most)

@@ -80,6 +80,8 @@ class Arrows:
     ledger: Legend
     arms: dict[tuple[str, frozenset[str]], Arrow] = field(default_factory=dict)
     slides: dict[str, Symbol] = field(default_factory=dict)
+    radii: dict[tuple[str, str], Symbol] = field(default_factory=dict)
+    sizes: dict[str, float] = field(default_factory=dict)
 
     @property
     def structure(self) -> Structure:
@@ -88,14 +90,20 @@ class Arrows:
     def along(self, body: str, start: str, end: str) -> Iterator[Arrow]:
         """The arrow on one body from a point to another; none where they lie at one place."""
         shape = self.structure.shapes[body]
-        size = max((abs(p - q) for p in shape.values() for q in shape.values()), default=0.0)
-        if start == end or abs(shape[end] - shape[start]) <= 1e-12 * size:
+        if start == end or abs(shape[end] - shape[start]) <= 1e-12 * self._size(body):
             return
         key = body, frozenset((start, end))
         if key not in self.arms:
             self.arms[key] = self._arm(body, start, end)
         arrow = self.arms[key]
         yield arrow if arrow.tail[0] == start else Arrow(arrow.length, arrow.angle, arrow.tail, arrow.head, -1)
+
+    def _size(self, body: str) -> float:
+        """How far the points of a body lie apart at most [m]."""
+        if body not in self.sizes:
+            places = [*self.structure.shapes[body].values()]
+            self.sizes[body] = max((abs(p - q) for p in places for q in places), default=0.0)
+        return self.sizes[body]
 
     def _arm(self, body: str, start: str, end: str) -> Arrow:
         """Along the link's own direction where it lies on it; else as nearly so as can be."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from heapq import heapify, heappop, heappush
 
 from graphkin.equations.expressions import Sum, Term, Wave
 from graphkin.equations.layout import Call, Exp, Frac, Letter, Minus, Node, Num, Op, Paren, Pow, Row, Word
@@ -75,15 +76,31 @@ class Pretty:
         return added(found) if found else ZERO
 
     def _called(self, of: Angle) -> list[tuple[Symbol, int]]:
-        counts = dict(of.parts)
-        for name, meaning in self._longest_first:
+        counts, last = dict(of.parts), -1
+        waiting = [k for symbol in counts for k in self._naming.get(symbol, ())]
+        heapify(waiting)
+        while waiting:
+            if (at := heappop(waiting)) == last:
+                continue
+            (name, meaning), last = self._longest_first[at], at
             times = {counts.get(symbol, 0) * sign for symbol, sign in meaning.parts if abs(sign) == 1}
             if len(times) == 1 and times != {0} and len(meaning.parts) > 1:
                 count = times.pop()
                 for symbol, sign in meaning.parts:
                     counts[symbol] -= count * sign
                 counts[name] = count
+                for later in self._naming.get(name, ()):
+                    heappush(waiting, max(later, last))
         return [(symbol, count) for symbol, count in counts.items() if count]
+
+    @cached_property
+    def _naming(self) -> dict[Symbol, list[int]]:
+        """By symbol, which of the names below stand for a sum with it."""
+        naming: dict[Symbol, list[int]] = {}
+        for k, (_, meaning) in enumerate(self._longest_first):
+            for symbol, _ in meaning.parts:
+                naming.setdefault(symbol, []).append(k)
+        return naming
 
     @cached_property
     def _longest_first(self) -> list[tuple[Symbol, Angle]]:

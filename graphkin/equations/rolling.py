@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from graphkin.analytic import Motion
 from graphkin.equations.expressions import Sum, Term, number, one
-from graphkin.equations.legend import values
 from graphkin.equations.polygons import Arrows
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.planning.equivalent import Contact
@@ -28,7 +27,8 @@ class Rolling:
 def rolling(arrows: Arrows, contact: Contact, drawn: Motion) -> Rolling:
     """The relation of one contact; its constant is what the drawn position gives."""
     moving = _on_circles(arrows, contact) if contact.arm else _on_line(arrows, contact)
-    value = float(moving.at(values(arrows.ledger, drawn)))
+    entries = arrows.ledger.entries
+    value = float(moving.at({symbol: entries[symbol].read(drawn) for symbol in moving.symbols}))
     names = [arrows.bodies.called(wheel) for wheel in contact.wheels]
     what = meaning("equations.rolling constant", first=names[0], second=names[1])
     constant = arrows.ledger.constant("c", "".join(names) if all(map(str.isdigit, names)) else names[1],
@@ -38,12 +38,11 @@ def rolling(arrows: Arrows, contact: Contact, drawn: Motion) -> Rolling:
 
 def _radius(arrows: Arrows, wheel: str, radius: float) -> Symbol:
     """The radius of a wheel's circle, one letter for each size."""
-    name = arrows.bodies.called(wheel)
-    what = meaning("equations.radius", radius=f"{radius * 1000:.12g}", wheel=name)
-    for symbol, entry in arrows.ledger.entries.items():
-        if symbol.letter == "r" and entry.meaning == what:
-            return symbol
-    return arrows.ledger.constant("r", name, what, "mm", radius)
+    name, size = arrows.bodies.called(wheel), f"{radius * 1000:.12g}"
+    if (name, size) not in arrows.radii:
+        what = meaning("equations.radius", radius=size, wheel=name)
+        arrows.radii[name, size] = arrows.ledger.constant("r", name, what, "mm", radius)
+    return arrows.radii[name, size]
 
 
 def _turning(angle: Angle) -> Sum:

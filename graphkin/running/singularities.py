@@ -12,6 +12,7 @@ import numpy as np
 
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing
 from graphkin.geometry import weights_of
+from graphkin.kept import kept
 from graphkin.naming import spelled
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
@@ -114,12 +115,18 @@ def _seen(method: Method, path: Path, step: Crossing, t: np.ndarray) -> tuple[np
     return _angle(method, step, along(method, path, t), t.shape)
 
 
+@kept(8, objects=2)
+def _between(method: Method, path: Path, begin: float, end: float) -> Plot:
+    """The positions between two places, drawn once for all crossings: where one parts, all that follow from it do."""
+    return along(method, path, np.linspace(begin, end, FINE))
+
+
 def _closer(method: Method, path: Path, step: Crossing, begin: float, end: float) -> tuple[float, bool] | None:
     """Look closer between two positions: (where, whether it goes through), None where nothing happens."""
     parted: float | None = None
     for _ in range(ROUNDS):
         t = np.linspace(begin, end, FINE)
-        sine, miss = _seen(method, path, step, t)
+        sine, miss = _angle(method, step, _between(method, path, begin, end), t.shape)
         apart = np.flatnonzero(~np.isfinite(sine) | (miss > 0))
         if apart.size and parted is None:
             parted = _edge(method, path, step, t, int(apart[0]))
@@ -183,7 +190,7 @@ def _edge(method: Method, path: Path, step: Crossing, t: np.ndarray, k: int) -> 
     begin, end = float(t[k - 1]), float(t[k])
     for _ in range(5):
         t = np.linspace(begin, end, FINE)
-        sine, miss = _seen(method, path, step, t)
+        sine, miss = _angle(method, step, _between(method, path, begin, end), t.shape)
         apart = ~np.isfinite(sine) | (miss > 0)
         first = int(np.flatnonzero(apart)[0]) if apart.any() else FINE - 1
         begin, end = float(t[max(first - 1, 0)]), float(t[first])

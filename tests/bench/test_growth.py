@@ -22,7 +22,7 @@ LINKS = (4, 8, 16, 32, 64)
 DRAWN = (4, 16, 64)
 """A sheet takes longer than all else together."""
 SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
-MOST = 3.0
+MOST = 2.5
 """How many times as long twice the links may take: 2 is a straight line, 4 a square."""
 
 
