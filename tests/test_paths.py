@@ -106,6 +106,16 @@ def test_a_ruler_measures_the_path(name: str, point: str, tmp_path: Path) -> Non
         assert report.passed(0.01) is right
 
 
+@pytest.mark.parametrize(("case", "point"), [("collar-on-two-rods", "P"), ("disc-with-a-rod", "A")])
+def test_a_path_without_an_end_is_drawn_as_far_as_the_mechanism_is_seen(case: str, point: str, tmp_path: Path) -> None:
+    """The collar runs off to infinity, the disc rolls on for ever; a ruler does not miss what no sheet has room for."""
+    drawing = graphkin.Drawing.of(graphkin.load(Path(__file__).parent / "cases" / f"{case}.toml"))
+    places = point_path(drawing.method, point).places
+    assert 0.5 < np.ptp(places.real) < 6
+    (tmp_path / "a.svg").write_text(svg(drawing.sheet(paths=[point], only="position")), encoding="utf-8")
+    assert measure(tmp_path / "a.svg").passed(0.01)
+
+
 def _nearest(place: complex, line: np.ndarray) -> float:
     """How far a place is from a line through places."""
     start, way = line[:-1], np.diff(line)

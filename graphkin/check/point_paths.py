@@ -10,9 +10,11 @@ import numpy as np
 import shapely
 
 from graphkin.analytic import motion
+from graphkin.analytic.loops import size_of
 from graphkin.check.shown import Shown
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Driver, Mechanism
+from graphkin.value import frozen
 
 Pair = tuple[complex, complex]
 """Where something is drawn, and where it should be."""
@@ -25,6 +27,12 @@ _FINE, _HALVED = 0.002, 4
 _GONE = 0.2
 """What is farther from all that is drawn is missing: chords stand off, and a curve ends a little before dead points
 [mm]."""
+_SLID = 10.0
+"""No slide goes so much farther than the curve that it draws is long."""
+_NEAR = 3.0
+"""Sizes of the mechanism within which a curve is drawn, from where its point is; farther off it may end."""
+_BEYOND = 2.0
+"""How far a curve is followed beside what is drawn of it, in sizes of that."""
 
 
 def worst_of_path(
@@ -40,45 +48,72 @@ def worst_of_path(
     if point not in mechanism.points or driver not in names or not mark.plain or len(mark.lines) != 1:
         return None
 
+    corners = np.array(mark.lines[0])
     at = names.index(driver)
     rate = mechanism.drivers[at].rate
     paces = [other.rate / rate if rate else 0.0 for other in mechanism.drivers]
 
-    def places(value: np.ndarray) -> np.ndarray:
+    def placed(names: Sequence[str], value: np.ndarray) -> np.ndarray:
         """The other drivers keep pace with this one."""
         moved = [given + pace * (value - values[at]) for given, pace in zip(values, paces, strict=True)]
         moved[at] = value
-        return cast(np.ndarray, np.asarray(motion(mechanism, moved).position[point]) / scale + origin)
+        found = motion(mechanism, moved).position
+        return np.array([np.asarray(found[name]) / scale + origin for name in names])
 
     try:
-        curve = _curve(places, *_reached(places, values[at], mechanism.drivers[at], _across(mark) * scale))
+        drawn = placed(mechanism.points, np.array([values[at]]))
+        course = _Course(
+            lambda value: cast(np.ndarray, placed([point], value)[0]), values[at], mechanism.drivers[at],
+            _across(drawn) or math.inf, size_of(mechanism), _across(corners),
+        )  # fmt: skip
+        value, curve = _curve(course.places, *_reached(course, _SLID * course.across * scale))
     except GraphkinError:
         return None
-    corners = np.array(mark.lines[0])
-    return max([*_off(corners, curve), *_missing(corners, curve)], key=lambda pair: abs(pair[0] - pair[1]))
+    wanted = curve[_wanted(course, corners, value, curve)]
+    return max([*_off(corners, curve), *_missing(corners, wanted)], key=lambda pair: abs(pair[0] - pair[1]))
 
 
-def _across(mark: Shown) -> float:
-    """A way that no slide leaves that draws such a curve [mm]."""
-    places = np.array(mark.lines[0])
-    return 10.0 * float(np.ptp(places.real) + np.ptp(places.imag))
+@frozen
+class _Course:
+    """Where a point goes on paper as its driver moves.
+
+    here  the driver's value as drawn; size  of the mechanism there [mm]; longest  of its links [m]
+    across  of what is drawn of the curve [mm]
+    """
+
+    places: Places
+    here: float
+    driver: Driver
+    size: float
+    longest: float
+    across: float
+
+    def gone(self, values: np.ndarray) -> np.ndarray:
+        """Where it is not reached, or far off all that is drawn."""
+        away = np.abs(self.places(values) - self.places(np.array([self.here])))
+        return np.asarray(~(away <= _BEYOND * self.across))
 
 
-def _reached(places: Places, here: float, driver: Driver, across: float) -> tuple[float, float]:
+def _across(places: np.ndarray) -> float:
+    """Width and height."""
+    return float(np.ptp(places.real) + np.ptp(places.imag))
+
+
+def _reached(course: _Course, across: float) -> tuple[float, float]:
     """Values of the driver: a turn from here on in its sense, or from end to end of what it reaches."""
-    far = across if driver.kind == "slide" else math.tau
-    low, high = _ends(places, here, far)
-    if driver.kind != "slide" and high - low >= 2 * math.tau:
-        return here, here + math.copysign(math.tau, driver.rate or 1.0)
+    far = across if course.driver.kind == "slide" else math.tau
+    low, high = _ends(course, far)
+    if course.driver.kind != "slide" and high - low >= 2 * math.tau:
+        return course.here, course.here + math.copysign(math.tau, course.driver.rate or 1.0)
     return low, high
 
 
-def _ends(places: Places, here: float, far: float) -> tuple[float, float]:
+def _ends(course: _Course, far: float) -> tuple[float, float]:
     """How far the driver gets in either sense: between the last value reached and the first that is not."""
-    ends = [(here, here - far), (here, here + far)]
+    ends = [(course.here, course.here - far), (course.here, course.here + far)]
     for _ in range(_SOUGHT):
         values = np.array([np.linspace(*end, _LOOK) for end in ends])
-        gone = np.isnan(places(values.ravel())).reshape(values.shape)
+        gone = course.gone(values.ravel()).reshape(values.shape)
         first = np.where(gone.any(axis=1), gone.argmax(axis=1), _LOOK)
         ends = [(row[min(k, _LOOK) - 1], row[min(k, _LOOK - 1)]) for row, k in zip(values, first, strict=True)]
         if not gone.any():
@@ -86,8 +121,9 @@ def _ends(places: Places, here: float, far: float) -> tuple[float, float]:
     return float(ends[0][0]), float(ends[1][0])
 
 
-def _curve(places: Places, low: float, high: float) -> np.ndarray:
-    """The curve as a line so fine that no chord stands off it [mm]; close by dead points, where it runs on fast."""
+def _curve(places: Places, low: float, high: float) -> tuple[np.ndarray, np.ndarray]:
+    """Values of the driver in their order, and the curve there, as a line so fine that no chord stands off it [mm];
+    close by dead points, where it runs on fast."""
     value = (low + high) / 2 - (high - low) / 2 * np.cos(np.linspace(0.0, np.pi, 4 * _LOOK))
     begin, end = value[:-1], value[1:]
     values, there = [value], [places(value)]
@@ -101,8 +137,29 @@ def _curve(places: Places, low: float, high: float) -> np.ndarray:
         first, last = np.r_[first[off], between[off]], np.r_[between[off], last[off]]
         if not off.any():
             break
-    curve: np.ndarray = np.concatenate(there)[np.argsort(np.concatenate(values), kind="stable")]
-    return curve
+    every = np.concatenate(values)
+    order = np.argsort(every, kind="stable")
+    return every[order], np.concatenate(there)[order]
+
+
+def _wanted(course: _Course, corners: np.ndarray, values: np.ndarray, curve: np.ndarray) -> slice:
+    """The part of the curve that must be drawn: all, but what runs off, or goes on with a slide, may end anywhere."""
+    here = min(int(np.searchsorted(values, course.here)), values.size - 1)
+    onward, back = slice(here, None), slice(here, None if here else 0, -1)
+    after, before = (_drawn(course, corners, values[side], curve[side]) for side in (onward, back))
+    return slice(here - max(before - 1, 0), here + after)
+
+
+def _drawn(course: _Course, corners: np.ndarray, values: np.ndarray, curve: np.ndarray) -> int:
+    """How many of the places from here on must be drawn."""
+    away = np.nan_to_num(np.abs(curve - curve[:1])) > _NEAR * course.size
+    on = course.driver.kind == "slide" and float(np.abs(values - course.here).max(initial=0.0)) > course.longest
+    if curve.size < 2 or not (on or away.any()):
+        return curve.size
+    ends = shapely.points(_xy(corners[[0, -1], None]))
+    chords = shapely.linestrings(_xy(np.stack([curve[:-1], curve[1:]], axis=-1)))
+    met = np.flatnonzero((shapely.distance(chords, ends) <= _GONE).any(axis=0))
+    return int(met[0]) + 1 if met.size else curve.size
 
 
 def _off(corners: np.ndarray, curve: np.ndarray) -> Iterator[Pair]:

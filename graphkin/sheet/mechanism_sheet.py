@@ -22,7 +22,7 @@ from graphkin.sheet.results import tables
 from graphkin.sheet.scales import TooLargeForPaper
 from graphkin.sheet.window import PLANES
 
-_CROWDED, _EASED = 10, 0.5
+_CROWDED, _EASED = 10, 2 / 3
 """With more leaders than this a larger paper is tried, and taken where it leaves no more than such a part of them."""
 _TRIALS = 4
 """How often equations are moved into the strip, whose height leaves figures less room."""
@@ -156,9 +156,9 @@ def _divided(work: Work, paper: str | None, large: bool | None, trial: bool) -> 
     best = work.roomier(best, papers)
     found = best.detailed
     if small and (found.near.lost or (found.near.crowded > _CROWDED and large is None)):
-        larger = work.roomier(Composed(work, work.layout(LARGE)), LARGE)
-        eased = larger.near.crowded <= _EASED * best.near.crowded
-        return larger.detailed if (larger.near.lost, not eased) < (best.near.lost, True) else found
+        larger = work.roomier(Composed(work, work.layout(LARGE)), LARGE).detailed
+        eased = larger.near.crowded <= _EASED * found.near.crowded
+        return larger if (larger.near.lost, not eased) < (found.near.lost, True) else found
     return found
 
 

@@ -22,6 +22,9 @@ _FIRST, _ROUNDS, _MOST = 181, 7, 20_000
 """Positions of the first look, how often chords are halved, and how many positions are enough."""
 _INSIDE = 1e-7
 """How far inside of dead points the curve ends, as part of the way."""
+_FAR = 4.0
+"""How far off the curve is followed from where the point is drawn, in sizes of the mechanism there (width and height
+added): of one that runs off to infinity the rest would leave nothing to be seen of the mechanism."""
 _SAME = 1e-6
 """Ends nearer than this part of its size close a curve."""
 _DEGREES = (30, 10, 5, 2, 1, 0.5, 0.2, 0.1)
@@ -48,7 +51,8 @@ class Tick:
 class PointPath:
     """The curve of a point in the frame.
 
-    course   how the mechanism moves: a turn of the driver from the drawn position on, or as far as it gets
+    course   how the mechanism moves: a turn of the driver from the drawn position on, or as far as it gets, or as the
+             point stays near
     places   closely enough to be drawn (n,) [m]
     closed   the end is the beginning
     step     of the driver from tick to tick [rad, m]
@@ -87,7 +91,7 @@ def point_path(method: Method, point: str, values: tuple[float, ...] | None = No
         raise UnknownPoint(where, point, points)
     course = course_from(method, values)
     prove(course)
-    low, high = _span(course)
+    low, high = _near(course, point, *_span(course))
     places = _curve(course, point, low, high)
     size = float(np.ptp(places.real) + np.ptp(places.imag))
     if size <= _SAME * method.size:
@@ -105,6 +109,22 @@ def _span(course: Course) -> tuple[float, float]:
     first, last = course.path.first, course.path.last
     inside = _INSIDE * (last - first)
     return first + inside, last - inside
+
+
+def _near(course: Course, point: str, low: float, high: float) -> tuple[float, float]:
+    """The same span, or as much of it to either side of the drawn position as the point stays near."""
+    drawn = np.array([_places(course, each, np.zeros(1))[0] for each in course.method.mechanism.points])
+    far = _FAR * float(np.ptp(drawn.real) + np.ptp(drawn.imag)) or math.inf
+    here = _places(course, point, np.zeros(1))[0]
+
+    def nearest_end(end: float) -> float:
+        t = np.linspace(0.0, end, 4 * _FIRST)
+        gone = np.flatnonzero(np.abs(_places(course, point, t) - here) > far)
+        return float(t[gone[0] - 1]) if gone.size else end
+
+    ends = (-TURN, TURN) if course.full_turn else (low, high)
+    near = nearest_end(ends[0]), nearest_end(ends[1])
+    return (low, high) if near == ends else near
 
 
 def _curve(course: Course, point: str, low: float, high: float) -> np.ndarray:
