@@ -43,9 +43,9 @@ __version__ = "0.2.0"
 
 ORDER = (
     "value", "kept", "waiting", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs",
-    "mechanism", "stacking", "naming", "motions", "quantities", "measured", "readable", "loading", "library", "starters",
-    "planning", "running", "seal", "analytic", "freedoms", "assur", "readings", "standing", "agreement", "alike",
-    "centres", "linkages", "design", "sweeps", "finding",
+    "mechanism", "stacking", "naming", "motions", "quantities", "measured", "readable", "loading", "library",
+    "starters", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings", "standing", "agreement",
+    "alike", "centres", "linkages", "design", "sweeps", "finding",
     "check", "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading",
     "problems", "platforms", "handouts", "reference", "cli",
 )  # fmt: skip
