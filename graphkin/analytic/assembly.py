@@ -33,6 +33,8 @@ EXACT = 1e-6
 
 _APART, _OFF = 0.05, 0.02
 """Points of a guide that show where it lies; a displacement that is not 0 by rounding, or by the sketch's [size]."""
+_FEW = 10
+"""Steps of Newton's method that lead from an exact sketch to its assembly, at most."""
 _AJAR = 1e-2
 """Loops open by more than this at the sketch are closed nowhere so near to it [size]."""
 
@@ -100,7 +102,7 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
     ajar = loops.open_by(seen)
     if not ajar >= _AJAR:
         near = np.nan_to_num(seen)[None]
-        first = _met(closure, near, c) if ajar < EXACT else _closed(closure, near, c)[0]
+        first = _closed(closure, near, c)[0] if np.isnan(ajar) else _met(closure, near, c, _FEW)
         if len(first) and _as_sketched(mechanism, loops, first[0]):
             return Assembled(first[0], 0.0, closure)
     starts = cache(partial(_starts, seen, mechanism, loops))
@@ -125,9 +127,9 @@ def _closed(closure: EquationSystem, starts: Real, c: Real) -> tuple[Real, Real]
     return _met(closure, ends, c), ends
 
 
-def _met(closure: EquationSystem, near: Real, c: Real) -> Real:
+def _met(closure: EquationSystem, near: Real, c: Real, steps: int = 40) -> Real:
     """The assemblies to which Newton leads from positions (b, n), one for each that led to one."""
-    closed = close(closure, near, c, steps=40)
+    closed = close(closure, near, c, steps)
     met = (closed.gap < ROUNDED) & (closed.step < ROUNDED) & (closure.known.mismatch(c) < ROUNDED)
     return closed.q[met]
 

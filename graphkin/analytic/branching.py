@@ -61,14 +61,21 @@ def branched(closure: EquationSystem, judge: Judge, seen: Real, starts: Starts, 
     if not len(found) or walk.sure:
         return found
     nearest = float(np.sqrt(walk.away(found, np.ones(len(closure.known.free), dtype=bool)).min()))
-    again = _Walk(closure, judge, seen, starts, c, _WIDTHS[-1], (nearest + SAME) ** 2)
-    more = again.through(blocks)
+    limit = (nearest + SAME) ** 2
+    if walk.every and walk.left > limit:
+        return found
+    more = _Walk(closure, judge, seen, starts, c, _WIDTHS[-1], limit).through(blocks)
     return np.vstack([found, more])
 
 
 @filled
 class _Walk:
-    """One search through the blocks; `limit`: branches farther from the sketch than this are left [size²]."""
+    """One search through the blocks; `limit`: branches farther from the sketch than this are left [size²].
+
+    sure    every block was as sketched
+    every   all ways to close a block were looked at, each time
+    left    how far the nearest of those is from the sketch that were left all the same [size²]
+    """
 
     closure: EquationSystem
     judge: Judge
@@ -78,6 +85,8 @@ class _Walk:
     width: int
     limit: float
     sure: bool = True
+    every: bool = True
+    left: float = np.inf
 
     @cached_property
     def moved(self) -> Flags:
@@ -89,8 +98,8 @@ class _Walk:
         q = known.unknowns(np.zeros((1, len(known.free))), self.c)
         solved = np.zeros(len(known.free), dtype=bool)
         for block in blocks:
-            q = self._closed(block, q)
             solved[block.columns] = True
+            q = self._closed(block, q, solved)
             q = self._thinned(q, solved)
             if not len(q):
                 break
@@ -98,15 +107,16 @@ class _Walk:
 
     # --- one block ----------------------------------------------------------------------------
 
-    def _closed(self, block: Block, q: Real) -> Real:
+    def _closed(self, block: Block, q: Real, solved: Flags) -> Real:
         """Each branch with every way to close a block."""
         free = self.closure.known.free[block.columns]
         given, told = block.given(q), self.seen[free]
         both = ways(block, given)
         if both is not None:
-            return self._either(block, q, given, told, both)
+            return self._either(block, q, solved, given, told, both)
         y, met = self._tried(block, np.repeat(np.nan_to_num(told)[None], len(q), axis=0), given)
         single = met & self._only(block, y, given, told) & np.isinf(self.limit)
+        self.every &= not single.any()
         if single.all():
             return self._with(block, q, y)
         self.sure = False
@@ -121,7 +131,9 @@ class _Walk:
         order = np.argsort(parent, kind="stable")
         return self._with(block, q[parent[order]], np.vstack([y[single], more[kept]])[order])
 
-    def _either(self, block: Block, q: Real, given: Real, told: Real, both: Real) -> Real:
+    def _either(
+        self, block: Block, q: Real, solved: Flags, given: Real, told: Real, both: Real
+    ) -> Real:
         """Each branch with both ways (b, 2, 2) to close a block, or the one that the sketch shows."""
         unknowns = self.closure.loops.unknowns
         angles = [unknowns[column].kind == "theta" for column in self.closure.known.free[block.columns]]
@@ -131,6 +143,8 @@ class _Walk:
         single = met & self._only(block, y, given[parent], told) & np.isinf(self.limit)
         alone = single.reshape(-1, 2).any(axis=1)
         self.sure &= bool(alone.all())
+        if (others := np.flatnonzero(met & ~single & alone[parent])).size:
+            self._leave(self.away(self._with(block, q[parent[others]], y[others]), solved))
         kept = np.flatnonzero(np.where(alone[parent], single, met))
         kept = kept[_different(parent[kept], y[kept])]
         return self._with(block, q[parent[kept]], y[kept])
@@ -164,7 +178,12 @@ class _Walk:
             return q
         steps = np.round(np.sqrt(away) / SAME)
         ranks = self._negative(q, self.judge.forwards, solved), steps, self._negative(q, self.judge.backwards, solved)
-        return q[np.sort(np.lexsort(ranks)[: self.width])]
+        order = np.lexsort(ranks)
+        self._leave(away[order[self.width :]])
+        return q[np.sort(order[: self.width])]
+
+    def _leave(self, away: Real) -> None:
+        self.left = min(self.left, float(away.min()))
 
     def away(self, q: Real, solved: Flags) -> Real:
         """Squared distance of the sketched points that are found from their places [size²]: (b,)."""

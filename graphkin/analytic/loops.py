@@ -16,7 +16,7 @@ from itertools import combinations
 import numpy as np
 
 from graphkin.analytic.rules import Joint, Relation, Share, Unknown, shares, theta
-from graphkin.analytic.vectors import Complex, Flags, Indices, Numbers, Real, Vectors, applied
+from graphkin.analytic.vectors import Complex, Flags, Indices, Numbers, Polar, Real, Vectors, applied
 from graphkin.errors import NotJoined
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
@@ -67,17 +67,17 @@ class Loops:
         """The rows of all points: (p, m), of many mechanisms (b, p, m)."""
         return np.stack([*self.points.values()], axis=-2)
 
-    def gap(self, q: Real) -> Real:
+    def gap(self, q: Real, polar: Polar | None = None) -> Real:
         """How far each loop stays open, x and y: (..., 2r), in units of size."""
-        return parts(applied(self.rows, self.vectors.at(q)), -1)
+        return parts(applied(self.rows, self.vectors.at(q, polar)), -1)
 
     def open_by(self, q: Real) -> Real:
         """The widest gap of any loop: (...), in units of size."""
         return np.asarray(np.max(np.abs(applied(self.rows, self.vectors.at(q))), axis=-1, initial=0.0))
 
-    def slope(self, q: Real) -> Real:
+    def slope(self, q: Real, polar: Polar | None = None) -> Real:
         """d gap / dq: (..., 2r, n)."""
-        return parts(self.vectors.slope(self.rows, q), -2)
+        return parts(self.vectors.slope(self.rows, q, polar), -2)
 
     def moves(self, rows: Complex) -> Flags:
         """Which unknowns move any of these rows: (n,)."""

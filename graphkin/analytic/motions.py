@@ -169,7 +169,8 @@ def motion_of(mechanism: Mechanism, closure: EquationSystem, values: tuple[Real,
     along = [pair.name for pair in mechanism.pairs if pair.path is not None]
     theta, omega, alpha = ({FRAME: still, **_named(loops, part, "theta", mechanism.moving)} for part in three)
     s, s_rate, s_acceleration = (_named(loops, part, "s", along) for part in three)
-    arrows = vectors.at(q), vectors.rate(*three[:2]), vectors.acceleration(*three)
+    polar = vectors.polar(q)
+    arrows = vectors.at(q, polar), vectors.rate(*three[:2], polar), vectors.acceleration(*three, polar)
     position, velocity, acceleration = (_places(loops, part) for part in arrows)
     return Motion(
         mechanism, theta, omega, alpha, s, s_rate, s_acceleration, position,

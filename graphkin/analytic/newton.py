@@ -13,7 +13,7 @@ import numpy as np
 from graphkin.analytic.elimination import Elimination, eliminate
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.rules import Relation
-from graphkin.analytic.vectors import Indices, Real, applied
+from graphkin.analytic.vectors import Indices, Polar, Real, applied, through
 from graphkin.value import frozen
 
 _SETTLED = 1e-13
@@ -42,9 +42,9 @@ class EquationSystem:
             return like
         return cls(loops, weights, eliminate(weights))
 
-    def matrix(self, q: Real) -> Real:
+    def matrix(self, q: Real, polar: Polar | None = None) -> Real:
         """The matrix A of A y' = B: (..., 2r, y)."""
-        return self.loops.slope(q) @ self.known.left
+        return through(self.loops.slope(q, polar), self.known.left)
 
     def move(self, q: Real, y_step: Real) -> Real:
         return np.asarray(q + applied(self.known.left, y_step))
@@ -84,7 +84,8 @@ def close(closure: EquationSystem, q: Real, c: Real, steps: int = 12) -> Closed:
 
 
 def _newton_step(closure: EquationSystem, q: Real) -> Real:
-    matrix, gap = closure.matrix(q), closure.loops.gap(q)[..., None]
+    polar = closure.loops.vectors.polar(q)
+    matrix, gap = closure.matrix(q, polar), closure.loops.gap(q, polar)[..., None]
     if matrix.shape[-1] == matrix.shape[-2]:
         try:
             return np.asarray(np.clip(-np.linalg.solve(matrix, gap)[..., 0], -1, 1))
@@ -134,15 +135,16 @@ def search(closure: EquationSystem, q: Real, c: Real, steps: int = 60) -> Real:
     closed the loops, or finds no way to close them further, is left alone.
     """
     q = closure.known.unknowns(q[..., closure.known.free], c)
-    damping, busy = np.full(len(q), 0.1), np.arange(len(q))
+    damping, busy, gaps = np.full(len(q), 0.1), np.arange(len(q)), closure.loops.gap(q)
     for _ in range(steps):
         if not len(busy):
             break
-        gap = closure.loops.gap(q[busy])
+        gap = gaps[busy]
         tried = closure.move(q[busy], _damped_step(closure.matrix(q[busy]), gap, damping[busy]))
-        before, after = np.sum(gap**2, axis=-1), np.sum(closure.loops.gap(tried) ** 2, axis=-1)
+        ahead = closure.loops.gap(tried)
+        before, after = np.sum(gap**2, axis=-1), np.sum(ahead**2, axis=-1)
         better = after < before
-        q[busy] = np.where(better[:, None], tried, q[busy])
+        q[busy], gaps[busy] = np.where(better[:, None], tried, q[busy]), np.where(better[:, None], ahead, gap)
         damping[busy] = np.clip(np.where(better, damping[busy] / 5, damping[busy] * 4), 1e-12, 1e6)
         slow = np.where(better, before - after < _SLOW * before, damping[busy] >= 1e6)
         busy = busy[~(slow | (np.minimum(before, after) < _CLOSED))]
@@ -151,5 +153,6 @@ def search(closure: EquationSystem, q: Real, c: Real, steps: int = 60) -> Real:
 
 def _damped_step(matrix: Real, gap: Real, damping: Real) -> Real:
     transposed = np.swapaxes(matrix, -1, -2)
-    normal = transposed @ matrix + damping[:, None, None] * np.eye(matrix.shape[-1])
+    normal, diagonal = transposed @ matrix, np.arange(matrix.shape[-1])
+    normal[:, diagonal, diagonal] += damping[:, None]
     return np.asarray(-np.linalg.solve(normal, transposed @ gap[..., None])[..., 0])

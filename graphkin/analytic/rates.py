@@ -10,7 +10,7 @@ import numpy as np
 
 from graphkin.analytic.loops import parts
 from graphkin.analytic.newton import EquationSystem, inverse
-from graphkin.analytic.vectors import Real, applied
+from graphkin.analytic.vectors import Real, applied, through
 from graphkin.value import frozen
 
 
@@ -25,10 +25,11 @@ class Rates:
 
 def rates(closure: EquationSystem, q: Real, first: Real, second: Real) -> Rates:
     """Rates of the unknowns at q (..., n), for rates of the relations' right sides (k,)."""
-    slope = closure.loops.slope(q)
-    inverted, condition = inverse(slope @ closure.known.left)
+    polar = closure.loops.vectors.polar(q)
+    slope = closure.loops.slope(q, polar)
+    inverted, condition = inverse(through(slope, closure.known.left))
     dq = _solved(closure, inverted, slope, first, np.zeros(slope.shape[:-1]))
-    bend = applied(closure.loops.rows, closure.loops.vectors.acceleration(q, dq, np.zeros_like(dq)))
+    bend = applied(closure.loops.rows, closure.loops.vectors.acceleration(q, dq, np.zeros_like(dq), polar))
     ddq = _solved(closure, inverted, slope, second, parts(bend, -1))
     return Rates(dq, ddq, condition)
 
@@ -40,7 +41,7 @@ def tangent(closure: EquationSystem, q: Real, first: Real) -> tuple[Real, Real, 
     assembly.
     """
     slope = closure.loops.slope(q)
-    matrix = slope @ closure.known.left
+    matrix = through(slope, closure.known.left)
     inverted, condition = inverse(matrix)
     square = matrix.shape[-1] == matrix.shape[-2]
     sense = np.asarray(np.linalg.slogdet(matrix)[0]) if square else np.ones(len(q))

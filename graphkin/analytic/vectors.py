@@ -11,6 +11,7 @@ Source: Sun Huan, Theory of Machines, section 3-3 (complex vectors).
 
 from __future__ import annotations
 
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -30,9 +31,24 @@ def applied(matrix: Numbers, vectors: Numbers) -> Numbers:
     return np.asarray(vectors @ matrix.T if matrix.ndim == 2 else (matrix @ vectors[..., None])[..., 0])
 
 
+def through(rows: Numbers, matrix: Numbers) -> Numbers:
+    """Rows (.., m) times a matrix (m, n), as one product: of a stack numpy would do each small one by itself. Of many
+    mechanisms each has a matrix of its own (b, m, n)."""
+    if matrix.ndim > 2:
+        return np.asarray(rows @ matrix)
+    *many, m = rows.shape
+    return np.asarray((rows.reshape(prod(many), m) @ matrix).reshape(*many, matrix.shape[1]))
+
+
+Polar = tuple[Real, Complex]
+"""Length and unit vector of each arrow (.., m)."""
+
+
 @frozen
 class Vectors:
     """How arrows hang on the unknowns q: angle = turning q, length = base + stretching q.
+
+    What asks for `polar` works that out itself where it is not given.
 
     turning, stretching   (m, n)
     base                  (m,): 1 for a link's arrow, 0 for a slide's
@@ -42,30 +58,30 @@ class Vectors:
     stretching: Real
     base: Real
 
-    def polar(self, q: Real) -> tuple[Real, Complex]:
+    def polar(self, q: Real) -> Polar:
         """Length and unit vector of each arrow."""
         return self.base + q @ self.stretching.T, np.exp(1j * (q @ self.turning.T))
 
-    def at(self, q: Real) -> Complex:
-        length, unit = self.polar(q)
+    def at(self, q: Real, polar: Polar | None = None) -> Complex:
+        length, unit = polar or self.polar(q)
         return length * unit
 
-    def rate(self, q: Real, dq: Real) -> Complex:
+    def rate(self, q: Real, dq: Real, polar: Polar | None = None) -> Complex:
         """d/dt of each arrow: l' along it, l phi' across it."""
-        length, unit = self.polar(q)
+        length, unit = polar or self.polar(q)
         turn, stretch = dq @ self.turning.T, dq @ self.stretching.T
         return unit * (stretch + 1j * length * turn)
 
-    def acceleration(self, q: Real, dq: Real, ddq: Real) -> Complex:
+    def acceleration(self, q: Real, dq: Real, ddq: Real, polar: Polar | None = None) -> Complex:
         """d2/dt2 of each arrow: l'' - l phi'^2 along it, l phi'' + 2 l' phi' (Coriolis) across it."""
-        length, unit = self.polar(q)
+        length, unit = polar or self.polar(q)
         turn, stretch = dq @ self.turning.T, dq @ self.stretching.T
         along = ddq @ self.stretching.T - length * turn**2
         return unit * (along + 1j * (length * (ddq @ self.turning.T) + 2 * stretch * turn))
 
-    def slope(self, rows: Complex, q: Real) -> Complex:
+    def slope(self, rows: Complex, q: Real, polar: Polar | None = None) -> Complex:
         """d(rows . arrows)/dq: (..., r, n) for rows (r, m)."""
-        length, unit = self.polar(q)
+        length, unit = polar or self.polar(q)
         turned = (1j * length * unit)[..., None, :] * rows
         stretched = unit[..., None, :] * rows
-        return np.asarray(turned @ self.turning + stretched @ self.stretching)
+        return through(turned, self.turning) + through(stretched, self.stretching)

@@ -91,7 +91,9 @@ def _has(mechanism: Mechanism, kind: str) -> bool:
 
 def _file(name: str) -> Path | None:
     """Looked for by its name alone; reading all folders takes longer."""
-    places = (folder / f"{name}{_SUFFIX}" for folder in _folders() if name == Path(name).name)
+    if "/" in name or name != Path(name).name:
+        return None
+    places = (folder / f"{name}{_SUFFIX}" for folder in _folders())
     return next((place for place in places if os.path.isfile(place)), None)
 
 

@@ -6,6 +6,7 @@ nearest is the one. A sketch that says nothing of a choice leaves it to custom: 
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Iterator, Mapping
 
 import numpy as np
@@ -193,9 +194,11 @@ def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: 
 
 def extent(plot: Plot) -> float:
     """How far the placed points lie apart [m]."""
-    values = np.concatenate([np.ravel(value) for value in plot.position.values()])
-    placed = values[np.isfinite(values)]
-    return float(np.max(np.abs(placed - placed[0]))) if placed.size else 1.0
+    values = [*plot.position.values()]
+    if any(isinstance(value, np.ndarray) for value in values):
+        values = np.concatenate([np.ravel(value) for value in values]).tolist()
+    placed = [value for value in values if cmath.isfinite(value)]
+    return max(float(abs(value - placed[0])) for value in placed) if placed else 1.0
 
 
 def _open_link(structure: Structure, plot: Plot, size: float) -> tuple[str, float]:
