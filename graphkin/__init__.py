@@ -43,10 +43,9 @@ __version__ = "0.2.0"
 
 ORDER = (
     "value", "kept", "waiting", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs",
-    "mechanism",
-    "stacking", "naming", "motions", "quantities", "measured", "loading", "library", "starters", "planning", "running",
-    "seal", "analytic", "freedoms", "assur", "readings", "standing", "agreement", "alike", "centres", "linkages",
-    "design", "sweeps", "finding",
+    "mechanism", "stacking", "naming", "motions", "quantities", "measured", "readable", "loading", "library",
+    "starters", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings", "standing", "agreement",
+    "alike", "centres", "linkages", "design", "sweeps", "finding",
     "check", "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading",
     "problems", "platforms", "handouts", "reference", "cli",
 )  # fmt: skip
@@ -57,7 +56,7 @@ _WHERE = {
     "loads": "loading",
     "from_dict": "loading",
     "Drawing": "api",
-    "State": "measured",
+    "State": "readable",
     "Sweep": "outputs.frames",
     "plan": "api",
     "replay": "api",
@@ -82,8 +81,8 @@ if TYPE_CHECKING:
     from graphkin.check import measure
     from graphkin.errors import GraphkinError
     from graphkin.loading import Mechanism, from_dict, loads
-    from graphkin.measured import State
     from graphkin.outputs.frames import Sweep
+    from graphkin.readable import State
     from graphkin.running.variants import replay_many
     from graphkin.say import explain
 

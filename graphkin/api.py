@@ -24,10 +24,10 @@ from graphkin.construction import Plane, Plot
 from graphkin.errors import CannotAssemble, GraphkinError, HigherClass, Lang, NoSpeed, Where
 from graphkin.geometry import Value
 from graphkin.loading.questions import rate_keys
-from graphkin.measured import Readable, State, read_off
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
 from graphkin.planning import Method
+from graphkin.readable import Readable, State, read_off
 from graphkin.value import frozen
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ import graphkin
 __all__ = ["names", "text"]
 
 _INHERITED = ("Readable", "Measured")
-_ALSO = {"Builder": "loading.builder", "Readable": "measured", "Measured": "measured", "Series": "sweeps"}
+_ALSO = {"Builder": "loading.builder", "Readable": "readable", "Measured": "measured", "Series": "sweeps"}
 """What public names give or share."""
 _QUOTED = re.compile(r"(: |-> )'([^']*)'")
 

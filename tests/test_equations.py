@@ -348,3 +348,12 @@ def test_latex_is_whole(name: str, by, lang, tmp_path: Path):
         command = [LATEX, "-interaction=nonstopmode", "-halt-on-error", "equations.tex"]
         run = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=240, check=False)
         assert run.returncode == 0, run.stdout.decode("utf-8", "replace")[-2000:]
+
+
+def test_a_direction_is_told_without_whole_turns():
+    """Found as a difference of others, as where a link is driven against another, it may come with some."""
+    model = model_of(graphkin.plan(library.load("ex3-4")))
+    text = write_text(written(model, "complex", "en"))
+    (told,) = re.findall(r"θ1 +direction of link 1 +(\S+)°", text)
+    (value,) = [np.degrees(value) for symbol, value in model.values.items() if symbol_text(symbol) == "θ1"]
+    assert float(told) == pytest.approx(value + 360, abs=1e-3)

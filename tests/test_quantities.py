@@ -14,7 +14,7 @@ import graphkin
 from graphkin import library, starters, sweeps
 from graphkin.analytic import motion
 from graphkin.centres import centres
-from graphkin.errors import NOWHERE, GraphkinError, Where
+from graphkin.errors import NOWHERE, GraphkinError, UnknownPoint, Where
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
@@ -141,6 +141,15 @@ def test_coincident_points_that_are_there_are_told(text: str):
         assert named(mechanism, f"a_k {pair}", NOWHERE).part == "k"
     with pytest.raises(GraphkinError, match=r"Possible: A, B, C, T\."):
         named(mechanism, "a_n C2C3", Where("ask"))
+
+
+@pytest.mark.parametrize(("name", "text", "points"), [
+    ("ex3-7", "v ram", ("E",)), ("ex3-7", "v_x 5", ("E",)), ("ex3-7", "x 1", ("A", "B")), ("ex3-1", "a s0", ("B2B3",)),
+])  # fmt: skip
+def test_links_and_sliding_pairs_say_which_points_move(name: str, text: str, points: tuple[str, ...]):
+    with pytest.raises(UnknownPoint) as refused:
+        read(library.load(name), text)
+    assert refused.value.possible == points
 
 
 def test_only_what_is_answered_is_suggested():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from math import remainder
 
 import numpy as np
 
@@ -112,11 +113,13 @@ _SHOWN = {unit.name: unit for unit in (*EDGE.values(), Unit("mm rad", "mm·rad",
 
 
 def _value(entry: Entry, value: Value) -> str:
-    """In the unit of the legend."""
+    """In the unit of the legend; an angle that came as a sum or a difference without its whole turns."""
     shown = _SHOWN[entry.unit]
     real, imag = (shown.factor * float(part) for part in (np.real(value), np.imag(value)))
     if np.iscomplexobj(value):
         return f"{_digits(real)} {'−' if imag < 0 else '+'} {_digits(abs(imag))} i{shown.after}"
+    if entry.unit == "deg" and not -180 <= real < 360:
+        real = remainder(real, 360)
     return _digits(real) + shown.after
 
 

@@ -8,28 +8,26 @@ same bytes.
 from __future__ import annotations
 
 import cmath
-import json
 import math
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping, Sequence
 from functools import partial
 from itertools import groupby
-from pathlib import Path
 from typing import Any, ClassVar, assert_never
 
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs.paint import Colours, Ink
-from graphkin.outputs.spans import LATIN, lettered, mm, runs, short
+from graphkin.outputs.spans import LATIN, mm, runs, short
+from graphkin.outputs.stated import kind, stated, statement
 from graphkin.outputs.svgwriting import svgwrite
-from graphkin.seal import seal
 from graphkin.sheet import Sheet
 from graphkin.sheet.composed import HEADINGS
 from graphkin.sheet.lettering import Label
-from graphkin.sheet.marks import Arc, Disc, Half, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark
+from graphkin.sheet.marks import Arc, Disc, Half, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer
-from graphkin.sheet.scales import KEYS, written
+from graphkin.sheet.scales import written
 
 NAMESPACE = "https://graphkin.invalid/sheet/1"
 _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
@@ -125,7 +123,7 @@ class Pen:
             self.drawing["xmlns:inkscape"] = _INKSCAPE
             self.drawing["role"] = "img"
             self.drawing.set_desc(title=sheet.title, desc=_described(sheet))
-            self.drawing.set_metadata(_metadata(sheet))
+            self.drawing.set_metadata(_element("gk:sheet", _NONE, statement(sheet)))
         else:
             self.drawing.set_desc(title=sheet.title)
 
@@ -146,9 +144,9 @@ class Pen:
         """A mark; what is around it has its paint, where it has none itself."""
         name, form, inside = self._form(mark, layer)
         found = {**form, **paint}
-        if told := stated(mark):
-            found["class"] = _class(mark)
-            found |= {f"data-{key}": value for key, value in told.items()}
+        if said := stated(mark):
+            found["class"] = kind(mark)
+            found |= {f"data-{key}": value for key, value in said.items()}
         if mark.step is not None:
             found["data-step"] = str(mark.step)
         return _element(name, found, inside)
@@ -292,62 +290,3 @@ def _described(sheet: Sheet) -> str:
 
 def _read(label: Label) -> str:
     return "".join(run.text for run in label)
-
-
-def stated(mark: Mark) -> dict[str, str]:
-    """What a mark says that it shows, for a reader to hold it to: the element's `data-*`."""
-    match mark:
-        case VectorMark(plane="detail") | PointMark(plane="detail"):
-            return {}
-        case VectorMark():
-            known: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "tail", "head")}
-            sites = zip(("of", "seen-from", "over", "onto"), mark.sites, strict=False)
-            return _filled(known | {"part": mark.part} | dict(sites))
-        case PointMark():
-            named: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "of")}
-            return _filled(named | {"site": mark.site})
-        case Stroke(shows=Shows() as shows) | Disc(shows=Shows() as shows):
-            lies = {"plane": shows.plane, "link": shows.link, "form": shows.form, "points": " ".join(shows.points)}
-            return _filled(lies | {"line": shows.line})
-        case _:
-            return {}
-
-
-def _filled(said: dict[str, str]) -> dict[str, str]:
-    return {key: value for key, value in said.items() if value}
-
-
-def _class(mark: Mark) -> str:
-    return {VectorMark: "vector", PointMark: "point"}.get(type(mark), "link")
-
-
-def _rounded(place: Place) -> list[float]:
-    return [round(place.real, 4), round(place.imag, 4)]
-
-
-def _metadata(sheet: Sheet) -> ET.Element:
-    """What a reader needs to solve the same problem anew; a checker trusts only the lines."""
-    machine = sheet.mechanism
-    data: dict[str, object] = {
-        "format": 2,
-        "program": "graphkin",
-        "mechanism": machine.text,
-        "name": machine.name,
-        "file": Path(machine.file).name,
-        "drivers": list(sheet.drivers),
-        "scales": {KEYS[plane]: scale for plane, scale in sheet.scales.items()},
-        "origin": {plane: _rounded(origin) for plane, origin in sheet.origins.items()},
-    }
-    if sheet.given:  # the file may tell answers, in a remark
-        data |= {"style": "given", "mechanism": "", "drivers": []}
-    if not sheet.paper.margin:
-        data["tight"] = True
-    drawn = [(_class(mark), told) for mark in sheet.marks if (told := stated(mark))]
-    data["drawn"] = sorted([kind, *sorted(f"{key}={value}" for key, value in told.items())] for kind, told in drawn)
-    texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
-    data["letters"] = sorted([lettered(text), *_rounded(text.at)] for text in texts)
-    data["signs"] = len(sheet.marks) - len(texts) - len(drawn)
-    data["seal"] = seal(data)
-    element = ET.Element("gk:sheet")
-    element.text = json.dumps(data, ensure_ascii=False)
-    return element

@@ -202,14 +202,17 @@ class _Reader:
 
     # --- what it needs ----------------------------------------------------------------------------
 
+    def _equation(self, equation: Equation) -> Iterator[Fact]:
+        """What its steps and its terms need, and it does not give itself."""
+        given = set(self.gives(equation))
+        needs = [fact for step in equation.steps for fact in self.needs(step)]
+        needs += [fact for term in (*equation.left, *equation.right) for fact in self._term(term)]
+        yield from (fact for fact in needs if fact not in given)
+
     def needs(self, part: Part) -> Iterator[Fact]:
-        if isinstance(part, Equation):
-            given = set(self.gives(part))
-            needs = [fact for step in part.steps for fact in self.needs(step)]
-            needs += [fact for term in (*part.left, *part.right) for fact in self._term(term)]
-            yield from (fact for fact in needs if fact not in given)
-            return
         match part:
+            case Equation():
+                yield from self._equation(part)
             case Given():
                 pass
             case LayOff(term, start):

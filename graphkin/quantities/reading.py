@@ -173,7 +173,7 @@ def _displacement(mechanism: Mechanism, where: Where, of: str) -> Displacement |
 def _site(mechanism: Mechanism, where: Where, of: str) -> Seen:
     site = seen(mechanism, of)
     if site is None:
-        raise UnknownPoint(where, of, mechanism.points)
+        raise UnknownPoint(where, of, _moving_there(mechanism, of) or mechanism.points)
     return site
 
 
@@ -204,11 +204,25 @@ def _guide(mechanism: Mechanism, site: Seen) -> complex | None:
 
 
 def _meant_points(mechanism: Mechanism, of: str, word: str) -> tuple[str, ...]:
-    """What may be meant by a text that names nothing: with a known point and more, coincident points there."""
+    """What may be meant by a text that names no point: of a sliding pair or a link what moves there.
+
+    With a known point and more, coincident points there.
+    """
+    if moving := _moving_there(mechanism, of):
+        return moving
     if word in ("a_n", "a_t"):
         return mechanism.points
     begun = [seen(mechanism, point) for point in mechanism.points if of.startswith(point) and of != point]
     return tuple(name for site in begun if site for name in _others(mechanism, site, "a_k")) or mechanism.points
+
+
+def _moving_there(mechanism: Mechanism, of: str) -> tuple[str, ...]:
+    """All points of a link of this name; the point of a sliding pair, a block's as its moving guide sees it."""
+    for slide in mechanism.slides:
+        if slide.name == of:
+            moving = slide.block is not None and slide.guide != FRAME
+            return (_coincident(mechanism, slide.point, slide.block or "", slide.guide) if moving else slide.point,)
+    return mechanism.named(of) if of in mechanism.moving else ()
 
 
 def _others(mechanism: Mechanism, of: Seen, word: str) -> tuple[str, ...]:

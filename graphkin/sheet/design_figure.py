@@ -35,9 +35,10 @@ from graphkin.drafting import (
 )
 from graphkin.sheet.alone import Alone
 from graphkin.sheet.curves import clipped
-from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
+from graphkin.sheet.design_angles import DesignAngles
+from graphkin.sheet.lettering import joined, point_label
 from graphkin.sheet.marks import Arc, Disc, Stroke
-from graphkin.sheet.paper import BODY, PenName
+from graphkin.sheet.paper import PenName
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Entry, Figure
 from graphkin.value import frozen
@@ -48,10 +49,6 @@ _NEAR = 0.25
 """Points nearer than this on paper are one [mm]."""
 _DOT = 0.45
 _PENS: Mapping[str, PenName] = {"admissible": "thin", "FG": "dashed", "minor": "dashed"}
-_SQUARE = 2.2
-"""Side of the square in a right angle [mm]."""
-_ARC = 13.0
-"""Radius of the arcs that show angles [mm]."""
 _PART = math.radians(14)
 """Half of a drawn arc of a compass."""
 
@@ -87,7 +84,7 @@ class DesignFigure:
                 yield from self._drawn(step, number_)
         yield from self._positions()
         yield from self._points()
-        yield from self._angles()
+        yield from DesignAngles(self.solution, self.on, self.board).entries()
 
     # --- steps -----------------------------------------------------------------------------------
 
@@ -198,7 +195,7 @@ class DesignFigure:
         yield Arc(centre, abs(old - centre), start, sweep, "dashed", step=stage)
         yield Stroke((centre, new), "construction", step=stage)
 
-    # --- positions, points, angles -----------------------------------------------------------------
+    # --- positions, points -------------------------------------------------------------------------
 
     @property
     def _size(self) -> float:
@@ -256,65 +253,3 @@ class DesignFigure:
         """B and C, where they are not pivots."""
         first = self.solution.limits[0]
         return [name for name in "BC" if name in first and any(p[name] != first[name] for p in self.solution.limits)]
-
-    def _angles(self) -> Iterator[Entry]:
-        """theta at A, and the swing at D (at C for a guide bar), with their values."""
-        at, one = self.places, self.solution
-        if one.theta is None or len(one.limits) != 2 or "theta" not in self.board.numbers:
-            return
-        if one.shape == "guide-bar":
-            yield from self._angle(at["C"], at["B1"], at["B2"], "ψ = θ", one.theta, 2)
-            for pin in ("B1", "B2"):
-                yield from self._right_angle(pin, "A", "C", "")
-            return
-        yield from self._angle(at["A"], at["C1"], at["C2"], "θ", one.theta, self._last)
-        yield from self._seen_under()
-        if one.swing is not None and "D" in at:
-            yield from self._angle(at["D"], at["C1"], at["C2"], "ψ", one.swing, 2)
-        if one.stroke is not None:
-            ends = self.on.window(at["C1"]), self.on.window(at["C2"])
-            label = self._valued("H", 1e3 * one.stroke, " mm")
-            yield Wanted(label, ends[0], ends[1], gap=3.4, step=2, spare=True)
-
-    def _seen_under(self) -> Iterator[Entry]:
-        """The triangle on C1C2 that gives the circle: 90° at C2, 90° − θ at C1."""
-        if not {"C1", "C2", "P"} <= self.places.keys():
-            return
-        if not (square := list(self._right_angle("C2", "C1", "P", "90°"))):
-            return
-        yield from square
-        first, second, third = (self.on.window(self.places[name]) for name in ("C1", "C2", "P"))
-        back, stage = first - second, self.construction.born("P")
-        start, sweep = cmath.phase(-back), cmath.phase((third - first) / -back)
-        radius = min(_ARC, 0.5 * abs(back))
-        yield Arc(first, radius, start, sweep, "thin", step=stage)
-        middle = cmath.rect(radius, start + sweep / 2)
-        label = (*plain("90° − "), Run("θ", True))
-        yield Wanted(label, first + middle, gap=0.6, away=middle, size=BODY, step=stage, spare=True)
-
-    def _right_angle(self, corner: str, one: str, other: str, said: str) -> Iterator[Entry]:
-        """A square in a corner, with what is said of it; nothing where the angle is another, or the sides are short."""
-        at, first, second = (self.on.window(self.places[name]) for name in (corner, one, other))
-        a, b = first - at, second - at
-        if abs((a.conjugate() * b).real) > 1e-6 * abs(a * b) or min(abs(a), abs(b)) < 3 * _SQUARE:
-            return
-        stage = max(self.construction.born(name) or 0 for name in (corner, one, other))
-        a, b = a / abs(a) * _SQUARE, b / abs(b) * _SQUARE
-        yield Stroke((at + a, at + a + b, at + b), "construction", step=stage)
-        if said:
-            yield Wanted(plain(said), at + a + b, gap=0.5, away=a + b, size=BODY, step=stage, spare=True)
-
-    def _angle(
-        self, centre: complex, first: complex, second: complex, letter: str, value: float, stage: int
-    ) -> Iterator[Entry]:
-        at, one, other = (self.on.window(z) for z in (centre, first, second))
-        radius = min(_ARC, 0.6 * min(abs(one - at), abs(other - at)))
-        start = cmath.phase(one - at)
-        sweep = cmath.phase((other - at) / (one - at))
-        yield Arc(at, radius, start, sweep, "thin", step=stage)
-        middle = at + cmath.rect(radius, start + sweep / 2)
-        yield Wanted(self._valued(letter, math.degrees(value), "°"), middle, gap=0.8, away=middle - at, step=stage)
-
-    @staticmethod
-    def _valued(letter: str, value: float, unit: str) -> Label:
-        return (*(Run(c, c.isalpha()) for c in letter), Run(" = "), *number(value, 5), *plain(unit))

@@ -8,10 +8,11 @@ from dataclasses import replace
 import numpy as np
 
 from graphkin.errors import NOWHERE, NotSwept, Where
-from graphkin.measured import Numbers, Readable
+from graphkin.measured import Numbers
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.quantities import EDGE, Centre, Quantity, Quotient, named
+from graphkin.readable import Readable
 from graphkin.running.compiled import Entry
 from graphkin.running.compiled.memory import lent
 from graphkin.running.many_positions import MANY
