@@ -42,7 +42,8 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.2.0"
 
 ORDER = (
-    "value", "kept", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs", "mechanism",
+    "value", "kept", "waiting", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs",
+    "mechanism",
     "stacking", "naming", "motions", "quantities", "measured", "loading", "library", "starters", "planning", "running",
     "seal", "analytic", "freedoms", "assur", "readings", "standing", "agreement", "alike", "centres", "linkages",
     "design", "sweeps", "finding",

@@ -6,6 +6,7 @@ mechanism anew by the matrix method, and gives neither where they differ.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
 
@@ -103,15 +104,14 @@ def _sizes(exact: Motions, velocity: Mapping[str, Value], largest: _Largest) -> 
 
 
 def _worst(drawn: Mapping[str, Value], right: Mapping[str, Value], natural: Value, largest: _Largest) -> Value:
-    size = np.maximum(natural, largest([right[name] for name in drawn]))
+    size = largest([natural, *(right[name] for name in drawn)])
     return largest([drawn[name] - right[name] for name in drawn]) / (size + (size == 0))
 
 
 def _largest(values: Sequence[Value]) -> float:
     """The largest size of all values (nan where one is nan), 0 of none."""
-    if any(isinstance(value, np.ndarray) for value in values):
-        values = [np.max(np.abs(value)) for value in values]
-    return float(np.abs(np.array(values)).max(initial=0.0))
+    sizes = [float(np.max(np.abs(value)) if isinstance(value, np.ndarray) else abs(value)) for value in values]
+    return math.nan if any(map(math.isnan, sizes)) else max(sizes, default=0.0)
 
 
 def _largest_of_each(values: Sequence[Value]) -> Value:

@@ -27,8 +27,9 @@ def kept(most: int, objects: int = 1) -> Callable[[Callable[_Asked, _Found]], Ca
             place = (*map(id, args[:objects]), *args[objects:], *sorted(named.items()))
             entry = found.pop(place, None) or (args[:objects], make(*args, **named))
             found[place] = entry
-            for oldest in [*found][:-most]:
-                found.pop(oldest, None)
+            if len(found) > most:
+                for oldest in [*found][:-most]:
+                    found.pop(oldest, None)
             return entry[1]
 
         return get

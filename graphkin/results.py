@@ -36,18 +36,20 @@ def results(
 ) -> Json:  # fmt: skip
     """One object for one mechanism, an entry in `positions` for the drawn one and for each of `also`, or one alone for
     other driver values [rad, m]; `drawn`: the drawn position, where it is proved already."""
-    wanted = [*driver_values(method)] if values is None else [tuple(values)]
-    found = [drawn if values is None and k == 0 else None for k in range(len(wanted))]
+    first, *others = driver_values(method) if values is None else [tuple(values)]
+    found = (drawn or proved(method)) if values is None else proved(method, values)
     return {
         "format": 1,
         "name": mechanism.name,
         "title": mechanism.headline(lang),
-        "positions": [_position(mechanism, method, *each) for each in zip(wanted, found, strict=True)],
+        "positions": [
+            _position(mechanism, method, first, found),
+            *(_position(mechanism, method, each, proved(method, each)) for each in others),
+        ],
     }
 
 
-def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...], drawn: Proved | None) -> Json:
-    found = proved(method, values) if drawn is None else drawn
+def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...], found: Proved) -> Json:
     plot, seen = found.plot, readings(method, found.plot)
     return {
         "drivers": list(values),
@@ -95,15 +97,16 @@ def _point(mechanism: Mechanism, motions: Motions, point: str) -> Json:
 
 def _coincident(method: Method, drawn: Motions) -> Iterator[tuple[str, Json]]:
     """Each pair of coincident points of the polygons, seen either way round."""
-    points = method.mechanism.points
-    sites = {label: _home(method, site) for label, site in method.sites.items() if site.point in points}
-    meeting: dict[str, dict[str, Seen]] = {}
+    sites, points = method.sites, set(method.mechanism.points)
+    of_point: dict[str, list[str]] = {}
     for label, site in sites.items():
-        meeting.setdefault(site.point, {})[label] = site
-    for label, of in sites.items():
-        for other, seen_from in meeting[of.point].items():
+        of_point.setdefault(site.point, []).append(label)
+    for label in sites:
+        point = sites[label].point
+        for other in of_point[point] if point in points else ():
             if other == label:
                 continue
+            of, seen_from = _home(method, sites[label]), _home(method, sites[other])
             comma = "," if "@" in label + other else ""
             yield f"{label}{comma}{other}", {
                 "v": _vector(relative(drawn, "velocity", "", of, seen_from)),

@@ -443,6 +443,8 @@ KEYS = [
     bad("BadName", edit(FOURBAR, "BC = 70", "BCDE = 70"), "BCDE", "links.2.BCDE", "two points for a length", "两点表示长度"),
     bad("BadName", edit(FOURBAR, "BC = 70", "BB = 70"), "BB", "links.2.BB", "two points for a length", "两点表示长度"),
     bad("BadName", edit(FOURBAR, "[links.2]", '[links."2+"]'), "2+", "links.2+", "letters, digits", "字母、数字"),
+    bad("LongName", edit(FOURBAR, "[links.2]", f"[links.{'rod' * 9}]"), "rodrod", f"links.{'rod' * 9}", "to 24 letters", "24 个字母"),
+    bad("LongName", edit(SLIDER, '"piston"', f'"{"活塞" * 7}"'), "活塞", "slide.0.name", "to 24 letters", "汉字按两个计"),
     bad("BadName", edit(FOURBAR, '"AB"', '"AA"'), "vector", "driver.0.vector", "two different points", "两个不同的点"),
     bad("BadName", edit(SLIDER, '"piston"', '"c1"'), "name = \"c1\"", "slide.0.name", "c0, c1", "保留名"),
     bad("BadName", edit(SLIDER, 'point = "C"', 'point = "c"'), "point = ", "slide.0.point", "a capital letter", "大写字母"),
@@ -636,7 +638,7 @@ def one_problem(text: str, kind: str) -> GraphkinError:
     return next(problem for problem in problems if type(problem).__name__ == kind)
 
 
-MODULES = ("files", "keys", "shapes", "pairs", "drivers")
+MODULES = ("files", "keys", "names", "shapes", "pairs", "drivers")
 ERRORS = [
     thing
     for name in errors.__all__

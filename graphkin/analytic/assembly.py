@@ -19,6 +19,7 @@ from graphkin.analytic.rules import Relation, driven, placing
 from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Complex, Real, applied
 from graphkin.errors import NoAssembly
+from graphkin.geometry import Value
 from graphkin.kept import kept
 from graphkin.mechanism import FRAME, Link, Mechanism
 from graphkin.tolerances import ROUNDED
@@ -38,19 +39,21 @@ _AJAR = 1e-2
 
 @frozen
 class Assembled:
-    """The chosen position q (n,), or None; then the smallest gap found [m]."""
+    """The chosen position q (n,), or None; then the smallest gap found [m]. The system that was closed."""
 
     q: Real | None
     gap: float
+    closure: EquationSystem
 
 
 @frozen
 class DrawnPosition:
-    """The drawn position: unknowns q (n,), and each driver's value there [rad or m]."""
+    """The drawn position: unknowns q (n,), and each driver's value there [rad or m]; the system that gave it."""
 
     loops: Loops
     q: Real
     values: tuple[float, ...]
+    closure: EquationSystem
 
 
 @kept(8)
@@ -60,18 +63,21 @@ def drawn(mechanism: Mechanism) -> DrawnPosition:
     found = assemble(mechanism, loops)
     if found.q is None:
         raise NoAssembly(mechanism.where("driver"), found.gap * 1e3)
-    return DrawnPosition(loops, found.q, driver_values(mechanism, loops, found.q))
+    return DrawnPosition(loops, found.q, driver_values(mechanism, loops, found.q), found.closure)
 
 
 def driver_values(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[float, ...]:
     """Each driver's value: as the file gives it, else as found [rad or m]."""
     values = []
     for driver in mechanism.drivers:
+        if driver.value is not None:
+            values.append(driver.value)
+            continue
         relation = driven(mechanism, driver)
         value = applied(loops.weights([relation]), q)[..., 0] + relation.constant
         if driver.kind != "slide":
             value = np.angle(np.exp(1j * value))
-        values.append(value[()] if driver.value is None else driver.value)
+        values.append(value[()])
     return tuple(values)
 
 
@@ -91,18 +97,19 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
     relations, c = standing(mechanism, loops, driving)
     closure = EquationSystem.of(loops, relations)
     seen = guess(mechanism, loops)
-    if np.isnan(seen).any() or loops.open_by(seen) < _AJAR:
+    ajar = loops.open_by(seen)
+    if not ajar >= _AJAR:
         near = np.nan_to_num(seen)[None]
-        first = _met(closure, near, c) if loops.open_by(seen) < EXACT else _closed(closure, near, c)[0]
+        first = _met(closure, near, c) if ajar < EXACT else _closed(closure, near, c)[0]
         if len(first) and _as_sketched(mechanism, loops, first[0]):
-            return Assembled(first[0], 0.0)
+            return Assembled(first[0], 0.0, closure)
     starts = cache(partial(_starts, seen, mechanism, loops))
     found = _met(closure, branched(closure, _judge(mechanism, loops), seen, starts, c), c)
     if not len(found):
         found, ends = _closed(closure, starts()[:: 1 + len(closure.known.free) // _MANY], c)
     if not len(found):
-        return Assembled(None, _smallest_gap(closure, ends, c) * loops.size)
-    return Assembled(choose(mechanism, loops, _distinct(found)), 0.0)
+        return Assembled(None, _smallest_gap(closure, ends, c) * loops.size, closure)
+    return Assembled(choose(mechanism, loops, _distinct(found)), 0.0, closure)
 
 
 def _judge(mechanism: Mechanism, loops: Loops) -> Judge:
@@ -163,10 +170,13 @@ def standing(mechanism: Mechanism, loops: Loops, driving: bool = True) -> tuple[
     """The relations that hold at the drawn position, with their right sides (k,), of many mechanisms (b, k)."""
     given = placing(mechanism) if driving else []
     known = [(relation, 0.0) for relation in loops.relations if relation.offset is not None]
-    known += [(driven(mechanism, each), value) for each, value in given]
-    known += [(relation, 0.0) for relation in held(loops, [relation for relation, _ in known])]
+    placed = [(driven(mechanism, each), value) for each, value in given]
+    known += [(relation, 0.0) for relation in held(loops, [relation for relation, _ in known + placed])]
+    known += placed
     shape = np.shape(loops.size)
-    sides = [np.broadcast_to(value - relation.constant, shape) for relation, value in known]
+    sides: list[Value] = [value - relation.constant for relation, value in known]
+    if shape:
+        sides = [np.broadcast_to(side, shape) for side in sides]
     return tuple(relation for relation, _ in known), np.array(sides, dtype=np.float64).reshape(-1, *shape).T
 
 

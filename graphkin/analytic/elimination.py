@@ -6,9 +6,13 @@ find (y) is as many scalars as the loops have to give.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from functools import reduce
+
 import numpy as np
 
 from graphkin.analytic.vectors import Indices, Real, applied
+from graphkin.geometry import Value
 from graphkin.value import frozen
 
 _ZERO = 1e-9
@@ -40,6 +44,8 @@ class Elimination:
 
     def mismatch(self, c: Real) -> float:
         """How much repeated relations contradict each other; whole turns do not count."""
+        if not self.spare.size:
+            return 0.0
         rest = applied(self.spare, c)
         return float(np.max(np.minimum(abs(rest), abs(np.angle(np.exp(1j * rest)))), initial=0.0))
 
@@ -47,35 +53,58 @@ class Elimination:
 def eliminate(weights: Real) -> Elimination:
     """Gauss-Jordan on W (k, n) beside the unit matrix, each row pivoting on its largest entry.
 
-    Of many mechanisms (b, k, n) on the entry that is the largest where it is smallest.
+    Of many mechanisms (b, k, n) on the entry that is the largest where it is smallest. A relation has few unknowns, so
+    rows are tables of what is not 0, by column.
     """
     k, n = weights.shape[-2:]
-    table = np.concatenate([weights, np.broadcast_to(np.eye(k), (*weights.shape[:-1], k))], axis=-1)
-    largest = np.max(abs(weights), axis=-1, initial=0.0, keepdims=True)
-    table /= largest + (largest == 0)
+    rows = [_row(weights[..., number, :]) | {n + number: 1.0} for number in range(k)]
+    for number, row in enumerate(rows):
+        largest = reduce(np.maximum, (abs(value) for column, value in row.items() if column < n), 0.0)
+        rows[number] = {column: value / (largest + (largest == 0)) for column, value in row.items()}
     pivots: dict[int, int] = {}
-    for row in range(k):
-        sizes = abs(table[..., row, :n]).reshape(-1, n).min(axis=0)
-        column = int(np.argmax(sizes)) if n else 0
-        if n == 0 or sizes[column] < _ZERO:
+    for number, row in enumerate(rows):
+        sizes = {column: _least(value) for column, value in row.items() if column < n}
+        column = max(sorted(sizes), key=lambda each: sizes[each], default=None)
+        if column is None or sizes[column] < _ZERO:
             continue
-        table[..., row, :] /= table[..., row, column, None]
-        shares = table[..., column].copy()
-        shares[..., row] = 0.0
-        if shares.any():
-            table -= shares[..., None] * table[..., None, row, :]
-        pivots[row] = column
-    return _solution(table, pivots, n)
+        pivot = row.pop(column)
+        rows[number] = row = {other: value / pivot for other, value in row.items()}
+        for other in rows:
+            share = other.pop(column, None)
+            if share is not None:
+                other.update({each: other.get(each, 0.0) - share * value for each, value in row.items()})
+        pivots[number] = column
+    return _solution(weights.shape, rows, pivots)
 
 
-def _solution(table: Real, pivots: dict[int, int], n: int) -> Elimination:
-    """Read the solution off the reduced table; `pivots` gives each row's column."""
-    many, k = table.shape[:-2], table.shape[-2]
+def _row(entries: Real) -> dict[int, Value]:
+    """What is not 0 of a row (n,), by column; of many mechanisms (b, n) what is not 0 in all of them."""
+    if entries.ndim == 1:
+        return {column: value for column, value in enumerate(entries.tolist()) if value}
+    return {int(column): entries[:, column] for column in np.flatnonzero(entries.any(axis=0))}
+
+
+def _least(value: Value) -> float:
+    return float(abs(value).min()) if isinstance(value, np.ndarray) else abs(value)
+
+
+def _solution(shape: tuple[int, ...], rows: Sequence[Mapping[int, Value]], pivots: dict[int, int]) -> Elimination:
+    """Read the solution off the reduced rows; `pivots` gives each row's column, which it has no more."""
+    *many, k, n = shape
     free = np.array([column for column in range(n) if column not in pivots.values()], dtype=np.intp)
-    given, left = np.zeros((*many, n, k)), np.zeros((*many, n, len(free)))
-    left[..., free, np.arange(len(free))] = 1.0
-    for row, column in pivots.items():
-        given[..., column, :] = table[..., row, n:]
-        left[..., column, :] = -table[..., row, free]
-    spare = table[..., [row for row in range(k) if row not in pivots], n:]
-    return Elimination(given, left, free, spare)
+    spare = [row for number, row in enumerate(rows) if number not in pivots]
+    given, left, rest = np.zeros((*many, n, k)), np.zeros((*many, n, len(free))), np.zeros((*many, len(spare), k))
+    place = {column: at for at, column in enumerate(free.tolist())}
+    for column, at in place.items():
+        left[..., column, at] = 1.0
+    for number, column in pivots.items():
+        for at, value in rows[number].items():
+            if at < n:
+                left[..., column, place[at]] = -value
+            else:
+                given[..., column, at - n] = value
+    for number, row in enumerate(spare):
+        for at, value in row.items():
+            if at >= n:
+                rest[..., number, at - n] = value
+    return Elimination(given, left, free, rest)

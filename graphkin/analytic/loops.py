@@ -11,6 +11,7 @@ from collections import deque
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
+from itertools import combinations
 
 import numpy as np
 
@@ -53,8 +54,18 @@ class Loops:
         table = np.zeros((len(relations), len(self.unknowns), *np.shape(self.size)))
         for row, relation in zip(table, relations, strict=True):
             for unknown, weight in relation.weights.items():
-                row[self.unknowns.index(unknown)] += weight
+                row[self.column[unknown]] += weight
         return _by_mechanism(table) * self.unit[..., None, :]
+
+    @cached_property
+    def column(self) -> dict[Unknown, int]:
+        """The number of each unknown."""
+        return {unknown: at for at, unknown in enumerate(self.unknowns)}
+
+    @cached_property
+    def places(self) -> Complex:
+        """The rows of all points: (p, m), of many mechanisms (b, p, m)."""
+        return np.stack([*self.points.values()], axis=-2)
 
     def gap(self, q: Real) -> Real:
         """How far each loop stays open, x and y: (..., 2r), in units of size."""
@@ -70,7 +81,13 @@ class Loops:
 
     def moves(self, rows: Complex) -> Flags:
         """Which unknowns move any of these rows: (n,)."""
-        arrows = np.abs(np.reshape(rows, (-1, len(self.vectors.base)))).sum(axis=0)
+        return self._moved_with(self._arrows_in(rows))
+
+    def _arrows_in(self, rows: Complex) -> Real:
+        """How much of each arrow there is in any of these rows: (m,)."""
+        return np.asarray(np.abs(np.reshape(rows, (-1, len(self.vectors.base)))).sum(axis=0))
+
+    def _moved_with(self, arrows: Real) -> Flags:
         return np.asarray(arrows @ (np.abs(self.vectors.turning) + np.abs(self.vectors.stretching)) > 0)
 
     def of_some(self, which: Indices | int) -> Loops:
@@ -81,11 +98,12 @@ class Loops:
     @cached_property
     def moving(self) -> Flags:
         """Which unknowns move any arrow of a loop, or any point: (n,)."""
-        rows = self.rows.reshape(-1, len(self.vectors.base))
-        return self.moves(np.vstack([rows, *self.points.values()]))
+        return self._moved_with(self._arrows_in(self.rows) + self._arrows_in(self.places))
 
     def silent(self, relations: Sequence[Relation]) -> tuple[Unknown, ...]:
         """Unknowns that move nothing and stand in no relation: the rotation of a link of one point."""
+        if self.moving.all():
+            return ()
         named = np.abs(self.weights(relations)).reshape(-1, len(self.unknowns)).sum(axis=0) > 0
         loud = self.moving | named
         return tuple(unknown for unknown, on in zip(self.unknowns, loud, strict=True) if not on)
@@ -132,8 +150,7 @@ def size_of(mechanism: Mechanism) -> float:
     """The longest distance between two points of one link, or radius [m]; without any, the largest displacement."""
     circles = [radius for pair in mechanism.pairs for _, _, radius in pair.circles]
     circles += [rod.length for pair in mechanism.pairs if isinstance(rod := pair.equivalent, Rod)]
-    arms = [abs(a - b) for link in mechanism.links.values() for a in link.points.values()
-            for b in link.points.values()]  # fmt: skip
+    arms = [abs(a - b) for link in mechanism.links.values() for a, b in combinations(link.points.values(), 2)]
     values = [abs(driver.value) for driver in mechanism.drivers if driver.kind == "slide" and driver.value]
     return max([*arms, *circles], default=0.0) or max(values, default=0.0) or 1.0
 
@@ -167,9 +184,14 @@ class _Sums:
     slides: tuple[str, ...]
     size: Value
 
+    @cached_property
+    def column(self) -> dict[str, int]:
+        """The number of each link."""
+        return {link: at for at, link in enumerate(self.links)}
+
     def arm(self, link: str, arm: complex) -> Complex:
         row = np.zeros((len(self.links) + len(self.slides), *np.shape(self.size)), dtype=np.complex128)
-        row[self.links.index(link)] = arm / self.size
+        row[self.column[link]] = arm / self.size
         return row
 
     def step(self, joint: Joint) -> Complex:

@@ -61,7 +61,7 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     SingularPosition if that, or a single position asked for, is a dead point: no way leads on from it.
     """
     start = drawn(mechanism)
-    closure, first = driving(mechanism, start.loops)
+    closure, first = driving(mechanism, start.loops, start.closure)
     wanted = _wanted(mechanism, start, values)
     shape = wanted[0].shape if wanted else ()
     flat = np.stack([value.ravel() for value in wanted], axis=-1) if wanted else np.zeros((1, 0))
@@ -89,7 +89,7 @@ def _moved(closure: EquationSystem, start: Real, change: Real) -> tuple[Real, li
 def conditioning(mechanism: Mechanism) -> float:
     """Reciprocal condition number at the drawn position: 1 is best, 0 a dead point. Raises NoAssembly."""
     start = drawn(mechanism)
-    return _conditioning(driving(mechanism, start.loops)[0], start.q)
+    return _conditioning(driving(mechanism, start.loops, start.closure)[0], start.q)
 
 
 def _conditioning(closure: EquationSystem, q: Real) -> float:
@@ -110,12 +110,15 @@ def _clear(closure: EquationSystem, q: Real, condition: Real) -> Flags:
     return clear
 
 
-def driving(mechanism: Mechanism, loops: Loops) -> tuple[EquationSystem, int]:
-    """Loops closed with the drivers, and the first driver's row among the relations."""
+def driving(
+    mechanism: Mechanism, loops: Loops, drawn: EquationSystem | None = None
+) -> tuple[EquationSystem, int]:
+    """Loops closed with the drivers, and the first driver's row among the relations; the system that gave the drawn
+    position may be the same."""
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
     pairs = loops.relations
     still = held(loops, (*pairs, *drivers))
-    return EquationSystem.of(loops, (*pairs, *still, *drivers)), len(pairs) + len(still)
+    return EquationSystem.of(loops, (*pairs, *still, *drivers), drawn), len(pairs) + len(still)
 
 
 def _wanted(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLike] | None) -> tuple[Real, ...]:
@@ -192,6 +195,5 @@ def _named(loops: Loops, values: Real, kind: str, names: Collection[str]) -> dic
 
 def _places(loops: Loops, arrows: Complex) -> dict[str, Complex]:
     """Points by name, in SI units."""
-    rows = np.stack([*loops.points.values()], axis=-2)
-    places = np.ascontiguousarray(np.moveaxis(applied(rows, arrows), -1, 0)) * loops.size
+    places = np.ascontiguousarray(np.moveaxis(applied(loops.places, arrows), -1, 0)) * loops.size
     return {point: place[()] for point, place in zip(loops.points, places, strict=True)}

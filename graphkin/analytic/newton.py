@@ -33,8 +33,13 @@ class EquationSystem:
     known: Elimination
 
     @classmethod
-    def of(cls, loops: Loops, relations: Sequence[Relation]) -> EquationSystem:
+    def of(
+        cls, loops: Loops, relations: Sequence[Relation], like: EquationSystem | None = None
+    ) -> EquationSystem:
+        """The system of these relations: `like`, if that has the same."""
         weights = loops.weights(relations)
+        if like is not None and np.array_equal(weights, like.weights):
+            return like
         return cls(loops, weights, eliminate(weights))
 
     def matrix(self, q: Real) -> Real:

@@ -31,8 +31,10 @@ def guess(mechanism: Mechanism, loops: Loops) -> Real:
         if joint.slide is not None:
             found[Unknown("s", joint.slide)] = seen.displacement(joint)
     shape = np.shape(loops.size)
-    seen_of = [np.broadcast_to(found.get(unknown, np.nan), shape) for unknown in loops.unknowns]
-    return np.asarray(np.array(seen_of).reshape(-1, *shape).T / loops.unit)
+    seen_of = [found.get(unknown, np.nan) for unknown in loops.unknowns]
+    if shape:
+        seen_of = [np.broadcast_to(value, shape) for value in seen_of]
+    return np.asarray(np.array(seen_of, dtype=np.float64).reshape(-1, *shape).T / loops.unit)
 
 
 def _turned(angle: Value) -> Value:
@@ -43,6 +45,11 @@ def _turned(angle: Value) -> Value:
 def _everywhere(true: Value) -> bool:
     """In all of many mechanisms."""
     return bool(true.all()) if isinstance(true, np.ndarray) else bool(true)
+
+
+def _greatest(size: Value) -> float:
+    """Of all mechanisms."""
+    return float(size.max()) if isinstance(size, np.ndarray) else float(size)
 
 
 @filled
@@ -99,6 +106,8 @@ class _Seen:
 
     def _fitted(self, link: Link) -> None:
         """Two located points give the link's angle; the angle and one point give all its points."""
+        if link.name in self.angles and all(name in self.points for name in link.points):
+            return
         at = [(self.points[name], arm) for name, arm in link.points.items() if name in self.points]
         if not at:
             return
@@ -135,7 +144,7 @@ class _Seen:
                 if point in self.points]  # fmt: skip
         if name == FRAME:
             return arm
-        away, base, rest = min(seen, key=lambda each: float(np.max(each[0])), default=(np.inf, 0j, 0j))
+        away, base, rest = min(seen, key=lambda each: _greatest(each[0]), default=(np.inf, 0j, 0j))
         if name in self.angles and seen:
             return base + rest * _turned(self.angles[name])
         return base if _everywhere(away == 0) else None

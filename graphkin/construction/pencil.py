@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import assert_never
 
 import numpy as np
@@ -21,6 +21,7 @@ from graphkin.construction.kinds import (
     Ray,
     Roll,
     Simultaneous,
+    Step,
     Swing,
     Touch,
 )
@@ -61,14 +62,18 @@ def replay(
     compass what finds the crossings, where the plot's values are no numbers
     """
     with np.errstate(divide="ignore", invalid="ignore"):
-        _begin(plot, construction.plane)
-        _draw(construction, plot, sides or {}, compass)
+        begin(plot, construction.plane)
+        draw(construction.steps, plot, construction.plane, sides or {}, compass, construction.pole)
     return plot
 
 
-def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value], compass: Compass) -> None:
-    plane, points = construction.plane, plot.points(construction.plane)
-    for step in construction.steps:
+def draw(
+    steps: Iterable[Step], plot: Plot, plane: Plane, sides: Mapping[int, Value], compass: Compass = COMPASS,
+    pole: str = "",
+) -> None:  # fmt: skip
+    """Some steps of a replay that has begun; `pole`: that of their plane, where one of them may find it."""
+    points = plot.points(plane)
+    for step in steps:
         match step:
             case Given():
                 _start(step, plot, plane)
@@ -78,8 +83,8 @@ def _draw(construction: Construction, plot: Plot, sides: Mapping[int, Value], co
                 pass  # alone it fixes no point
             case Meet():
                 points[step.point] = _meet(step, plot, plane, sides, compass)
-                if step.point == construction.pole:
-                    _shift(points, construction.pole)
+                if step.point == pole:
+                    _shift(points, pole)
             case Swing():
                 _swing(step, plot, sides, compass)
             case Image(link, corners, base, point):
@@ -119,7 +124,7 @@ def _shift(points: dict[str, Value], pole: str) -> None:
         points[name] = 0j * place if value is FIXED or name == pole else value - place
 
 
-def _begin(plot: Plot, plane: Plane) -> None:
+def begin(plot: Plot, plane: Plane) -> None:
     """The frame stands still; what is driven against it moves as given, and so do driven slides."""
     facts = plot.facts
     quantity, slides, given = {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 from functools import cached_property
 from typing import assert_never
@@ -67,22 +67,22 @@ class Facts:
     """Angles by link [rad] and displacements by `slide_key` [m] as drawn, from where contacts count."""
 
     @cached_property
-    def groups(self) -> dict[str, list[str]]:
-        """By base link, the links that hold their angles to it, itself among them."""
-        groups: dict[str, list[str]] = {}
+    def groups(self) -> Mapping[str, Sequence[str]]:
+        """The links that hang on each base link, itself among them."""
+        found: dict[str, list[str]] = {}
         for link, turn in self.turns.items():
-            groups.setdefault(turn.base, []).append(link)
-        return groups
+            found.setdefault(turn.base, []).append(link)
+        return found
 
     def relative_angle(self, link: str) -> Value:
         """Angle of a link against its base link [rad]."""
         turn = self.turns[link]
-        return turn.constant + sum(sign * self.values[k] for k, sign in turn.drivers)
+        return turn.constant + sum([sign * self.values[k] for k, sign in turn.drivers])
 
     def relative_rate(self, link: str, order: int) -> Value:
         """Angular velocity (order 1) or acceleration (order 2) of a link against its base link."""
         given = self.rates if order == 1 else self.accelerations
-        return sum(sign * given[k] for k, sign in self.turns[link].drivers)
+        return sum([sign * given[k] for k, sign in self.turns[link].drivers])
 
 
 @filled
@@ -208,8 +208,8 @@ class Plot:
         if quantity == "theta" and base in self.near and not counted:
             value = self._counted(value, self.near[base])
         order = ("theta", "omega", "alpha").index(quantity)
-        for link in self.facts.groups.get(base, ()):
-            more = self.facts.relative_angle(link) if order == 0 else self.facts.relative_rate(link, order)
+        for link in self.facts.groups[base]:
+            more = self.facts.relative_rate(link, order) if order else self.facts.relative_angle(link)
             table[link] = value + more
 
     def _counted(self, angle: Value, near: Value) -> Value:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from graphkin.value import frozen
 
@@ -158,9 +158,8 @@ Size = Drawn | Turning | Normal | Tangential | Coriolis | Driven | Relative | Sp
 # --- terms and equations ----------------------------------------------------------------------
 
 
-@frozen
-class Site:
-    """A point of the mechanism as part of a link."""
+class Site(NamedTuple):
+    """A point of the mechanism as part of a link; what polygons are looked up by most."""
 
     point: str
     link: str

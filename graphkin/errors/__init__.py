@@ -3,12 +3,13 @@
 Every error says three things: where (file, line, key), what is wrong, what to do. Code raises
 the data; only the edge (the command line, a notebook) asks for the words.
 
-`base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys and values, `shapes`
-about a link's measures, `pairs` about sliding pairs, gears, rolling and cams, `drivers` about drivers and poses, `motion`
-about assembly and movement, `drawings` about what is measured or written, `singular` about the analysis, `marking`,
-`submissions`, `answers`, `problem_sets` and `platforms` about homework, `handouts` about their fonts, `asking` about what is
-asked for, `finding` about conditions. A new error is a class in one of them, and a name in its `__all__`: this module
-passes on all that those hold, and loads each where something of it is first asked for.
+`base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys and values, `names`
+about what things may be called, `shapes` about a link's measures, `pairs` about sliding pairs, gears, rolling and cams,
+`drivers` about drivers and poses, `motion` about assembly and movement, `drawings` about what is measured or written,
+`singular` about the analysis, `marking`, `submissions`, `answers`, `problem_sets` and `platforms` about homework,
+`handouts` about their fonts, `asking` about what is asked for, `finding` about conditions. A new error is a class in one
+of them, and a name in its `__all__`: this module passes on all that those hold, and loads each where something of it is
+first asked for.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     from graphkin.errors.linkages import *  # noqa: F403
     from graphkin.errors.marking import *  # noqa: F403
     from graphkin.errors.motion import *  # noqa: F403
+    from graphkin.errors.names import *  # noqa: F403
     from graphkin.errors.pairs import *  # noqa: F403
     from graphkin.errors.platforms import *  # noqa: F403
     from graphkin.errors.problem_sets import *  # noqa: F403
@@ -39,7 +41,7 @@ if TYPE_CHECKING:
     from graphkin.errors.submissions import *  # noqa: F403
 
 _FILES = (
-    "base", "drawings", "files", "keys", "shapes", "drivers", "pairs", "motion", "singular", "asking",
+    "base", "drawings", "files", "keys", "names", "shapes", "drivers", "pairs", "motion", "singular", "asking",
     "centring", "finding", "linkages", "design", "marking", "submissions", "answers", "problem_sets", "platforms", "handouts",
 )  # fmt: skip
 """In the order in which a name is looked for: what every command and every mechanism file may meet comes first."""

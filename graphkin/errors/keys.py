@@ -1,4 +1,4 @@
-"""Errors of single keys and values: unknown, missing, of the wrong type or unit; names not there."""
+"""Errors of single keys and values: unknown, missing, of the wrong type or unit; things not there."""
 
 from __future__ import annotations
 
@@ -8,8 +8,6 @@ from graphkin.errors.base import Choice, GraphkinError, Lang, Where
 
 __all__ = [
     "AngleRange",
-    "BadName",
-    "DuplicateName",
     "KeyClash",
     "MissingKey",
     "Negative",
@@ -279,21 +277,6 @@ class WrongType(GraphkinError):
         return {**super()._words(lang), "expected": _pick(KINDS[self.expected], lang)}
 
 
-class BadName(WrongType):
-    """A name or key that is not formed as its kind is."""
-
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given}{odd} is not formed as it must be: {expected}. Rename it.",
-        "zh": "{where}：{given}{odd} 的写法不对，应为：{expected}。请改名。",
-    }
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        """A letter of another alphabet may look as it should: it is told by its number."""
-        odd = next((letter for letter in str(self.given) if not letter.isascii()), "")
-        told = f"（其中 {odd} 是 U+{ord(odd):04X}）" if lang == "zh" and odd else f" ({odd} is U+{ord(odd):04X})" if odd else ""
-        return {**super()._words(lang), "odd": told}
-
-
 class WrongCount(GraphkinError):
     where: Where
     expected: int
@@ -301,13 +284,4 @@ class WrongCount(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the list needs {expected} items, not {given}. Add or remove some.",
         "zh": "{where}：列表有 {given} 项，应为 {expected} 项，请增减。",
-    }
-
-
-class DuplicateName(GraphkinError):
-    where: Where
-    given: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the name {given} is used already. Choose another.",
-        "zh": "{where}：名称 {given} 已被使用，请另取一个。",
     }

@@ -96,7 +96,7 @@ class Draft:
 
     def known(self, given: str, *path: str | int) -> str:
         """A point of any link."""
-        if not self.owners(given):
+        if not any(given in link.points for link in self.links.values()):
             points = dict.fromkeys(point for link in self.links for point in self.named(link))
             raise UnknownPoint(self.where(*path), given, tuple(points))
         return given

@@ -7,12 +7,18 @@ displacements that drivers and poses give, links that slide without turning.
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property, partial
 
 from graphkin.loading.schema import File
 from graphkin.mechanism import FRAME, Driver, Link, Pose
 from graphkin.pairs import Cam, Line, Pair, Profile, Roll, Slide
+from graphkin.waiting import Rounds, Waiting
+
+Found = tuple[dict[str, complex], str, complex]
+"""Directions of links or places of points, and what is to be entered there."""
+Rule = tuple[tuple[str | tuple[str], ...], Callable[[], Iterator[Found]]]
 
 _CLOSE = 1e-9
 """A centre this near to the line [m] lies on neither side."""
@@ -68,6 +74,9 @@ class _Roughly:
         self.links, self.slides, self.given, self.sketch = links, slides, given, sketch
         self.turns: dict[str, complex] = {FRAME: 1 + 0j}
         self.places: dict[str, complex] = dict(links[FRAME].points)
+        self.listed = [*links.values()]
+        self.rules = Rounds(self._exact())
+        self.open = Waiting(len(links))
         self._settle()
 
     def on_left(self, line: Line, centre: str) -> bool:
@@ -81,71 +90,90 @@ class _Roughly:
         """What is exact first; then point by point what the sketch says."""
         more = iter(self.sketch.items())
         while True:
-            while self._learnt(self._exact()):
-                pass
-            if self._learnt(self._by_two_points()):
+            for rule in self.rules:
+                self._learn(rule())
+            turned = self.open.first(self._by_two_points)
+            if turned is not None:
+                self._learn([turned])
                 continue
             point, place = next(more, ("", 0j))
             if not point:
                 return
-            self.places.setdefault(point, place)
+            self._learn([(self.places, point, place)])
 
-    def _learnt(self, found: Iterable[tuple[dict[str, complex], str, complex]]) -> bool:
-        """Whether something new is among what was found."""
-        before = len(self.turns) + len(self.places)
+    def _learn(self, found: Iterable[Found]) -> None:
+        """What is new calls for the rules that may go on from it."""
         for known, name, value in found:
-            known.setdefault(name, value)
-        return len(self.turns) + len(self.places) > before
+            if name not in known:
+                known[name] = value
+                self.rules.call(name if known is self.turns else (name,))
+                if known is self.places:
+                    self.open.call(self._links_at.get(name, ()))
 
-    def _exact(self) -> Iterator[tuple[dict[str, complex], str, complex]]:
-        yield from ((self.turns, *found) for each in self.given for found in self._driven(each))
-        yield from ((self.turns, *found) for slide in self.slides for found in self._parallel(slide))
-        yield from ((self.places, *found) for found in self._rigid())
-        yield from ((self.places, *found) for each in self.given for found in self._displaced(each))
+    def _exact(self) -> Iterator[Rule]:
+        """The rules in their order, each with the links whose direction and the points whose place it starts from."""
+        slides = {slide.name: slide for slide in self.slides}
+        for each in self.given:
+            yield (each.from_link,), partial(self._driven, each)
+        for slide in self.slides:
+            yield (slide.guide, slide.block or ""), partial(self._parallel, slide)
+        for link in self.listed:
+            yield (link.name, *((point,) for point in link.points)), partial(self._rigid, link)
+        for each in self.given:
+            if each.kind == "slide" and (moved := slides.get(each.link)) is not None:
+                yield (moved.guide, (moved.line.origin,)), partial(self._displaced, each, moved)
 
-    def _driven(self, each: Driver | Pose) -> Iterator[tuple[str, complex]]:
+    @cached_property
+    def _links_at(self) -> dict[str, list[int]]:
+        """By point, the numbers of the links that have it."""
+        found: dict[str, list[int]] = {}
+        for k, link in enumerate(self.listed):
+            for point in link.points:
+                found.setdefault(point, []).append(k)
+        return found
+
+    def _driven(self, each: Driver | Pose) -> Iterator[Found]:
         if each.kind != "angle" or each.vector is None or each.value is None or each.from_link not in self.turns:
             return
         base = self.turns[each.from_link]
         if each.from_vector is not None:
             base *= _unit(self.links[each.from_link].arm(*each.from_vector))
-        yield each.link, base * cmath.rect(1, each.value) / _unit(self.links[each.link].arm(*each.vector))
+        turned = base * cmath.rect(1, each.value) / _unit(self.links[each.link].arm(*each.vector))
+        yield self.turns, each.link, turned
 
-    def _parallel(self, slide: Slide) -> Iterator[tuple[str, complex]]:
+    def _parallel(self, slide: Slide) -> Iterator[Found]:
         """A block does not turn against its guide."""
         if slide.block is None:
             return
         way = slide.line.direction * cmath.rect(1, slide.tilt)
         if slide.guide in self.turns:
-            yield slide.block, self.turns[slide.guide] * way
+            yield self.turns, slide.block, self.turns[slide.guide] * way
         if slide.block in self.turns:
-            yield slide.guide, self.turns[slide.block] / way
+            yield self.turns, slide.guide, self.turns[slide.block] / way
 
-    def _rigid(self) -> Iterator[tuple[str, complex]]:
+    def _rigid(self, link: Link) -> Iterator[Found]:
         """All points of a link whose direction and one of whose points are known."""
-        for name, link in self.links.items():
-            base = next((point for point in link.points if point in self.places), None)
-            if name in self.turns and base is not None:
-                arms = ((point, link.arm(base, point)) for point in link.points)
-                yield from ((point, self.places[base] + self.turns[name] * arm) for point, arm in arms)
+        base = next((point for point in link.points if point in self.places), None)
+        if link.name in self.turns and base is not None:
+            arms = ((point, link.arm(base, point)) for point in link.points)
+            place, turn = self.places[base], self.turns[link.name]
+            yield from ((self.places, point, place + turn * arm) for point, arm in arms)
 
-    def _displaced(self, each: Driver | Pose) -> Iterator[tuple[str, complex]]:
+    def _displaced(self, each: Driver | Pose, slide: Slide) -> Iterator[Found]:
         """The point of a slide whose displacement is given."""
-        for slide in self.slides:
-            known = slide.guide in self.turns and slide.line.origin in self.places
-            if each.kind == "slide" and each.link == slide.name and each.value is not None and known:
-                way = self.turns[slide.guide] * slide.line.direction
-                yield slide.point, self.places[slide.line.origin] + each.value * way
+        if each.value is not None and slide.guide in self.turns and slide.line.origin in self.places:
+            way = self.turns[slide.guide] * slide.line.direction
+            yield self.places, slide.point, self.places[slide.line.origin] + each.value * way
 
-    def _by_two_points(self) -> Iterator[tuple[dict[str, complex], str, complex]]:
-        """The direction of the first link two of whose points are known."""
-        for name, link in self.links.items():
-            known = [point for point in link.points if point in self.places]
-            head = next((point for point in known[1:] if abs(link.arm(known[0], point)) > _CLOSE), None)
-            if name not in self.turns and head is not None and self.places[head] != self.places[known[0]]:
-                turned = (self.places[head] - self.places[known[0]]) / link.arm(known[0], head)
-                yield self.turns, name, _unit(turned)
-                return
+    def _by_two_points(self, number: int) -> Found | None:
+        """The direction of a link two of whose points are known."""
+        link = self.listed[number]
+        known = [point for point in link.points if point in self.places]
+        head = next((point for point in known[1:] if abs(link.arm(known[0], point)) > _CLOSE), None)
+        if link.name in self.turns or head is None or self.places[head] == self.places[known[0]]:
+            return None
+        turned = (self.places[head] - self.places[known[0]]) / link.arm(known[0], head)
+        return self.turns, link.name, _unit(turned)
 
 
 def _unit(arm: complex) -> complex:

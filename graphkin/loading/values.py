@@ -9,8 +9,8 @@ import re
 from collections.abc import Callable
 from datetime import date, datetime, time
 
-from graphkin.errors import NOWHERE, BadName, Negative, OutOfRange, TooSmall, WrongType
-from graphkin.loading.names import split_points, tidy
+from graphkin.errors import NOWHERE, BadName, LongName, Negative, OutOfRange, TooSmall, WrongType
+from graphkin.loading.names import LONGEST, letters, split_points, tidy
 from graphkin.loading.units import LARGEST, Dimension, read_quantity, short_number
 
 SMALLEST_LENGTH = 1e-9
@@ -68,12 +68,14 @@ def scale(value: object) -> float:
 
 
 def formed(pattern: re.Pattern[str], kind: str) -> Callable[[str], str]:
-    """A name that must match a pattern."""
+    """A name that must match a pattern, and that a drawing has room for."""
 
     def checked(value: str) -> str:
         name = tidy(value)
         if pattern.fullmatch(name) is None:
             raise BadName(NOWHERE, kind, shown(value))
+        if letters(name) > LONGEST:
+            raise LongName(NOWHERE, shown(value), LONGEST)
         return name
 
     return checked

@@ -134,8 +134,9 @@ def refuse_bad_positions(structure: Structure, construction: Construction, plot:
 
 def refuse_open(structure: Structure, plot: Plot, part: float) -> None:
     """A link that repeats a constraint must fit it to a part of the mechanism's size."""
-    link, gap = _open_link(structure, plot)
-    if gap > part * extent(plot):
+    size = extent(plot)
+    link, gap = _open_link(structure, plot, size)
+    if gap > part * size:
         from graphkin.planning.far_sketch import cannot_assemble
 
         mechanism = structure.mechanism
@@ -197,8 +198,8 @@ def extent(plot: Plot) -> float:
     return float(np.max(np.abs(placed - placed[0]))) if placed.size else 1.0
 
 
-def _open_link(structure: Structure, plot: Plot) -> tuple[str, float]:
-    """The link whose points fit its shape least, and by how much [m].
+def _open_link(structure: Structure, plot: Plot, size: float) -> tuple[str, float]:
+    """The link whose points fit its shape least, and by how much [m], in a mechanism of this size.
 
     Only a link that repeats a constraint can fail so; every other has been drawn from its shape.
     """
@@ -207,17 +208,19 @@ def _open_link(structure: Structure, plot: Plot) -> tuple[str, float]:
         points = list(link.points)
         if link.name not in plot.theta or link.name in structure.followers:
             continue
-        turned = np.exp(1j * plot.theta[link.name])
+        turned = np.exp(1j * plot.theta[link.name]) if len(points) > 1 else 1.0
         for point in points[1:]:
             gap = abs(plot.arm(points[0], point) - link.arm(points[0], point) * turned)
-            worst = max(worst, (link.name, float(gap)), key=lambda entry: entry[1])
+            if gap > worst[1]:
+                worst = link.name, float(gap)
     for slide in structure.slides.values():
         arm = plot.arm(slide.line.origin, slide.point)
         gap = abs(cross(plot.guide_direction(slide.name), arm))
         if slide.block is not None:  # which may not turn on its guide
             leaning = plot.theta[slide.block] - plot.theta[slide.guide] - slide.turn
             gap = max(gap, abs(np.exp(1j * leaning) - 1) * size)
-        worst = max(worst, (structure.home(structure.block(slide)), float(gap)), key=lambda entry: entry[1])
+        if gap > worst[1]:
+            worst = structure.home(structure.block(slide)), float(gap)
     return worst
 
 

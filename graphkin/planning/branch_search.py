@@ -13,13 +13,15 @@ than `WIDEST` remain are the farthest given up.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from graphkin.construction import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, replay, unknowns_of
+from graphkin.construction import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, unknowns_of
+from graphkin.construction.pencil import begin, draw
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME
+from graphkin.pairs import Slide
 from graphkin.planning.branches import Branches
 from graphkin.planning.starts import Starts
 from graphkin.planning.structure import Structure
@@ -92,7 +94,9 @@ class _Search:
     def __init__(
         self, structure: Structure, construction: Construction, facts: Facts, known: Mapping[str, float]
     ) -> None:
-        self.structure, self.construction, self.facts, self.known = structure, construction, facts, known
+        self.structure, self.facts, self.known = structure, facts, known
+        self.sketch = structure.mechanism.sketch
+        self.cylinders = {name for name, slide in structure.slides.items() if _is_cylinder(structure, slide)}
         self.blocks = list(blocks_of(construction))
         last = self.blocks[-1]
         self.late = _late(last)
@@ -112,16 +116,21 @@ class _Search:
 
     def run(self, width: int, bound: _Bound | None) -> Branches:
         """All blocks, with so many branches kept at most."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return self._run(width, bound)
+
+    def _run(self, width: int, bound: _Bound | None) -> Branches:
         here = Branches(Plot(self.facts, dict(self.known)), np.zeros((1, 0), dtype=int))
-        waiting = list(self.late)
+        begin(here.plot, "position")
+        waiting, before = list(self.late), (0, 0)
         for block in self.blocks:
             if isinstance(block.opening, Fit):
                 here = self._thinned(here, min(width, WIDEST_FITTED), None)
-            before = len(here.plot.position), len(here.plot.s)
             here = self._opened(here, block, self._spare(here, bound))
-            self._drawn(here.plot, [*block.rest])
+            draw(block.rest, here.plot, "position", {})
             waiting = self._measured(here.plot, waiting)
             closed = self._closed(here, [*here.plot.position][before[0] :], [*here.plot.s][before[1] :])
+            before = len(here.plot.position), len(here.plot.s)
             if not closed.any():
                 raise DeadEnd(here.plot)
             if not closed.all():
@@ -147,25 +156,18 @@ class _Search:
             case Fit():
                 return self._fitted(here, block.opening, spare)
             case step:
-                both = np.tile((1, -1), here.count)
-                here = here.taken(np.repeat(np.arange(here.count), 2))
-                here.sides = np.column_stack([here.sides, both])
+                both = np.array((1, -1) * here.count)
+                here = here.taken(np.arange(2 * here.count) // 2)
+                here.sides = np.hstack([here.sides, both[:, None]])
                 assert step.choice is not None
-                replay(self._part([step]), here.plot, {step.choice: both})
+                draw([step], here.plot, "position", {step.choice: both})
                 return here
 
     def _fitted(self, here: Branches, step: Fit, spare: float) -> Branches:
         if all(name in self.known for name in unknowns_of(step)):
-            self._drawn(here.plot, [step])
+            draw([step], here.plot, "position", {})
             return here
-        return self.starts.fitted(here, step, lambda plot: self._drawn(plot, [step]), spare)
-
-    def _drawn(self, plot: Plot, steps: Sequence[Step]) -> None:
-        if steps:
-            replay(self._part(steps), plot)
-
-    def _part(self, steps: Sequence[Step]) -> Construction:
-        return Construction("position", tuple(steps), {})
+        return self.starts.fitted(here, step, lambda plot: draw([step], plot, "position", {}), spare)
 
     def _measured(self, plot: Plot, waiting: list[Measure]) -> list[Measure]:
         """Displacements are measured as soon as both ends are drawn; those that are not yet."""
@@ -173,18 +175,14 @@ class _Search:
         for step in waiting:
             drawn = {step.tail, step.head} <= plot.position.keys() and lines[step.of][0] in plot.theta
             (ready if drawn else left).append(step)
-        self._drawn(plot, ready)
+        draw(ready, plot, "position", {})
         return left
 
     def _closed(self, here: Branches, points: Sequence[str], slides: Sequence[str]) -> np.ndarray:
         """Branches whose new points have places, with cylinders at the positive displacement they were drawn with."""
-        closed = np.ones(here.count, dtype=bool)
-        for point in points:
-            closed &= np.isfinite(here.plot.position[point])
+        closed: np.ndarray = np.isfinite(_places(here, points)).all(axis=0)
         for name in slides:
-            slide = self.structure.slides[name]
-            alone = slide.guide != FRAME and len(self.structure.bodies[slide.guide]) == 1
-            if alone and slide.line.on_axis:
+            if name in self.cylinders:
                 closed &= here.plot.s[name] > 0
         return closed
 
@@ -206,16 +204,13 @@ class _Search:
     def away(self, here: Branches) -> np.ndarray:
         """Squared distance of all points drawn so far from their places in the sketch [m²]: (w,)."""
         alike, away = 0.0, np.zeros(here.count)
-        for point, target in self._sketched(here):
-            place = here.plot.position[point]
+        for point, target in self.sketch.items():
+            place = here.plot.position.get(point, target)
             if isinstance(place, np.ndarray):
                 away += np.abs(place - target) ** 2
             else:
                 alike += abs(place - target) ** 2
         return away + alike
-
-    def _sketched(self, here: Branches) -> Iterator[tuple[str, complex]]:
-        return ((p, z) for p, z in self.structure.mechanism.sketch.items() if p in here.plot.position)
 
     def _forward(self, here: Branches) -> np.ndarray:
         """How many displacements are positive rather than negative: (w,)."""
@@ -226,15 +221,14 @@ class _Search:
 
     def bound(self, here: Branches, k: int) -> _Bound:
         """To follow every branch that may come nearer to the sketch than branch k, or lies with it about the sketch."""
-        places = {p: _at(here.plot.position[p], k) for p, _ in self._sketched(here)}
-        sketch = self.structure.mechanism.sketch
-        spare = {p: abs(sketch[p] - place) ** 2 / (1 - BETWEEN) for p, place in places.items()}
+        places = {p: _at(here.plot.position[p], k) for p in self.sketch if p in here.plot.position}
+        spare = {p: abs(self.sketch[p] - place) ** 2 / (1 - BETWEEN) for p, place in places.items()}
         reach = max((abs(z) for z in places.values()), default=1.0)
         return _Bound(places, spare, (1e-8 * reach) ** 2)
 
     def _open(self, here: Branches, bound: _Bound) -> np.ndarray:
         """Whether no more distance is lost, by `BETWEEN`, than the points still to be drawn can make good: (w,)."""
-        lost, sketch, drawn = np.zeros(here.count), self.structure.mechanism.sketch, here.plot.position
+        lost, sketch, drawn = np.zeros(here.count), self.sketch, here.plot.position
         for point, place in bound.places.items():
             if point in drawn and (isinstance(now := drawn[point], np.ndarray) or now != place):
                 apart = now - place
@@ -251,6 +245,19 @@ class _Search:
 
 def _at(value: Value, k: int) -> complex:
     return complex(value[k] if isinstance(value, np.ndarray) and value.ndim else value)
+
+
+def _places(here: Branches, points: Sequence[str]) -> np.ndarray:
+    """Where points lie on each branch: (k, w)."""
+    table = np.empty((len(points), here.count), dtype=complex)
+    for row, point in zip(table, points, strict=True):
+        row[:] = here.plot.position[point]
+    return table
+
+
+def _is_cylinder(structure: Structure, slide: Slide) -> bool:
+    """Whether a slide's guide is a moving link of one point, which is its own line."""
+    return slide.guide != FRAME and len(structure.bodies[slide.guide]) == 1 and slide.line.on_axis
 
 
 def _late(block: Block) -> list[Measure]:

@@ -48,8 +48,9 @@ def close(
     pole     the pole, where nothing is drawn yet: known arrows between the unknown ones are then laid off first,
              from anywhere, and both direction lines meet in the pole (极点后定)
     """
-    way, (first, second) = _way(left, right)
-    if pole_is_last(left, right, pole):
+    way, unknown = _way(left, right)
+    first, second = unknown
+    if pole and _pole_between(way, unknown):
         return Equation(of, left, right, tuple(_pole_last(way, pole)))
     steps = [*_lay_off(way[:first]), *_lay_off(_back(way[second + 1 :]))]
     middle = way[first + 1 : second]
@@ -70,8 +71,11 @@ def close(
 
 def pole_is_last(left: tuple[Term, ...], right: tuple[Term, ...], pole: str) -> bool:
     """Whether both sides begin with their unknown arrows, with known ones between, and the pole is free."""
-    way, unknown = _way(left, right)
-    return bool(pole) and unknown == [0, len(way) - 1] and len(way) > 2
+    return bool(pole) and _pole_between(*_way(left, right))
+
+
+def _pole_between(way: list[_Signed], unknown: list[int]) -> bool:
+    return unknown == [0, len(way) - 1] and len(way) > 2
 
 
 def _way(left: tuple[Term, ...], right: tuple[Term, ...]) -> tuple[list[_Signed], list[int]]:

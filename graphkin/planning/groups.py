@@ -74,7 +74,7 @@ def _special(polygon: Polygon, found: Ternary) -> None:
         reach(polygon, leg.start)
     grounded = first.start.link == second.start.link == FRAME
     if polygon.structure.centres and grounded and polygon.plane == "velocity":
-        polygon.at[polygon.key(point)] = polygon.pole
+        polygon.put(polygon.key(point), polygon.pole)
     else:
         polygon.equate(point, _leg(polygon, first, point), _leg(polygon, second, point))
     lever = Lever(point, third.end, False)

@@ -8,6 +8,7 @@ differ from that link there by a relative motion.
 from __future__ import annotations
 
 from graphkin.construction import Site
+from graphkin.kept import kept
 from graphkin.mechanism import FRAME
 from graphkin.planning.stages import Loop
 from graphkin.planning.structure import Hinge, Sliding, Structure
@@ -48,17 +49,13 @@ Hop = Lever | Slip | Twist
 
 def halves(structure: Structure, loop: Loop) -> tuple[Site, tuple[Hop, ...], Site, tuple[Hop, ...]]:
     """Both sides of the loop's equation: each a known site and the hops from it outward to the site sought."""
-    places = _places(structure, loop)
-    hops = _hops(structure, loop, places)
-    start = _edge(structure, loop, places, 0)
-    end = _edge(structure, loop, places, len(loop.joints) - 1)
+    start, hops, end = way_round(structure, loop)
     unknown = [k for k, hop in enumerate(hops) if not hop.known]
     middle = _meeting(structure, hops, unknown)
-    left = tuple(hops[:middle])
-    right = tuple(_turned(hop) for hop in reversed(hops[middle:]))
-    return start, left, end, right
+    return start, hops[:middle], end, outward(hops[middle:])
 
 
+@kept(256, objects=2)
 def way_round(structure: Structure, loop: Loop, lever: str = "") -> tuple[Site, tuple[Hop, ...], Site]:
     """The whole loop in one direction: from a known site over all hops to a known site.
 
@@ -178,7 +175,7 @@ def _edge(structure: Structure, loop: Loop, places: list[str], k: int) -> Site:
     return Site(places[k], beyond)
 
 
-def _meeting(structure: Structure, hops: list[Hop], unknown: list[int]) -> int:
+def _meeting(structure: Structure, hops: tuple[Hop, ...], unknown: list[int]) -> int:
     """Where the two sides meet: between the unknown hops, so that each side ends in one; a driven sliding between
     them stands on the side from which the block is seen from its guide.
     """

@@ -43,8 +43,8 @@ def _driven_pivot(polygon: Polygon, base: list[Site], site: Site) -> Site | None
 def base_of(polygon: Polygon, body: str) -> list[Site]:
     """Known sites of a body that lie apart, its own points first."""
     own = [Site(point, body) for point in polygon.structure.named(body)]
-    more = [key for key in polygon.at if key.link == body and key not in own]
-    known = [site for site in own + more if polygon.known(site)]
+    more = [key for key in polygon.of_link.get(body, ()) if key not in own]
+    known = [site for site in own if polygon.known(site)] + more
     pairs = combinations(known, 2)
     return next(([*pair] for pair in pairs if _apart(polygon, body, *pair)), known[:1])
 

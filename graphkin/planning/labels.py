@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import field
+from functools import cached_property
 
 from graphkin.construction import Site
 from graphkin.mechanism import FRAME
 from graphkin.planning.hops import Slip, Twist, way_round
+from graphkin.planning.position import touching
 from graphkin.planning.stages import Carry, Group, Loop, Stage
 from graphkin.planning.structure import Sliding, Structure
 from graphkin.value import filled
@@ -19,8 +22,14 @@ class Labels:
     structure: Structure
     coincident: Mapping[str, str]
     """Points at which links slide past each other, with the link whose point the hinge itself is."""
+    _known: dict[Site, str] = field(default_factory=dict)
 
     def label(self, site: Site) -> str:
+        if (found := self._known.get(site)) is None:
+            found = self._known[site] = self._label(site)
+        return found
+
+    def _label(self, site: Site) -> str:
         point = site.point
         owners = self.structure.owners.get(point, ())
         owned = site.link in owners or (site.link == FRAME and bool(owners))
@@ -35,10 +44,37 @@ class Labels:
         return self.numbered(point, link)
 
     def numbered(self, point: str, link: str) -> str:
-        plain = point + self.structure.mechanism.called(link)
-        numbered = self.structure.mechanism.called(link).isdigit() and not point[-1].isdigit()
-        clear = numbered and plain not in self.structure.owners
-        return plain if clear else f"{point}@{self.structure.mechanism.called(link)}"
+        called = self.structure.mechanism.called(link)
+        clear = called.isdigit() and not point[-1].isdigit() and (plain := point + called) not in self.structure.owners
+        return plain if clear else f"{point}@{called}"
+
+    def reserves(self, name: str) -> bool:
+        """Whether a point may need a name in polygons, without the primes: it is free for no corner between."""
+        return name in self._needed or any(self._is_numbered(name, k) for k in range(1, len(name)))
+
+    def _is_numbered(self, name: str, k: int) -> bool:
+        """Whether a name is that of a point at which links slide past each other, with a link after k letters."""
+        point, link = name[0].upper() + name[1:k], name[k:].removeprefix("@")
+        link = FRAME if link == self.structure.mechanism.frame else link
+        known = point in self.coincident and link in self.structure.mechanism.links
+        return known and _as_begun(self.numbered(point, link)) == name
+
+    @cached_property
+    def _needed(self) -> frozenset[str]:
+        """The points, and those at which links roll on each other with the links' numbers."""
+        contacts = touching(self.structure)
+        rolling = (self.numbered(letter, link) for letter, contact in contacts for link in contact.wheels)
+        return frozenset(map(_as_begun, (*self.structure.owners, *rolling)))
+
+    @cached_property
+    def initials(self) -> frozenset[str]:
+        """With which letters points begin in polygons."""
+        return frozenset(name[0] for name in self._needed)
+
+
+def _as_begun(label: str) -> str:
+    """As in a polygon, without the primes."""
+    return label[0].lower() + label[1:]
 
 
 def coincident_points(structure: Structure, order: tuple[Stage, ...]) -> dict[str, str]:

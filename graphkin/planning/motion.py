@@ -6,17 +6,16 @@ points of a sliding pair, (3-3) and (3-4); velocity and acceleration image.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 
 from graphkin.construction import Construction, Equation, Given, LayOff, Measure, Plane, Simultaneous, Site
 from graphkin.mechanism import FRAME
-from graphkin.naming import image_name, primes
+from graphkin.naming import primes
 from graphkin.planning.groups import chain, group, walk
 from graphkin.planning.hops import halves, way_round
 from graphkin.planning.images import drive, fill, reach
 from graphkin.planning.labels import Labels
 from graphkin.planning.polygon import Polygon
-from graphkin.planning.position import touching
 from graphkin.planning.repeating import measure_all_slides
 from graphkin.planning.rolling import mesh
 from graphkin.planning.special import Ternary
@@ -48,18 +47,9 @@ def _with_pole(
     prime = primes(structure.mechanism, plane)
     polygon = Polygon(structure, labels, plane, pole + prime, velocity)
     polygon.new(polygon.pole, "pole")
-    polygon.reserved = {image_name(structure.mechanism, plane, name) for name in _written(structure, labels)}
     fixed = tuple(polygon.fixed(point) for point in structure.named(FRAME))
     polygon.parts.append(Given(polygon.pole, fixed))
     return polygon
-
-
-def _written(structure: Structure, labels: Labels) -> Iterator[str]:
-    """Every point as it may be written: those at which links roll or slide on each other with the links' numbers."""
-    yield from structure.owners
-    links = structure.mechanism.links
-    yield from (labels.numbered(point, link) for point in labels.coincident for link in links)
-    yield from (labels.numbered(letter, link) for letter, contact in touching(structure) for link in contact.wheels)
 
 
 def _draw(polygon: Polygon, stage: Stage, ternaries: Mapping[Group, Ternary]) -> None:

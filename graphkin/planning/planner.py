@@ -18,7 +18,7 @@ from graphkin.planning.method import Method
 from graphkin.planning.motion import motion
 from graphkin.planning.position import position
 from graphkin.planning.repeated import as_aside, repeated
-from graphkin.planning.special import special_points, with_special_points
+from graphkin.planning.special import Ternary, special_points, with_special_points
 from graphkin.planning.stages import Group, Loop, Mesh, Stage, stages
 from graphkin.planning.starting_facts import facts_of, refuse_contacts_apart, with_sides
 from graphkin.planning.structure import Structure
@@ -39,22 +39,28 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     """
     lower = lower_pairs(mechanism)
     ties = tuple(contacts(mechanism, lower))
-    aside = repeated(mechanism, Structure(lower, ties))
+    structure = Structure(lower, ties, coincident, centres)
+    aside = repeated(mechanism, structure)
     drawn: dict[str, float] = {}
     if ties or mechanism.poses:
         from graphkin.planning.drawn_position import as_drawn
 
         drawn, lower = as_drawn(mechanism, lower, aside)
-    structure = Structure(lower, ties, coincident, centres, as_aside(aside))
-    structure = replace(structure, contacts=with_ways(structure))
+    if aside or ties or mechanism.poses:
+        structure = replace(structure, mechanism=lower, aside=as_aside(aside))
+    if aside and ties:
+        structure = replace(structure, contacts=with_ways(structure))
     order = _order(structure)
     construction, choices = position(structure, order)
     facts = facts_of(structure, None, drawn)
     found = assemble(structure, construction, choices, facts, drawn)
     construction = with_sides(construction, found.sides)
-    plot = replay(construction, Plot(facts, found.near))
-    refuse_contacts_apart(mechanism, ties, plot)
-    return _method(mechanism, structure, order, construction, plot, found.near, drawn, aside)
+    ternaries: Mapping[Group, Ternary] = {}
+    if ties or any(isinstance(stage, Group) for stage in order):  # nothing else hangs on places
+        plot = replay(construction, Plot(facts, found.near))
+        refuse_contacts_apart(mechanism, ties, plot)
+        ternaries = special_points(structure, order, plot)
+    return _method(mechanism, structure, order, construction, ternaries, found.near, drawn, aside)
 
 
 def with_other_points(method: Method, plot: Plot) -> Method:
@@ -62,9 +68,11 @@ def with_other_points(method: Method, plot: Plot) -> Method:
     construction, _ = position(method.structure, method.stages)
     sides = {step.choice: step.side for step in method.position.steps if isinstance(step, Meet | Swing)}
     construction = with_sides(construction, tuple(sides[k] for k in sorted(k for k in sides if k is not None)))
+    ternaries = special_points(method.structure, method.stages, plot)
     return _method(
-        method.mechanism, method.structure, method.stages, construction, plot, method.near, method.drawn, method.aside
-    )
+        method.mechanism, method.structure, method.stages, construction, ternaries, method.near, method.drawn,
+        method.aside,
+    )  # fmt: skip
 
 
 def _method(
@@ -72,13 +80,12 @@ def _method(
     structure: Structure,
     order: tuple[Stage, ...],
     construction: Construction,
-    plot: Plot,
+    ternaries: Mapping[Group, Ternary],
     near: Mapping[str, float],
     drawn: Mapping[str, float],
     aside: tuple[SetAside, ...],
 ) -> Method:
-    """The polygons to a position's construction, with special points that lie well at the position of a plot."""
-    ternaries = special_points(structure, order, plot)
+    """The polygons to a position's construction, by way of these special points."""
     meeting = coincident_points(structure, order)
     labels, pole = Labels(structure, meeting), _pole(mechanism)
     velocity, at = motion(structure, order, labels, "velocity", pole, lambda site: "", ternaries)

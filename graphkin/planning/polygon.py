@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import field, replace
+from functools import cached_property
 from itertools import chain, count
 
 from graphkin.construction import (
@@ -51,7 +52,8 @@ class Polygon:
     """The steps so far, and where the sites drawn by them are.
 
     velocity  the velocity polygon's name of a site, for Coriolis terms
-    reserved  names that points will need, free for no corner between; letters: those of tips, once they are chosen
+    at        the polygon's point of each site that is drawn or to be found; of_link: these sites, by link
+    letters   those of tips, once they are chosen
     unknown   the arrow of each hop whose size is sought
     apart     pairs of sites of one link that are known to lie apart
     """
@@ -64,20 +66,23 @@ class Polygon:
     parts: list[Step | Equation] = field(default_factory=list)
     nodes: dict[str, Node] = field(default_factory=dict)
     at: dict[Site, str] = field(default_factory=dict)
-    reserved: set[str] = field(default_factory=set)
+    of_link: dict[str, dict[Site, None]] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)
     unknown: dict[Hop, Term] = field(default_factory=dict)
     apart: set[frozenset[Site]] = field(default_factory=set)
 
     # --- names --------------------------------------------------------------------------------
 
+    @cached_property
+    def prime(self) -> str:
+        return primes(self.structure.mechanism, self.plane)
+
     def image(self, label: str) -> str:
         return image_name(self.structure.mechanism, self.plane, label)
 
     def key(self, site: Site) -> Site:
         """A hinge moves as one point, whichever of its links it is seen as part of."""
-        owners = self.structure.owners.get(site.point, ())
-        return Site(site.point, owners[0]) if site.link in owners[1:] else site
+        return self.structure.seen_as.get(site, site)
 
     def name(self, site: Site) -> str:
         """The polygon's point of a site, known or to be found; points of the frame sit on the pole."""
@@ -86,7 +91,13 @@ class Polygon:
             return self.pole
         if (name := self.at.get(key)) is None:
             label = self.labels.label(key)
-            name = self.at[key] = self.new(self.image(label), label, key)
+            name = self.put(key, self.new(self.image(label), label, key))
+        return name
+
+    def put(self, key: Site, name: str) -> str:
+        """A site lies at a point of the polygon."""
+        self.at[key] = name
+        self.of_link.setdefault(key.link, {})[key] = None
         return name
 
     def new(self, name: str, of: str, site: Site | None = None) -> str:
@@ -106,14 +117,14 @@ class Polygon:
         called = self.structure.mechanism.called(link)
         worded = self.structure.is_link(link) and not called[0].isdigit()
         stem = own if letter == "k" else own + ("_" if worded else "") + called
-        dot, prime = "" if letter == "k" else "_", primes(self.structure.mechanism, self.plane)
-        names = chain([f"{stem}{prime}"], (f"{stem}{dot}{k}{prime}" for k in count(1)))
-        return self.new(next(name for name in names if name not in self.nodes and name not in self.reserved), of)
+        dot, prime, reserves = "" if letter == "k" else "_", self.prime, self.labels.reserves
+        stems = chain([stem], (f"{stem}{dot}{k}" for k in count(1)))
+        return self.new(next(s + prime for s in stems if s + prime not in self.nodes and not reserves(s)), of)
 
     def own_letter(self, letter: str) -> str:
         """The letter for a tip that no point has."""
         if letter not in self.letters:
-            taken = {name[0] for name in (*self.reserved, self.pole)}
+            taken = self.labels.initials | {self.pole[0]}
             self.letters[letter] = next((other for other in TIPS[letter] if other not in taken), letter)
         return self.letters[letter]
 
@@ -212,7 +223,7 @@ class Polygon:
             sides = found[0].terms, found[1].terms
             carried = [*found[0].carried, *found[1].carried]
         drawn = close(self.labels.label(of), *sides, {}, _nothing_between, _no_choice, pole)
-        self.parts.append(replace(drawn, steps=(*drawn.steps, *carried)))
+        self.parts.append(replace(drawn, steps=(*drawn.steps, *carried)) if carried else drawn)
 
     def known_first(self, side: tuple[Term, ...]) -> Ordered:
         """A side with its unknown term, which its hop remembers, at the end."""

@@ -26,7 +26,7 @@ def mesh(polygon: Polygon, stage: Mesh) -> None:
     of, at = Site(letter, wheel.link), Site(letter, other)
     reach(polygon, at)
     if polygon.plane == "velocity":
-        polygon.at[polygon.key(of)] = polygon.name(at)
+        polygon.put(polygon.key(of), polygon.name(at))
         polygon.parts.append(Measure("omega", wheel.link, polygon.name(wheel), polygon.name(of), (wheel.point, letter)))
     else:
         _roll_acceleration(polygon, stage.contact, wheel, of, at)
@@ -67,7 +67,7 @@ def train(polygon: Polygon, stage: Group) -> bool:
         return False
     for of, at in sites:
         reach(polygon, at)
-        polygon.at[polygon.key(of)] = polygon.name(at)
+        polygon.put(polygon.key(of), polygon.name(at))
     (first, _), (second, _) = sites
     nodes = polygon.name(first), polygon.name(second)
     polygon.parts.append(Measure("omega", planet, *nodes, (first.point, second.point)))

@@ -147,6 +147,8 @@ def special_points(structure: Structure, order: tuple[Stage, ...], plot: Plot) -
 
 def with_special_points(construction: Construction, ternaries: Mapping[Group, Ternary]) -> Construction:
     """The mechanism with the lines of two legs, which meet in the special point."""
+    if not ternaries:
+        return construction
     parts, nodes = list(construction.parts), dict(construction.nodes)
     for one in ternaries.values():
         first, second = (Ray(leg.end.point, leg.line) for leg in one.legs[:2])

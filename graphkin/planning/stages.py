@@ -20,9 +20,9 @@ from graphkin.planning.closed_sets import fewest_closed
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.known import Known
 from graphkin.planning.structure import Hinge, Joint, Structure
-from graphkin.planning.waiting import Waiting
 from graphkin.planning.ways import Ways
 from graphkin.value import frozen
+from graphkin.waiting import Waiting
 
 MOST = 8
 """Unknown scalars of one loop of a group."""

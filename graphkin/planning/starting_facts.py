@@ -62,13 +62,21 @@ def facts_of(structure: Structure, values: Sequence[Value] | None, drawn: Mappin
 
 def with_sides(construction: Construction, sides: tuple[int, ...]) -> Construction:
     """The construction with the crossings that the sketch asks for."""
+    if not sides:
+        return construction
     parts: list[Step | Equation] = []
     for part in construction.parts:
-        if isinstance(part, Equation):
+        if not isinstance(part, Equation):
+            parts.append(_chosen(part, sides))
+        elif any(map(_choice, part.steps)):
             parts.append(replace(part, steps=tuple(_chosen(step, sides) for step in part.steps)))
         else:
-            parts.append(_chosen(part, sides))
+            parts.append(part)
     return replace(construction, parts=tuple(parts))
+
+
+def _choice(step: Step) -> bool:
+    return isinstance(step, Meet | Swing) and step.choice is not None
 
 
 def _chosen(step: Step, sides: tuple[int, ...]) -> Step:

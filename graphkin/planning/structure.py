@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
-from graphkin.construction import TurnOf
+from graphkin.construction import Site, TurnOf
 from graphkin.geometry import phase
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.pairs import Rod, Slide, pin_name
@@ -114,7 +114,12 @@ class Structure:
 
     def named(self, body: str) -> tuple[str, ...]:
         """The points of a body that people named."""
-        return tuple(point for point in self.bodies[body] if point not in self.mechanism.unnamed)
+        return self._named[body]
+
+    @cached_property
+    def _named(self) -> dict[str, tuple[str, ...]]:
+        unnamed = self.mechanism.unnamed
+        return {body: tuple(p for p in points if p not in unnamed) for body, points in self.bodies.items()}
 
     def home(self, body: str) -> str:
         """The link people name for a body: for a pin, the first link that carries it."""
@@ -154,6 +159,12 @@ class Structure:
             for point in points:
                 owners[point] = (*owners.get(point, ()), body)
         return owners
+
+    @cached_property
+    def seen_as(self) -> dict[Site, Site]:
+        """A hinge moves as one point: as that of the first of its bodies, whichever other it is seen as part of."""
+        hinges = ((point, bodies) for point, bodies in self.owners.items() if len(bodies) > 1)
+        return {Site(point, body): Site(point, first) for point, (first, *others) in hinges for body in others}
 
     def joints(self, body: str) -> Sequence[tuple[Joint, tuple[str, ...]]]:
         """The joints of a body, each with the other bodies there."""

@@ -166,13 +166,17 @@ class Answers:
     def _sense(self, value: float) -> str:
         return self.reading.say("common.ccw" if value > 0 else "common.cw") if value else ""
 
+    @cached_property
+    def _still(self) -> dict[str, float]:
+        """Speeds and accelerations up to this are rounding noise [m/s, m/s^2]."""
+        points = {"velocity": self.reading.plot.velocity, "acceleration": self.reading.plot.acceleration}
+        return {plane: ROUNDING * max(float(abs(place)) for place in them.values()) for plane, them in points.items()}
+
     def _noise(self, quantity: Quantity) -> float:
         """Values up to this are rounding noise [SI]."""
-        plot, turned = self.reading.plot, quantity.unit.startswith("rad/s")
-        if turned:
+        if quantity.unit.startswith("rad/s"):
             usual = self.reading.usual
             return ROUNDING * (usual.omega if quantity.unit == "rad/s" else usual.alpha)
         if quantity.unit in ("m/s", "m/s^2"):
-            points = plot.velocity if quantity.unit == "m/s" else plot.acceleration
-            return ROUNDING * max(float(abs(place)) for place in points.values())
+            return self._still["velocity" if quantity.unit == "m/s" else "acceleration"]
         return self.reading.noise if quantity.unit == "m" else 0.0

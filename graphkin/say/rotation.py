@@ -218,9 +218,11 @@ def image(polygon: Polygon, step: Image) -> Iterator[Entry]:
 
 def _corner(polygon: Polygon, node: str, corner: str) -> str:
     """A fixed point's own letter rather than the pole's."""
+    if node != polygon.construction.pole:
+        return node
     nodes = polygon.construction.nodes.values()
-    fixed = [n.name for n in nodes if n.site is not None and (n.site.point, n.site.link) == (corner, FRAME)]
-    return fixed[0] if fixed and node == polygon.construction.pole else node
+    fixed = (n.name for n in nodes if n.site is not None and (n.site.point, n.site.link) == (corner, FRAME))
+    return next(fixed, node)
 
 
 def _ratio(polygon: Polygon, step: Image, corners: list[str]) -> str:

@@ -26,7 +26,7 @@ from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
 from graphkin.value import frozen
 
-_RADII = (2.5, 4.0, 6.0, 9.0, 13.0)
+_RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)
 """Of the circles that are tried about a part of a figure [mm]."""
 _FEW = 6
 """Fewer labels in a circle are no knot; nor are as many as stand around it by themselves: one a millimetre of it."""
@@ -45,6 +45,8 @@ _ON = 0.05
 """Nearer than this to a circle's rim is still in it [mm]."""
 _CROWD = 60
 """Among more labels only the detail of the worst knot is tried."""
+_OWN = 3
+"""A detail of which a part is drawn once more keeps at least so many labels, with that part's numeral."""
 _NUMERALS = ("I", "II")
 """Of the details of one figure, which has no more."""
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
@@ -125,8 +127,15 @@ class _Drawing:
         if not (views := self._possible()) or sum(self.burdens) < _SAVED:
             return None
         tried = views if len(self.burdens) <= _CROWD else [max(views, key=self._troubled)]
-        best = min(map(self._with, tried), key=lambda other: sum(other.burdens))
+        found = [other for other in map(self._with, tried) if not other.emptied]
+        best = min(found, key=lambda other: sum(other.burdens), default=self)
         return best if sum(best.burdens) + _SAVED <= sum(self.burdens) else None
+
+    @property
+    def emptied(self) -> bool:
+        """Whether some detail has no letters of its own, because another shows what it shows."""
+        wanted = self.panel.figure.wanted
+        return any(sum(map(view.shown.names, wanted)) < _OWN for view in self.views)
 
     @property
     def burdens(self) -> Sequence[float]:
