@@ -258,6 +258,7 @@ def test_find_refuses_what_is_no_condition(condition: str):
 
 def test_find_varies_a_dimension():
     rows = json.loads(run("find", "p3-21", "stroke s piston", "--vary", "DH=55:125:35", "--json").stdout)["rows"]
+    assert run("find", "p3-21", "stroke s piston", "--vary", "DH=55:125:35", "--vary", "AB=9:10:1").exit_code == 2
     assert [round(row["value"] * 1000, 9) for row in rows] == [55, 90, 125]
     strokes = [row["found"]["range"] * 1000 for row in rows]
     assert strokes == pytest.approx([84.0883, 77.6603, 43.3246], abs=1e-4)

@@ -284,6 +284,10 @@ def test_guide_bars():
         guide_bar(1.5)
     with pytest.raises(WantedRange):
         guide_bar(1.0, frame=0.1)
+    for k in (720.0, 1e16):
+        with pytest.raises(WantedRange):
+            guide_bar(k, crank=0.1)
+    assert guide_bar(718.0, frame=0.1).best.k == pytest.approx(718.0)
 
 
 # --- positions of the coupler ---------------------------------------------------------------------------

@@ -27,8 +27,8 @@ _FINE, _HALVED = 0.002, 4
 _GONE = 0.2
 """What is farther from all that is drawn is missing: chords stand off, and a curve ends a little before dead points
 [mm]."""
-_SLID = 10.0
-"""No slide goes so much farther than the curve that it draws is long."""
+_SLID = 2.001
+"""A slide is followed so many lengths of the longest link to either side, or as far as the curve is wide and high."""
 _NEAR = 3.0
 """Sizes of the mechanism within which a curve is drawn, from where its point is; farther off it may end."""
 _BEYOND = 2.0
@@ -66,7 +66,7 @@ def worst_of_path(
             lambda value: cast(np.ndarray, placed([point], value)[0]), values[at], mechanism.drivers[at],
             _across(drawn) or math.inf, size_of(mechanism), _across(corners),
         )  # fmt: skip
-        value, curve = _curve(course.places, *_reached(course, _SLID * course.across * scale))
+        value, curve = _curve(course.places, *_reached(course, max(_SLID * course.longest, course.across * scale)))
     except GraphkinError:
         return None
     wanted = curve[_wanted(course, corners, value, curve)]
@@ -99,9 +99,9 @@ def _across(places: np.ndarray) -> float:
     return float(np.ptp(places.real) + np.ptp(places.imag))
 
 
-def _reached(course: _Course, across: float) -> tuple[float, float]:
+def _reached(course: _Course, slid: float) -> tuple[float, float]:
     """Values of the driver: a turn from here on in its sense, or from end to end of what it reaches."""
-    far = across if course.driver.kind == "slide" else math.tau
+    far = slid if course.driver.kind == "slide" else math.tau
     low, high = _ends(course, far)
     if course.driver.kind != "slide" and high - low >= 2 * math.tau:
         return course.here, course.here + math.copysign(math.tau, course.driver.rate or 1.0)

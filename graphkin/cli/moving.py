@@ -132,7 +132,7 @@ def _write_sweep(
 @mechanism_argument
 @click.argument("condition")
 @ranges_option
-@click.option("--vary", "dimension", default="", metavar="NAME=FROM:TO:STEP",
+@click.option("--vary", "dimensions", multiple=True, metavar="NAME=FROM:TO:STEP",
               help="Again for each value of a dimension.")  # fmt: skip
 @by_option
 @click.option("--json", "as_json", is_flag=True, help="One JSON object, SI units and radians.")
@@ -142,7 +142,7 @@ def _write_sweep(
 @lang_option
 @speaking
 def find(
-    mechanism: str, condition: str, ranges: tuple[str, ...], dimension: str, by: Road, as_json: bool,
+    mechanism: str, condition: str, ranges: tuple[str, ...], dimensions: tuple[str, ...], by: Road, as_json: bool,
     output: Path | None, paper: str | None, force: bool, lang: Lang,
 ) -> None:  # fmt: skip
     """Find all positions with a property, extremes, strokes, the slowest point of a line, the speed that is wanted.
@@ -162,10 +162,12 @@ def find(
     from graphkin.say.finding_table import table_lines
 
     machine = read(mechanism)
-    if dimension:
+    if dimensions:
+        if len(dimensions) > 1:
+            raise click.UsageError("--vary takes one dimension at a time")
         if output is not None:
             raise click.UsageError("-o draws the positions of one mechanism; leave out --vary")
-        table = finding.vary(machine, dimension, condition, ranges, by, plan=api.plan)
+        table = finding.vary(machine, dimensions[0], condition, ranges, by, plan=api.plan)
         click.echo(json_line(finding.table_json(table)) if as_json else "\n".join(table_lines(table, lang)))
         return
     method = api.plan(machine)

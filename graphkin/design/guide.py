@@ -27,6 +27,9 @@ from graphkin.drafting import (
     replay,
 )
 
+_MOST_K = 719.0
+"""K where the bar swings through 179.5°: no drawing tells lines apart that meet under less than half a degree."""
+
 
 def guide_bar(k: float, *, frame: float | None = None, crank: float | None = None) -> Design:
     """The oscillating guide bar that returns k times as fast; the length of the frame or of the crank is given [m].
@@ -38,7 +41,7 @@ def guide_bar(k: float, *, frame: float | None = None, crank: float | None = Non
     (30.9017, 36.0)
     """
     positive(frame=frame, crank=crank)
-    ratio_within(k, math.inf)
+    ratio_within(k, _MOST_K)
     name = one_of({"frame": frame, "crank": crank}, 1)
     given = {"K": k, name: frame or crank or 0.0}
     construction = Drafting(given, (*_first_stages(), *(_by_frame() if name == "frame" else _by_crank())))

@@ -14,6 +14,7 @@ __all__ = [
     "IsFolder",
     "NoFile",
     "NotUtf8",
+    "StrayLetter",
     "TooDeep",
     "UnknownMechanism",
     "Unreadable",
@@ -106,6 +107,19 @@ class BrokenToml(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: this is not valid TOML: {reason}. Mend this line, or the one above it.",
         "zh": "{where}：TOML 语法错误（{reason}），请改正这一行或上一行。",
+    }
+
+
+class StrayLetter(GraphkinError):
+    """A letter of another alphabet, or a full-width sign, that looks as it should."""
+
+    where: Where
+    letter: str
+    code: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {letter} ({code}) cannot stand outside quotes, where only letters, digits and signs of an English "
+        "keyboard can. Type it anew, even if it looks the same.",
+        "zh": "{where}：引号以外不能有字符 {letter}（{code}），那里只能用英文半角字母、数字和符号；即使看起来一样，也请重新输入。",
     }
 
 

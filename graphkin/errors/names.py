@@ -14,9 +14,15 @@ class BadName(WrongType):
     """A name or key that is not formed as its kind is."""
 
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given} is not formed as it must be: {expected}. Rename it.",
-        "zh": "{where}：{given} 的写法不对，应为：{expected}。请改名。",
+        "en": "{where}: {given}{odd} is not formed as it must be: {expected}. Rename it.",
+        "zh": "{where}：{given}{odd} 的写法不对，应为：{expected}。请改名。",
     }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        """A letter of another alphabet may look as it should: it is told by its number."""
+        odd = next((letter for letter in str(self.given) if not letter.isascii()), "")
+        told = f"（其中 {odd} 是 U+{ord(odd):04X}）" if lang == "zh" and odd else f" ({odd} is U+{ord(odd):04X})" if odd else ""
+        return {**super()._words(lang), "odd": told}
 
 
 class LongName(GraphkinError):

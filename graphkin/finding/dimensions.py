@@ -51,7 +51,8 @@ def dimension(mechanism: Mechanism, name: str) -> DimensionPlace:
     number = driver_number(mechanism, name)
     if not found and number is not None:
         return DimensionPlace((), "length" if mechanism.drivers[number].kind == "slide" else "angle", number)
-    raise NoDimension(WHERE, name, tuple(_possible(mechanism, document, ambiguous=bool(found))) + tuple(drivers))
+    possible = (*_possible(mechanism, document, ambiguous=bool(found)), *drivers)
+    raise NoDimension(WHERE, name, tuple(dict.fromkeys(possible)))
 
 
 def _named(path: Path, name: str) -> bool:

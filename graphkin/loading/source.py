@@ -17,6 +17,7 @@ from graphkin.errors import (
     IsFolder,
     NoFile,
     NotUtf8,
+    StrayLetter,
     TooDeep,
     Unreadable,
     Where,
@@ -39,6 +40,8 @@ _DEEP = rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{_
 """A key of so many parts; thousands of them would cost gigabytes before anyone could refuse them."""
 
 _PLACE = r"\s*\(at (?:line ([0-9]+), column [0-9]+|end of document)\)$"
+_QUOTED = r"""\"[^"]*("|$)|'[^']*('|$)|#.*"""
+"""Texts in quotes, to the end of the line where one is not closed, and remarks."""
 
 
 def read_text(path: FilePath) -> str:
@@ -158,11 +161,14 @@ def _words(value: object, path: Path) -> Iterator[tuple[Path, str]]:
             pass
 
 
-def _broken(reason: str, text: str, file: str) -> BrokenToml:
+def _broken(reason: str, text: str, file: str) -> BrokenToml | StrayLetter:
     place = re.search(_PLACE, reason)
     line = None
     if place is not None:
         line = int(place[1]) if place[1] else text.rstrip("\n").count("\n") + 1
+        stray = re.search(r"[^\x00-\x7f]", re.sub(_QUOTED, "", text.split("\n")[line - 1]))
+        if stray is not None:
+            return StrayLetter(Where(file, line), stray.group(), f"U+{ord(stray.group()):04X}")
     return BrokenToml(Where(file, line), re.sub(_PLACE, "", reason))
 
 

@@ -61,8 +61,9 @@ class Method:
 
     @cached_property
     def size(self) -> float:
-        """The longest reach of a link [m]: what small parts are measured by."""
-        return max(abs(z) for shape in self.structure.shapes.values() for z in shape.values()) or 1.0
+        """The longest reach of a link from its first point [m]: what small parts are measured by."""
+        shapes = (tuple(shape.values()) for shape in self.structure.shapes.values())
+        return max(abs(z - shape[0]) for shape in shapes for z in shape) or 1.0
 
     @property
     def doubtful(self) -> bool:
