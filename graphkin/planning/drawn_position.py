@@ -37,11 +37,11 @@ TRIES = 64
 
 @frozen
 class _Given:
-    """A driver's value or a pose: what it fixes, as a driver, and where the file says so."""
+    """A driver's value or a pose: what it fixes, as a driver, and which of its table it is."""
 
     fixes: Driver
     posed: bool
-    where: Where
+    number: int
 
 
 def as_drawn(
@@ -97,7 +97,7 @@ def _standing(mechanism: Mechanism, lower: Mechanism, repeats: Repeats) -> tuple
             refusal = error if refusal is None or isinstance(refusal, NotPlaced) else refusal
             continue
         if all(_holds(plot, each) for each in needed):
-            _refuse_other(structure, plot, given, needed)
+            _refuse_other(mechanism, structure, plot, given, needed)
             return structure, plot
         placed = placed or (structure, plot)
     if placed is None:
@@ -114,12 +114,19 @@ def _fewer_and_fewer(given: tuple[_Given, ...]) -> Iterator[tuple[_Given, ...]]:
         yield tuple(each for each in given if each not in left)
 
 
-def _refuse_other(structure: Structure, plot: Plot, given: tuple[_Given, ...], needed: tuple[_Given, ...]) -> None:
+def _refuse_other(
+    mechanism: Mechanism, structure: Structure, plot: Plot, given: tuple[_Given, ...], needed: tuple[_Given, ...]
+) -> None:
     """A pose that was not needed must hold all the same."""
     for each in given:
         if each not in needed and not _holds(plot, each):
-            others = tuple(other.where for other in _beside(structure, each, needed))
-            raise PosesDiffer(each.where, each.fixes.name, *_told(each, _off(plot, each)), others)
+            others = tuple(_where(mechanism, other) for other in _beside(structure, each, needed))
+            raise PosesDiffer(_where(mechanism, each), each.fixes.name, *_told(each, _off(plot, each)), others)
+
+
+def _where(mechanism: Mechanism, given: _Given) -> Where:
+    """Where the file says so."""
+    return mechanism.where("pose" if given.posed else "driver", given.number)
 
 
 def given_at(mechanism: Mechanism) -> tuple[_Given, ...]:
@@ -130,10 +137,10 @@ def given_at(mechanism: Mechanism) -> tuple[_Given, ...]:
 def _fixed(mechanism: Mechanism) -> Iterator[_Given]:
     for k, driver in enumerate(mechanism.drivers):
         if driver.value is not None and driver.kind != "spin":
-            yield _Given(driver, False, mechanism.where("driver", k))
+            yield _Given(driver, False, k)
     for k, pose in enumerate(mechanism.poses):
         fixes = Driver(pose.kind, pose.link, pose.vector, pose.from_link, pose.from_vector, pose.value)
-        yield _Given(fixes, True, mechanism.where("pose", k))
+        yield _Given(fixes, True, k)
 
 
 def _beside(structure: Structure, given: _Given, needed: Sequence[_Given]) -> list[_Given]:

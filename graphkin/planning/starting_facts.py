@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from graphkin.construction import Construction, Equation, Facts, Meet, Plot, Step, Swing
-from graphkin.errors import GearsApart, OffTrack
+from graphkin.errors import GearsApart, OffTrack, Where
 from graphkin.geometry import Value, cross
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Gear, Line
@@ -25,15 +25,20 @@ def refuse_contacts_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot:
     if any(np.ndim(value) for value in plot.position.values()):
         return
     for tie in ties:
-        where = mechanism.where(*mechanism.path(tie.pair), "radii" if isinstance(tie.pair, Gear) else "radius")
         if not tie.slide:
             distance, wanted = float(abs(plot.arm(*tie.centres))), abs(sum(tie.radii))
             if abs(distance - wanted) > ROUNDED * max(distance, wanted):
-                raise GearsApart(where, tie.centres, distance * 1000, wanted * 1000)
+                raise GearsApart(_where(mechanism, tie), tie.centres, distance * 1000, wanted * 1000)
         elif mechanism.slides and (path := tie.pair.path) is not None:
             distance, wanted = _beside(path.line, path.point, plot), path.offset
             if abs(distance - wanted) > ROUNDED * abs(wanted):
-                raise OffTrack(where, path.point, mechanism.called(path.line.link), distance * 1000, wanted * 1000)
+                track = mechanism.called(path.line.link)
+                raise OffTrack(_where(mechanism, tie), path.point, track, distance * 1000, wanted * 1000)
+
+
+def _where(mechanism: Mechanism, tie: Contact) -> Where:
+    """Where the file gives the radii of a contact."""
+    return mechanism.where(*mechanism.path(tie.pair), "radii" if isinstance(tie.pair, Gear) else "radius")
 
 
 def _beside(line: Line, point: str, plot: Plot) -> float:
