@@ -10,7 +10,7 @@ LINK = re.compile(r"[\w']+")
 SLIDE = re.compile(r"(?!c[0-9]+\Z)[\w'-]+")
 """`c0`, `c1` .. are what graphkin calls the slots that stand for cams."""
 
-LONGEST = 24
+LONGEST = 36
 """A name of so many letters finds room on every sheet."""
 
 _POINTS = re.compile(rf"(?:{_POINT})+")

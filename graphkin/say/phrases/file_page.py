@@ -9,10 +9,10 @@ PHRASES: Phrases = {
         "机构文件：描述机构的一个位置（图示位置），运动由此开始。文件为 TOML 格式。下面按书写顺序列出各表，每个键附一例；只写机构需要的部分。",
     ),
     "intro names": (
-        "Names: a point is a capital letter, then digits, then primes: A, O1, D'; a link is any word of up to 24 letters, digits, _ and '. "
+        "Names: a point is a capital letter, then digits, then primes: A, O1, D'; a link is any word of up to 36 letters, digits, _ and '. "
         "A key with a prime is quoted: \"DE'\" = 40, [links.\"2'\"]. A point that two links name is a hinge between them (the frame "
         "counts as a link), named by three a multiple hinge. \"frame\" is the fixed link.",
-        "命名：点为大写字母，后接数字、撇号：A、O1、D'；构件名由字母、数字、_ 和 ' 组成，最长 24 个字母（汉字按两个计）。带撇号的键要加引号：\"DE'\" = 40、[links.\"2'\"]。"
+        "命名：点为大写字母，后接数字、撇号：A、O1、D'；构件名由字母、数字、_ 和 ' 组成，最长 36 个字母（汉字按两个计）。带撇号的键要加引号：\"DE'\" = 40、[links.\"2'\"]。"
         "两个构件（机架也算）都写出的点即为转动副，三个则为复合铰链。\"frame\" 是机架。",
     ),
     "intro angles": (
