@@ -46,6 +46,14 @@ class TurnOf:
     drivers: tuple[tuple[int, int], ...] = ()
 
 
+def grouped(turns: Mapping[str, TurnOf]) -> dict[str, list[str]]:
+    """The links whose angles hang on that of each base link, itself among them."""
+    found: dict[str, list[str]] = {}
+    for link, turn in turns.items():
+        found.setdefault(turn.base, []).append(link)
+    return found
+
+
 @frozen
 class Facts:
     """What is known before the pencil moves: dimensions and drivers. SI units; drivers scalar or (n,) each.
@@ -69,10 +77,7 @@ class Facts:
     @cached_property
     def groups(self) -> Mapping[str, Sequence[str]]:
         """The links that hang on each base link, itself among them."""
-        found: dict[str, list[str]] = {}
-        for link, turn in self.turns.items():
-            found.setdefault(turn.base, []).append(link)
-        return found
+        return grouped(self.turns)
 
     def relative_angle(self, link: str) -> Value:
         """Angle of a link against its base link [rad]."""

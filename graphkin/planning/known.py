@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import field
 from functools import cached_property
 
+from graphkin.construction.plot import grouped
 from graphkin.mechanism import FRAME
 from graphkin.planning.structure import Hinge, Joint, Structure
 from graphkin.value import filled, frozen
@@ -76,10 +77,7 @@ class Known:
     @cached_property
     def _turning_with(self) -> dict[str, list[str]]:
         """The bodies of each group whose angles hang together."""
-        found: dict[str, list[str]] = {}
-        for body in self.structure.bodies:
-            found.setdefault(self.structure.base(body), []).append(body)
-        return found
+        return grouped(self.structure.turns)
 
     @cached_property
     def _slides_at(self) -> dict[str, list[str]]:

@@ -143,12 +143,8 @@ class Panel:
     @cached_property
     def near(self) -> Settled:
         """Its labels near what they name; at once off the lines of what is drawn last where all find places so."""
-        return self.off if self._easy and self.off is not None else self._settled(self.scene)
-
-    @property
-    def _easy(self) -> bool:
-        """Whether all find places of their own without leaders, and off those lines."""
-        return not self.scene.crammed and self.off is not None and not (self.off.clashes or self.off.led)
+        easy = None if self.scene.crammed else self.off
+        return self._settled(self.scene) if easy is None or easy.clashes or easy.led else easy
 
     @cached_property
     def far(self) -> Settled:
