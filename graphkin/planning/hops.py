@@ -7,6 +7,8 @@ differ from that link there by a relative motion.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from graphkin.construction import Site
 from graphkin.kept import kept
 from graphkin.mechanism import FRAME
@@ -107,13 +109,11 @@ def _own_place(structure: Structure, loop: Loop, waiting: list[int]) -> tuple[in
 
 
 def _groups(structure: Structure, loop: Loop) -> list[tuple[int, int]]:
-    """First and last body of each unknown group of two or more bodies."""
-    found: list[tuple[int, int]] = []
-    for base in loop.angles:
-        members = [k for k, body in enumerate(loop.bodies) if structure.base(body) == base]
-        if len(members) > 1:
-            found.append((members[0], members[-1]))
-    return found
+    """First and last body of each run of two or more that follow one another in one unknown group."""
+    bases = [structure.base(body) for body in loop.bodies]
+    starts = [k for k in range(len(bases)) if k == 0 or bases[k] != bases[k - 1]]
+    runs = pairwise([*starts, len(bases)])
+    return [(first, end - 1) for first, end in runs if end - first > 1 and bases[first] in loop.angles]
 
 
 def _block_side(structure: Structure, loop: Loop, slide: str) -> str:

@@ -249,13 +249,22 @@ class _Reader:
                 for chain in chains:
                     yield from (fact for size, _ in chain.known for fact in self._size(size))
                     yield from (("position", p) for one in chain.unknown for p in (one.tail, one.head) if p)
+                turned = [one.link for chain in chains for one in chain.unknown if one.link]
+                yield from (fact for link in turned for fact in self._turnings(link) if fact not in {*self.gives(part)})
                 yield from (fact for contact in contacts for fact in self._contact(contact, {*self.gives(part)}))
             case _:
                 assert_never(part)
 
+    def _turnings(self, link: str) -> Iterator[Fact]:
+        """The turning of a link's base, and that which drivers give the link against it."""
+        quantity, turn = _TURNING[self.plane], self.method.structure.turns[link]
+        yield self._turning(quantity, link)
+        if turn.drivers and turn.base != FRAME:
+            yield self._driven(quantity, link, turn.base)
+
     def _contact(self, contact: InStep, given: set[Fact]) -> Iterator[Fact]:
         slides = [slide for slide, _ in contact.way] or ([contact.slide] if contact.slide else [])
-        found = [self._turning(_TURNING[self.plane], link) for link, _ in contact.angles if link != FRAME]
+        found = [fact for link, _ in contact.angles if link != FRAME for fact in self._turnings(link)]
         found += [(_SLIDING[self.plane], slide) for slide in slides]
         yield from (fact for fact in found if fact not in given)
 

@@ -34,9 +34,10 @@ def mesh(polygon: Polygon, stage: Mesh) -> None:
 
 
 def _turned_by(polygon: Polygon, stage: Mesh) -> Site | None:
-    """The centre of the wheel whose turning the contact gives, where it is one of the two wheels."""
+    """The centre of the wheel whose turning alone the contact gives."""
+    turned = [body for body, _ in stage.contact.angles if polygon.structure.base(body) == stage.angle]
     for wheel, centre in zip(stage.contact.wheels, stage.contact.centres, strict=True):
-        if stage.angle and polygon.structure.base(wheel) == stage.angle and centre:
+        if turned == [wheel] and centre:
             return Site(centre, wheel)
     return None
 

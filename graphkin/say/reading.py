@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING
@@ -119,6 +119,18 @@ class Reading:
         if driver.from_link == FRAME:
             return names.of_link(symbol, called(driver.link))
         return names.relative(symbol, called(driver.link), called(driver.from_link))
+
+    def relative_drivers(self, links: Iterable[str]) -> list[int]:
+        """The numbers of the drivers that turn some of these links against others that move."""
+        turns, drivers = self.plot.facts.turns, self.mechanism.drivers
+        return sorted({k for link in links for k, _ in turns[link].drivers if drivers[k].from_link != FRAME})
+
+    def rotations(self, links: Iterable[str], symbol: str, relative: str = "") -> list[str]:
+        """`ω1 = ω3 + ω13` of each driver between these links, from `ω`, and the symbol of ω13 if it is another."""
+        drivers = [self.mechanism.drivers[k] for k in self.relative_drivers(links)]
+        ends = [(self.rate(symbol, d.link), self.rate(symbol, d.from_link)) for d in drivers]
+        sums = zip(ends, drivers, strict=True)
+        return [f"{one} = {other} + {self.against(driver, relative or symbol)}" for (one, other), driver in sums]
 
     def radius(self, link: str, size: float) -> str:
         """`r2` of a wheel, and `r2′` of the second gear of a compound one."""

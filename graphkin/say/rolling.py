@@ -12,7 +12,7 @@ from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
-from graphkin.say.rolling_relation import path_name, relation_of, turned
+from graphkin.say.rolling_relation import Relation, path_name, relation_of, turned
 
 # --- position -----------------------------------------------------------------------------------
 
@@ -25,11 +25,15 @@ def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:
     if relation.nothing:
         return  # the drawn position: as given
     yield Sentence(reading.say("contacts.rolled", wheels=wheels, relation=relation.text))
-    link = _unknown(reading, step)
-    if not link:
+    links = _unknown(reading, step)
+    if not links:
         way = float(reading.plot.s[step.slide]) - reading.plot.facts.drawn[slide_key(step.slide)]
         yield Calculation(path_name(reading, "Δs", step.slide), (), "", way * 1000, "mm")
         return
+    if len(links) > 1:
+        yield from _rotated(relation, links, reading.rotations(links, "Δθ", "Δφ"), "°")
+        return
+    link = links[0]
     name, value = reading.rate("Δθ", link), relation.value(link)
     yield Sentence(reading.say("contacts.turned by", link=reading.link(link), name=name))
     if contact.slide:
@@ -37,11 +41,19 @@ def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:
     yield relation.solved(link, value, "°", reading.signed(value))
 
 
-def _unknown(reading: Reading, step: Roll) -> str:
-    """The wheel whose turning a contact gives; "" for a displacement."""
+def _unknown(reading: Reading, step: Roll) -> list[str]:
+    """The links whose turning a contact gives: one, or more that drivers turn against each other."""
     turns = reading.plot.facts.turns
-    members = [link for link, _ in step.contact.angles if step.angle and turns[link].base == step.angle]
-    return members[0] if members else ""
+    return [link for link, _ in step.contact.angles if step.angle and turns[link].base == step.angle]
+
+
+def _rotated(relation: Relation, links: list[str], sums: list[str], unit: str) -> Iterator[Entry]:
+    """The turnings of links that a driver turns against each other, from the relation and their sums."""
+    reading = relation.reading
+    yield Sentence(reading.say("contacts.with rotations", sums=reading.listed(sums)))
+    for link in links:
+        value = relation.value(link)
+        yield Calculation(relation.symbol(link), (), "", value, unit, reading.signed(value))
 
 
 def touched(reading: Reading, step: Touch) -> str:
@@ -66,9 +78,12 @@ def rolling(polygon: Polygon, step: Roll) -> Iterator[Entry]:
     relation = relation_of(polygon, step.contact)
     wheels = reading.listed([reading.link(link) for link in relation.contact.wheels])
     yield Sentence(reading.say("contacts.rolling relation", wheels=wheels, relation=relation.text))
-    link = _unknown(reading, step)
-    if link:
-        yield relation.solved(link, relation.value(link), polygon.rate_unit, reading.signed(relation.value(link)))
+    links = _unknown(reading, step)
+    if len(links) > 1:
+        yield from _rotated(relation, links, reading.rotations(links, names.RATE[polygon.plane]), polygon.rate_unit)
+    elif links:
+        value = relation.value(links[0])
+        yield relation.solved(links[0], value, polygon.rate_unit, reading.signed(value))
     else:
         slide, table = names.SLIDING[polygon.plane], polygon.reading.plot
         value = float((table.s_rate if polygon.plane == "velocity" else table.s_acceleration)[step.slide])

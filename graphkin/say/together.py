@@ -26,6 +26,7 @@ from graphkin.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Operand
+from graphkin.say.given_sizes import driven
 from graphkin.say.numbers import degrees, number
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
@@ -44,14 +45,23 @@ def fitted(reading: Reading, step: Fit) -> Iterator[Entry]:
         values = reading.say("common.and").join(value for link in members if (value := _angle(reading, link)))
         yield Sentence(reading.say("contacts.fit given", links=links, values=values))
         return
-    relations = reading.listed([turn.text for turn in turns])
     if step.closures:
         lengths = reading.listed(_arms(reading, step))
         words = {"links": links, "template": reading.link(_template(reading, step)), "lengths": lengths}
-        words |= {} if step.contacts else {"cls": reading.say(f"structure.class {_class(reading, members)}")}
-        key = "contacts.fit geared" if step.contacts else "contacts.fit"
-        yield Sentence(reading.say(key, relations=relations, **words))
+        drivers = reading.relative_drivers(turning)
+        turned_by = [driven(reading, k, reading.mechanism.drivers[k])[0].text for k in drivers]
+        if step.contacts or turned_by:
+            by = ["joints", *["rolling"] * bool(step.contacts), *["drivers"] * bool(turned_by)]
+            ties = [reading.say(f"contacts.by {each}") for each in by]
+            note = reading.say("contacts.since drawn") if step.contacts else ""
+            coupled = reading.listed([*turned_by, *(turn.text for turn in turns)])
+            words |= {"ties": reading.listed(ties), "relations": coupled, "note": note}
+            yield Sentence(reading.say("contacts.fit coupled", **words))
+        else:
+            cls = reading.say(f"structure.class {_class(reading, members)}")
+            yield Sentence(reading.say("contacts.fit", cls=cls, **words))
     else:
+        relations = reading.listed([turn.text for turn in turns])
         yield Sentence(reading.say("contacts.fit train", links=links, relations=relations))
     found = [_angle(reading, link) for link in members if link in turning]
     found += [_slide(reading, slide) for slide in step.slides]
@@ -220,9 +230,13 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
     if step.contacts:
         relations = reading.listed([relation_of(polygon, contact).text for contact in step.contacts])
         said.append(reading.say("contacts.the relations", relations=relations))
+    if sums := reading.rotations(members, names.RATE[polygon.plane]):
+        said.append(reading.say("contacts.the rotations", sums=reading.listed(sums)))
     equations = reading.say("contacts.and both").join(said)
     equations = equations[0].upper() + equations[1:]
-    yield Sentence(reading.say("contacts.together", unknowns=unknowns, equations=equations))
+    alone = len(said) == len(step.chains) == 1
+    key = "contacts.together, one" if alone else "contacts.together"
+    yield Sentence(reading.say(key, unknowns=unknowns, equations=equations))
     table = plot.omega if polygon.plane == "velocity" else plot.alpha
     for link in dict.fromkeys(members):
         value = reading.usual.rate(float(table[link]), polygon.plane)
@@ -238,11 +252,11 @@ def _constant_ratio(polygon: Polygon, step: Simultaneous, members: list[str]) ->
     """A gear train that turns as one driven link does: its accelerations have the ratios of its velocities (Willis)."""
     reading, plot = polygon.reading, polygon.reading.plot
     known = {link for contact in step.contacts for link, _ in contact.angles} - {*members, FRAME}
-    driven = [link for link in known if plot.omega[link]]
-    others = any(plot.alpha[link] for link in known - {*driven})
-    if polygon.plane == "velocity" or step.chains or step.slides or len(driven) != 1 or others:
+    moved = [link for link in known if plot.omega[link]]
+    others = any(plot.alpha[link] for link in known - {*moved})
+    if polygon.plane == "velocity" or step.chains or step.slides or len(moved) != 1 or others:
         return []
-    input_, wheels = driven[0], list(dict.fromkeys(members))
+    input_, wheels = moved[0], list(dict.fromkeys(members))
     rate, turning = reading.rate("α", input_), reading.rate("ω", input_)
     if not plot.alpha[input_]:
         zero = " = ".join([*(reading.rate("α", link) for link in wheels), "0"])

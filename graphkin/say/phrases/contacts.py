@@ -57,6 +57,7 @@ PHRASES: Phrases = {
         "Pure rolling of links {wheels} since the drawn position (Δθ: turned since then): {relation}.",
         "自给定位置起，构件 {wheels} 作纯滚动（Δθ 为此后的转角）：{relation}。",
     ),
+    "with rotations": ("Together with {sums} this gives:", "与 {sums} 联立，得："),
     "turned by": (
         "Since the drawn position link {link} has turned by {name}:",
         "自给定位置起构件 {link} 转过 {name}：",
@@ -89,10 +90,14 @@ PHRASES: Phrases = {
         "Links {links} form a group of Class {cls}. Ruler and compass do not give its position. On paper a template is tried: link {template} on tracing paper is shifted until {lengths} fit. Here the fit is found numerically:",
         "构件 {links} 组成{cls}级杆组，其位置不能用直尺和圆规直接作出。作图时用样板法：将构件 {template} 描在透明纸上试移，直至 {lengths} 均相符；此处用数值法求得：",
     ),
-    "fit geared": (
-        "Links {links} are coupled by their joints and by pure rolling. Ruler and compass do not give their position. On paper a template is tried: link {template} on tracing paper is shifted until {lengths} fit, and {relations} (Δθ: turned since the drawn position). Here the fit is found numerically:",
-        "构件 {links} 由运动副和纯滚动互相约束，其位置不能用直尺和圆规直接作出。作图时用样板法：将构件 {template} 描在透明纸上试移，直至 {lengths} 均相符，且 {relations}（Δθ 为自给定位置起的转角）；此处用数值法求得：",
+    "fit coupled": (
+        "Links {links} are coupled {ties}. Ruler and compass do not give their position. On paper a template is tried: link {template} on tracing paper is shifted until {lengths} fit, and {relations}{note}. Here the fit is found numerically:",
+        "构件 {links} 由{ties}互相约束，其位置不能用直尺和圆规直接作出。作图时用样板法：将构件 {template} 描在透明纸上试移，直至 {lengths} 均相符，且 {relations}{note}；此处用数值法求得：",
     ),
+    "by joints": ("by their joints", "运动副"),
+    "by rolling": ("by pure rolling", "纯滚动"),
+    "by drivers": ("by driven angles", "给定的相对转角"),
+    "since drawn": (" (Δθ: turned since the drawn position)", "（Δθ 为自给定位置起的转角）"),
     "fit train": (
         "The turns of links {links} since the drawn position (Δθ) are coupled; the rolling relations {relations} are solved together:",
         "构件 {links} 自给定位置起的转角 Δθ 互相关联，须联立求解纯滚动关系 {relations}：",
@@ -130,8 +135,13 @@ PHRASES: Phrases = {
         "No order of ruler and triangle gives {unknowns} one after another. {equations} are solved together:",
         "{unknowns} 不能用作图法依次求得，须联立求解{equations}：",
     ),
+    "together, one": (
+        "No order of ruler and triangle gives {unknowns} one after another. {equations} is solved for them together:",
+        "{unknowns} 不能用作图法依次求得，须由{equations}联立求解：",
+    ),
     "the loop": ("The vector equation of the loop {loops}", "封闭矢量方程 {loops} "),
     "the loops": ("The vector equations of the loops {loops}", "封闭矢量方程 {loops} "),
     "the relations": ("the pure rolling {relations}", "纯滚动关系 {relations}"),
+    "the rotations": ("{sums}", "相对转动 {sums}"),
     "and both": (" and ", "及"),
 }
