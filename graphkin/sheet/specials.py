@@ -80,11 +80,11 @@ def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure
             figure.wanted.append(Wanted(point_label(special.name), at, gap=0.8, step=special.step))
         else:
             for ray in special.rays:
-                figure.marks += _towards(skeleton, ray, at, special.step)
-                tip = figure.marks[-2]
-                assert isinstance(tip, Stroke)
+                towards = _towards(skeleton, ray, at, special.step)
+                figure.marks += towards
                 label = (*plain("→ "), *point_label(special.name))
-                figure.wanted.append(Wanted(label, tip.places[-1], gap=0.6, step=special.step))
+                tips = [mark.places[-1] for mark in towards if isinstance(mark, Stroke)]
+                figure.wanted += [Wanted(label, tip, gap=0.6, step=special.step) for tip in tips]
     return figure
 
 
@@ -106,11 +106,13 @@ def _start(skeleton: Skeleton, through: str, direction: Direction, at: Place) ->
 
 
 def _towards(skeleton: Skeleton, ray: Ray, at: Place, step: int) -> list[Mark]:
-    """From the leg's near end a little way, with an arrow."""
+    """From the leg's near end a little way, with an arrow; nothing where that is the special point itself."""
     ends = [ray.through]
     if isinstance(ray.direction, Along):
         ends += [ray.direction.tail, ray.direction.head]
     start = min((skeleton.at(end) for end in ends), key=lambda place: abs(place - at))
+    if at == start:
+        return []
     way = (at - start) / abs(at - start)
     return [Stroke((start, start + way * _CUT), "thin", step=step), arrow_head(start + way * _CUT, way, step)]
 
