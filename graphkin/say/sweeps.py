@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 
 from graphkin.errors import Lang, listed
+from graphkin.mechanism import FRAME
 from graphkin.quantities import EDGE, IN_GRAVITY, Centre, Quotient, Rotation
 from graphkin.running.path import Event
 from graphkin.say.catalogue import say
-from graphkin.say.names import in_signs
+from graphkin.say.names import in_signs, relative
 from graphkin.say.numbers import at_edge, exact, number
 from graphkin.say.text_table import table
 from graphkin.sweeps import Course, Series, Sweep
@@ -152,8 +153,10 @@ def _symbol(entry: Series) -> str:
 
 
 def _driver_symbol(sweep: Sweep) -> str:
-    driver = sweep.course.driver
-    link = sweep.mechanism.called(driver.link)
+    driver, called = sweep.course.driver, sweep.mechanism.called
+    link = called(driver.link)
     if driver.kind == "slide":
         return f"s_{driver.link}"
+    if driver.from_link != FRAME:
+        return relative("φ", link, called(driver.from_link))
     return f"θ{link}" if link.isdigit() else f"θ_{link}"
