@@ -40,10 +40,10 @@ def room_svg(room: Room) -> str:
 
 def drawing_of(width: float, height: float) -> Any:
     """An empty drawing of this size [mm]."""
-    from graphkin.outputs.svgwriting import svgwrite
+    import svgwrite
 
     size = (f"{mm(width)}mm", f"{mm(height)}mm")
-    return svgwrite().Drawing(size=size, viewBox=f"0 0 {mm(width)} {mm(height)}", profile="full", debug=False)
+    return svgwrite.Drawing(size=size, viewBox=f"0 0 {mm(width)} {mm(height)}", profile="full", debug=False)
 
 
 def _line(drawing: Any, start: complex, end: complex, colour: str, width: float) -> None:

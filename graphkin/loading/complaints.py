@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from pydantic_core import ValidationError
+
 from graphkin.errors import GraphkinError, MissingKey, UnitAsKey, UnknownKey, Where, WrongCount, WrongType
-from graphkin.loading.core import ValidationError
 from graphkin.loading.fields import keys
 from graphkin.loading.positions import Path
 from graphkin.loading.schema import (

@@ -11,8 +11,9 @@ from collections.abc import Callable
 from dataclasses import MISSING, Field, field, fields
 from typing import Any, TypeVar, dataclass_transform
 
+from pydantic_core import PydanticCustomError
+
 from graphkin.errors import NOWHERE, GraphkinError, NotOneOf, WrongType
-from graphkin.loading.core import PydanticCustomError, Schema
 from graphkin.loading.names import LINK, POINT, SLIDE, tidy
 from graphkin.loading.units import Dimension
 from graphkin.loading.values import above_zero, formed, quantity, scale, shown, titles, triples, vector, zero_or_more
@@ -20,6 +21,8 @@ from graphkin.value import frozen
 
 MEASURE_PATTERN = r"^([A-Z][0-9]*'*){2,3}$"
 POINT_PATTERN = r"^[A-Z][0-9]*'*$"
+Schema = dict[str, Any]
+"""What a value must be, as pydantic's core reads it: `type`, and what belongs to that type."""
 NUMBER: dict[str, Any] = {"type": ["number", "string"]}
 """What JSON Schema says of any quantity."""
 

@@ -119,7 +119,8 @@ def load_stream(stream: IO[bytes], *, name: str, file: str) -> Mechanism:
 
 def _checked(draft: Draft, document: dict[str, Any]) -> tuple[File, dict[str, list[Measure]]]:
     """All tables by themselves."""
-    from graphkin.loading.core import ValidationError
+    from pydantic_core import ValidationError
+
     from graphkin.loading.schema import read_tables
 
     draft.problems.extend(frame_problems(document.get("frame"), draft.where))

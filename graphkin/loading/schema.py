@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
-from graphkin.loading.core import SchemaValidator
+from pydantic_core import SchemaValidator
+
 from graphkin.loading.fields import (
     ALSO,
     ANCHOR,

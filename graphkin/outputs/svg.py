@@ -21,7 +21,6 @@ from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs.paint import Colours, Ink
 from graphkin.outputs.spans import LATIN, mm, runs, short
 from graphkin.outputs.stated import kind, stated, statement
-from graphkin.outputs.svgwriting import svgwrite
 from graphkin.sheet import Sheet
 from graphkin.sheet.composed import HEADINGS
 from graphkin.sheet.lettering import Label
@@ -109,8 +108,10 @@ class Pen:
     """One drawing in the making. Marks of one layer that follow one another in one paint share it in a group."""
 
     def __init__(self, sheet: Sheet, ink: Ink, metadata: bool) -> None:
+        import svgwrite
+
         wide, high = mm(sheet.paper.width), mm(sheet.paper.height)
-        self.drawing: Any = svgwrite().Drawing(
+        self.drawing: Any = svgwrite.Drawing(
             size=(f"{wide}mm", f"{high}mm"), viewBox=f"0 0 {wide} {high}", profile="full", debug=False
         )
         self.sheet, self.colours, self.metadata = sheet, Colours.of(sheet, ink), metadata
