@@ -16,7 +16,6 @@ velocity and its acceleration polygon step by step, and proves them right agains
               problems     a template with ranges -> a mechanism for each student, posed well and tellable
               handouts     a problem or its solution on paper, from what `say` and `sheet` make
               platforms    sets and records -> files of teaching platforms, and back
-    alike: many mechanisms of one topology by one method, both roads as arrays
     check: Plot, or a drawing file, beside Motion           results: all of it as plain data
     any of these -- say --> lines in either language        -- sheet, outputs, equations --> files
 
@@ -43,9 +42,9 @@ __version__ = "0.2.0"
 
 ORDER = (
     "value", "kept", "waiting", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs",
-    "mechanism", "stacking", "naming", "motions", "quantities", "measured", "readable", "loading", "library",
+    "mechanism", "naming", "motions", "quantities", "measured", "readable", "loading", "library",
     "starters", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings", "standing", "agreement",
-    "alike", "centres", "linkages", "design", "sweeps", "finding",
+    "centres", "linkages", "design", "sweeps", "finding",
     "check", "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading",
     "problems", "platforms", "handouts", "reference", "cli",
 )  # fmt: skip

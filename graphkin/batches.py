@@ -15,11 +15,8 @@ from typing import Any, TypeVar
 import numpy as np
 
 from graphkin import api, quantities
-from graphkin.agreement import Proved
-from graphkin.alike import planned_together, proved_together
 from graphkin.errors import GraphkinError, NotSwept, Where
 from graphkin.mechanism import Mechanism
-from graphkin.planning import Method
 from graphkin.sending import ahead, batched
 from graphkin.sweeps import Ranges, Road, Series
 from graphkin.value import frozen
@@ -83,12 +80,12 @@ def sweep_many(
 
     mechanisms  mechanisms, files or library names; taken from the iterable a batch at a time, as they are needed
     executor    where it is done; None: here. Its workers must be able to import graphkin
-    batch       mechanisms done at once; those of one topology in it share a method
+    batch       mechanisms that go to a worker at once
     in_flight   batches that are sent and not yet given out, at most: memory stays bounded however many there are
 
     A mechanism that cannot be read, planned or moved gives one `Swept` with its error and stops nothing.
     """
-    return _each(mechanisms, partial(_swept_all, ranges=ranges, of=of, by=by), executor, batch, in_flight)
+    return _each(mechanisms, partial(_swept, ranges=ranges, of=of, by=by), executor, batch, in_flight)
 
 
 @frozen
@@ -136,74 +133,43 @@ def solve_many(
     >>> [round(found["omega 3"], 3) for found in solve_many(variants, ["omega 3"])]
     [-3.273, -3.919, -4.514]
     """
-    return _each(mechanisms, partial(_solved_all, of=of), executor, batch, in_flight)
+    return _each(mechanisms, partial(_solved, of=of), executor, batch, in_flight)
 
 
 def _each(
-    items: Iterable[Source], work: Callable[[list[Source]], list[_Done]], executor: Executor | None, batch: int,
-    in_flight: int,
-) -> Iterator[_Done]:  # fmt: skip
+    items: Iterable[Source], work: Callable[[Source], _Done], executor: Executor | None, batch: int, in_flight: int
+) -> Iterator[_Done]:
     """What is done with each, in their order."""
     if executor is None:
-        for some in batched(items, batch):
-            yield from work(some)
-        return
-    yield from ahead(executor, work, batched(items, batch), in_flight)
+        return map(work, items)
+    return ahead(executor, partial(_all, work), batched(items, batch), in_flight)
 
 
-def _read_all(sources: Sequence[Source]) -> list[Mechanism | GraphkinError]:
-    """The mechanisms, and what is wrong with those that cannot be read."""
-    return [_read(source) for source in sources]
+def _all(work: Callable[[Source], _Done], some: list[Source]) -> list[_Done]:
+    return [*map(work, some)]
 
 
-def _read(source: Source) -> Mechanism | GraphkinError:
-    try:
-        return source if isinstance(source, Mechanism) else api.load(source)
-    except GraphkinError as error:
-        return error
+def _read(source: Source) -> Mechanism:
+    return source if isinstance(source, Mechanism) else api.load(source)
 
 
 def _name(source: Source) -> str:
     return source.name if isinstance(source, Mechanism) else Path(source).stem
 
 
-def _swept_all(sources: list[Source], ranges: Ranges, of: Sequence[str], by: Road) -> list[Swept]:
-    read = _read_all(sources)
-    known = iter(planned_together([each for each in read if isinstance(each, Mechanism)]))
-    methods = [next(known) if isinstance(each, Mechanism) else None for each in read]
-    return [
-        _swept(source, each, method, ranges, of, by)
-        for source, each, method in zip(sources, read, methods, strict=True)
-    ]
-
-
-def _swept(
-    source: Source, read: Mechanism | GraphkinError, method: Method | None, ranges: Ranges, of: Sequence[str], by: Road
-) -> Swept:
+def _swept(source: Source, ranges: Ranges, of: Sequence[str], by: Road) -> Swept:
     try:
-        if isinstance(read, GraphkinError):
-            raise read
-        found = api.sweep(method or read, ranges, of, by)
+        mechanism = _read(source)
+        found = api.sweep(mechanism, ranges, of, by)
     except GraphkinError as error:
         return Swept(_name(source), "", np.empty(0), (), (np.nan, np.nan), error)
-    return Swept(read.name, found.course.driver.name, found.driven, found.series, found.course.reach)
+    return Swept(mechanism.name, found.course.driver.name, found.driven, found.series, found.course.reach)
 
 
-def _solved_all(sources: list[Source], of: Sequence[str]) -> list[Solved]:
-    read = _read_all(sources)
-    known = iter(proved_together([each for each in read if isinstance(each, Mechanism)]))
-    found = [next(known) if isinstance(each, Mechanism) else None for each in read]
-    return [_solved(source, each, proved, of) for source, each, proved in zip(sources, read, found, strict=True)]
-
-
-def _solved(
-    source: Source, read: Mechanism | GraphkinError, proved: tuple[Method, Proved] | None, of: Sequence[str]
-) -> Solved:
+def _solved(source: Source, of: Sequence[str]) -> Solved:
     try:
-        if isinstance(read, GraphkinError):
-            raise read
-        drawing = api.Drawing(read, proved[0], proved[1].plot) if proved else api.Drawing.of(read)
-        names = of or [name for name in read.ask if quantities.read(read, name) is not None]
-        return Solved(read.name, {name: drawing.quantity(name) for name in names})
+        drawing = api.Drawing.of(_read(source))
+        names = of or [name for name in drawing.mechanism.ask if quantities.read(drawing.mechanism, name) is not None]
+        return Solved(drawing.mechanism.name, {name: drawing.quantity(name) for name in names})
     except GraphkinError as error:
         return Solved(_name(source), {}, error)

@@ -31,13 +31,12 @@ def driver_values(method: Method) -> Iterator[tuple[float, ...]]:
 
 
 def results(
-    mechanism: Mechanism, method: Method, lang: Lang = "en", values: Sequence[float] | None = None,
-    drawn: Proved | None = None,
-) -> Json:  # fmt: skip
+    mechanism: Mechanism, method: Method, lang: Lang = "en", values: Sequence[float] | None = None
+) -> Json:
     """One object for one mechanism, an entry in `positions` for the drawn one and for each of `also`, or one alone for
-    other driver values [rad, m]; `drawn`: the drawn position, where it is proved already."""
+    other driver values [rad, m]."""
     first, *others = driver_values(method) if values is None else [tuple(values)]
-    found = (drawn or proved(method)) if values is None else proved(method, values)
+    found = proved(method, values)
     return {
         "format": 1,
         "name": mechanism.name,

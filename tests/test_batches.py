@@ -13,8 +13,9 @@ import pytest
 from random_mechanisms import dyad
 
 import graphkin
-from graphkin import library, sweep_many
+from graphkin import api, library, solve_many, sweep_many
 from graphkin.batches import Swept
+from graphkin.errors import GraphkinError
 
 RANGES: list[str] = []
 OF: list[str] = []
@@ -97,3 +98,18 @@ def test_any_executor_will_do():
     with ThreadPoolExecutor(2) as pool:
         names = ["ex3-1", "ex3-5", "ex3-7"] * 5
         assert [result.name for result in graphkin.sweep_many(names, RANGES, executor=pool, batch=2)] == names
+
+
+def test_many_are_solved_as_one_is():
+    """Each has the value, or the error, that it has alone."""
+    machine = library.load("ex3-5")
+    many = [machine.with_(AB=length) for length in (20, 24, 500, 28)]
+    found = list(solve_many(many, ["omega 3"]))
+    assert [solved.error is None for solved in found] == [True, True, False, True]
+    for one, solved in zip(many, found, strict=True):
+        try:
+            assert solved["omega 3"] == float(api.Drawing.of(one)["omega 3"])
+        except GraphkinError as error:
+            assert solved.error is not None
+            assert solved.error.message() == error.message()
+            assert len(solved) == 0

@@ -8,7 +8,6 @@ Mechanism -> rules      each pair's joints and linear relations (one function a 
           -> moving     from there to other driver values, the assembly kept by moving on
           -> rates      A y' = B, A y'' = -A' y' + B'
           -> motions    everything by name: Motion
-             variants   the same for many mechanisms of one topology, whose numbers lie side by side in arrays
           -> freedom    degrees of freedom by rank: Mobility
 ```
 """

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphkin.cli.ahead import SolvedAhead
 from graphkin.cli.each import each_mechanism
 from graphkin.cli.shared import (
     PAPERS,
@@ -29,7 +28,6 @@ from graphkin.cli.shared import (
     method_option,
     planned,
     read,
-    remarked,
     speaking,
     told_each,
     told_option,
@@ -240,26 +238,18 @@ def solve(
       graphkin solve *.toml -o results.jsonl
     """
     data = as_told(as_json, output, len(mechanisms))
-    ahead = SolvedAhead(mechanisms if not angles and not displacements else ())
-    told_each(
-        mechanisms, lambda source: _solved(source, ahead, data, angles, displacements, lang), data, lang, output, force
-    )
+    told_each(mechanisms, lambda source: _solved(source, data, angles, displacements, lang), data, lang, output, force)
 
 
 def _solved(
-    source: str, ahead: SolvedAhead, as_json: bool, angles: tuple[float, ...], displacements: tuple[float, ...],
-    lang: Lang,
-) -> Iterator[str]:  # fmt: skip
+    source: str, as_json: bool, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang
+) -> Iterator[str]:
     from graphkin import api, results
     from graphkin.say.results import solve_lines
 
-    machine, together = ahead.of(source)
-    machine = read(source) if machine is None else remarked(machine)
-    if together is not None:
-        found = results.results(machine, together[0], lang, drawn=together[1])
-    else:
-        method = api.plan(machine)
-        found = results.results(machine, method, lang, at_values(method, angles, displacements))
+    machine = read(source)
+    method = api.plan(machine)
+    found = results.results(machine, method, lang, at_values(method, angles, displacements))
     if as_json:
         yield json_line(found)
     else:

@@ -149,13 +149,6 @@ def read(source: str) -> Mechanism:
         raise click.UsageError("MECHANISM is empty: name a file, or a mechanism of `graphkin list`")
     through_pipe = source == "-"
     machine = loading.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>") if through_pipe else api.load(source)
-    return remarked(machine)
-
-
-def remarked(machine: Mechanism) -> Mechanism:
-    """The mechanism; what is to be remarked on it goes to stderr."""
-    from graphkin import loading
-
     lang = click.get_current_context().params.get("lang", "en")
     for remark in loading.remarks(machine):
         click.echo(remark.message(lang), err=True)

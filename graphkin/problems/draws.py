@@ -17,8 +17,7 @@ from graphkin.marking.telling import Telling, telling
 from graphkin.marking.told import LOOKED_AT, Always, Told
 from graphkin.mechanism import Mechanism
 from graphkin.problems.paper import Paper
-from graphkin.problems.posed import Posed, Refused, answers
-from graphkin.problems.posing import Posing
+from graphkin.problems.posed import Posed, Refused, answers, well_posed
 from graphkin.problems.roster import Student
 from graphkin.problems.template import Template
 from graphkin.running.assembled import Assembled, assembled
@@ -27,8 +26,6 @@ from graphkin.value import frozen
 _TRIES = 200
 _HOPELESS = 20
 """Where so many draws do not assemble, and no other did better, the template is wrong."""
-_LIKELY = 3
-"""So many draws are looked at for most students."""
 _APART = 60
 """So many draws look for numbers that no other student has; then well-posed is enough."""
 _DISTINCT = 0.02
@@ -61,19 +58,11 @@ def variants(template: Template, students: Sequence[Student], seed: str) -> tupl
     """In the order of the students. Raises NoVariant, and what is wrong with the template itself."""
     turns = sorted(students, key=lambda student: hashlib.sha256(_bytes(seed, student.id)).digest())
     taken, goal = _Taken(), _Goal.of(template, seed)
-    posing = Posing(template, _likely(template, turns, seed))
-    drawn = {student.id: _drawn(template, student, seed, taken, goal, posing) for student in turns}
+    drawn = {student.id: _drawn(template, student, seed, taken, goal) for student in turns}
     return tuple(drawn[student.id] for student in students)
 
 
-def _likely(template: Template, students: Sequence[Student], seed: str) -> Iterator[tuple[int, ...]]:
-    """The draws that will be looked at."""
-    return (_numbers(template, student.id, seed, attempt) for student in students for attempt in range(_LIKELY))
-
-
-def _drawn(
-    template: Template, student: Student, seed: str, taken: _Taken, goal: _Goal, posing: Posing
-) -> Variant:
+def _drawn(template: Template, student: Student, seed: str, taken: _Taken, goal: _Goal) -> Variant:
     refused: Counter[Refused] = Counter()
     good: list[tuple[Variant, _Answers]] = []
     for attempt in range(_TRIES):
@@ -82,7 +71,8 @@ def _drawn(
             refused["taken"] += 1
             continue
         try:
-            mechanism, found = posing.of(numbers)
+            mechanism = template.mechanism(numbers)
+            found = well_posed(mechanism)
         except GraphkinError:
             refused["assembly"] += 1
             if attempt + 1 == refused["assembly"] == _HOPELESS:
@@ -135,11 +125,9 @@ class _Goal:
 
 
 def _sample(template: Template, seed: str) -> Iterator[Posed]:
-    draws = [_numbers(template, "", seed, attempt) for attempt in range(_SAMPLE_TRIES)]
-    posing = Posing(template, draws[1 : 1 + _SAMPLE])
-    for numbers in draws:
+    for attempt in range(_SAMPLE_TRIES):
         try:
-            _, posed = posing.of(numbers)
+            posed = well_posed(template.mechanism(_numbers(template, "", seed, attempt)))
         except GraphkinError:
             continue
         if not isinstance(posed, str):

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from graphkin.agreement import Proved, proved
+from graphkin.agreement import proved
 from graphkin.api import plan
 from graphkin.construction import Construction, Plot
 from graphkin.geometry import Value
@@ -17,7 +17,6 @@ from graphkin.planning import Method
 from graphkin.quantities import Rotation, read
 from graphkin.readings import readings
 from graphkin.results import driver_values
-from graphkin.running import replay_all
 from graphkin.value import frozen
 
 Refused = Literal["assembly", "dead point", "short", "taken"]
@@ -32,30 +31,26 @@ _FAR = 1e12
 
 @frozen
 class Posed:
-    """A mechanism that is solved at the positions its problem asks for.
-
-    drawn  the one that is drawn and marked
-    """
+    """A mechanism that is solved at the positions its problem asks for."""
 
     method: Method
     plots: tuple[Plot, ...]
-    drawn: Plot
+
+    @property
+    def drawn(self) -> Plot:
+        """The position that is drawn and marked."""
+        return self.plots[0]
 
 
-def well_posed(mechanism: Mechanism, drawn: tuple[Method, Proved] | None = None) -> Posed | Refused:
-    """Solved at every position asked for, or what is against it. Raises what solving raises: it does not assemble.
-
-    drawn  its method and the drawn position, where they are known already
-    """
-    method = plan(mechanism) if drawn is None else drawn[0]
-    first, *others = driver_values(method)
-    here = proved(method, first) if drawn is None else drawn[1]
-    plots = (here.plot, *(proved(method, values).plot for values in others))
+def well_posed(mechanism: Mechanism) -> Posed | Refused:
+    """Solved at every position asked for, or what is against it. Raises what solving raises: it does not assemble."""
+    method = plan(mechanism)
+    plots = tuple(proved(method, values).plot for values in driver_values(method))
     if any(_dead(plot) for plot in plots):
         return "dead point"
     if any(_short(method, plot) for plot in plots):
         return "short"
-    return Posed(method, plots, replay_all(method) if drawn is None else here.plot)
+    return Posed(method, plots)
 
 
 def answers(posed: Posed) -> np.ndarray:

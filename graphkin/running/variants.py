@@ -10,26 +10,29 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 
-from graphkin.construction import Plot
+from graphkin.construction import Facts, Meet, Plot, Swing, replay, slide_key
 from graphkin.errors import GraphkinError
 from graphkin.geometry import Value
-from graphkin.mechanism import Mechanism
+from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Slide
 from graphkin.planning import plan
+from graphkin.planning.assembly import DEAD_SINE
+from graphkin.planning.branch_search import BETWEEN
 from graphkin.planning.method import Method
 from graphkin.planning.starting_facts import facts_of
-from graphkin.running.assemblies import few_ways
-from graphkin.running.at_once import alike, drawn_at_once, facts_in
 from graphkin.running.compiled import TABLES
 from graphkin.running.replaying import replay_all
-from graphkin.stacking import count_of, cut, single, stacked, topology
+from graphkin.running.stacking import coincidences, count_of, cut, single, stacked, topology
 from graphkin.value import filled, frozen
 
 PART = 2048
 """So many mechanisms at once; what they need stays in the cache."""
+CHOICES = 6
+"""Crossings of circles of which every combination is drawn."""
 
 
 @frozen
@@ -74,7 +77,13 @@ def replay_many(
 def is_simple(method: Method) -> bool:
     """Whether crossings of lines and circles are all that a position asks for: then arrays do what numbers do."""
     plain = all(type(pair) is Slide for pair in method.mechanism.pairs) and not method.mechanism.poses
-    return plain and few_ways(method) and not method.moves_on
+    few = not method.doubtful and len(_choices(method)) <= CHOICES and bool(list(method.position.steps))
+    return plain and few and not method.moves_on
+
+
+def _choices(method: Method) -> list[int]:
+    steps = method.position.steps
+    return [step.choice for step in steps if isinstance(step, Meet | Swing) and step.choice is not None]
 
 
 def _refuse_others(method: Method, mechanisms: Sequence[Mechanism]) -> None:
@@ -110,15 +119,15 @@ class _Drawing:
 
     def together(self, mechanism: Mechanism, values: Sequence[Value] | None) -> np.ndarray:
         """All mechanisms but those, returned by their numbers, that ask for a plan of their own."""
-        sure = alike(self.method, mechanism, self.count)
+        sure = _as_planned(self.method, mechanism, self.count)
         facts = facts_of(replace(self.method.structure, mechanism=mechanism), None, {})
         for start in range(0, self.count, PART):
             part = slice(start, min(start + PART, self.count))
             own = None if values is None else [cut(value, part, self.count) for value in values]
             sketch = {point: cut(z, part) for point, z in mechanism.sketch.items()}
-            found = drawn_at_once(self.method, facts_in(facts, part), sketch, own)
-            self._keep(found.plot, part)
-            sure[part] &= found.sure
+            plot, clear = _drawn(self.method, _facts_of_some(facts, part), sketch, own)
+            self._keep(plot, part)
+            sure[part] &= clear
         return np.flatnonzero(~sure)
 
     def alone(self, row: int, mechanism: Mechanism, values: Sequence[Value] | None) -> GraphkinError | None:
@@ -146,3 +155,87 @@ class _Drawing:
         for table in self.tables.values():
             for value in table.values():
                 value[..., row] = np.nan
+
+
+# --- drawn together ---------------------------------------------------------------------------
+
+
+def _as_planned(method: Method, mechanism: Mechanism, count: int) -> np.ndarray:
+    """In which mechanisms the points that lie in one place are those of the method's own: (count,)."""
+    planned, own = coincidences(method.structure.mechanism), coincidences(mechanism)
+    same = (own.reshape(len(planned), -1) == planned[:, None]).all(axis=0)
+    return np.array(np.broadcast_to(same, (count,)))
+
+
+def _facts_of_some(facts: Facts, part: slice) -> Facts:
+    return replace(
+        facts,
+        shapes={link: {point: cut(z, part) for point, z in shape.items()} for link, shape in facts.shapes.items()},
+        lines={slide: (guide, origin, cut(z, part)) for slide, (guide, origin, z) in facts.lines.items()},
+        turns={body: replace(turn, constant=cut(turn.constant, part)) for body, turn in facts.turns.items()},
+        values=tuple(cut(value, part) for value in facts.values),
+        rates=tuple(cut(value, part) for value in facts.rates),
+        accelerations=tuple(cut(value, part) for value in facts.accelerations),
+    )
+
+
+def _drawn(
+    method: Method, facts: Facts, sketch: Mapping[str, Value], values: Sequence[Value] | None
+) -> tuple[Plot, np.ndarray]:
+    """All constructions of some mechanisms, and whose assembly is beyond doubt (n,); `values` as in `replay_many`."""
+    assembled = _assembled(method, facts, sketch)
+    plot = Plot(facts if values is None else replace(facts, values=tuple(values)), assembled.near)
+    for construction in method.constructions:
+        replay(construction, plot, assembled.sides)
+    return plot, assembled.sure
+
+
+@frozen
+class Assemblies:
+    """As `Assembly`, of many mechanisms: sides by choice, angles and displacements, (n,) each; which are sure."""
+
+    sides: Mapping[int, np.ndarray]
+    near: Mapping[str, Value]
+    sure: np.ndarray
+
+
+def _assembled(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> Assemblies:
+    """Every combination of crossings drawn, and for each mechanism the nearest to its sketch taken.
+
+    Sure is what closes, lies well off its dead points, and has no other assembly that the sketch may mean.
+    """
+    choices = _choices(method)
+    ways = np.array([*product((1, -1), repeat=len(choices))], dtype=float).reshape(2 ** len(choices), len(choices))
+    plot = replay(method.position, Plot(facts), {choice: ways[:, [k]] for k, choice in enumerate(choices)})
+    count = np.broadcast_shapes((1,), *map(np.shape, (*sketch.values(), *plot.position.values())))[-1:]
+    every = (len(ways), *count)
+    points = {point: np.broadcast_to(z, every) for point, z in plot.position.items()}
+    shown = [point for point in sketch if point in points]
+    far = sum((np.abs(points[point] - sketch[point]) ** 2 for point in shown), np.zeros(every))
+    far = np.where(_closed(method, plot, points), far, np.inf)
+    best, row = np.argmin(far, axis=0), np.arange(every[1])
+    sines = [np.broadcast_to(sine, every)[best, row] for (plane, _), sine in plot.sines.items() if plane == "position"]
+    nearest = far[best, row]
+    sure = np.isfinite(nearest) & (np.min([np.ones(every[1]), *np.nan_to_num(sines)], axis=0) >= DEAD_SINE)
+    slides = [np.broadcast_to(s, every) for s in plot.s.values()]
+    places = np.array([*points.values()])
+    size = np.abs(places - places[0])[:, best, row].max(axis=0)
+    for other in range(len(ways)):
+        with np.errstate(invalid="ignore"):
+            same = np.all([np.abs(z[other] - z[best, row]) <= 1e-9 * size for z in (*points.values(), *slides)], axis=0)
+            apart = sum((np.abs(points[p][other] - points[p][best, row]) ** 2 for p in shown), np.zeros(every[1]))
+            doubt = (apart <= (1e-9 * size) ** 2) | (far[other] - nearest < BETWEEN * apart)
+        sure &= same | ~np.isfinite(far[other]) | ~doubt
+    turned = [base for base in method.structure.bases if base in plot.theta]
+    near = {base: np.broadcast_to(plot.theta[base], every)[best, row] for base in turned}
+    near |= {slide_key(slide): np.broadcast_to(s, every)[best, row] for slide, s in plot.s.items()}
+    return Assemblies({choice: ways[best, k] for k, choice in enumerate(choices)}, near, sure)
+
+
+def _closed(method: Method, plot: Plot, points: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Where every point has a place, and cylinders are drawn out, not turned round."""
+    closed = np.all([np.isfinite(places) for places in points.values()], axis=0)
+    for name, slide in method.structure.slides.items():
+        if slide.guide != FRAME and len(method.structure.bodies[slide.guide]) == 1 and slide.line.on_axis:
+            closed = closed & (plot.s[name] > 0)
+    return np.asarray(closed)

@@ -17,8 +17,8 @@ import graphkin
 from graphkin import library
 from graphkin.cli import main
 from graphkin.mechanism import Link, Mechanism
+from graphkin.running.stacking import single
 from graphkin.running.variants import replay_many
-from graphkin.stacking import single
 
 COUNT, ALONE = 100_000, 100
 LEAST = {"ex3-1": 300_000, "ex3-5": 300_000, "ex3-7": 200_000}
@@ -63,7 +63,7 @@ def test_mechanisms_a_second(name: str, capsys: pytest.CaptureFixture[str]) -> N
     assert 1 / together > LEAST[name]
 
 
-FILES, FILES_A_SECOND = 400, 250
+FILES, FILES_A_SECOND = 200, 80
 
 
 def another(text: str, rng: random.Random) -> str:
