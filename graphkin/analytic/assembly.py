@@ -17,9 +17,8 @@ from graphkin.analytic.loops import Loops, loops_of
 from graphkin.analytic.newton import EquationSystem, close, search
 from graphkin.analytic.rules import Relation, driven, placing
 from graphkin.analytic.sketch import guess
-from graphkin.analytic.vectors import Complex, Real, applied
+from graphkin.analytic.vectors import Complex, Real
 from graphkin.errors import NoAssembly
-from graphkin.geometry import Value
 from graphkin.kept import kept
 from graphkin.mechanism import FRAME, Link, Mechanism
 from graphkin.tolerances import ROUNDED
@@ -28,7 +27,7 @@ from graphkin.value import frozen
 _STARTS = 128
 _MANY = 32
 """Unknowns with which fewer starts are tried, all loops at once; an assembly is rarely found so, only the gap."""
-EXACT = 1e-6
+_EXACT = 1e-6
 """An assembly this near its sketch has none nearer [size]."""
 
 _APART, _OFF = 0.05, 0.02
@@ -76,10 +75,8 @@ def driver_values(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[float, .
             values.append(driver.value)
             continue
         relation = driven(mechanism, driver)
-        value = applied(loops.weights([relation]), q)[..., 0] + relation.constant
-        if driver.kind != "slide":
-            value = np.angle(np.exp(1j * value))
-        values.append(value[()])
+        value = float(loops.weights([relation])[0] @ q) + relation.constant
+        values.append(value if driver.kind == "slide" else float(np.angle(np.exp(1j * value))))
     return tuple(values)
 
 
@@ -96,7 +93,7 @@ def idle(mechanism: Mechanism, loops: Loops) -> tuple[str, ...]:
 
 def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assembled:
     """Put the mechanism together, its drivers and poses at their values unless not `driving`."""
-    relations, c = standing(mechanism, loops, driving)
+    relations, c = _standing(mechanism, loops, driving)
     closure = EquationSystem.of(loops, relations)
     seen = guess(mechanism, loops)
     ajar = loops.open_by(seen)
@@ -116,9 +113,9 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
 
 def _judge(mechanism: Mechanism, loops: Loops) -> Judge:
     """What the sketch and custom say of positions that are found in part."""
-    rows, places = sketched(mechanism, loops)
-    lengths, forwards = drawn_lengths(mechanism, loops), taken_forwards(mechanism)
-    return Judge(rows, places / loops.size, columns(loops, lengths), columns(loops, forwards))
+    rows, places = _sketched(mechanism, loops)
+    lengths, forwards = _drawn_lengths(mechanism, loops), _taken_forwards(mechanism)
+    return Judge(rows, places / loops.size, _columns(loops, lengths), _columns(loops, forwards))
 
 
 def _closed(closure: EquationSystem, starts: Real, c: Real) -> tuple[Real, Real]:
@@ -136,11 +133,11 @@ def _met(closure: EquationSystem, near: Real, c: Real, steps: int = 40) -> Real:
 
 def _as_sketched(mechanism: Mechanism, loops: Loops, q: Real) -> bool:
     """Whether `choose` would choose this assembly from any: at the sketch, and no displacement the wrong way."""
-    away = from_sketch(mechanism, loops, q[None])[0]
-    if away >= EXACT * loops.size:
+    away = _from_sketch(mechanism, loops, q[None])[0]
+    if away >= _EXACT * loops.size:
         return False
-    open_to_doubt = taken_forwards(mechanism) - _shown(mechanism, loops, q)
-    return not negative(loops, q[None], drawn_lengths(mechanism, loops) | open_to_doubt)[0]
+    open_to_doubt = _taken_forwards(mechanism) - _shown(mechanism, loops, q)
+    return not _negative(loops, q[None], _drawn_lengths(mechanism, loops) | open_to_doubt)[0]
 
 
 def _shown(mechanism: Mechanism, loops: Loops, q: Real) -> set[str]:
@@ -168,18 +165,15 @@ def _smallest_gap(closure: EquationSystem, ends: Real, c: Real) -> float:
     return max(float(gap.min()), closure.known.mismatch(c))
 
 
-def standing(mechanism: Mechanism, loops: Loops, driving: bool = True) -> tuple[tuple[Relation, ...], Real]:
-    """The relations that hold at the drawn position, with their right sides (k,), of many mechanisms (b, k)."""
+def _standing(mechanism: Mechanism, loops: Loops, driving: bool = True) -> tuple[tuple[Relation, ...], Real]:
+    """The relations that hold at the drawn position, with their right sides (k,)."""
     given = placing(mechanism) if driving else []
     known = [(relation, 0.0) for relation in loops.relations if relation.offset is not None]
     placed = [(driven(mechanism, each), value) for each, value in given]
     known += [(relation, 0.0) for relation in held(loops, [relation for relation, _ in known + placed])]
     known += placed
-    shape = np.shape(loops.size)
-    sides: list[Value] = [value - relation.constant for relation, value in known]
-    if shape:
-        sides = [np.broadcast_to(side, shape) for side in sides]
-    return tuple(relation for relation, _ in known), np.array(sides, dtype=np.float64).reshape(-1, *shape).T
+    sides = [value - relation.constant for relation, value in known]
+    return tuple(relation for relation, _ in known), np.array(sides, dtype=np.float64)
 
 
 def _starts(seen: Real, mechanism: Mechanism, loops: Loops) -> Real:
@@ -188,7 +182,7 @@ def _starts(seen: Real, mechanism: Mechanism, loops: Loops) -> Real:
     reach = np.array([np.pi if unknown.kind == "theta" else 1.5 for unknown in loops.unknowns])
     anywhere = rng.uniform(-reach, reach, (_STARTS, len(reach)))
     anywhere[0, reach == np.pi] = 0.0
-    cylinders = columns(loops, drawn_lengths(mechanism, loops))
+    cylinders = _columns(loops, _drawn_lengths(mechanism, loops))
     anywhere[:, cylinders] = abs(anywhere[:, cylinders])
     shaken = seen + rng.normal(0, 1, anywhere.shape) * np.linspace(0, 0.5, _STARTS)[:, None]
     sketched = (np.arange(_STARTS) < _STARTS // 2)[:, None] & ~np.isnan(seen)
@@ -212,40 +206,38 @@ def choose(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
 
     Where the sketch does not tell two apart, displacements are taken positive.
     """
-    backwards = negative(loops, found, drawn_lengths(mechanism, loops))
+    backwards = _negative(loops, found, _drawn_lengths(mechanism, loops))
     found = found[backwards == backwards.min()]
-    distance = from_sketch(mechanism, loops, found)
+    distance = _from_sketch(mechanism, loops, found)
     found = found[distance <= distance.min() + SAME * loops.size]
-    return np.asarray(found[int(np.argmin(negative(loops, found, taken_forwards(mechanism))))])
+    return np.asarray(found[int(np.argmin(_negative(loops, found, _taken_forwards(mechanism))))])
 
 
-def from_sketch(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
-    """Distance of all sketched points together from their places in the sketch [m]: (a,); found (a, n), of many
-    mechanisms one each."""
-    rows, places = sketched(mechanism, loops)
-    away = applied(rows, loops.vectors.at(found)) * np.expand_dims(loops.size, -1) - places
+def _from_sketch(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
+    """Distance of all sketched points together from their places in the sketch [m]: (a,); found (a, n)."""
+    rows, places = _sketched(mechanism, loops)
+    away = loops.vectors.at(found) @ rows.T * loops.size - places
     return np.asarray(np.sqrt((np.abs(away) ** 2).sum(axis=-1)))
 
 
-def sketched(mechanism: Mechanism, loops: Loops) -> tuple[Complex, Complex]:
-    """The sketched points' rows (k, m), and their places in the sketch [m]: (k,); of many (b, k, m), (b, k)."""
-    names, shape = [name for name in mechanism.sketch if name in loops.points], np.shape(loops.size)
-    rows = np.array([loops.points[name] for name in names]).reshape(len(names), *shape, len(loops.vectors.base))
-    places = np.array([mechanism.sketch[name] for name in names], dtype=np.complex128)
-    return np.moveaxis(rows, 0, -2), places.reshape(-1, *shape).T
+def _sketched(mechanism: Mechanism, loops: Loops) -> tuple[Complex, Complex]:
+    """The sketched points' rows (k, m), and their places in the sketch [m]: (k,)."""
+    names = [name for name in mechanism.sketch if name in loops.points]
+    rows = np.array([loops.points[name] for name in names]).reshape(len(names), len(loops.vectors.base))
+    return rows, np.array([mechanism.sketch[name] for name in names], dtype=np.complex128)
 
 
-def negative(loops: Loops, found: Real, names: set[str]) -> Real:
+def _negative(loops: Loops, found: Real, names: set[str]) -> Real:
     """How many of the named displacements are negative: (a,)."""
-    return np.asarray((found[:, columns(loops, names)] < 0).sum(axis=1))
+    return np.asarray((found[:, _columns(loops, names)] < 0).sum(axis=1))
 
 
-def columns(loops: Loops, names: set[str]) -> list[int]:
+def _columns(loops: Loops, names: set[str]) -> list[int]:
     """The columns of these displacements."""
     return [at for at, unknown in enumerate(loops.unknowns) if unknown.kind == "s" and unknown.name in names]
 
 
-def drawn_lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
+def _drawn_lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
     """Displacements that are positive as drawn: along a moving link of one point, which is its own line
     (a cylinder), and along a line of centres. A rack that cannot turn may be passed either way.
     """
@@ -257,6 +249,6 @@ def drawn_lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
     return {joint.slide for joint in kept if joint.slide is not None and joint.tail != FRAME}
 
 
-def taken_forwards(mechanism: Mechanism) -> set[str]:
+def _taken_forwards(mechanism: Mechanism) -> set[str]:
     """Displacements taken positive where the sketch leaves them open: all."""
     return {pair.name for pair in mechanism.slides}

@@ -16,7 +16,7 @@ from graphkin.analytic.newton import EquationSystem
 from graphkin.analytic.vectors import Complex, Flags, Indices, Real, Vectors
 from graphkin.value import frozen
 
-NOTHING = 1e-12
+_NOTHING = 1e-12
 """Coefficients below this are rounding, in units of size."""
 
 
@@ -52,23 +52,18 @@ class Block:
 
 def blocks_of(closure: EquationSystem) -> tuple[Block, ...]:
     """The blocks in order; none where equations and unknowns do not match."""
-    return tuple(_block(closure, rows, columns) for rows, columns in in_order(closure))
-
-
-def in_order(closure: EquationSystem) -> list[tuple[Indices, Indices]]:
-    """The loops of each block and the unknowns left that they give, in order; none as above."""
     uses = moved_by(closure, closure.loops.rows)
     takers = _matched(uses)
     if takers is None or not takers.size:
-        return []
-    return [(rows, np.flatnonzero(np.isin(takers, rows))) for rows in _in_order(uses, takers)]
+        return ()
+    return tuple(_block(closure, rows, np.flatnonzero(np.isin(takers, rows))) for rows in _in_order(uses, takers))
 
 
 def moved_by(closure: EquationSystem, rows: Complex) -> Flags:
     """Which of the unknowns left move what rows (r, m) give: (r, y)."""
     vectors = closure.loops.vectors
-    on = (np.abs(rows) > NOTHING) @ (np.abs(vectors.turning) + np.abs(vectors.stretching)) > 0
-    return np.asarray(on.astype(np.float64) @ (np.abs(closure.known.left) > NOTHING) > 0)
+    on = (np.abs(rows) > _NOTHING) @ (np.abs(vectors.turning) + np.abs(vectors.stretching)) > 0
+    return np.asarray(on.astype(np.float64) @ (np.abs(closure.known.left) > _NOTHING) > 0)
 
 
 def _matched(uses: Flags) -> Indices | None:
@@ -110,9 +105,9 @@ def _in_order(uses: Flags, takers: Indices) -> list[Indices]:
 def _block(closure: EquationSystem, rows: Indices, columns: Indices) -> Block:
     """The closure of some loops alone: the other unknowns only turn and stretch their arrows."""
     loops, left = closure.loops, closure.known.left[:, columns]
-    there = (np.abs(loops.rows[rows]) > NOTHING).any(axis=0)
+    there = (np.abs(loops.rows[rows]) > _NOTHING).any(axis=0)
     turning, stretching = loops.vectors.turning @ left, loops.vectors.stretching @ left
-    moves = (np.abs(turning) + np.abs(stretching) > NOTHING).any(axis=1)
+    moves = (np.abs(turning) + np.abs(stretching) > _NOTHING).any(axis=1)
     moving, still = np.flatnonzero(there & moves), np.flatnonzero(there & ~moves)
     count, size = len(columns), len(moving) + len(rows)
     one, none, idle = np.eye(size), np.zeros((size, size)), np.zeros((len(rows), count))

@@ -25,14 +25,7 @@ def ways(block: Block, given: Real) -> Real | None:
         return None
     vectors = block.part.loops.vectors
     length, unit = vectors.polar(block.at(np.zeros((len(given), 2)), given))
-    return ways_of(vectors.turning[:, :2], vectors.stretching[:, :2], block.part.loops.rows[0] * unit, length)
-
-
-def ways_of(turning: Real, stretching: Real, arms: Complex, length: Real) -> Real | None:
-    """Both ways to close a loop of arrows (m,) that hang on its two unknowns by `turning`, `stretching` (m, 2).
-
-    arms, length (b, m)  what the arrows add to the loop for each unit of length, and their lengths, both unknowns 0
-    """
+    turning, stretching, arms = vectors.turning[:, :2], vectors.stretching[:, :2], block.part.loops.rows[0] * unit
     angles = [np.abs(turning - way).max(axis=1) < _NOTHING for way in ((1, 0), (0, 1), (0, 0))]
     if not np.any(angles, axis=0).all():
         return None

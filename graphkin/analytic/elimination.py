@@ -7,12 +7,10 @@ find (y) is as many scalars as the loops have to give.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import reduce
 
 import numpy as np
 
-from graphkin.analytic.vectors import Indices, Real, applied
-from graphkin.geometry import Value
+from graphkin.analytic.vectors import Indices, Real
 from graphkin.value import frozen
 
 _ZERO = 1e-9
@@ -36,34 +34,29 @@ class Elimination:
 
     def unknowns(self, y: Real, c: Real) -> Real:
         """All unknowns: (..., n) from y (..., y) and c (..., k)."""
-        return np.asarray(applied(self.given, c) + applied(self.left, y))
-
-    def of_some(self, which: Indices | int) -> Elimination:
-        """That of some of many mechanisms, or of one."""
-        return Elimination(self.given[which], self.left[which], self.free, self.spare[which])
+        return np.asarray(c @ self.given.T + y @ self.left.T)
 
     def mismatch(self, c: Real) -> float:
         """How much repeated relations contradict each other; whole turns do not count."""
         if not self.spare.size:
             return 0.0
-        rest = applied(self.spare, c)
+        rest = c @ self.spare.T
         return float(np.max(np.minimum(abs(rest), abs(np.angle(np.exp(1j * rest)))), initial=0.0))
 
 
 def eliminate(weights: Real) -> Elimination:
     """Gauss-Jordan on W (k, n) beside the unit matrix, each row pivoting on its largest entry.
 
-    Of many mechanisms (b, k, n) on the entry that is the largest where it is smallest. A relation has few unknowns, so
-    rows are tables of what is not 0, by column.
+    A relation has few unknowns, so rows are tables of what is not 0, by column.
     """
-    k, n = weights.shape[-2:]
-    rows = [_row(weights[..., number, :]) | {n + number: 1.0} for number in range(k)]
+    k, n = weights.shape
+    rows = [_row(weights[number].tolist()) | {n + number: 1.0} for number in range(k)]
     for number, row in enumerate(rows):
-        largest = reduce(np.maximum, (abs(value) for column, value in row.items() if column < n), 0.0)
-        rows[number] = {column: value / (largest + (largest == 0)) for column, value in row.items()}
+        largest = max((abs(value) for column, value in row.items() if column < n), default=0.0) or 1.0
+        rows[number] = {column: value / largest for column, value in row.items()}
     pivots: dict[int, int] = {}
     for number, row in enumerate(rows):
-        sizes = {column: _least(value) for column, value in row.items() if column < n}
+        sizes = {column: abs(value) for column, value in row.items() if column < n}
         column = max(sorted(sizes), key=lambda each: sizes[each], default=None)
         if column is None or sizes[column] < _ZERO:
             continue
@@ -74,37 +67,30 @@ def eliminate(weights: Real) -> Elimination:
             if share is not None:
                 other.update({each: other.get(each, 0.0) - share * value for each, value in row.items()})
         pivots[number] = column
-    return _solution(weights.shape, rows, pivots)
+    return _solution(k, n, rows, pivots)
 
 
-def _row(entries: Real) -> dict[int, Value]:
-    """What is not 0 of a row (n,), by column; of many mechanisms (b, n) what is not 0 in all of them."""
-    if entries.ndim == 1:
-        return {column: value for column, value in enumerate(entries.tolist()) if value}
-    return {int(column): entries[:, column] for column in np.flatnonzero(entries.any(axis=0))}
+def _row(entries: list[float]) -> dict[int, float]:
+    """What is not 0 of a row, by column."""
+    return {column: value for column, value in enumerate(entries) if value}
 
 
-def _least(value: Value) -> float:
-    return float(abs(value).min()) if isinstance(value, np.ndarray) else abs(value)
-
-
-def _solution(shape: tuple[int, ...], rows: Sequence[Mapping[int, Value]], pivots: dict[int, int]) -> Elimination:
+def _solution(k: int, n: int, rows: Sequence[Mapping[int, float]], pivots: dict[int, int]) -> Elimination:
     """Read the solution off the reduced rows; `pivots` gives each row's column, which it has no more."""
-    *many, k, n = shape
     free = np.array([column for column in range(n) if column not in pivots.values()], dtype=np.intp)
     spare = [row for number, row in enumerate(rows) if number not in pivots]
-    given, left, rest = np.zeros((*many, n, k)), np.zeros((*many, n, len(free))), np.zeros((*many, len(spare), k))
+    given, left, rest = np.zeros((n, k)), np.zeros((n, len(free))), np.zeros((len(spare), k))
     place = {column: at for at, column in enumerate(free.tolist())}
     for column, at in place.items():
-        left[..., column, at] = 1.0
+        left[column, at] = 1.0
     for number, column in pivots.items():
         for at, value in rows[number].items():
             if at < n:
-                left[..., column, place[at]] = -value
+                left[column, place[at]] = -value
             else:
-                given[..., column, at - n] = value
+                given[column, at - n] = value
     for number, row in enumerate(spare):
         for at, value in row.items():
             if at >= n:
-                rest[..., number, at - n] = value
+                rest[number, at - n] = value
     return Elimination(given, left, free, rest)

@@ -9,16 +9,14 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import cached_property
 from itertools import combinations
 
 import numpy as np
 
-from graphkin.analytic.rules import Joint, Relation, Share, Unknown, shares, theta
-from graphkin.analytic.vectors import Complex, Flags, Indices, Numbers, Polar, Real, Vectors, applied
+from graphkin.analytic.rules import Joint, Relation, Unknown, shares, theta
+from graphkin.analytic.vectors import Complex, Flags, Polar, Real, Vectors
 from graphkin.errors import NotJoined
-from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Rod
 from graphkin.value import frozen
@@ -35,13 +33,11 @@ class Loops:
     points      row of each point, origins: row of each link's origin
     relations   what the pairs ask besides
     joints      where the links meet
-
-    Of many mechanisms side by side unit, size, rows and points have an axis for them, the first.
     """
 
     unknowns: tuple[Unknown, ...]
     unit: Real
-    size: Value
+    size: float
     vectors: Vectors
     rows: Complex
     points: dict[str, Complex]
@@ -51,11 +47,11 @@ class Loops:
 
     def weights(self, relations: Sequence[Relation]) -> Real:
         """Left sides of relations as a matrix on the internal unknowns: (k, n)."""
-        table = np.zeros((len(relations), len(self.unknowns), *np.shape(self.size)))
+        table = np.zeros((len(relations), len(self.unknowns)))
         for row, relation in zip(table, relations, strict=True):
             for unknown, weight in relation.weights.items():
                 row[self.column[unknown]] += weight
-        return _by_mechanism(table) * self.unit[..., None, :]
+        return table * self.unit
 
     @cached_property
     def column(self) -> dict[Unknown, int]:
@@ -64,16 +60,16 @@ class Loops:
 
     @cached_property
     def places(self) -> Complex:
-        """The rows of all points: (p, m), of many mechanisms (b, p, m)."""
-        return np.stack([*self.points.values()], axis=-2)
+        """The rows of all points: (p, m)."""
+        return np.stack([*self.points.values()])
 
     def gap(self, q: Real, polar: Polar | None = None) -> Real:
         """How far each loop stays open, x and y: (..., 2r), in units of size."""
-        return parts(applied(self.rows, self.vectors.at(q, polar)), -1)
+        return parts(self.vectors.at(q, polar) @ self.rows.T, -1)
 
     def open_by(self, q: Real) -> Real:
         """The widest gap of any loop: (...), in units of size."""
-        return np.asarray(np.max(np.abs(applied(self.rows, self.vectors.at(q))), axis=-1, initial=0.0))
+        return np.asarray(np.max(np.abs(self.vectors.at(q) @ self.rows.T), axis=-1, initial=0.0))
 
     def slope(self, q: Real, polar: Polar | None = None) -> Real:
         """d gap / dq: (..., 2r, n)."""
@@ -90,11 +86,6 @@ class Loops:
     def _moved_with(self, arrows: Real) -> Flags:
         return np.asarray(arrows @ (np.abs(self.vectors.turning) + np.abs(self.vectors.stretching)) > 0)
 
-    def of_some(self, which: Indices | int) -> Loops:
-        """Those of some of many mechanisms, or of one."""
-        points = {point: row[which] for point, row in self.points.items()}
-        return replace(self, unit=self.unit[which], size=self.size[which], rows=self.rows[which], points=points)
-
     @cached_property
     def moving(self) -> Flags:
         """Which unknowns move any arrow of a loop, or any point: (n,)."""
@@ -104,18 +95,14 @@ class Loops:
         """Unknowns that move nothing and stand in no relation: the rotation of a link of one point."""
         if self.moving.all():
             return ()
-        named = np.abs(self.weights(relations)).reshape(-1, len(self.unknowns)).sum(axis=0) > 0
+        named = np.abs(self.weights(relations)).sum(axis=0) > 0
         loud = self.moving | named
         return tuple(unknown for unknown, on in zip(self.unknowns, loud, strict=True) if not on)
 
 
 def loops_of(mechanism: Mechanism) -> Loops:
     """Write the loops of a mechanism."""
-    return loops_with(mechanism, tuple(shares(mechanism)), size_of(mechanism))
-
-
-def loops_with(mechanism: Mechanism, brought: Sequence[Share], size: Value) -> Loops:
-    """The same of what its pairs bring; of many mechanisms side by side every number is an array (b,)."""
+    brought, size = tuple(shares(mechanism)), size_of(mechanism)
     joints = tuple(joint for share in brought for joint in share.joints)
     links, slides = _names(mechanism, joints)
     sums = _Sums(links, tuple(slides), size)
@@ -128,17 +115,11 @@ def loops_with(mechanism: Mechanism, brought: Sequence[Share], size: Value) -> L
         for point, owners in mechanism.owners.items()
     }
     unknowns = (*(theta(link) for link in links[1:]), *(Unknown("s", name) for name in slides))
-    unit = np.array([np.ones_like(size)] * len(links[1:]) + [size] * len(slides)).T
+    unit = np.array([1.0] * len(links[1:]) + [size] * len(slides))
     vectors = _vectors(links, slides)
-    rows = np.array(closing).reshape(-1, len(vectors.base), *np.shape(size))
+    rows = np.array(closing).reshape(-1, len(vectors.base))
     relations = tuple(relation for share in brought for relation in share.relations)
-    points = {point: row.T for point, row in points.items()}
-    return Loops(unknowns, unit, size, vectors, _by_mechanism(rows), points, origins, relations, joints)
-
-
-def _by_mechanism(table: Numbers) -> Numbers:
-    """Rows (r, m, b) as (b, r, m)."""
-    return np.moveaxis(table, -1, 0) if table.ndim == 3 else table
+    return Loops(unknowns, unit, size, vectors, rows, points, origins, relations, joints)
 
 
 def parts(values: Complex, axis: int) -> Real:
@@ -182,7 +163,7 @@ class _Sums:
 
     links: tuple[str, ...]
     slides: tuple[str, ...]
-    size: Value
+    size: float
 
     @cached_property
     def column(self) -> dict[str, int]:
@@ -190,7 +171,7 @@ class _Sums:
         return {link: at for at, link in enumerate(self.links)}
 
     def arm(self, link: str, arm: complex) -> Complex:
-        row = np.zeros((len(self.links) + len(self.slides), *np.shape(self.size)), dtype=np.complex128)
+        row = np.zeros(len(self.links) + len(self.slides), dtype=np.complex128)
         row[self.column[link]] = arm / self.size
         return row
 

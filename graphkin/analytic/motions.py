@@ -12,9 +12,8 @@ from graphkin.analytic.loops import Loops
 from graphkin.analytic.newton import EquationSystem, inverse
 from graphkin.analytic.rates import Rates, rates, reaching
 from graphkin.analytic.rules import driven
-from graphkin.analytic.vectors import Complex, Flags, Real, applied
+from graphkin.analytic.vectors import Complex, Flags, Real
 from graphkin.errors import SingularPosition, ValueForEach
-from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
 from graphkin.value import frozen
@@ -70,11 +69,11 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     if shape or change.any():  # else its rates tell
         _definite(mechanism, closure, start.q)
     q, limits = _moved(closure, start.q, change)
-    found = rates_of(mechanism, closure, first, q, single=shape == ())
+    found = _rates_of(mechanism, closure, first, q, single=shape == ())
     for limit in limits:
-        beside = rates_of(mechanism, closure, first, limit.q, single=False)
+        beside = _rates_of(mechanism, closure, first, limit.q, single=False)
         found.first[limit.rows], found.second[limit.rows] = limit.weights @ beside.first, limit.weights @ beside.second
-    return motion_of(mechanism, closure, wanted, q.reshape(*shape, -1), _shaped(found, shape))
+    return _motion(mechanism, closure, wanted, q.reshape(*shape, -1), _shaped(found, shape))
 
 
 def _moved(closure: EquationSystem, start: Real, change: Real) -> tuple[Real, list[Limit]]:
@@ -106,7 +105,7 @@ def _clear(closure: EquationSystem, q: Real, condition: Real) -> Flags:
     """Where velocities are determined, at q (p, n): (p,); also where it is only far displacements that weigh."""
     clear = condition >= SINGULAR
     if (doubtful := np.flatnonzero(~clear)).size:
-        clear[doubtful] = reaching(closure.of_some(doubtful), q[doubtful]) >= SINGULAR
+        clear[doubtful] = reaching(closure, q[doubtful]) >= SINGULAR
     return clear
 
 
@@ -130,14 +129,14 @@ def _wanted(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLi
     return tuple(np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given)))
 
 
-def rates_of(mechanism: Mechanism, closure: EquationSystem, first: int, q: Real, single: bool) -> Rates:
+def _rates_of(mechanism: Mechanism, closure: EquationSystem, first: int, q: Real, single: bool) -> Rates:
     """Rates at q (p, n); nan where q is nan and at dead points."""
-    speed = _right_sides(closure, first, [driver.rate for driver in mechanism.drivers])
-    push = _right_sides(closure, first, [driver.acceleration for driver in mechanism.drivers])
+    speed, push = np.zeros((2, len(closure.weights)))
+    speed[first:] = [driver.rate for driver in mechanism.drivers]
+    push[first:] = [driver.acceleration for driver in mechanism.drivers]
     there = np.isfinite(q).all(axis=1)
-    speed, push = (sides if sides.ndim == 1 else sides[there] for sides in (speed, push))
-    found = rates(closure.of_some(np.flatnonzero(there)), q[there], speed, push)
-    clear = _clear(closure.of_some(np.flatnonzero(there)), q[there], found.condition)[:, None]
+    found = rates(closure, q[there], speed, push)
+    clear = _clear(closure, q[there], found.condition)[:, None]
     if single and there.all() and not clear.all():
         raise SingularPosition(mechanism.where("driver"), float(found.condition[0]))
     full = np.full((3, *q.shape), np.nan)
@@ -147,21 +146,12 @@ def rates_of(mechanism: Mechanism, closure: EquationSystem, first: int, q: Real,
     return Rates(full[0], full[1], full[2, :, 0])
 
 
-def _right_sides(closure: EquationSystem, first: int, given: Sequence[Value]) -> Real:
-    """Rates of the right sides (k,): 0, and from row `first` on what is given; of many mechanisms (b, k)."""
-    *many, k, _ = closure.weights.shape
-    sides = np.zeros((k, *many))
-    for row, value in enumerate(given, first):
-        sides[row] = value
-    return sides.T
-
-
 def _shaped(found: Rates, shape: tuple[int, ...]) -> Rates:
     first, second = (part.reshape(*shape, part.shape[-1]) for part in (found.first, found.second))
     return Rates(first, second, found.condition.reshape(shape))
 
 
-def motion_of(mechanism: Mechanism, closure: EquationSystem, values: tuple[Real, ...], q: Real, found: Rates) -> Motion:
+def _motion(mechanism: Mechanism, closure: EquationSystem, values: tuple[Real, ...], q: Real, found: Rates) -> Motion:
     """Read everything off the unknowns."""
     loops, vectors = closure.loops, closure.loops.vectors
     three = q, found.first, found.second
@@ -188,7 +178,7 @@ def _by_link(mechanism: Mechanism, values: Mapping[str, Complex]) -> dict[str, d
 def _named(loops: Loops, values: Real, kind: str, names: Collection[str]) -> dict[str, Real]:
     """Unknowns of one kind by name, those of the analysis' own making left out, in SI units."""
     return {
-        unknown.name: np.asarray(values[..., at] * loops.unit[..., at])[()]
+        unknown.name: np.asarray(values[..., at] * loops.unit[at])[()]
         for at, unknown in enumerate(loops.unknowns)
         if unknown.kind == kind and unknown.name in names
     }
@@ -196,5 +186,5 @@ def _named(loops: Loops, values: Real, kind: str, names: Collection[str]) -> dic
 
 def _places(loops: Loops, arrows: Complex) -> dict[str, Complex]:
     """Points by name, in SI units."""
-    places = np.ascontiguousarray(np.moveaxis(applied(loops.places, arrows), -1, 0)) * loops.size
+    places = np.ascontiguousarray(np.moveaxis(arrows @ loops.places.T, -1, 0)) * loops.size
     return {point: place[()] for point, place in zip(loops.points, places, strict=True)}

@@ -13,7 +13,7 @@ import numpy as np
 from graphkin.analytic.elimination import Elimination, eliminate
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.rules import Relation
-from graphkin.analytic.vectors import Indices, Polar, Real, applied, through
+from graphkin.analytic.vectors import Polar, Real, through
 from graphkin.value import frozen
 
 _SETTLED = 1e-13
@@ -47,13 +47,7 @@ class EquationSystem:
         return through(self.loops.slope(q, polar), self.known.left)
 
     def move(self, q: Real, y_step: Real) -> Real:
-        return np.asarray(q + applied(self.known.left, y_step))
-
-    def of_some(self, which: Indices | int) -> EquationSystem:
-        """That of some of many mechanisms side by side, or of one; a mechanism's own serves every position."""
-        if self.weights.ndim == 2:
-            return self
-        return EquationSystem(self.loops.of_some(which), self.weights[which], self.known.of_some(which))
+        return np.asarray(q + y_step @ self.known.left.T)
 
 
 @frozen
@@ -76,9 +70,8 @@ def close(closure: EquationSystem, q: Real, c: Real, steps: int = 12) -> Closed:
         busy = last >= _SETTLED
         if not busy.any():
             break
-        here = closure if busy.all() else closure.of_some(np.flatnonzero(busy))
-        step = _newton_step(here, q[busy])
-        q[busy] = here.move(q[busy], step)
+        step = _newton_step(closure, q[busy])
+        q[busy] = closure.move(q[busy], step)
         last[busy] = np.max(np.abs(step), axis=-1, initial=0.0)
     return Closed(q, closure.loops.open_by(q), last)
 

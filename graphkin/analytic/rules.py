@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
-from graphkin.geometry import Value, phase
+from graphkin.geometry import phase
 from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
 from graphkin.tolerances import ROUNDED
@@ -34,15 +34,15 @@ def theta(link: str) -> Unknown:
 class Joint:
     """`tail` and `head` meet: tail_arm (+ s direction, of the unknown `slide`) on tail = head_arm on head.
 
-    Arms and direction are in the axes of their link [m, -]; of many mechanisms side by side arrays (b,).
+    Arms and direction are in the axes of their link [m, -].
     """
 
     tail: str
-    tail_arm: Value
+    tail_arm: complex
     head: str
-    head_arm: Value
+    head_arm: complex
     slide: str | None = None
-    direction: Value = 1
+    direction: complex = 1
 
 
 @frozen
@@ -52,11 +52,11 @@ class Relation:
     offset is None where the sum is whatever it is at the drawn position, and then stays.
     """
 
-    weights: Mapping[Unknown, Value]
-    offset: Value | None = 0.0
+    weights: Mapping[Unknown, float]
+    offset: float | None = 0.0
 
     @property
-    def constant(self) -> Value:
+    def constant(self) -> float:
         return 0.0 if self.offset is None else self.offset
 
 
@@ -201,6 +201,6 @@ def _turned(link: str, reference: str) -> dict[Unknown, float]:
     return {theta(name): sign for name, sign in ((link, 1.0), (reference, -1.0)) if name != FRAME}
 
 
-def _axis_to(mechanism: Mechanism, link: str, vector: tuple[str, str] | None) -> Value:
+def _axis_to(mechanism: Mechanism, link: str, vector: tuple[str, str] | None) -> float:
     """Angle from a link's axis to the direction of two of its points [rad]; 0 where none is named."""
     return 0.0 if vector is None else phase(mechanism.links[link].arm(*vector))

@@ -11,17 +11,14 @@ import numpy as np
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.rules import Joint, Unknown, placing, theta
 from graphkin.analytic.vectors import Real
-from graphkin.geometry import Value, phase
+from graphkin.geometry import phase
 from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
 from graphkin.pairs import Slide
 from graphkin.value import filled
 
 
 def guess(mechanism: Mechanism, loops: Loops) -> Real:
-    """The unknowns (n,) as far as the sketch and the drivers show them, in internal units; nan elsewhere.
-
-    Of many mechanisms side by side (b, n).
-    """
+    """The unknowns (n,) as far as the sketch and the drivers show them, in internal units; nan elsewhere."""
     seen = _Seen(mechanism, loops.joints)
     while seen.look():
         pass
@@ -30,26 +27,8 @@ def guess(mechanism: Mechanism, loops: Loops) -> Real:
     for joint in loops.joints:
         if joint.slide is not None:
             found[Unknown("s", joint.slide)] = seen.displacement(joint)
-    shape = np.shape(loops.size)
     seen_of = [found.get(unknown, np.nan) for unknown in loops.unknowns]
-    if shape:
-        seen_of = [np.broadcast_to(value, shape) for value in seen_of]
-    return np.asarray(np.array(seen_of, dtype=np.float64).reshape(-1, *shape).T / loops.unit)
-
-
-def _turned(angle: Value) -> Value:
-    """The unit vector at an angle."""
-    return np.exp(1j * angle) if isinstance(angle, np.ndarray) else cmath.rect(1, angle)
-
-
-def _everywhere(true: Value) -> bool:
-    """In all of many mechanisms."""
-    return bool(true.all()) if isinstance(true, np.ndarray) else bool(true)
-
-
-def _greatest(size: Value) -> float:
-    """Of all mechanisms."""
-    return float(size.max()) if isinstance(size, np.ndarray) else float(size)
+    return np.asarray(np.array(seen_of, dtype=np.float64) / loops.unit)
 
 
 @filled
@@ -58,8 +37,8 @@ class _Seen:
 
     mechanism: Mechanism
     joints: tuple[Joint, ...]
-    points: dict[str, Value] = field(default_factory=dict)
-    angles: dict[str, Value] = field(default_factory=lambda: {FRAME: 0.0})
+    points: dict[str, complex] = field(default_factory=dict)
+    angles: dict[str, float] = field(default_factory=lambda: {FRAME: 0.0})
 
     def __post_init__(self) -> None:
         self.points = {**self.mechanism.sketch, **self.mechanism.links[FRAME].points}
@@ -78,7 +57,7 @@ class _Seen:
             self._aligned(pair)
         return before != (len(self.points), len(self.angles))
 
-    def _driven(self, given: Driver | Pose, value: Value) -> None:
+    def _driven(self, given: Driver | Pose, value: float) -> None:
         if given.from_link in self.angles and given.vector is not None:
             links = self.mechanism.links
             back = given.from_vector
@@ -86,12 +65,12 @@ class _Seen:
             angle = self.angles[given.from_link] + start + value
             self.angles.setdefault(given.link, angle - phase(links[given.link].arm(*given.vector)))
 
-    def _pushed(self, joint: Joint, value: Value) -> None:
+    def _pushed(self, joint: Joint, value: float) -> None:
         origin = self._place(joint.tail, joint.tail_arm)
         if joint.tail in self.angles and origin is not None:
-            place = origin + value * joint.direction * _turned(self.angles[joint.tail])
+            place = origin + value * joint.direction * cmath.rect(1, self.angles[joint.tail])
             for name, arm in self.mechanism.links[joint.head].points.items():
-                if _everywhere(arm == joint.head_arm):
+                if arm == joint.head_arm:
                     self.points.setdefault(name, place)
 
     def _aligned(self, pair: Slide) -> None:
@@ -113,10 +92,10 @@ class _Seen:
             return
         place, arm = (sum(column) / len(at) for column in zip(*at, strict=True))
         turn = sum((here - place) * (there - arm).conjugate() for here, there in at)
-        if _everywhere(abs(turn) > 0):
+        if abs(turn) > 0:
             self.angles.setdefault(link.name, phase(turn))
         if link.name in self.angles:
-            unit = _turned(self.angles[link.name])
+            unit = cmath.rect(1, self.angles[link.name])
             for name, there in link.points.items():
                 self.points.setdefault(name, place + (there - arm) * unit)
 
@@ -129,22 +108,22 @@ class _Seen:
                     self.points[near.head] = start
                     self.angles[near.head] = phase(end - start)
 
-    def displacement(self, joint: Joint) -> Value:
+    def displacement(self, joint: Joint) -> float:
         """s as seen, nan where it is not [m]."""
         origin, point = self._place(joint.tail, joint.tail_arm), self._place(joint.head, joint.head_arm)
         if origin is None or point is None or joint.tail not in self.angles:
             return float("nan")
-        along = joint.direction * _turned(self.angles[joint.tail])
+        along = joint.direction * cmath.rect(1, self.angles[joint.tail])
         return ((point - origin) / along).real
 
-    def _place(self, name: str, arm: Value) -> Value | None:
+    def _place(self, name: str, arm: complex) -> complex | None:
         """Where an arm of a link ends, None if that is not seen."""
         link = self.mechanism.links.get(name, Link(name, {name: 0}))
         seen = [(abs(arm - base), self.points[point], arm - base) for point, base in link.points.items()
                 if point in self.points]  # fmt: skip
         if name == FRAME:
             return arm
-        away, base, rest = min(seen, key=lambda each: _greatest(each[0]), default=(np.inf, 0j, 0j))
+        away, base, rest = min(seen, key=lambda each: each[0], default=(np.inf, 0j, 0j))
         if name in self.angles and seen:
-            return base + rest * _turned(self.angles[name])
-        return base if _everywhere(away == 0) else None
+            return base + rest * cmath.rect(1, self.angles[name])
+        return base if away == 0 else None

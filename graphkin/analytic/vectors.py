@@ -4,8 +4,7 @@ There is one arrow of length 1 for each link, along its axis, and one for each s
 origin to the point (length s, turned by the guide). Where anything is, is a sum of these with fixed
 complex coefficients, a `row`: r = row . arrows. One row serves position, velocity and acceleration.
 
-Shapes: q is (..., n) for n unknowns, arrows are (..., m), rows are (..., m) or (r, m). Of many mechanisms side by side
-each has rows of its own: (b, r, m), for q (b, n).
+Shapes: q is (..., n) for n unknowns, arrows are (..., m), rows are (..., m) or (r, m).
 Source: Sun Huan, Theory of Machines, section 3-3 (complex vectors).
 """
 
@@ -26,16 +25,8 @@ Numbers = np.ndarray[Any, np.dtype[Any]]
 """Arrays; as `numpy.typing` calls them, which takes its time to load."""
 
 
-def applied(matrix: Numbers, vectors: Numbers) -> Numbers:
-    """A matrix (r, m), or one for each vector (b, r, m), on vectors (..., m): (..., r)."""
-    return np.asarray(vectors @ matrix.T if matrix.ndim == 2 else (matrix @ vectors[..., None])[..., 0])
-
-
 def through(rows: Numbers, matrix: Numbers) -> Numbers:
-    """Rows (.., m) times a matrix (m, n), as one product: of a stack numpy would do each small one by itself. Of many
-    mechanisms each has a matrix of its own (b, m, n)."""
-    if matrix.ndim > 2:
-        return np.asarray(rows @ matrix)
+    """Rows (.., m) times a matrix (m, n), as one product: of a stack numpy would do each small one by itself."""
     *many, m = rows.shape
     return np.asarray((rows.reshape(prod(many), m) @ matrix).reshape(*many, matrix.shape[1]))
 

@@ -130,7 +130,7 @@ class InStep:
     name: str
     angles: tuple[tuple[str, Value], ...]
     slide: str = ""
-    on_slide: Value = 0.0
+    on_slide: float = 0.0
     way: tuple[tuple[str, float], ...] = ()
 
 

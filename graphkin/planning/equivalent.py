@@ -10,7 +10,6 @@ import cmath
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Link, Mechanism
 from graphkin.pairs import Line, Pair, Rod, Rolling, Slide, Slot, rod_name, start_name
 from graphkin.value import frozen
@@ -70,9 +69,9 @@ class Contact:
     centres: tuple[str, str]
     radii: tuple[float, float]
     arm: str
-    angles: tuple[tuple[str, Value], ...]
+    angles: tuple[tuple[str, float], ...]
     slide: str = ""
-    on_slide: Value = 0.0
+    on_slide: float = 0.0
     way: tuple[tuple[str, float], ...] = ()
 
     @property

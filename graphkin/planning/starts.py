@@ -7,7 +7,6 @@ near, the assembly found from there is the one; else all that are found from man
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import reduce
 
 import numpy as np
 
@@ -42,11 +41,12 @@ class Starts:
         spare  squared distance that points drawn later may make good [m²]: another assembly of this group may lead
                to better ones of those
         """
-        told = self.told(here, step)
+        told = self._told(here, step)
         there = here.taken(np.arange(here.count))
         x, fits = _tried(there, step, np.nan_to_num(told), fit)
         sine = np.nan_to_num(np.broadcast_to(there.plot.sines["position", step.name], here.count))
-        sure = fits & self.certain(x, told, step, sine) & (spare < (OTHERS * sine * self.size(step)) ** 2)
+        near = self._far(x - told, step) < NEAR * sine
+        sure = fits & near & (spare < (OTHERS * sine * self._size(step)) ** 2)
         if sure.all():
             return there
         parents, found = [np.flatnonzero(sure)], [x[:, sure]]
@@ -85,7 +85,7 @@ class Starts:
         turned = len(step.angles)
         with np.errstate(invalid="ignore"):
             angles = np.abs(np.angle(np.exp(1j * apart[:turned])))
-        return np.asarray(np.max(np.vstack([angles, np.abs(apart[turned:]) / self.size(step)]), axis=0))
+        return np.asarray(np.max(np.vstack([angles, np.abs(apart[turned:]) / self._size(step)]), axis=0))
 
     def _different(self, parent: np.ndarray, x: np.ndarray, step: Fit) -> np.ndarray:
         """The first of each assembly (n, w) of each branch (w,), in the order found."""
@@ -100,18 +100,14 @@ class Starts:
 
     # --- what the sketch tells ----------------------------------------------------------------
 
-    def certain(self, x: np.ndarray, told: np.ndarray, step: Fit, sine: Value) -> np.ndarray:
-        """Where a group that is drawn with unknowns x (n, w) is so near to what the sketch tells that it is the one."""
-        return np.asarray(self._far(x - told, step) < NEAR * sine)
-
-    def told(self, here: Branches, step: Fit) -> np.ndarray:
+    def _told(self, here: Branches, step: Fit) -> np.ndarray:
         """The group's unknowns as the sketch, and what is drawn, tell them: (n, w); nan where they do not."""
-        angles = {base: self.angle(here.plot, base) for base in step.angles}
+        angles = {base: self._angle(here.plot, base) for base in step.angles}
         told = [*angles.values(), *(self._displacement(here.plot, slide, angles) for slide in step.slides)]
         return np.array([np.broadcast_to(np.nan if value is None else value, here.count) for value in told])
 
-    def angle(self, plot: Plot, base: str) -> Value | None:
-        """The angle of a base link by two points of one of its group whose places are told; nan where they are one."""
+    def _angle(self, plot: Plot, base: str) -> Value | None:
+        """The angle of a base link by two points of one of its group whose places are told."""
         for body in plot.facts.groups.get(base, ()):
             shape = self.structure.shapes[body]
             places = ((point, self._place(plot, point)) for point in self.structure.bodies[body])
@@ -119,10 +115,9 @@ class Starts:
             if len(told) < 2:
                 continue
             near = next(iter(told))
-            far = max(told, key=lambda point: float(np.max(np.abs(shape[point] - shape[near]))))
-            if np.any(apart := (arm := shape[far] - shape[near]) != 0):
-                seen = np.angle((told[far] - told[near]) / np.where(apart, arm, 1.0))
-                return np.where(apart, seen, np.nan)[()] - plot.facts.relative_angle(body)
+            far = max(told, key=lambda point: abs(shape[point] - shape[near]))
+            if (arm := shape[far] - shape[near]) != 0:
+                return np.angle((told[far] - told[near]) / arm) - plot.facts.relative_angle(body)
         return None
 
     def _displacement(self, plot: Plot, slide: str, angles: dict[str, Value | None]) -> Value | None:
@@ -139,19 +134,17 @@ class Starts:
         """Where a point is drawn, else where the sketch has it."""
         return plot.position.get(point, self.structure.mechanism.sketch.get(point))
 
-    def size(self, step: Fit) -> Value:
+    def _size(self, step: Fit) -> float:
         """The longest arm of a group [m]."""
         arms = [part for closure in step.closures for part in closure.parts if isinstance(part, Arm)]
         shapes = self.structure.shapes
-        longest = reduce(np.maximum, (np.abs(shapes[a.link][a.head] - shapes[a.link][a.tail]) for a in arms), 0.0)
-        return longest if np.all(longest > 0) else self._reach()
+        return max((abs(shapes[a.link][a.head] - shapes[a.link][a.tail]) for a in arms), default=0.0) or self._reach()
 
-    def _reach(self) -> Value:
+    def _reach(self) -> float:
         """How far apart the sketched and the fixed points lie [m]."""
         mechanism = self.structure.mechanism
         places = [*mechanism.sketch.values(), *mechanism.links[FRAME].points.values()]
-        longest = reduce(np.maximum, (np.abs(a - places[0]) for a in places), 0.0)
-        return longest if np.all(longest > 0) else 1.0
+        return max((abs(a - places[0]) for a in places), default=0.0) or 1.0
 
 
 def _tried(here: Branches, step: Fit, x: np.ndarray, fit: Callable[[Plot], None]) -> tuple[np.ndarray, np.ndarray]:
