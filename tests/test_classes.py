@@ -203,8 +203,11 @@ def test_a_broken_off_marking_goes_on(marked: list[str]):
     assert not path.exists()
     left = Path("r.json.journal")
     assert all(json.loads(line) for line in left.read_text("utf-8").splitlines())
-    with left.open("a") as file:
-        file.write('{"format": 1, "student": "s6')  # as a loss of power leaves it
+    for cut in ('{"format": 1, "student": "s6', '{"format": 1, "fingerprints": 3}', "学".encode()[:2]):
+        with left.open("ab") as file:  # as a loss of power leaves it, or a hand
+            file.write(cut if isinstance(cut, bytes) else cut.encode())
+        with pytest.raises(KeyboardInterrupt):
+            broken_off(path, paths, 300)
     marked.clear()
     done = run("ex3-1", *paths, "-o", "r.json")
     assert done.exit_code == 0

@@ -26,7 +26,8 @@ from graphkin.value import frozen
 if TYPE_CHECKING:
     from graphkin.grading import Judge, Pencils, Problem, Way
     from graphkin.marking.graded import Graded
-    from graphkin.platforms import PolygonPictures, Reveal, Several
+    from graphkin.marking.habits import Trace
+    from graphkin.platforms import PolygonPictures, Result, Reveal
 
 _Record = TypeVar("_Record")
 
@@ -238,18 +239,21 @@ class _Told:
         from graphkin import platforms
 
         files = [output / part.name / MARKS for part in parts]
-        with platforms.Several(files if len(files) > 1 else ()) as several:
-            for file, judge in zip(files, judges, strict=True):
-                pictures = platforms.PolygonPictures(judge)
-                for kind in dict.fromkeys(self.kinds):
-                    if kind != "json":
-                        self._write_kind(file, kind, several, pictures)
+        several = [platforms.read_traces(file) for file in files] if len(files) > 1 else []
+        for file, judge in zip(files, judges, strict=True):
+            results, pictures = platforms.read_results(file), platforms.PolygonPictures(judge)
+            for kind in dict.fromkeys(self.kinds):
+                if kind != "json":
+                    self._write_kind(file.parent, results, kind, several, pictures)
 
-    def _write_kind(self, file: Path, kind: str, several: Several, pictures: PolygonPictures) -> None:
+    def _write_kind(
+        self, folder: Path, results: Sequence[Result], kind: str, several: Sequence[Mapping[str, Trace]],
+        pictures: PolygonPictures,
+    ) -> None:  # fmt: skip
         from graphkin import platforms
 
         done = platforms.write_results(
-            file.parent, platforms.Stored(file), kind, self.lang, self.reveal, assignment=self.assignment,
+            folder, results, kind, self.lang, self.reveal, assignment=self.assignment,
             pictures=pictures, force=self.force, several=several,
         )  # fmt: skip
         click.echo("\n".join(map(str, done.paths)), err=self.as_json)

@@ -10,17 +10,15 @@
 """
 
 from graphkin.grading.again import is_marks
-from graphkin.grading.journal import Journal
 from graphkin.grading.judges import judge_from
 from graphkin.grading.keys import USUAL, Pencils, key_drawn, key_for, key_from, marking_of
-from graphkin.grading.places import Places
 from graphkin.grading.problems import Problem, problems_of
-from graphkin.grading.resuming import resumed
+from graphkin.grading.resuming import Journal, resumed
 from graphkin.grading.running import Way, grade
 from graphkin.grading.sets import Judge, KeySet, OneKey, set_text
 from graphkin.marking.graded import Graded
 
 __all__ = [
-    "USUAL", "Graded", "Journal", "Judge", "KeySet", "OneKey", "Pencils", "Places", "Problem", "Way", "grade",
+    "USUAL", "Graded", "Journal", "Judge", "KeySet", "OneKey", "Pencils", "Problem", "Way", "grade",
     "is_marks", "judge_from", "key_drawn", "key_for", "key_from", "marking_of", "problems_of", "resumed", "set_text",
 ]  # fmt: skip

@@ -5,7 +5,6 @@ A file of marks holds every number that was handed in, in SI; the submissions th
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -13,7 +12,7 @@ from typing import Any
 from graphkin.errors import NoFile, NoMarks, SaidBefore, Unreadable, Where
 from graphkin.marking.graded import Drawn
 from graphkin.marking.marked import Number, Work
-from graphkin.outputs.marks_file import KIND
+from graphkin.outputs.marks_file import KIND, records_in
 from graphkin.outputs.marks_json import FORMAT, drawn_of
 from graphkin.value import frozen
 
@@ -65,26 +64,15 @@ def again(record: Mapping[str, Any], where: Where) -> Again:
 def records_of(path: Path) -> Iterator[Again]:
     """Those of a file of marks, in order. Raises NoFile, Unreadable, NoMarks."""
     try:
-        with path.open(encoding="utf-8") as file:
-            for number, line in enumerate(file, 1):
-                text = line.strip().removesuffix(",")
-                if text.startswith('{"format"'):
-                    where = Where(str(path), number)
-                    yield again(_record(text, where), where)
+        for number, record in records_in(path):
+            where = Where(str(path), number)
+            if record is None or record.get("format") != FORMAT:
+                raise NoMarks(where)
+            yield again(record, where)
     except FileNotFoundError:
         raise NoFile(Where(str(path)), path.name, ()) from None
     except (OSError, UnicodeDecodeError) as problem:
         raise Unreadable(Where(str(path)), getattr(problem, "strerror", None) or "UTF-8") from None
-
-
-def _record(text: str, where: Where) -> Mapping[str, Any]:
-    try:
-        record = json.loads(text)
-    except (ValueError, RecursionError):
-        raise NoMarks(where) from None
-    if not isinstance(record, dict) or record.get("format") != FORMAT:
-        raise NoMarks(where)
-    return record
 
 
 def _work(student: str, quantities: Mapping[str, Mapping[str, Any]]) -> Work:

@@ -24,13 +24,13 @@ _ONCE_MORE = (OwnFault, TookTooLong, Unreadable, WantsExtra)
 
 @frozen
 class Kept:
-    """A submission whose record there is and holds: whose it is, whether it was marked, and where the record begins."""
+    """A submission whose record there is and holds: whose it is, whether it was marked, and its fingerprint."""
 
     student: str
     file: str
     place: str
     marked: bool
-    at: int
+    handed: str
 
 
 Item = Handed | Again | Kept

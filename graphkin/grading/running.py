@@ -21,9 +21,7 @@ from graphkin.submissions import FirstOnes, Handed, Limits, guarded, handed_in
 from graphkin.value import frozen
 
 _BATCH, _BYTES = 64, 4 << 20
-"""Submissions, and bytes of them, that go to a worker at once; a single one may be larger."""
-_HERE = 256
-"""Submissions that are marked at once here."""
+"""Submissions, and bytes of them, that are marked at once; a single one may be larger."""
 _AHEAD = 8
 
 
@@ -86,7 +84,7 @@ def run(judge: Judge, some: Iterable[Item], way: Way) -> Iterator[Graded | Kept]
     if way.workers:
         seconds = way.limits.seconds
         return firsts(guarded(work, _batches(some, _BATCH), way.workers, seconds, _failed))
-    return firsts(chain.from_iterable(map(work, _batches(some, _HERE))))
+    return firsts(chain.from_iterable(map(work, _batches(some, _BATCH))))
 
 
 def firsts(found: Iterable[Graded | Kept]) -> Iterator[Graded | Kept]:

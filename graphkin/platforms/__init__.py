@@ -4,7 +4,7 @@
                                             set.json, set.mistakes.txt
     Key --question_of--> Question; Template + Variants --problem_set--> ProblemSet
     ProblemSet of Questions --SETS[format]--> moodle, moodle-numerical, qti, csv, xuexitong: one file
-    file of marks --Stored--> Results; files of several problems --Several--> Habits of a student
+    file of marks --read_results--> Results, --read_traces--> what they say of each student's mistakes
     Results --RESULTS[format]--> csv, xlsx, moodle, gradescope, prairielearn, canvas, pages: files in a folder
     Result --PolygonPictures--> Pictures, for its page and for platforms that show some
     Results --class_report--> ClassReport --write_class_figure--> SVG, PNG, PDF
@@ -29,13 +29,12 @@ from graphkin.platforms.question import Part, ProblemSet, Question, Wrong
 from graphkin.platforms.result import Line, Picture, Result, Suspicion, from_record
 from graphkin.platforms.result_formats import RESULTS, Written, prepared, write_results
 from graphkin.platforms.set_formats import SETS, write_set
-from graphkin.platforms.several import Several
-from graphkin.platforms.stored import Stored
+from graphkin.platforms.stored import read_results, read_traces
 
 __all__ = [
     "RESULTS", "SETS", "Alternative", "ClassReport", "Feedback", "Line", "Overrides", "Part", "Picture",
-    "PolygonPictures", "ProblemSet", "Question", "Result", "Reveal", "Several", "Stored", "Suspicion", "Written",
-    "Wrong", "alternatives", "class_report", "file_of", "from_record", "is_set", "overridden", "prepared",
-    "problem_set", "question_of", "read_overrides", "report_record", "report_text", "students_of", "told_of",
+    "PolygonPictures", "ProblemSet", "Question", "Result", "Reveal", "Suspicion", "Written", "Wrong", "alternatives",
+    "class_report", "file_of", "from_record", "is_set", "overridden", "prepared", "problem_set", "question_of",
+    "read_overrides", "read_results", "read_traces", "report_record", "report_text", "students_of", "told_of",
     "write_class_figure", "write_problems", "write_results", "write_set",
 ]  # fmt: skip

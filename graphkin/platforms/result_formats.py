@@ -11,6 +11,7 @@ from itertools import chain, islice
 from pathlib import Path
 
 from graphkin.errors import CannotWrite, Lang
+from graphkin.marking.habits import Trace, habits
 from graphkin.outputs.files import beside
 from graphkin.platforms import (
     canvas_results,
@@ -29,7 +30,6 @@ from graphkin.platforms.marked_up import clean
 from graphkin.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.platforms.platform_names import Named, canvas, moodle
 from graphkin.platforms.result import Picture, Result
-from graphkin.platforms.several import Several
 from graphkin.platforms.web_page import PAGE, html
 from graphkin.say.catalogue import in_both, say
 from graphkin.submissions import safe_name
@@ -58,11 +58,11 @@ class Order:
 
     results   gone through as often as a format needs it
     pictures  makes those of a student's page of feedback
-    several   the results in all problems of which this is one
+    several   what the results of each student say of mistakes, in all problems of which this is one
     """
 
     folder: Path
-    results: Iterable[Result]
+    results: Sequence[Result]
     lang: Lang
     reveal: Reveal
     assignment: str
@@ -70,13 +70,13 @@ class Order:
     force: bool
     overrides: Overrides
     most: Decimal
-    several: Several | None = None
+    several: Sequence[Mapping[str, Trace]] = ()
 
     def __iter__(self) -> Iterator[Result]:
         """The results, with the teacher's points and habits; what was not marked is of as many as the others."""
         for result in overridden(self.results, self.overrides):
-            habits = self.several.habits(result.student) if self.several and result.lines else ()
-            yield replace(result, most=result.most if result.lines else self.most, habits=habits)
+            own = [traces[result.student] for traces in self.several if result.lines and result.student in traces]
+            yield replace(result, most=result.most if result.lines else self.most, habits=habits(own))
 
     def told(self, result: Result) -> Feedback:
         """What a student is told, with pictures."""
@@ -98,16 +98,16 @@ class Order:
 
 
 def write_results(
-    folder: Path, results: Iterable[Result], kind: str, lang: Lang = "en", reveal: Reveal = "answer", *,
+    folder: Path, results: Sequence[Result], kind: str, lang: Lang = "en", reveal: Reveal = "answer", *,
     assignment: str = "graphkin", pictures: Pictures = lambda result, lang, reveal: (), force: bool = False,
-    several: Several | None = None,
+    several: Sequence[Mapping[str, Trace]] = (),
 ) -> Written:  # fmt: skip
     """Results into a folder, which is made where it is not there.
 
-    results   gone through more than once: a list, or what a results file holds (`Stored`)
+    results   as `read_results` gives them
     kind      of RESULTS
     pictures  makes those of a student's page (`PolygonPictures`); none where left out
-    several   the results in all problems of which this is one
+    several   of all problems of which this is one, as `read_traces` gives them
 
     Overrides in the folder's class table count in every format. Raises NotAnOverride, Unreadable, FileInTheWay,
     CannotWrite, and what going through the results raises.
@@ -138,7 +138,7 @@ def _made(folder: Path) -> Path:
 def _table(order: Order) -> Iterator[Sequence[Cell]]:
     """The class table; those with an override who are not here come last, known when all others are through."""
     names = class_table.quantities(order.results)
-    several = order.several is not None and order.several.count > 1
+    several = len(order.several) > 1
     return chain(class_table.rows(order, names, order.lang, several), class_table.absent(order.overrides, names))
 
 

@@ -1,64 +1,63 @@
-"""The results of a marking, read from graphkin's own file of marks one after another, as often as they are wanted."""
+"""The results of a marking, read from graphkin's own file of marks."""
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any
 
 from graphkin.errors import NoFile, NotAResult, Unreadable, Where
-from graphkin.outputs.marks_file import KIND
-from graphkin.platforms.result import FORMAT, Result, from_record
+from graphkin.marking.habits import Trace
+from graphkin.outputs.marks_file import END, HEAD, record_of, records_in
+from graphkin.platforms.result import Result, from_record
 
-_BEGIN, _END = '"results": [', "]}"
+
+def read_results(path: Path) -> tuple[Result, ...]:
+    """The results in a file of marks: after its head, a record a line. Raises NoFile, Unreadable, NotAResult."""
+    with _refused(path):
+        text = path.read_text(encoding="utf-8")
+    head, begins, rest = text.partition(HEAD)
+    if head or not begins:
+        raise NotAResult(Where(str(path), 1), text[:80])
+    records, ends, _ = rest.rpartition(f"\n{END}")
+    if not ends:
+        raise NotAResult(Where(str(path)), END)
+    lines = enumerate(records.split("\n")[1:], HEAD.count("\n") + 2)
+    return tuple(_result(line, Where(str(path), number)) for number, line in lines)
 
 
-class Stored:
-    """The results in a file of marks: after its head, a record a line.
+def _result(line: str, where: Where) -> Result:
+    record = record_of(line)
+    if record is None:
+        raise NotAResult(where, "JSON")
+    return from_record(record, where)
 
-    Going through them raises NoFile, Unreadable, NotAResult.
-    """
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
+def read_traces(path: Path) -> dict[str, Trace]:
+    """What a file of marks says of each student's mistakes. Raises NoFile, Unreadable, NotAResult."""
+    traces: dict[str, Trace] = {}
+    with _refused(path):
+        for number, record in records_in(path):
+            try:
+                if record is not None and record["status"] == "marked":
+                    traces[record["student"]] = _trace(record)
+            except (ValueError, KeyError, TypeError, AttributeError):
+                raise NotAResult(Where(str(path), number), "evidence") from None
+    return traces
 
-    def __iter__(self) -> Iterator[Result]:
-        try:
-            with self.path.open(encoding="utf-8") as file:
-                yield from self._results(file)
-        except FileNotFoundError:
-            raise NoFile(Where(str(self.path)), self.path.name, ()) from None
-        except (OSError, UnicodeDecodeError) as error:
-            raise Unreadable(Where(str(self.path)), getattr(error, "strerror", None) or "UTF-8") from None
 
-    def _results(self, file: TextIO) -> Iterator[Result]:
-        lines = enumerate(file, 1)
-        self._head(lines)
-        for number, text in lines:
-            text = text.strip().removesuffix(",")
-            if text == _END:
-                return
-            yield from_record(self._data(text, number), Where(str(self.path), number))
-        raise NotAResult(Where(str(self.path)), _END)
+def _trace(record: Mapping[str, Any]) -> Trace:
+    named = dict.fromkeys(str(id) for one in record["mistakes"][:1] for id in one["ids"])
+    return Trace(tuple(named), {str(id): float(weight) for id, weight in record["evidence"].items()})
 
-    def _head(self, lines: Iterator[tuple[int, str]]) -> None:
-        """What comes before the records: that they are some, and of this version."""
-        head = ""
-        for number, text in lines:
-            if text.strip() == _BEGIN:
-                data = self._data(head + '"end": 0}', number)
-                if data.get("kind") != KIND or data.get("format") != FORMAT:
-                    raise NotAResult(Where(str(self.path), 1), f"{data.get('kind')!r} {data.get('format')!r}")
-                return
-            head += text
-        raise NotAResult(Where(str(self.path)), _BEGIN)
 
-    def _data(self, text: str, number: int) -> dict[str, Any]:
-        try:
-            data = json.loads(text)
-        except (ValueError, RecursionError):
-            raise NotAResult(Where(str(self.path), number), "JSON") from None
-        if not isinstance(data, dict):
-            raise NotAResult(Where(str(self.path), number), type(data).__name__)
-        return data
+@contextmanager
+def _refused(path: Path) -> Iterator[None]:
+    """What is wrong with a file that cannot be read, in graphkin's words."""
+    try:
+        yield
+    except FileNotFoundError:
+        raise NoFile(Where(str(path)), path.name, ()) from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise Unreadable(Where(str(path)), getattr(error, "strerror", None) or "UTF-8") from None

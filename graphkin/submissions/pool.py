@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import multiprocessing
 import signal
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+from itertools import islice
 from multiprocessing.process import BaseProcess
 from typing import TypeVar
 
-from graphkin.sending import Sent
 from graphkin.submissions.deadline import ENDED, watch
 
 _Item = TypeVar("_Item")
@@ -36,30 +37,37 @@ def guarded(
     work     a function that processes can import; it keeps to `seconds` an item by itself
     failed   what stands for an item whose process hung ("hung") or ended ("died")
     """
-    pool = _pool(workers)
-
-    def send(some: list[_Item]) -> Future[list[_Found]]:
-        try:
-            return pool.submit(work, some)
-        except BrokenProcessPool as problem:  # told when it is this batch's turn
-            future: Future[list[_Found]] = Future()
-            future.set_exception(problem)
-            return future
-
-    sent = Sent(send, batches, _AHEAD * workers)
+    pool, waiting = _pool(workers), iter(batches)
+    out: deque[tuple[list[_Item], Future[list[_Found]]]] = deque()
     try:
-        for some, future in sent:
+        while True:
+            out.extend((some, _sent(pool, work, some)) for some in islice(waiting, _AHEAD * workers - len(out)))
+            if not out:
+                return
+            some, future = out.popleft()
             try:
                 found = future.result(timeout=seconds * len(some) + _GRACE)
             except (TimeoutError, BrokenProcessPool):
                 _end(pool)
                 yield from _alone(work, some, seconds, failed)
                 pool = _pool(workers)
-                sent.anew()
+                out = deque((other, _sent(pool, work, other)) for other, _ in out)
             else:
                 yield from found
     finally:
         _end(pool)
+
+
+def _sent(
+    pool: ProcessPoolExecutor, work: Callable[[list[_Item]], list[_Found]], some: list[_Item]
+) -> Future[list[_Found]]:
+    """A batch on its way; that the pool is broken is told when it is this batch's turn."""
+    try:
+        return pool.submit(work, some)
+    except BrokenProcessPool as problem:
+        future: Future[list[_Found]] = Future()
+        future.set_exception(problem)
+        return future
 
 
 def _alone(
