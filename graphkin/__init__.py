@@ -42,7 +42,7 @@ __version__ = "0.2.0"
 
 ORDER = (
     "value", "kept", "waiting", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs",
-    "mechanism", "naming", "motions", "quantities", "measured", "readable", "loading", "library",
+    "mechanism", "stacking", "naming", "motions", "quantities", "measured", "readable", "loading", "library",
     "starters", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings", "standing", "agreement",
     "centres", "linkages", "design", "sweeps", "finding",
     "check", "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading",

@@ -7,7 +7,8 @@ mechanism anew by the matrix method, and gives neither where they differ.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import reduce
 
 import numpy as np
 
@@ -22,10 +23,12 @@ from graphkin.readings import readings
 from graphkin.running import replay_all
 from graphkin.value import frozen
 
-__all__ = ["AGREE", "Proved", "apart", "compare", "proved"]
+__all__ = ["AGREE", "Proved", "apart", "apart_each", "compare", "proved"]
 
 AGREE = 1e-6
 """Results of the two roads that differ by more are not given; the tests hold them to 1e-9."""
+
+_Largest = Callable[[Sequence[Value]], Value]
 
 
 @frozen
@@ -63,16 +66,22 @@ def apart(mechanism: Mechanism, drawn: Motions, exact: Motions) -> float:
     speeds make of it (an angular acceleration of 0 by omega^2); angles in radians.
     """
     with np.errstate(invalid="ignore"):  # where either is nan
-        return _apart(mechanism, drawn, exact)
+        return float(_apart(mechanism, drawn, exact, _largest))
 
 
-def _apart(mechanism: Mechanism, drawn: Motions, exact: Motions) -> float:
+def apart_each(mechanism: Mechanism, drawn: Motions, exact: Motions) -> np.ndarray:
+    """The same for each of many mechanisms that lie side by side: (b,)."""
+    with np.errstate(all="ignore"):  # where either is nan
+        return np.asarray(_apart(mechanism, drawn, exact, _largest_of_each))
+
+
+def _apart(mechanism: Mechanism, drawn: Motions, exact: Motions, largest: _Largest) -> Value:
     points = mechanism.points
     links = {point: mechanism.owners[point][-1] for point in points}
     velocity, right_velocity = ({p: m.velocity_at(p, links[p]) for p in points} for m in (drawn, exact))
     acceleration, right_acceleration = ({p: m.acceleration_at(p, links[p]) for p in points} for m in (drawn, exact))
-    size, rate = _sizes(exact, right_velocity)
-    pairs: list[tuple[Mapping[str, Value], Mapping[str, Value], float]] = [
+    size, rate = _sizes(exact, right_velocity, largest)
+    pairs: list[tuple[Mapping[str, Value], Mapping[str, Value], Value]] = [
         (drawn.omega, exact.omega, rate),
         (drawn.alpha, exact.alpha, rate**2),
         (drawn.s, exact.s, size),
@@ -83,22 +92,28 @@ def _apart(mechanism: Mechanism, drawn: Motions, exact: Motions) -> float:
         (acceleration, right_acceleration, rate**2 * size),
     ]
     turned = [np.exp(1j * (drawn.theta[link] - exact.theta[link])) - 1 for link in drawn.theta]
-    return _largest([_largest(turned), *(_worst(*entry) for entry in pairs)])
+    return largest([largest(turned), *(_worst(*entry, largest) for entry in pairs)])
 
 
-def _sizes(exact: Motions, velocity: Mapping[str, Value]) -> tuple[float, float]:
+def _sizes(exact: Motions, velocity: Mapping[str, Value], largest: _Largest) -> tuple[Value, Value]:
     """Extent of the mechanism [m] and its fastest rotation, or speed over extent [rad/s]."""
     places = [exact.position[point] for point in velocity]
-    size = _largest([place - places[0] for place in places]) or 1.0
-    return size, _largest([*(v / size for v in (*velocity.values(), *exact.s_rate.values())), *exact.omega.values()])
+    size = largest([place - places[0] for place in places])
+    size = size + (size == 0)
+    return size, largest([*(v / size for v in (*velocity.values(), *exact.s_rate.values())), *exact.omega.values()])
 
 
-def _worst(drawn: Mapping[str, Value], right: Mapping[str, Value], natural: float) -> float:
-    size = _largest([natural, *(right[name] for name in drawn)]) or 1.0
-    return _largest([drawn[name] - right[name] for name in drawn]) / size
+def _worst(drawn: Mapping[str, Value], right: Mapping[str, Value], natural: Value, largest: _Largest) -> Value:
+    size = largest([natural, *(right[name] for name in drawn)])
+    return largest([drawn[name] - right[name] for name in drawn]) / (size + (size == 0))
 
 
 def _largest(values: Sequence[Value]) -> float:
     """The largest size of all values (nan where one is nan), 0 of none."""
     sizes = [float(np.max(np.abs(value)) if isinstance(value, np.ndarray) else abs(value)) for value in values]
     return math.nan if any(map(math.isnan, sizes)) else max(sizes, default=0.0)
+
+
+def _largest_of_each(values: Sequence[Value]) -> Value:
+    """The same for each mechanism."""
+    return reduce(np.maximum, map(np.abs, values), 0.0)

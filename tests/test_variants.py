@@ -17,8 +17,8 @@ from graphkin.construction import Plot
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
 from graphkin.running.compiled import TABLES
-from graphkin.running.stacking import stacked
 from graphkin.running.variants import Drawn, is_simple, replay_many
+from graphkin.stacking import stacked
 
 COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40)
 OTHERS = {"cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain}

@@ -17,7 +17,7 @@ from graphkin.analytic.loops import Loops, loops_of
 from graphkin.analytic.newton import EquationSystem, close, search
 from graphkin.analytic.rules import Relation, driven, placing
 from graphkin.analytic.sketch import guess
-from graphkin.analytic.vectors import Complex, Real
+from graphkin.analytic.vectors import Complex, Real, applied
 from graphkin.errors import NoAssembly
 from graphkin.kept import kept
 from graphkin.mechanism import FRAME, Link, Mechanism
@@ -75,8 +75,10 @@ def driver_values(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[float, .
             values.append(driver.value)
             continue
         relation = driven(mechanism, driver)
-        value = float(loops.weights([relation])[0] @ q) + relation.constant
-        values.append(value if driver.kind == "slide" else float(np.angle(np.exp(1j * value))))
+        value = applied(loops.weights([relation]), q)[..., 0] + relation.constant
+        if driver.kind != "slide":
+            value = np.angle(np.exp(1j * value))
+        values.append(value[()])
     return tuple(values)
 
 
@@ -216,7 +218,7 @@ def choose(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
 def _from_sketch(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
     """Distance of all sketched points together from their places in the sketch [m]: (a,); found (a, n)."""
     rows, places = _sketched(mechanism, loops)
-    away = loops.vectors.at(found) @ rows.T * loops.size - places
+    away = applied(rows, loops.vectors.at(found)) * loops.size - places
     return np.asarray(np.sqrt((np.abs(away) ** 2).sum(axis=-1)))
 
 

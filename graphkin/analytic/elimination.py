@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from graphkin.analytic.vectors import Indices, Real
+from graphkin.analytic.vectors import Indices, Real, applied
 from graphkin.value import frozen
 
 _ZERO = 1e-9
@@ -34,13 +34,13 @@ class Elimination:
 
     def unknowns(self, y: Real, c: Real) -> Real:
         """All unknowns: (..., n) from y (..., y) and c (..., k)."""
-        return np.asarray(c @ self.given.T + y @ self.left.T)
+        return np.asarray(applied(self.given, c) + applied(self.left, y))
 
     def mismatch(self, c: Real) -> float:
         """How much repeated relations contradict each other; whole turns do not count."""
         if not self.spare.size:
             return 0.0
-        rest = c @ self.spare.T
+        rest = applied(self.spare, c)
         return float(np.max(np.minimum(abs(rest), abs(np.angle(np.exp(1j * rest)))), initial=0.0))
 
 

@@ -15,7 +15,7 @@ from itertools import combinations
 import numpy as np
 
 from graphkin.analytic.rules import Joint, Relation, Unknown, shares, theta
-from graphkin.analytic.vectors import Complex, Flags, Polar, Real, Vectors
+from graphkin.analytic.vectors import Complex, Flags, Polar, Real, Vectors, applied
 from graphkin.errors import NotJoined
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.pairs import Rod
@@ -65,11 +65,11 @@ class Loops:
 
     def gap(self, q: Real, polar: Polar | None = None) -> Real:
         """How far each loop stays open, x and y: (..., 2r), in units of size."""
-        return parts(self.vectors.at(q, polar) @ self.rows.T, -1)
+        return parts(applied(self.rows, self.vectors.at(q, polar)), -1)
 
     def open_by(self, q: Real) -> Real:
         """The widest gap of any loop: (...), in units of size."""
-        return np.asarray(np.max(np.abs(self.vectors.at(q) @ self.rows.T), axis=-1, initial=0.0))
+        return np.asarray(np.max(np.abs(applied(self.rows, self.vectors.at(q))), axis=-1, initial=0.0))
 
     def slope(self, q: Real, polar: Polar | None = None) -> Real:
         """d gap / dq: (..., 2r, n)."""

@@ -12,7 +12,7 @@ from graphkin.analytic.loops import Loops
 from graphkin.analytic.newton import EquationSystem, inverse
 from graphkin.analytic.rates import Rates, rates, reaching
 from graphkin.analytic.rules import driven
-from graphkin.analytic.vectors import Complex, Flags, Real
+from graphkin.analytic.vectors import Complex, Flags, Real, applied
 from graphkin.errors import SingularPosition, ValueForEach
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
@@ -186,5 +186,5 @@ def _named(loops: Loops, values: Real, kind: str, names: Collection[str]) -> dic
 
 def _places(loops: Loops, arrows: Complex) -> dict[str, Complex]:
     """Points by name, in SI units."""
-    places = np.ascontiguousarray(np.moveaxis(arrows @ loops.places.T, -1, 0)) * loops.size
+    places = np.ascontiguousarray(np.moveaxis(applied(loops.places, arrows), -1, 0)) * loops.size
     return {point: place[()] for point, place in zip(loops.points, places, strict=True)}

@@ -13,7 +13,7 @@ import numpy as np
 from graphkin.analytic.elimination import Elimination, eliminate
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.rules import Relation
-from graphkin.analytic.vectors import Polar, Real, through
+from graphkin.analytic.vectors import Polar, Real, applied, through
 from graphkin.value import frozen
 
 _SETTLED = 1e-13
@@ -47,7 +47,7 @@ class EquationSystem:
         return through(self.loops.slope(q, polar), self.known.left)
 
     def move(self, q: Real, y_step: Real) -> Real:
-        return np.asarray(q + y_step @ self.known.left.T)
+        return np.asarray(q + applied(self.known.left, y_step))
 
 
 @frozen

@@ -10,7 +10,7 @@ import numpy as np
 
 from graphkin.analytic.loops import parts
 from graphkin.analytic.newton import EquationSystem, inverse
-from graphkin.analytic.vectors import Real, through
+from graphkin.analytic.vectors import Real, applied, through
 from graphkin.value import frozen
 
 
@@ -29,7 +29,7 @@ def rates(closure: EquationSystem, q: Real, first: Real, second: Real) -> Rates:
     slope = closure.loops.slope(q, polar)
     inverted, condition = inverse(through(slope, closure.known.left))
     dq = _solved(closure, inverted, slope, first, np.zeros(slope.shape[:-1]))
-    bend = closure.loops.vectors.acceleration(q, dq, np.zeros_like(dq), polar) @ closure.loops.rows.T
+    bend = applied(closure.loops.rows, closure.loops.vectors.acceleration(q, dq, np.zeros_like(dq), polar))
     ddq = _solved(closure, inverted, slope, second, parts(bend, -1))
     return Rates(dq, ddq, condition)
 
@@ -63,6 +63,6 @@ def reaching(closure: EquationSystem, q: Real) -> Real:
 
 def _solved(closure: EquationSystem, inverted: Real, slope: Real, given: Real, rest: Real) -> Real:
     """The x with W x = given and slope x + rest = 0."""
-    driven = given @ closure.known.given.T
+    driven = applied(closure.known.given, given)
     right = -(slope @ driven[..., None])[..., 0] - rest
-    return np.asarray(driven + (inverted @ right[..., None])[..., 0] @ closure.known.left.T)
+    return np.asarray(driven + applied(closure.known.left, (inverted @ right[..., None])[..., 0]))

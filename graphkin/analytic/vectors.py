@@ -25,6 +25,11 @@ Numbers = np.ndarray[Any, np.dtype[Any]]
 """Arrays; as `numpy.typing` calls them, which takes its time to load."""
 
 
+def applied(matrix: Numbers, vectors: Numbers) -> Numbers:
+    """A matrix (r, m) on vectors (..., m): (..., r)."""
+    return np.asarray(vectors @ matrix.T)
+
+
 def through(rows: Numbers, matrix: Numbers) -> Numbers:
     """Rows (.., m) times a matrix (m, n), as one product: of a stack numpy would do each small one by itself."""
     *many, m = rows.shape

@@ -14,6 +14,7 @@ import numpy as np
 
 from graphkin.construction import Plot, replay, slide_key
 from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, Where
+from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning.assembly import assemble, extent, refuse_open
 from graphkin.planning.position import position
@@ -77,7 +78,7 @@ def _valued(driver: Driver, plot: Plot, drawn: Mapping[str, float]) -> Driver:
         return driver if driver.value is not None else replace(driver, value=drawn[slide_key(driver.link)])
     if driver.kind == "spin":
         return replace(driver, value=drawn[driver.link])
-    return driver if driver.value is not None else replace(driver, value=_value_of(plot, driver))
+    return driver if driver.value is not None else replace(driver, value=float(value_of(plot, driver)))
 
 
 # --- what is given ----------------------------------------------------------------------------
@@ -88,7 +89,7 @@ def _standing(mechanism: Mechanism, lower: Mechanism, repeats: Repeats) -> tuple
 
     Those must say the same as what is then found.
     """
-    given, refusal, placed = tuple(_given_at(mechanism)), None, None
+    given, refusal, placed = given_at(mechanism), None, None
     for needed in _fewer_and_fewer(given):
         try:
             structure, plot = _placed(mechanism, lower, needed, repeats)
@@ -128,8 +129,12 @@ def _where(mechanism: Mechanism, given: _Given) -> Where:
     return mechanism.where("pose" if given.posed else "driver", given.number)
 
 
-def _given_at(mechanism: Mechanism) -> Iterator[_Given]:
+def given_at(mechanism: Mechanism) -> tuple[_Given, ...]:
     """What the drivers' values and the poses fix."""
+    return tuple(_fixed(mechanism))
+
+
+def _fixed(mechanism: Mechanism) -> Iterator[_Given]:
     for k, driver in enumerate(mechanism.drivers):
         if driver.value is not None and driver.kind != "spin":
             yield _Given(driver, False, k)
@@ -157,8 +162,8 @@ def _placed(
     mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats
 ) -> tuple[Structure, Plot]:
     """The mechanism put together by these values."""
-    structure = _placed_by(mechanism, lower, given, repeats)
-    if names := _left_open(structure):
+    structure = placed_by(mechanism, lower, given, repeats)
+    if names := left_open(structure):
         raise NotPlaced(mechanism.where("links", names[0]), tuple(mechanism.called(name) for name in names))
     construction, choices = position(structure, stages(structure)[0])
     facts = facts_of(structure, None, {})
@@ -168,7 +173,7 @@ def _placed(
     return structure, plot
 
 
-def _placed_by(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats) -> Structure:
+def placed_by(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats) -> Structure:
     """The mechanism with these values; wheels that nothing turns and that show no direction stand at 0."""
     drivers = tuple(each.fixes for each in given)
     structure = Structure(replace(lower, drivers=drivers))
@@ -189,7 +194,7 @@ def _shows_nothing(mechanism: Mechanism, structure: Structure, body: str) -> boo
     return body in wheels and len(hinges) < 2 and len(set(structure.shapes[body].values())) == 1
 
 
-def _left_open(structure: Structure) -> tuple[str, ...]:
+def left_open(structure: Structure) -> tuple[str, ...]:
     """The links that nothing places, those first whose direction is open."""
     left = [body for body in stages(structure)[1] if not structure.is_pin(body)]
     turning = [body for body in left if structure.base(body) != FRAME]
@@ -199,20 +204,20 @@ def _left_open(structure: Structure) -> tuple[str, ...]:
 # --- comparing --------------------------------------------------------------------------------
 
 
-def _value_of(plot: Plot, fixes: Driver) -> float:
-    """What a driver's value is in a plot [rad or m]."""
+def value_of(plot: Plot, fixes: Driver) -> Value:
+    """What a driver's value is in a plot [rad or m]; of many mechanisms side by side (n,)."""
     if fixes.kind == "slide":
-        return float(plot.s[fixes.link])
+        return plot.s[fixes.link]
     assert fixes.vector is not None
-    value = float(np.angle(plot.arm(*fixes.vector)))
-    return value - (float(np.angle(plot.arm(*fixes.from_vector))) if fixes.from_vector is not None else 0.0)
+    value = np.angle(plot.arm(*fixes.vector))
+    return value - (np.angle(plot.arm(*fixes.from_vector)) if fixes.from_vector is not None else 0.0)
 
 
 def _off(plot: Plot, given: _Given) -> float:
     """How far a plot is beyond what is given [rad or m]."""
     wanted = given.fixes.value
     assert wanted is not None
-    off = _value_of(plot, given.fixes) - wanted
+    off = float(value_of(plot, given.fixes)) - wanted
     return off if given.fixes.kind == "slide" else float(np.angle(np.exp(1j * off)))
 
 

@@ -26,7 +26,7 @@ from graphkin.planning.method import Method
 from graphkin.planning.starting_facts import facts_of
 from graphkin.running.compiled import TABLES
 from graphkin.running.replaying import replay_all
-from graphkin.running.stacking import coincidences, count_of, cut, single, stacked, topology
+from graphkin.stacking import coincidences, count_of, cut, single, stacked, topology
 from graphkin.value import filled, frozen
 
 PART = 2048

@@ -17,8 +17,8 @@ import graphkin
 from graphkin import library
 from graphkin.cli import main
 from graphkin.mechanism import Link, Mechanism
-from graphkin.running.stacking import single
 from graphkin.running.variants import replay_many
+from graphkin.stacking import single
 
 COUNT, ALONE = 100_000, 100
 LEAST = {"ex3-1": 300_000, "ex3-5": 300_000, "ex3-7": 200_000}
