@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import random
 import re
 import tomllib
 from collections.abc import Callable, Iterator
@@ -35,6 +36,7 @@ from graphkin.running import replay_all
 from graphkin.say import names
 from graphkin.say.entry import Sentence
 from graphkin.say.given import given
+from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
 
 WRITTEN = sorted((Path(__file__).parent / "cases" / "written").glob("*.toml"))
@@ -203,3 +205,19 @@ def test_every_point_of_a_pair_is_named_in_its_sentence(name: str, lang: Lang) -
         for row in document.get(table, []):
             named = {names.point(point) for point in letters({k: v for k, v in row.items() if k not in ("links", "radii")})}
             assert any(all(point in sentence for point in named) for sentence in sentences), (row, sentences)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_no_angle_of_the_drawing_is_from_nowhere(seed: int) -> None:
+    """A corner of a link on its guide is called by its letters, or it is an angle that is given."""
+    rng = random.Random(seed)
+    place, beside = rng.uniform(20, 40), complex(rng.uniform(10, 50), rng.choice((-1, 1)) * rng.uniform(20, 50))
+    text = (
+        f'[frame]\nA = [0, 0]\nD = [0, -60]\n[links.1]\nAB = 20\n[links.2]\npoints = ["B"]\n[links.3]\n'
+        f"shape = {{ D = [0, 0], C = [{beside.real}, {beside.imag}], E = [{place}, 0] }}\n"
+        '[[slide]]\nblock = "2"\npoint = "B"\nguide = "3"\nthrough = "D"\ntoward = "E"\n'
+        f'[[driver]]\nvector = "AB"\nangle = {rng.uniform(0, 360)}\nomega = 10\n'
+    )
+    drawing = graphkin.Drawing.of(graphkin.loads(text))
+    corner = next(line for line in drawing.explain("en", everything=True) if "turned by" in line and "lay off" in line)
+    assert f"∠CDE = {number(math.degrees(abs(cmath.phase(beside))))}°" in corner

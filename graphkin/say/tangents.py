@@ -103,8 +103,16 @@ class Tangents(PaperLengths):
         if abs(cross(along, arm)) <= reading.noise:
             return reading.say("derivation.lay off parallel", angle=degrees(arm), **words)
         sense = reading.say("common.ccw" if turned > 0 else "common.cw")
-        words["turned"] = f"{number(abs(in_degrees(turned)))}°"
+        words["turned"] = f"{self._corner_of_link(part.link, step)}{number(abs(in_degrees(turned)))}°"
         return reading.say("derivation.lay off turned", sense=sense, **words)
+
+    def _corner_of_link(self, link: str, step: LayOff) -> str:
+        """`∠CDE = ` where another point of the link lies on the guide line from D, at less than 90 deg to DC."""
+        plot, along = self.reading.plot, self.reading.plot.guide_direction(self.swung[link].slide)
+        ahead = along * np.sign(dot(along, plot.arm(step.start, step.tip)) or 1.0)
+        arms = ((p, plot.arm(step.start, p)) for p in self.reading.mechanism.named(link))
+        on_it = (p for p, arm in arms if abs(cross(ahead, arm)) <= self.reading.noise < dot(ahead, arm))
+        return next((f"∠{''.join(map(names.point, (step.tip, step.start, p)))} = " for p in on_it), "")
 
     def _on_tangent(self, step: LayOff, swing: Swing) -> str:
         """A point of the guide line itself: how far from the foot, and which way."""
