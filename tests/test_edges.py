@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -16,8 +17,10 @@ from click.testing import CliRunner, Result
 from graphkin import Drawing, library
 from graphkin.cli import main
 from graphkin.cli.shared import json_line
-from graphkin.errors import AlongOwnAxis
+from graphkin.errors import AlongOwnAxis, JoinedToNothing
+from graphkin.freedoms import wrong_drivers
 from graphkin.loading import loads
+from graphkin.mechanism import FRAME
 
 COLLAR = """
 [frame]
@@ -288,3 +291,26 @@ def test_a_line_meant_to_lie_across_its_links_way(pair: str) -> None:
     right = pair.replace('{ through = "C" }', '{ through = "C", angle = 0 }') if "cam" in pair else pair + "\nangle = 0"
     mended = ACROSS.format(pair=right)
     assert Drawing.of(loads(mended)).plot.omega["2"] == pytest.approx(0)
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_a_pivot_that_no_link_has_is_named(name: str) -> None:
+    """A hinge of the frame gets another letter in the frame alone: that letter is joined to nothing."""
+    mechanism = library.load(name)
+    used = {point for pair in mechanism.pairs for _, point, _ in pair.circles}
+    used |= {point for driver in mechanism.drivers for point in driver.from_vector or ()}
+    used |= {p for pair in mechanism.pairs for line in pair.lines for p in (line.origin, *(line.base or ()))}
+    for hinge in mechanism.hinges:
+        if FRAME in hinge.links and hinge.point not in used:
+            points = {"Z9" if p == hinge.point else p: place for p, place in mechanism.links[FRAME].points.items()}
+            links = {**mechanism.links, FRAME: replace(mechanism.links[FRAME], points=points)}
+            error = wrong_drivers(replace(mechanism, links=links))
+            assert isinstance(error, JoinedToNothing)
+            assert "Z9" in error.points
+            assert all("Z9" in error.message(lang) for lang in ("en", "zh"))
+
+
+def test_a_link_that_hangs_on_one_joint_is_named() -> None:
+    error = wrong_drivers(loads(COLLAR.replace("O2B = 100", "O2C = 100").replace("B = [300", "C = [300")))
+    assert isinstance(error, JoinedToNothing)
+    assert error.points == ("B", "C")

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from math import degrees, radians
+from typing import assert_never
 
 from graphkin.geometry import Value
 from graphkin.motions import Motions
-from graphkin.quantities import EDGE, Centre, Component, Moving, Quantity, Quotient, Rotation, Track
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
+from graphkin.quantities.units import EDGE
 from graphkin.readings import readings
 from graphkin.say import names
 from graphkin.say.asked import Asked
@@ -64,9 +66,11 @@ class Answers:
             case Rotation() if quantity.word != "theta":
                 value = self.value(quantity)
                 return Calculation(name, (), "", abs(value), EDGE[quantity.unit].sign, self._sense(value))
-            case _:
+            case Rotation() | Displacement() | Place():
                 unit = EDGE[quantity.unit]
                 return Calculation(name, (), "", self.value(quantity) * unit.factor, unit.sign)
+            case _:
+                assert_never(quantity)
 
     def result(self, quantity: Quantity) -> str:
         """The answer without its name and without figures: `1.220 m/s (at 180° to +x)`."""
@@ -75,11 +79,13 @@ class Answers:
                 return self._place(quantity)
             case Track():
                 return f"{self._point(quantity)} mm"
-            case _:
+            case Rotation() | Displacement() | Place() | Moving() | Component() | Quotient():
                 entry = self.entry(quantity)
                 assert isinstance(entry, Calculation), quantity
                 note = self.reading.say("common.note", note=entry.note) if entry.note else ""
                 return f"{entry.result}{note}"
+            case _:
+                assert_never(quantity)
 
     def signed(self, quantity: Quantity) -> float:
         """The answer as a number, of a rotation with its sense."""
@@ -93,15 +99,19 @@ class Answers:
         exactly, ruler = float(quantity.answer(self._motions).value), self.reading.ruler
         if not abs(exactly) > self._noise(quantity):
             return 0.0
-        if isinstance(quantity, Moving):
-            return self._told(quantity, exactly)
-        if isinstance(quantity, Component):
-            return self._component("", quantity).value
-        if quantity.unit == "m":
-            return self.reading.measured(exactly)
-        if quantity.unit == "rad" and ruler is not None:
-            return radians(ruler.angle(degrees(exactly)))
-        return exactly
+        match quantity:
+            case Moving():
+                return self._told(quantity, exactly)
+            case Component():
+                return self._component("", quantity).value
+            case Displacement() | Place() | Track() | Centre():
+                return self.reading.measured(exactly)
+            case Rotation(word="theta") if ruler is not None:
+                return radians(ruler.angle(degrees(exactly)))
+            case Rotation() | Quotient():
+                return exactly
+            case _:
+                assert_never(quantity)
 
     # --- vectors --------------------------------------------------------------------------------
 

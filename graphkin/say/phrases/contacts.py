@@ -120,7 +120,7 @@ PHRASES: Phrases = {
         "取构件 {link} 上的特殊点 {of}，分别由 {first} 和 {second} 列方程；每一支路的两个未知矢量在同一方向线上，合为一个矢量作出：",
     ),
     "instant centre": (
-        "Both legs are hinged to the fixed link: {point} is the absolute instant centre of link {link}, {name} = 0. (Its acceleration is not 0.)",
+        "Both legs are joined to the fixed link: {point} is the absolute instant centre of link {link}, {name} = 0. (Its acceleration is not 0.)",
         "两支路均与机架相连，{point} 即为构件 {link} 的绝对瞬心，{name} = 0（但其加速度一般不为零）。",
     ),
     "constant ratio at rest": (
