@@ -14,7 +14,7 @@ import numpy as np
 
 from graphkin.construction import Plot, replay, slide_key
 from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, Where
-from graphkin.geometry import Value
+from graphkin.geometry import Value, wrapped
 from graphkin.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning.assembly import assemble, extent, refuse_open
 from graphkin.planning.position import position
@@ -210,7 +210,7 @@ def value_of(plot: Plot, fixes: Driver) -> Value:
         return plot.s[fixes.link]
     assert fixes.vector is not None
     value = np.angle(plot.arm(*fixes.vector))
-    return value - (np.angle(plot.arm(*fixes.from_vector)) if fixes.from_vector is not None else 0.0)
+    return wrapped(value - (np.angle(plot.arm(*fixes.from_vector)) if fixes.from_vector is not None else 0.0))
 
 
 def _off(plot: Plot, given: _Given) -> float:
@@ -218,7 +218,7 @@ def _off(plot: Plot, given: _Given) -> float:
     wanted = given.fixes.value
     assert wanted is not None
     off = float(value_of(plot, given.fixes)) - wanted
-    return off if given.fixes.kind == "slide" else float(np.angle(np.exp(1j * off)))
+    return off if given.fixes.kind == "slide" else float(wrapped(off))
 
 
 def _holds(plot: Plot, given: _Given) -> bool:
