@@ -66,8 +66,11 @@ class Contradictions:
         structure = self.restraints.structure
         first, *rest = dict.fromkeys(row.name for row in link.rows)
         loose = [row for row in link.rows if row.name != first]
-        q, rows = drawn_place(self.restraints, loose)
-        if open_by(rows) > CLOSED:
+        for aside in ((), loose):  # where all of them fit, wheels that roll may stand as they must for that
+            q, rows = drawn_place(self.restraints, aside)
+            if open_by(rows) < CLOSED:
+                break
+        else:
             return np.inf, q
         start, gaps = self.restraints.place(link.body, first, q)[0], []
         for point in rest:

@@ -44,10 +44,11 @@ def group(polygon: Polygon, stage: Group, found: Ternary | None) -> None:
         fill(polygon, body)
     if found is None:
         for loop in stage.loops:
-            _coincide(polygon, loop)
+            if {*loop.bodies} <= {*stage.bodies}:
+                coincide(polygon, loop)
 
 
-def _coincide(polygon: Polygon, loop: Loop) -> None:
+def coincide(polygon: Polygon, loop: Loop) -> None:
     """Both points at which links move past a moving one: the acceleration's Coriolis term is read between them."""
     for hop in way_round(polygon.structure, loop)[1]:
         if not isinstance(hop, Lever) and FRAME not in (hop.seen_from.link, hop.of.link):
@@ -152,10 +153,12 @@ def _together(polygon: Polygon, stage: Group) -> None:
 def chain(polygon: Polygon, loop: Loop) -> Chain:
     """A loop as arrows of known size and unknown scalars."""
     start, hops, end = way_round(polygon.structure, loop)
-    reach(polygon, start)
-    reach(polygon, end)
-    known: list[tuple[Size, int]] = [(Drawn(polygon.name(end), polygon.name(start)), 1)]
+    known: list[tuple[Size, int]] = []
     unknown: list[Unknown] = []
+    if loop.joints[0] != loop.joints[-1]:
+        reach(polygon, start)
+        reach(polygon, end)
+        known.append((Drawn(polygon.name(end), polygon.name(start)), 1))
     for hop in hops:
         for _, size, _ in polygon.pieces(hop):
             if size is not None:
