@@ -39,14 +39,12 @@ def fitted(reading: Reading, step: Fit) -> Iterator[Entry]:
     turning = {link for base in step.angles for link in _members(reading, base)}
     members = [link for link in reading.mechanism.moving if link in turning | _blocks(reading, step)]
     links = reading.listed([reading.link(link) for link in members])
-    turns = [turned(reading, contact) for contact in step.contacts]
-    if not step.closures and all(turn.nothing for turn in turns):
-        values = reading.say("common.and").join(value for link in members if (value := _angle(reading, link)))
-        yield Sentence(reading.say("contacts.fit given", links=links, values=values))
-        return
-    relations = reading.listed([turn.text for turn in turns])
-    if step.closures:
-        lengths = reading.listed(_arms(reading, step))
+    relations = reading.listed([turned(reading, contact).text for contact in step.contacts])
+    if step.closures and all(closure.floats for closure in step.closures):
+        lengths = reading.listed(_arms(reading, step, ""))
+        yield Sentence(reading.say("contacts.fit floating", links=links, lengths=lengths))
+    elif step.closures:
+        lengths = reading.listed(_arms(reading, step, _template(reading, step)))
         words = {"links": links, "template": reading.link(_template(reading, step)), "lengths": lengths}
         words |= {} if step.contacts else {"cls": reading.say(f"structure.class {_class(reading, members)}")}
         key = "contacts.fit geared" if step.contacts else "contacts.fit"
@@ -93,10 +91,9 @@ def _template(reading: Reading, step: Fit) -> str:
     return joints.most_common(1)[0][0]
 
 
-def _arms(reading: Reading, step: Fit) -> list[str]:
+def _arms(reading: Reading, step: Fit, template: str) -> list[str]:
     """The other links' lengths, and the lines on which sliding points must lie."""
     found: dict[str, None] = {}
-    template = _template(reading, step)
     for closure in step.closures:
         for part in closure.parts:
             if isinstance(part, Arm) and part.link != template:

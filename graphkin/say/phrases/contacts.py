@@ -97,9 +97,9 @@ PHRASES: Phrases = {
         "The turns of links {links} since the drawn position (Δθ) are coupled; the rolling relations {relations} are solved together:",
         "构件 {links} 自给定位置起的转角 Δθ 互相关联，须联立求解纯滚动关系 {relations}：",
     ),
-    "fit given": (
-        "Links {links} stand as the drawn position gives them: {values}.",
-        "构件 {links} 按给定位置取：{values}。",
+    "fit floating": (
+        "The directions of links {links} follow from a closed figure alone, wherever it lies: it is drawn apart with {lengths}, and turned until the known directions agree. Here it is found numerically:",
+        "构件 {links} 的方位由自身封闭的图形单独确定，与其位置无关：另作此图形，使 {lengths}，并转至与已知方位相符；此处用数值法求得：",
     ),
     "lies on": ("{point} on {guide}", "{point} 在 {guide} 上"),
     "fitted": ("This gives {values}.", "得 {values}。"),
