@@ -87,7 +87,7 @@ def _template(reading: Reading, step: Fit) -> str:
                 pair = reading.method.structure.slides[part.slide]
                 ends.setdefault(pair.guide, set()).add(part.slide)
                 ends.setdefault(reading.method.structure.block(pair), set()).add(part.slide)
-    joints = Counter({reading.body(link): len(held) for link, held in ends.items() if link != FRAME})
+    joints = Counter({reading.body(link): len(held) for link, held in ends.items() if reading.body(link) != FRAME})
     return joints.most_common(1)[0][0]
 
 
@@ -106,7 +106,8 @@ def _arms(reading: Reading, step: Fit, template: str) -> list[str]:
                     length = abs(float(reading.plot.s[part.slide]))
                     found[f"{symbol} = {reading.on_paper(length)} mm"] = None
                 else:
-                    along = reading.points_along(part.slide) if slide.guide != FRAME else None
+                    fixed = slide.guide == FRAME or part.slide in reading.contact_slides
+                    along = None if fixed else reading.points_along(part.slide)
                     guide = names.pair(*along) if along else reading.path(part.slide)
                     found[reading.say("contacts.lies on", point=names.point(slide.point), guide=guide)] = None
     return list(found)
