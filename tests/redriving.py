@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 import random_mechanisms
-from random_mechanisms import DYADS, dyad
+from random_mechanisms import DYADS, Build, dyad
 
 from graphkin.analytic import Motion, mobility, motion
 from graphkin.errors import GraphkinError
@@ -26,10 +26,32 @@ FAMILIES: dict[str, Callable[[int], Mechanism]] = {
     for kind in ("cylinder", "relative_angle", "coupler_angle", "chain", "triad", "six_bar", "geared_five_bar",
                  "epicyclic", "rolling", "cam", "circular_slot")
 }  # fmt: skip
+FAMILIES |= {"truss": lambda seed: truss(seed, False), "truss_on_links": lambda seed: truss(seed, True)}
 WELL = 1e-2
 """The least reciprocal condition of a mechanism that is well posed."""
 
 Arm = tuple[str, str]
+
+
+def truss(seed: int, on_links: bool) -> Mechanism:
+    """Bars that are rigid together: a triangle or two on a hinge of the frame, or as the coupler of a four-bar."""
+    build = Build(random.Random(f"truss {seed}"), letters=[f"{c}{k}" for k in (3, 2, 1) for c in "ABCDEFGHJKLMN"])
+    build.body("frame")
+    corners = [(build.letter(), build.place()) for _ in range(build.rng.choice((3, 4)))]
+    bars = [(0, 1), (1, 2), (0, 2), (1, 3), (2, 3)][: 3 if len(corners) == 3 else 5]
+    for number, ends in enumerate(bars, start=1):
+        build.body(f"{number}").points |= dict(corners[k] for k in ends)
+    hung = build.rng.sample(corners, 2)
+    driven = "1"
+    if on_links:
+        for link, corner in zip(("8", "9"), hung, strict=True):
+            build.hinge("frame", link)
+            build.body(link).points |= dict([corner])
+        driven = "8"
+    else:
+        build.body("frame").points |= dict(hung[:1])
+    build.drivers.append(Driver("angle", driven, rate=build.rng.uniform(-9, 9), acceleration=build.rng.uniform(-9, 9)))
+    return build.finish(f"truss-{seed}")
 
 
 class Solved:

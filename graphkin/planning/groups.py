@@ -44,7 +44,7 @@ def group(polygon: Polygon, stage: Group, found: Ternary | None) -> None:
         fill(polygon, body)
     if found is None:
         for loop in stage.loops:
-            if {*loop.bodies} <= {*stage.bodies}:
+            if loop not in stage.floating:
                 coincide(polygon, loop)
 
 

@@ -36,10 +36,9 @@ def motion(
     polygon = _with_pole(structure, labels, plane, pole, velocity)
     for stage in order:
         _draw(polygon, stage, ternaries)
-    for stage in order:
-        for loop in stage.loops if isinstance(stage, Group) else ():
-            if not {*loop.bodies} <= {*stage.bodies}:  # they had no place yet
-                coincide(polygon, loop)
+    for found in (stage for stage in order if isinstance(stage, Group)):
+        for loop in found.floating:
+            coincide(polygon, loop)
     measure_all_slides(polygon)
     return Construction(plane, tuple(polygon.parts), polygon.nodes, polygon.pole), polygon.name
 

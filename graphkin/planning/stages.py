@@ -80,6 +80,11 @@ class Group:
     angles: tuple[str, ...]
     slides: tuple[str, ...]
 
+    @property
+    def floating(self) -> tuple[Loop, ...]:
+        """The loops whose links have no place yet."""
+        return tuple(loop for loop in self.loops if not {*loop.bodies} <= {*self.bodies})
+
 
 Stage = Carry | Bridge | Mesh | Loop | Group
 

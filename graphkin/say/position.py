@@ -92,9 +92,9 @@ class PositionReader(DrawnPoints):
     def _read_off(self) -> Iterator[Entry]:
         """What drivers' values come to where poses stand for them."""
         reading, values = self.reading, self.moving.plot.facts.values
-        found = [f"{reading.against(driver, 'φ')} = {reading.angle(rect(1.0, values[k]))}" for k, driver in self._open()]
+        found = {reading.against(driver, "φ"): reading.angle(rect(1.0, values[k])) for k, driver in self._open()}
         if found:
-            angles = reading.say("common.and").join(found)
+            angles = reading.say("common.and").join(f"{name} = {angle}" for name, angle in found.items())
             yield Sentence(reading.say("derivation.measured angles", angles=angles))
 
     def _step(self, step: Step) -> Iterator[Entry]:
