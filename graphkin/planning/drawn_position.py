@@ -15,7 +15,7 @@ import numpy as np
 from graphkin.construction import Construction, Plot, replay, slide_key
 from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, Where
 from graphkin.geometry import Value, wrapped
-from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.planning.assembly import assemble, extent, refuse_open
 from graphkin.planning.position import position
 from graphkin.planning.repeated import as_aside, still_repeated
@@ -213,8 +213,8 @@ def left_open(structure: Structure) -> tuple[str, ...]:
 # --- comparing --------------------------------------------------------------------------------
 
 
-def value_of(plot: Plot, fixes: Driver) -> Value:
-    """What a driver's value is in a plot [rad or m]; of many mechanisms side by side (n,)."""
+def value_of(plot: Plot, fixes: Driver | Pose) -> Value:
+    """What a driver's value, or a pose's, is in a plot [rad or m]; of many mechanisms side by side (n,)."""
     if fixes.kind == "slide":
         return plot.s[fixes.link]
     assert fixes.vector is not None

@@ -14,6 +14,7 @@ from graphkin.construction import (
     Arm,
     Chain,
     Direction,
+    Drawn,
     Equation,
     Fit,
     Meet,
@@ -220,7 +221,9 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
         said.append(reading.say("contacts.the relations", relations=relations))
     equations = reading.say("contacts.and both").join(said)
     equations = equations[0].upper() + equations[1:]
-    yield Sentence(reading.say("contacts.together", unknowns=unknowns, equations=equations))
+    floats = not any(isinstance(size, Drawn) for chain in step.chains for size, _ in chain.known) and not step.contacts
+    key = "contacts.closed in themselves" if floats else "contacts.together"
+    yield Sentence(reading.say(key, unknowns=unknowns, equations=equations))
     table = plot.omega if polygon.plane == "velocity" else plot.alpha
     for link in dict.fromkeys(members):
         value = reading.usual.rate(float(table[link]), polygon.plane)

@@ -130,6 +130,10 @@ PHRASES: Phrases = {
         "No order of ruler and triangle gives {unknowns} one after another. {equations} are solved together:",
         "{unknowns} 不能用作图法依次求得，须联立求解{equations}：",
     ),
+    "closed in themselves": (
+        "The links are closed in themselves: {unknowns} do not hang on how any point of them moves. {equations} alone gives them:",
+        "各构件自身封闭，{unknowns} 与其上任一点的运动无关，仅由{equations}即可求得：",
+    ),
     "the loop": ("The vector equation of the loop {loops}", "封闭矢量方程 {loops} "),
     "the loops": ("The vector equations of the loops {loops}", "封闭矢量方程 {loops} "),
     "the relations": ("the pure rolling {relations}", "纯滚动关系 {relations}"),
