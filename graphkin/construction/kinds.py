@@ -118,7 +118,7 @@ class Closure:
 
     @property
     def floats(self) -> bool:
-        """Whether it comes back to where it begins, wherever that lies."""
+        """It comes back to where it begins, wherever that lies."""
         return self.start == self.end
 
 

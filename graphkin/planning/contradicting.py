@@ -57,7 +57,7 @@ class Contradictions:
         (one, slope), (other, more) = (self.restraints.place(body, point, q)
                                        for body, point in zip(ends, (first, second), strict=True))  # fmt: skip
         length = ((more - slope) * (other - one).conjugate()).real
-        others = every.without([*link.rows, *_given(every)]).slopes
+        others = every.without([*link.rows, *_driving(every)]).slopes
         rest = length - length @ (np.linalg.pinv(others, rcond=RANK) @ others)
         return float(np.linalg.norm(rest)) < _RIGID * float(np.linalg.norm(length))
 
@@ -110,7 +110,7 @@ class Contradictions:
 
     def _astray(self, each: SetAside, q: Array, rows: Rows) -> float:
         """The angle between a line and the way of its point; of anything else, how far it is from following [deg]."""
-        slide, rows = self.restraints.structure.slides.get(each.rows[0].name), rows.without(_given(rows))
+        slide, rows = self.restraints.structure.slides.get(each.rows[0].name), rows.without(_driving(rows))
         if slide is None or each.rows[0].kind != "line":
             return float(np.degrees(np.arcsin(min(1.0, beside(rows, each.rows)))))
         kept = rows.without(each.rows).slopes
@@ -127,5 +127,5 @@ class Contradictions:
         return NotRepeated(m.where(*each.pair), named(m, each.pair), held, off, unit)
 
 
-def _given(rows: Rows) -> list[Row]:
+def _driving(rows: Rows) -> list[Row]:
     return [row for row in rows.labels if row.kind == "given"]

@@ -36,8 +36,8 @@ def motion(
     polygon = _with_pole(structure, labels, plane, pole, velocity)
     for stage in order:
         _draw(polygon, stage, ternaries)
-    for found in (stage for stage in order if isinstance(stage, Group)):
-        for loop in found.floating:
+    for each in (stage for stage in order if isinstance(stage, Group)):
+        for loop in each.floating:
             coincide(polygon, loop)
     measure_all_slides(polygon)
     return Construction(plane, tuple(polygon.parts), polygon.nodes, polygon.pole), polygon.name
