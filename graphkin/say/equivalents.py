@@ -8,6 +8,7 @@ from typing import Any, assert_never
 
 from graphkin.construction import (
     Arc,
+    Arm,
     Fit,
     Given,
     Image,
@@ -187,7 +188,9 @@ def _uses(step: Step, origin: str) -> bool:
             return origin in (point, *through)
         case Image():
             return origin in step.base
-        case Measure() | Given() | Ray() | Arc() | Swing() | Roll() | Fit() | Touch() | Simultaneous():
+        case Fit(closures=closures):
+            return any(isinstance(part, Arm) and origin in (part.tail, part.head) for c in closures for part in c.parts)
+        case Measure() | Given() | Ray() | Arc() | Swing() | Roll() | Touch() | Simultaneous():
             return False
         case _:
             assert_never(step)

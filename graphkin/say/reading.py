@@ -122,12 +122,12 @@ class Reading:
 
     def relative_drivers(self, links: Iterable[str]) -> list[int]:
         """The numbers of the drivers that turn some of these links against others that move."""
-        turns, drivers = self.plot.facts.turns, self.mechanism.drivers
+        turns, drivers = self.plot.facts.turns, self.method.drivers
         return sorted({k for link in links for k, _ in turns[link].drivers if drivers[k].from_link != FRAME})
 
     def rotations(self, links: Iterable[str], symbol: str, relative: str = "") -> list[str]:
         """`ω1 = ω3 + ω13` of each driver between these links, from `ω`, and the symbol of ω13 if it is another."""
-        drivers = [self.mechanism.drivers[k] for k in self.relative_drivers(links)]
+        drivers = [self.method.drivers[k] for k in self.relative_drivers(links)]
         ends = [(self.rate(symbol, d.link), self.rate(symbol, d.from_link)) for d in drivers]
         sums = zip(ends, drivers, strict=True)
         return [f"{one} = {other} + {self.against(driver, relative or symbol)}" for (one, other), driver in sums]

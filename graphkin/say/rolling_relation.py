@@ -47,12 +47,6 @@ class Relation:
         return f"{halves[0]} {self._sign} {halves[1]} = 0{noted}"
 
     @property
-    def nothing(self) -> bool:
-        """Whether nothing has moved since the drawn position."""
-        still = max(abs(self.value(link)) for link, _ in self.contact.angles) < 1e-6
-        return still and abs(self.slid_value) <= self.reading.noise
-
-    @property
     def figures(self) -> str:
         """The two sides of a pair of wheels in figures, which cancel."""
         one, other = (self._half_in_figures(k) for k in self._order)
