@@ -86,6 +86,25 @@ def test_streams_closed_or_full(line: str, status: int, said: str) -> None:
     assert bool(said) == bool(done.stderr)
 
 
+@pytest.mark.parametrize(
+    ("said", "threads"),
+    [({}, "1"), ({"OPENBLAS_NUM_THREADS": "2"}, "2"), ({"OMP_NUM_THREADS": "2"}, "")],
+    ids=["nothing", "threads", "threads of all"],
+)
+def test_a_command_computes_with_one_thread(said: dict[str, str], threads: str) -> None:
+    """Where its user says nothing else; it is known before NumPy is loaded."""
+    code = (
+        "import os, sys; from graphkin.cli import main\n"
+        "assert 'numpy' not in sys.modules\n"
+        "end = os._exit\n"
+        'os._exit = lambda status: (os.write(2, os.environ.get("OPENBLAS_NUM_THREADS", "").encode()), end(status))\n'
+        "main(['solve', 'ex3-1'], prog_name='graphkin')"
+    )
+    own = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env={**own, **said})
+    assert (found.returncode, found.stderr) == (0, threads)
+
+
 def test_one_line_is_one_line() -> None:
     odd = "a\u2028b\u2029c\x85d\x7f"
     assert json.loads(json_line({"x": odd})) == {"x": odd}
