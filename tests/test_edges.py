@@ -141,6 +141,20 @@ def test_links_named_by_odd_digits() -> None:
 # --- files ------------------------------------------------------------------------------------
 
 
+def test_what_ends_a_command_from_outside_is_no_file_that_cannot_be_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A time limit set by whoever runs it, or Ctrl-C."""
+    for ending in (TimeoutError("that is enough"), KeyboardInterrupt()):
+
+        def end(*_: object, ending: BaseException = ending) -> None:
+            raise ending
+
+        monkeypatch.setattr("graphkin.outputs.tables.told", end)
+        for output in ("a.csv", "-"):
+            found = run("sweep", "ex3-1", "-o", output)
+            assert "cannot be written" not in found.output
+            assert found.exception is ending if isinstance(ending, TimeoutError) else found.exit_code == 130
+
+
 def test_a_link_to_a_file_stays_one() -> None:
     Path("real.svg").touch()
     Path("link.svg").symlink_to("real.svg")
@@ -149,14 +163,19 @@ def test_a_link_to_a_file_stays_one() -> None:
     assert run("check", "real.svg").exit_code == 0
 
 
-def test_drafts_of_the_dead_are_cleared_away() -> None:
-    ended = subprocess.Popen([sys.executable, "-c", ""])
+@pytest.mark.parametrize("name", ["a.svg", "other.html", "marks.json"])
+def test_drafts_of_the_dead_are_cleared_away(name: str) -> None:
+    """Of whatever file in the folder; also of one that nobody waits for, and no file that is not a draft."""
+    ended, unwaited = (subprocess.Popen([sys.executable, "-c", ""]) for _ in range(2))
     ended.wait()
-    left, living = Path(f".a.svg.{ended.pid}"), Path(f".a.svg.{os.getppid()}")
-    left.touch()
-    living.touch()
+    os.waitid(os.P_PID, unwaited.pid, os.WEXITED | os.WNOWAIT)
+    left = [Path(f".{name}.{process.pid}.draft") for process in (ended, unwaited)]
+    stay = [Path(f".{name}.{os.getppid()}.draft"), Path(f".{name}.{ended.pid}"), Path(".my.draft")]
+    for path in (*left, *stay):
+        path.touch()
     assert run("draw", "ex3-1", "-o", "a.svg").exit_code == 0
-    assert (left.exists(), living.exists()) == (False, True)
+    assert [path.exists() for path in (*left, *stay)] == [False, False, True, True, True]
+    unwaited.wait()
 
 
 # --- what is absurd ---------------------------------------------------------------------------
