@@ -99,14 +99,14 @@ class Vectors:
         """d/dt of each arrow: l' along it, l phi' across it."""
         length, unit = polar or self.polar(q)
         turn, stretch = applied(self.turning, dq), applied(self.stretching, dq)
-        return unit * (stretch + 1j * length * turn)
+        return np.asarray(unit * (stretch + 1j * length * turn))
 
     def acceleration(self, q: Real, dq: Real, ddq: Real, polar: Polar | None = None) -> Complex:
         """d2/dt2 of each arrow: l'' - l phi'^2 along it, l phi'' + 2 l' phi' (Coriolis) across it."""
         length, unit = polar or self.polar(q)
         turn, stretch = applied(self.turning, dq), applied(self.stretching, dq)
         along = applied(self.stretching, ddq) - length * turn**2
-        return unit * (along + 1j * (length * applied(self.turning, ddq) + 2 * stretch * turn))
+        return np.asarray(unit * (along + 1j * (length * applied(self.turning, ddq) + 2 * stretch * turn)))
 
     def slope(self, rows: Complex, q: Real, polar: Polar | None = None) -> Complex:
         """d(rows . arrows)/dq: (..., r, n) for rows (r, m)."""
