@@ -58,7 +58,7 @@ class RightSides:
     @cached_property
     def lengths(self) -> Flags:
         """Which of them are of displacements: (k,)."""
-        return np.equal(np.max(np.abs(self.closure.weights), axis=1, initial=0.0), self.closure.loops.size)
+        return np.asarray(np.max(np.abs(self.closure.weights), axis=1, initial=0.0) == self.closure.loops.size)
 
     @cached_property
     def longest(self) -> float:
