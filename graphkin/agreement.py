@@ -71,10 +71,12 @@ def proved(method: Method, values: Sequence[float] | None = None) -> Proved:
 def held(method: Method, values: Sequence[Value] | None = None) -> Plot:
     """A replay, and the analysis beside it: of arrays (n,) at both ends and at ten places between, once for as far as
     the drivers of a method go. Raises RoadsDiffer, and what single positions raise: NotReached beyond a dead point."""
-    if not any(np.ndim(value) for value in values or ()):
+    if values is None or not any(map(np.ndim, values)):
         _worst_at(method, None if values is None else tuple(map(float, values)))
         return replay_all(method, values)
     plot = replay_all(method, values)
+    if not all(map(np.size, values)):
+        return plot
     ends = [(np.fmin.reduce(value, axis=None), np.fmax.reduce(value, axis=None)) for value in plot.facts.values]
     known = _known(method)
     if not known or any(end[0] < low or end[1] > high for end, (low, high) in zip(ends, known, strict=True)):
@@ -122,14 +124,11 @@ def _hold(method: Method, mechanism: Mechanism, plot: Plot, values: Sequence[np.
     worst = apart_each(mechanism, drawn, exact)
     if values is not None and worst.ndim == 1:  # a dead point lies before it, on this way at least
         for k in np.flatnonzero(given & np.isnan(worst)):
-            there = proved(_own(method, mechanism), [float(value[k]) for value in values])
+            own = method if mechanism is method.mechanism else plan(mechanism)
+            there = proved(own, [float(value[k]) for value in values])
             worst[k] = apart(mechanism, readings(method, rows_of(plot, int(k), Plot(plot.facts))), there.exact)
     if (given & ~(worst < AGREE)).any():
         raise RoadsDiffer(mechanism.where("driver", 0), float(np.max(np.nan_to_num(worst, nan=1.0)[given])))
-
-
-def _own(method: Method, mechanism: Mechanism) -> Method:
-    return method if mechanism is method.mechanism else plan(mechanism)
 
 
 def _spread(count: int) -> np.ndarray:

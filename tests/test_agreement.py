@@ -109,6 +109,18 @@ def test_what_is_known_is_not_asked_again(monkeypatch: pytest.MonkeyPatch):
         assert len(asked) == count, values
 
 
+@pytest.mark.parametrize("shape", [0, 1, 30], ids=str)
+def test_values_of_any_kind(shape: int):
+    """A list, a tuple, or one array of all drivers' numbers; of no position, too."""
+    for name in ("ex3-5", "p3-22"):
+        method = graphkin.plan(library.load(name))
+        values = near(method, shape, 1e-3)
+        for given in (values, tuple(values), np.array(values)):
+            assert np.shape(graphkin.replay(method, given).omega[method.mechanism.moving[1]]) in ((shape,), ())
+        single = np.array([float(value) for value in method.facts(None).values])
+        assert np.ndim(graphkin.replay(method, single).omega[method.mechanism.moving[1]]) == 0
+
+
 @pytest.mark.parametrize("kind", ["RRR", "RPR", "cylinder", "six bars", "triad"])
 @pytest.mark.parametrize("at", [None, 3], ids=["as drawn", "elsewhere"])
 def test_many_mechanisms_are_held_too(kind: str, at: int | None, monkeypatch: pytest.MonkeyPatch):
