@@ -60,7 +60,7 @@ _WHERE = {
     "Sweep": "outputs.frames",
     "plan": "api",
     "replay": "api",
-    "replay_many": "running.variants",
+    "replay_many": "api",
     "motion": "api",
     "sweep": "api",
     "sweep_many": "batches",
@@ -76,14 +76,13 @@ __all__ = [
 ]  # fmt: skip
 
 if TYPE_CHECKING:
-    from graphkin.api import Drawing, load, motion, plan, replay, sweep
+    from graphkin.api import Drawing, load, motion, plan, replay, replay_many, sweep
     from graphkin.batches import solve_many, sweep_many
     from graphkin.check import measure
     from graphkin.errors import GraphkinError
     from graphkin.loading import Mechanism, from_dict, loads
     from graphkin.outputs.frames import Sweep
     from graphkin.readable import State
-    from graphkin.running.variants import replay_many
     from graphkin.say import explain
 
 

@@ -30,6 +30,13 @@ class CannotWrite(GraphkinError):
         "zh": "{path}：无法写入（{reason}）。请另选位置，或先建立文件夹。",
     }
 
+    @classmethod
+    def by(cls, path: object, error: OSError) -> CannotWrite:
+        """Of a system that refuses. A time limit that ends the command is no such thing, and is raised again."""
+        if isinstance(error, TimeoutError) and error.errno is None:
+            raise error
+        return cls(str(path), error.strerror or str(error))
+
 
 class NoDrawing(GraphkinError):
     """A drawing that is not there."""

@@ -39,7 +39,7 @@ class Journal:
         try:
             self._open()
         except OSError as error:
-            raise CannotWrite(str(self.beside), error.strerror or str(error)) from None
+            raise CannotWrite.by(self.beside, error) from None
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, _: TracebackType | None) -> None:
@@ -81,7 +81,7 @@ class Journal:
         try:
             self._new.write(text(record).encode() + b"\n")
         except OSError as error:
-            raise CannotWrite(str(self.beside), error.strerror or str(error)) from None
+            raise CannotWrite.by(self.beside, error) from None
 
     def where(self, at: int) -> Where:
         """The file of a record."""

@@ -28,8 +28,9 @@ def resumed(
 
     written   makes the record of one, as `outputs.marks_json` does in a language, which `way.words` names
     """
+    paths = [*paths]
     known = (_known(item, judge, journal, way) for item in items(paths, way))
-    for one in run(judge, known, way):
+    for one in run(judge, known, way, paths):
         if isinstance(one, Kept):
             kept = journal.read(one.at)
             assert kept is not None, "it was read before"

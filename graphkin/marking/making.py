@@ -163,19 +163,27 @@ def _entry(
     return Entry(text, quantity.unit, sort_of(quantity), float(right), scatter, tolerance, points)
 
 
+_PRODUCT = 2**17
+"""Multiplications at once: one thread does them, where of more each of several would wait for the others."""
+
+
 def _together(drawn: np.ndarray) -> np.ndarray:
     """How the quantities' scatters go together: correlation (n, n), of drawings (drawings, n)."""
     whole = drawn[np.isfinite(drawn).all(axis=1)]
     if len(whole) < 3:
         return np.eye(drawn.shape[1])
     # ranks: a few drawings far off, near a dead point, say nothing of the others
-    ranks = np.argsort(np.argsort(whole, axis=0), axis=0).astype(float)
+    count, n = whole.shape
+    ranks = np.argsort(np.argsort(whole, axis=0), axis=0) - (count - 1) / 2
     still = np.ptp(whole, axis=0) <= 1e-9 * np.max(np.abs(whole), axis=0, initial=0.0)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        found = np.atleast_2d(np.corrcoef(ranks, rowvar=False))
+    size = math.isqrt(_PRODUCT // count) + 1
+    parts = np.zeros((-(-n // size), size, count))
+    parts.reshape(-1, count)[:n] = ranks.T
+    products = (parts[:, None] @ parts.transpose(0, 2, 1)).swapaxes(1, 2).reshape(len(parts) * size, -1)[:n, :n]
+    found = products * 12 / (count * (count**2 - 1))
     found[still, :], found[:, still] = 0.0, 0.0
     np.fill_diagonal(found, 1.0)
-    rounded: np.ndarray = np.round(np.nan_to_num(found), 6)
+    rounded: np.ndarray = np.round(found, 6)
     return rounded
 
 

@@ -63,11 +63,15 @@ class AtOnce:
 
     def drawing(self, method: Method, row: int) -> Plot:
         """One mechanism's own drawing, at the drawn position."""
-        plot = Plot(method.facts(), method.near)
-        for name in TABLES:
-            table = getattr(self.plot, name)
-            setattr(plot, name, {key: value[row] if np.ndim(value) else value for key, value in table.items()})
-        return plot
+        return rows_of(self.plot, row, Plot(method.facts(), method.near))
+
+
+def rows_of(many: Plot, rows: np.ndarray | int, plot: Plot) -> Plot:
+    """A plot that is given some rows of another's, or one."""
+    for name in TABLES:
+        table = getattr(many, name)
+        setattr(plot, name, {key: value[..., rows] if np.ndim(value) else value for key, value in table.items()})
+    return plot
 
 
 def at_once(method: Method, mechanisms: Sequence[Mechanism]) -> AtOnce | None:

@@ -55,7 +55,8 @@ class Series(Measured):
         return found
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
-        return np.array(self.si if self.is_place else self.signed, dtype=dtype, copy=copy)
+        own = self.si if self.is_place else self.signed
+        return np.asarray(own, dtype) if copy is None else np.array(own, dtype, copy=copy)  # NumPy 1 knows no copy=None
 
     def __len__(self) -> int:
         return len(self.values)
