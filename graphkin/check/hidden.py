@@ -116,17 +116,19 @@ def _surface(element: Shown) -> shapely.Geometry | None:
         return None
     parts = []
     if element.tag == "image" or element.style.share("fill") > _FAINT:
-        parts += [shapely.Polygon(_xy(line)) for line in element.lines if len(line) > 3 and element.plain]
-        parts += [_whole(line) for line in element.lines if len(line) > 3 and not element.plain]
+        parts.append(_whole(element))
     if element.style.share("stroke") > _FAINT and element.width > _THICK:
         parts += [shapely.LineString(_xy(line)).buffer(element.width / 2) for line in element.lines]
-    whole = shapely.union_all([part if part.is_valid else part.buffer(0) for part in parts])
+    whole = shapely.union_all(parts)
     ink = max(element.style.ink("fill"), element.style.ink("stroke"))
     return None if whole.is_empty or (_size(whole) < _SIGN and ink > _FAINT) else whole
 
 
-def _whole(line: tuple[complex, ...]) -> shapely.Geometry:
-    return shapely.Polygon(_xy(line)).convex_hull
+def _whole(element: Shown) -> shapely.Geometry:
+    """What an element fills; of curves what is around them."""
+    areas = [shapely.Polygon(_xy(line)) for line in element.lines if len(line) > 3]
+    around = areas if element.plain else [area.convex_hull for area in areas]
+    return shapely.union_all([area if area.is_valid else area.buffer(0) for area in around])
 
 
 def _belongs(element: Shown) -> bool:
@@ -137,10 +139,8 @@ def _belongs(element: Shown) -> bool:
         return True
     if "point" in element.kind:
         return element.tag == "circle" and abs(element.lines[0][0] - element.middle) < _DOT
-    around = shapely.MultiPoint(_xy(element.lines[0])).minimum_rotated_rectangle
-    corners = shapely.get_coordinates(around)
-    sides = [((a - b) ** 2).sum() ** 0.5 for a, b in pairwise(corners)]
-    return element.attributes.get("data-form") in ("block", "slot", "guide") and min(sides, default=0.0) < _BLOCK
+    forms = ("block", "slot", "guide", "arc", "omega", "alpha", "push")
+    return element.attributes.get("data-form") in forms and _whole(element).buffer(-_BLOCK / 2).is_empty
 
 
 def _xy(line: tuple[complex, ...]) -> list[tuple[float, float]]:

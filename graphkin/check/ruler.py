@@ -33,7 +33,7 @@ class Measured:
     unit_per_mm   scale of its plane, in `unit` per mm
     """
 
-    plane: Plane | Literal["centres"]
+    plane: Plane | Literal["centres", "sheet"]
     name: str
     kind: str
     drawn: complex
@@ -143,16 +143,22 @@ class _Ruler:
     def links(self) -> Iterator[Measured]:
         """Lines of links against the places where the points should be."""
         origins: dict[Plane, complex] = {}
-        for mark in self.drawing.of_class("link") if self.drawing.points else ():
-            plane, name = plane_of(self.drawing, mark.attributes), link_name(mark.attributes)
-            try:
-                origin = origins[plane] = origins.get(plane) or self._origin(plane)
-                found = self._worst(mark, plane, origin)
-            except (KeyError, ValueError):
-                found = None
-            if found is None:
-                raise BadDrawing(Where(self.drawing.file), "value", f"data-link={name}")
-            yield self._measured(plane, name, "link", found[0] - origin, found[1] - origin)
+        for mark in self.drawing.of_class("link"):
+            if mark.attributes.get("data-form") == "ruler":
+                yield _hundred(mark)
+            elif self.drawing.points:
+                yield self._link(mark, origins)
+
+    def _link(self, mark: Shown, origins: dict[Plane, complex]) -> Measured:
+        plane, name = plane_of(self.drawing, mark.attributes), link_name(mark.attributes)
+        try:
+            origin = origins[plane] = origins.get(plane) or self._origin(plane)
+            found = self._worst(mark, plane, origin)
+        except (KeyError, ValueError):
+            found = None
+        if found is None:
+            raise BadDrawing(Where(self.drawing.file), "value", f"data-link={name}")
+        return self._measured(plane, name, "link", found[0] - origin, found[1] - origin)
 
     def _worst(self, mark: Shown, plane: Plane, origin: complex) -> tuple[complex, complex] | None:
         """The place of a link's line, or of a path, that is farthest off, and where it should be."""
@@ -184,6 +190,12 @@ class _Ruler:
             known = plane in self.scales and point_value(self.mechanism, self.exact, plane, attributes) is not None  # type: ignore[arg-type]
             if not known and (plane, name) not in ends:
                 yield Fault("unknown", name)
+
+
+def _hundred(mark: Shown) -> Measured:
+    """The line that is 100 mm long on paper."""
+    along = mark.lines[0][-1] - mark.lines[0][0] if mark.lines else 0j
+    return Measured("sheet", "100 mm", "link", along, 100 * along / (abs(along) or 1.0), 1e-3, "m")
 
 
 def _centres(

@@ -20,7 +20,7 @@ def stated(mark: Mark) -> dict[str, str]:
         case VectorMark():
             known: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "tail", "head")}
             sites = zip(("of", "seen-from", "over", "onto"), mark.sites, strict=False)
-            return _filled(known | {"part": mark.part} | dict(sites))
+            return _filled(known | {"part": mark.part, "aside": str(mark.aside or "")} | dict(sites))
         case PointMark():
             named: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "of")}
             return _filled(named | {"site": mark.site})

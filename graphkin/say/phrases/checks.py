@@ -20,6 +20,7 @@ PHRASES: Phrases = {
     "note": ("not judged", "未判断"),
     "unit": ("unit", "单位"),
     "plane position": ("mechanism", "机构图"),
+    "plane sheet": ("sheet", "图纸"),
     "plane centres": ("instant centres", "瞬心"),
     "plane velocity": ("velocity", "速度图"),
     "plane acceleration": ("acceleration", "加速度图"),
