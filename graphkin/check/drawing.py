@@ -21,7 +21,7 @@ from graphkin.value import frozen
 
 LIMIT = 16 << 20
 """Larger drawings are not ours [bytes]."""
-FORMAT = 2
+FORMAT = 3
 UNITS: Mapping[Plane, str] = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
 SCALES: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
@@ -47,6 +47,11 @@ class DrawingFile:
     claims: Mapping[str, object]
     root: Element
 
+    @property
+    def title(self) -> str:
+        """What a viewer calls the sheet."""
+        return next((element.text or "" for element in self.root if element.tag.endswith("}title")), "")
+
     def of_class(self, kind: str) -> tuple[Shown, ...]:
         return tuple(element for element in self.sight.shown if kind in element.kind)
 
@@ -55,6 +60,11 @@ class DrawingFile:
         """Attributes, tail and head [mm, y up]. A vector is a `line`; anything else cannot be one."""
         lines = [element for element in self.of_class("vector") if element.tag == "line"]
         return tuple((line.attributes, *_ends(line)) for line in lines)
+
+    @property
+    def measures_links(self) -> bool:
+        """Links are held against points of theirs; a sheet of other positions has none."""
+        return any(attributes.get("data-plane") in UNITS for attributes, _ in self.points)
 
     @cached_property
     def points(self) -> tuple[tuple[Mapping[str, str], complex], ...]:
@@ -93,8 +103,8 @@ def read(path: Path) -> DrawingFile:
     if not root.tag.endswith("}svg"):
         raise BadDrawing(Where(file), "svg")
     claims = _claims(file, root)
-    if claims.get("style") == "given":
-        raise NothingToMeasure(Where(file))
+    if (style := claims.get("style")) in ("given", "moving"):
+        raise NothingToMeasure(Where(file), str(style))
     try:
         drawing = DrawingFile(file, seen_in(root), claims, root)
         if not drawing.points and _told_points(claims):

@@ -11,6 +11,9 @@ ASIDE = 1.2
 _MOST = 99
 """No arrow is moved by more steps."""
 
+_End = tuple[list[complex], complex]
+"""Places of the points that an end names, and where it is."""
+
 
 def loose_ends(drawing: DrawingFile, tolerance_mm: float) -> Iterator[Fault]:
     """Vectors must start and end at the points they name; or as far beside them as they say."""
@@ -30,7 +33,7 @@ def loose_ends(drawing: DrawingFile, tolerance_mm: float) -> Iterator[Fault]:
                 yield Fault("end", f"{name} - {point}: {min(apart):.4f} mm")
 
 
-def _aside(attributes: Mapping[str, str], tail: tuple[list[complex], complex], head: tuple[list[complex], complex]) -> complex:
+def _aside(attributes: Mapping[str, str], tail: _End, head: _End) -> complex:
     """How far a vector is off the line of its points, at right angles to it, to the side where it lies."""
     steps, along = attributes.get("data-aside", ""), head[1] - tail[1]
     if not (steps.isascii() and steps.isdigit() and int(steps) < _MOST and along and tail[0]):

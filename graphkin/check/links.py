@@ -70,7 +70,7 @@ def _wheel(mark: Shown, mechanism: Mechanism, at: Callable[[str], complex], scal
 
 
 def _arc(mark: Shown, mechanism: Mechanism, points: list[complex], scale: float) -> Iterator[Pair]:
-    """Every corner at its radius from the centre, or of a slot within half of its width; and the pin between the ends."""
+    """Every corner at its radius from the centre, a slot's half a width off it; and the pin between the ends."""
     centre, pin = points
     (radius,) = (pair.equivalent.length for pair in mechanism.pairs
                  if pair.name == mark.attributes.get("data-line", "") and isinstance(pair.equivalent, Rod))  # fmt: skip
@@ -85,7 +85,7 @@ def _arc(mark: Shown, mechanism: Mechanism, points: list[complex], scale: float)
 
 
 def _sense(mark: Shown, form: str, exact: Widened, points: list[complex]) -> Pair:
-    """The middle of an arrow head's back: as far behind its tip as it is drawn, on the side from which the motion comes."""
+    """The middle of an arrow head's back, behind its tip on the side from which the motion comes."""
     tip, *back = _corners(mark)
     foot = sum(back) / len(back)
     link, line, long = mark.attributes["data-link"], mark.attributes.get("data-line", ""), abs(tip - foot)

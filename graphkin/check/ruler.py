@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Literal
 
 from graphkin.analytic import Motion, motion
 from graphkin.check.centre_measure import CENTRES, parted, seen_arrows, seen_centres, ways_to_move
-from graphkin.check.claims import changed, unjudged
+from graphkin.check.claims import changed
 from graphkin.check.drawing import UNITS, DrawingFile, Fault, mechanism_of, numbers, plane_of, read, scales_of
 from graphkin.check.ends import loose_ends
 from graphkin.check.expected import is_called_so, is_named_so, point_value, vector_value
@@ -17,6 +18,7 @@ from graphkin.check.hidden import Layers
 from graphkin.check.links import link_name, worst_place
 from graphkin.check.point_paths import worst_of_path
 from graphkin.check.shown import Shown
+from graphkin.check.signs import moved_signs, unjudged
 from graphkin.check.transforms import Unread
 from graphkin.check.widened import Widened, widened
 from graphkin.construction import Plane
@@ -91,6 +93,7 @@ def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) ->
             entries += _centres(planes, centres, mechanism, solved, scales)
         layers = Layers.of(drawing.sight)
         faults = [*changed(drawing, layers.letters, mechanism, scales), *wrong_heads(drawing), *layers.hidden_marks()]
+        faults += moved_signs(drawing, layers.letters)
         faults += [*ruler.misfits(), *loose_ends(planes, tolerance_mm)]
         notes = [*unjudged(drawing, layers.letters), *ruler.unknown()]
     except Unread as error:
@@ -146,7 +149,7 @@ class _Ruler:
         for mark in self.drawing.of_class("link"):
             if mark.attributes.get("data-form") == "ruler":
                 yield _hundred(mark)
-            elif self.drawing.points:
+            elif self.drawing.measures_links:
                 yield self._link(mark, origins)
 
     def _link(self, mark: Shown, origins: dict[Plane, complex]) -> Measured:
@@ -178,6 +181,16 @@ class _Ruler:
         for attributes, _ in self.drawing.points:
             if not is_named_so(self.exact, attributes):
                 yield Fault("name", attributes.get("data-name", ""))
+        for vector in self.drawing.of_class("vector"):
+            if vector.tip and not self._is_tip(vector):
+                yield Fault("tip", vector.attributes.get("data-name", ""))
+
+    def _is_tip(self, vector: Shown) -> bool:
+        """Whether its value in words is its length, to the digits that are written."""
+        told = re.search(r"= ([0-9.e+-]+) m/s²?$", vector.tip)
+        size = abs(vector.lines[0][-1] - vector.lines[0][0]) * self.scales[plane_of(self.drawing, vector.attributes)]
+        slack = 1e-3 * size + 1e-3 * self.scales[plane_of(self.drawing, vector.attributes)]
+        return told is not None and abs(float(told[1]) - size) <= slack
 
     def unknown(self) -> Iterator[Fault]:
         """Points of which nobody says what they are, and at which no arrow ends."""

@@ -42,14 +42,30 @@ class NoDrawing(GraphkinError):
 
 
 class NothingToMeasure(GraphkinError):
-    """A sheet of graphkin's that shows a problem without its answers."""
+    """A drawing of graphkin's that a ruler does not judge: a problem without its answers ("given"), or one that moves."""
 
     where: Where
+    style: str = "given"
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this sheet shows only what is given, so there is nothing to measure. Check one that holds "
-        "answers, as `graphkin draw` makes it without `--style given`.",
-        "zh": "{where}：本图只画出已知条件，没有可测量的结果。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
+        "en": "{where}: nothing of this drawing is judged: {told}",
+        "zh": "{where}：本图不作任何判断：{told}",
     }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return super()._words(lang) | {"told": _UNJUDGED[self.style][lang]}
+
+
+_UNJUDGED: dict[str, dict[Lang, str]] = {
+    "given": {
+        "en": "it shows only what is given. Check one that holds answers, as `graphkin draw` makes it without "
+        "`--style given`.",
+        "zh": "它只画出已知条件。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
+    },
+    "moving": {
+        "en": "it moves, and a ruler measures one position. Check one drawn at a position, without `--animate`.",
+        "zh": "它是动态图，而直尺只能测量一个位置。请检查某一位置的图（不加 `--animate`）。",
+    },
+}
 
 
 class BadDrawing(GraphkinError):

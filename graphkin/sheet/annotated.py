@@ -24,7 +24,7 @@ from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Added, FreeRoom
 from graphkin.sheet.lettering import quantity_label
-from graphkin.sheet.marks import Arc, Form, Mark, Place, Shows, Stroke, Text
+from graphkin.sheet.marks import Arc, Form, Mark, Shows, Stroke, Text
 from graphkin.sheet.paper import LEAST
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
@@ -122,7 +122,7 @@ class Annotated:
         return []
 
     def _places(self, link: str, sense: float, free: FreeRoom) -> Iterator[tuple[str, float, complex]]:
-        """Where such an arc has room: the point it is about, radius, direction in which it starts; about fixed points first."""
+        """Where such an arc has room: point it is about, radius, direction in which it starts; fixed points first."""
         owners, skeleton = self.reading.mechanism.owners, self.skeleton
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
         swept = (2 * np.arange(len(_TURNS))[:, None] - int(sense) * np.arange(_SWEPT)) % len(_ROUND)

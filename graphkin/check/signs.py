@@ -1,0 +1,100 @@
+"""Signs that show no length: whether they are as they were drawn, and what no ruler judges."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+import shapely
+
+from graphkin.check.claims import NAMES, Letters, claimed_letters, shift_of
+from graphkin.check.drawing import DrawingFile, Fault
+from graphkin.check.shown import Shown
+
+_NEAR = 0.05
+"""A sign is where it was drawn if its ends are no farther off [mm]."""
+_FAINT = 0.3
+"""Ink fainter than this is none."""
+_SHARP = np.cos(np.radians(75))
+"""A head of an arrow opens less wide."""
+
+Ends = tuple[complex, complex]
+
+
+def _ends(sign: Shown) -> Ends:
+    """Where it begins, and its middle corner or, of a circle, its middle: as the file states them when it is drawn."""
+    line = sign.lines[0]
+    return line[0], sign.middle if sign.tag == "circle" else line[len(line) // 2]
+
+
+def _signs(drawing: DrawingFile) -> list[Shown]:
+    """What can be seen and is held against no length."""
+    unheld = NAMES if drawing.measures_links else ("vector", "point")
+    return [element for element in drawing.sight.shown
+            if element.tag != "text" and element.lines and not any(kind in element.kind for kind in unheld)
+            and element.attributes.get("data-form") != "ruler"
+            and max(element.style.ink("stroke"), element.style.ink("fill")) > _FAINT]  # fmt: skip
+
+
+def _drawn(drawing: DrawingFile) -> list[Ends]:
+    """The same, as it was when the file was written."""
+    stated = drawing.claims.get("signs")
+    found = []
+    for entry in stated if isinstance(stated, list) else ():
+        match entry:
+            case [int() | float() as x, int() | float() as y, int() | float() as x2, int() | float() as y2]:
+                found.append((complex(x, -y), complex(x2, -y2)))
+    return found
+
+
+def _altered(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[complex], list[Shown]]:
+    """Places of signs that are gone, and signs that are new; the sheet as a whole may have been moved."""
+    shift, seen, drawn = shift_of(drawing, read), _signs(drawing), _drawn(drawing)
+    now = np.array([_ends(sign) for sign in seen], dtype=complex).reshape(-1, 2)
+    then = np.array(drawn, dtype=complex).reshape(-1, 2) + shift
+    first, second = (shapely.points(places[:, 0].real, places[:, 0].imag) for places in (now, then))
+    pairs = shapely.STRtree(first).query(second, predicate="dwithin", distance=_NEAR).T
+    alike = [(old, new) for old, new in pairs if abs(then[old, 1] - now[new, 1]) <= _NEAR]
+    kept, known = {old for old, _ in alike}, {new for _, new in alike}
+    gone = [complex(place) for k, (place, _) in enumerate(then) if k not in kept]
+    return gone, [sign for k, sign in enumerate(seen) if k not in known]
+
+
+def moved_signs(drawing: DrawingFile, read: Sequence[Letters]) -> Iterator[Fault]:
+    """Signs that no longer are where they were drawn, and arrows that were added."""
+    gone, new = _altered(drawing, read)
+    if gone:
+        yield Fault("signs", _where(gone))
+    if arrows := [sign.lines[0][0] for sign in new if _has_head(sign)]:
+        yield Fault("arrow", _where(arrows))
+
+
+def _where(places: Sequence[complex]) -> str:
+    """`3: (12.0, 40.5)`: how many there are, and the first of them."""
+    return f"{len(places)}: ({places[0].real:.1f}, {-places[0].imag:.1f})"
+
+
+def _has_head(sign: Shown) -> bool:
+    """Whether a filled corner of it is as sharp as the head of an arrow."""
+    return sign.style.ink("fill") > _FAINT and any(_sharp(line) for line in sign.lines if 3 < len(line) < 7)
+
+
+def _sharp(line: Sequence[complex]) -> bool:
+    sides = [after - before for before, after in pairwise(line) if after != before]
+    turns = zip(sides, (*sides[1:], sides[0]), strict=True)
+    return any((-one * other.conjugate()).real > _SHARP * abs(one) * abs(other) for one, other in turns)
+
+
+def unjudged(drawing: DrawingFile, read: Sequence[Letters]) -> Iterator[Fault]:
+    """What no ruler tells: signs without a length, where letters stand, what was added."""
+    _, new = _altered(drawing, read)
+    more = sum((Counter(text for text, _ in read) - Counter(text for text, _ in claimed_letters(drawing))).values())
+    yield Fault("signs", str(len(_signs(drawing)) - len(new)))
+    if new:
+        yield Fault("other", _where([sign.lines[0][0] for sign in new]))
+    if more:
+        yield Fault("words", str(more))
+    if drawing.sight.doubt:
+        yield Fault("blank", drawing.sight.doubt)
