@@ -140,5 +140,6 @@ def _marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
 
 def _named(told: tuple[str, ...]) -> str:
     said = dict(part.partition("=")[::2] for part in told[1:])
-    name = said.get("name") or f"{said.get('link', '')}: {said.get('points') or said.get('line', '')}"
+    on = next((said[key] for key in ("points", "line", "form") if key in said), "")
+    name = said.get("name") or f"{said.get('link', '')}: {on}"
     return f"{name} ({said.get('plane', '')})"

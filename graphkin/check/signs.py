@@ -46,6 +46,8 @@ def _drawn(drawing: DrawingFile) -> list[Ends]:
         match entry:
             case [int() | float() as x, int() | float() as y, int() | float() as x2, int() | float() as y2]:
                 found.append((complex(x, -y), complex(x2, -y2)))
+            case _:
+                pass
     return found
 
 

@@ -68,7 +68,8 @@ def _spin_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
 
 def _turning(driver: Driver, about: str) -> Shows:
     """The sense of a driver, about a point."""
-    return Shows(driver.link, "omega" if driver.rate else "alpha", (about,), driver.from_link)
+    seen_from = driver.from_link if driver.from_link != FRAME else ""
+    return Shows(driver.link, "omega" if driver.rate else "alpha", (about,), seen_from)
 
 
 def _half(sense: float) -> complex:
