@@ -13,12 +13,14 @@ from graphkin.centres.about import about
 from graphkin.centres.about_bobillier import bobillier
 from graphkin.centres.centrodes import centrodes, path, whole
 from graphkin.errors import GraphkinError
+from graphkin.finding import find
 from graphkin.linkages import reported, some_found_in
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.outputs.animation import animation
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
+from graphkin.sheet import finding_sheet
 from graphkin.sheet.about_bobillier_sheet import bobillier_sheet, bobillier_step_sheets
 from graphkin.sheet.about_sheet import about_sheet
 from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets
@@ -123,8 +125,16 @@ def curves(of: Of) -> Iterator[str]:
     yield animation(frames)
 
 
+def finding(of: Of) -> Iterator[str]:
+    method, link = plan(of.mechanism), of.rng.choice(list(of.mechanism.moving))
+    condition = of.rng.choice((f"max omega {link}", f"min omega {link}", f"omega {link} = 0", f"theta {link} = 30"))
+    if (drawn := finding_sheet.drawn(method, find(method, condition), of.lang)) is not None:
+        yield svg(drawn[0])
+
+
 COMMANDS: tuple[Callable[[Of], Iterator[str]], ...] = (
     draw, given, elsewhere, steps, by_centre, coincident, paths, moving, linkage, all_centres, one_link, curves,
+    finding,
 )  # fmt: skip
 
 

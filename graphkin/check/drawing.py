@@ -103,7 +103,7 @@ def read(path: Path) -> DrawingFile:
     if not root.tag.endswith("}svg"):
         raise BadDrawing(Where(file), "svg")
     claims = _claims(file, root)
-    if (style := claims.get("style")) in ("given", "moving"):
+    if (style := claims.get("style")) in ("given", "moving", "bare"):
         raise NothingToMeasure(Where(file), str(style))
     try:
         drawing = DrawingFile(file, seen_in(root), claims, root)

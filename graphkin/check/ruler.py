@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
 from pathlib import Path
 from typing import Literal
 
@@ -83,14 +84,13 @@ def measure(path: str | Path, tolerance_mm: float = 0.01) -> RulerReport:
 def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) -> RulerReport:
     """A drawing beside the mechanism that it should show."""
     values = numbers(drawing, "drivers", len(mechanism.drivers))
-    solved = motion(mechanism, values)
     planes, centres = parted(drawing)
     scales = scales_of(drawing)
-    ruler = _Ruler(planes, mechanism, widened(mechanism, solved, planes), scales, values)
+    ruler = _Ruler(planes, mechanism, scales, values)
     try:
         entries = [*ruler.vectors(), *ruler.points(), *ruler.links()]
         if centres.points or centres.vectors:
-            entries += _centres(planes, centres, mechanism, solved, scales)
+            entries += _centres(planes, centres, mechanism, ruler.solved, scales)
         layers = Layers.of(drawing.sight)
         faults = [*changed(drawing, layers.letters, mechanism, scales), *wrong_heads(drawing), *layers.hidden_marks()]
         faults += moved_signs(drawing, layers.letters)
@@ -107,9 +107,17 @@ class _Ruler:
 
     drawing: DrawingFile
     mechanism: Mechanism
-    exact: Widened
     scales: Mapping[Plane, float]
     values: Sequence[float]
+
+    @cached_property
+    def solved(self) -> Motion:
+        """The analytic solution; of a sheet without points, which may show dead points, none is asked for."""
+        return motion(self.mechanism, self.values)
+
+    @cached_property
+    def exact(self) -> Widened:
+        return widened(self.mechanism, self.solved, self.drawing)
 
     def _measured(self, plane: Plane, name: str, kind: str, drawn: complex, right: complex) -> Measured:
         return Measured(plane, name, kind, drawn, right, self.scales[plane], UNITS[plane])

@@ -42,7 +42,7 @@ class NoDrawing(GraphkinError):
 
 
 class NothingToMeasure(GraphkinError):
-    """A drawing of graphkin's that a ruler does not judge: a problem without its answers ("given"), or one that moves."""
+    """A drawing of graphkin's that a ruler does not judge: `style` is a key of `_UNJUDGED`."""
 
     where: Where
     style: str = "given"
@@ -60,6 +60,10 @@ _UNJUDGED: dict[str, dict[Lang, str]] = {
         "en": "it shows only what is given. Check one that holds answers, as `graphkin draw` makes it without "
         "`--style given`.",
         "zh": "它只画出已知条件。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
+    },
+    "bare": {
+        "en": "it carries no mechanism file to solve anew. Check one of a mechanism, as `graphkin draw` makes it.",
+        "zh": "图中没有可重新求解的机构文件。请检查某一机构的图（`graphkin draw`）。",
     },
     "moving": {
         "en": "it moves, and a ruler measures one position. Check one drawn at a position, without `--animate`.",

@@ -48,7 +48,7 @@ def _rounded(place: Place) -> list[float]:
 def statement(sheet: Sheet, moving: bool = False) -> str:
     """What a reader needs to solve the same problem anew; a checker trusts only the lines.
 
-    Nothing of what is given, or moves, is measured: it bears no seal.
+    What is given, what moves, and what carries no mechanism is not measured: it bears no seal.
     """
     machine = sheet.mechanism
     data: dict[str, object] = {
@@ -66,8 +66,8 @@ def statement(sheet: Sheet, moving: bool = False) -> str:
         data["tight"] = True
     if sheet.given:  # the file may tell answers, in a remark
         data |= {"style": "given", "mechanism": "", "drivers": []}
-    elif moving:
-        data["style"] = "moving"
+    elif moving or not machine.text.strip():
+        data["style"] = "moving" if moving else "bare"
     else:
         data |= _drawn(sheet)
         data["seal"] = seal(data)

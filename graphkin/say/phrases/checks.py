@@ -75,6 +75,9 @@ PHRASES: Phrases = {
         'what viewers make of the size "{what}", with a blank in it',
         "看图程序如何理解带空格的尺寸“{what}”",
     ),
-    "note nothing": ("anything: there is no point to measure from yet", "整张图：还没有可供测量的点"),
+    "note nothing": (
+        "lengths of links: there is no point to measure from; their lines are as they were drawn",
+        "构件的长度：没有可供测量的点；其图线与作图时相同",
+    ),
     "note unknown": ("the point {what}, which graphkin does not know", "点 {what}：不是 graphkin 所知的点"),
 }
