@@ -362,6 +362,7 @@ EX3_1: list[tuple[str, Change, str]] = [
     ("corner between arrows moved", mark("acceleration k'", shifted(0.02)), "k'"),
     ("point that says nothing", mark("velocity b3", lambda t: re.sub(r' data-(site|of)="[^"]*"', "", t)), "b3"),
     ("a teacher's point", at_end(NEW_POINT), RIGHT),
+    ("lines without corners", at_end('<polygon points=""/><path d=""/><polyline points="3 4"/>'), RIGHT),
     ("a teacher's dot and words", at_end('<circle cx="50" cy="60" r="0.5"/><text x="50" y="60">?</text>'), RIGHT),
     ("one more point, wrong", copy_of("position B", shifted(3)), "B"),
     # numbers
@@ -410,8 +411,8 @@ EX3_1: list[tuple[str, Change, str]] = [
     ("a construction line taken away", some(CONSTRUCTION, gone, -1), "signs 1: "),
     ("a construction line in white", some(CONSTRUCTION, pale, -1), "signs 1: "),
     ("everything moved, and one line more", both(whole('<g transform="translate(-6,4)">', "</g>"), some(CONSTRUCTION, shifted(1), -1)), "signs 1: "),
-    ("an arrow as a path with its own head", at_end(OWN_ARROW), "arrow 1: (60.0, 150.0)"),
-    ("a head alone", at_end('<polygon points="90,160 87,160 88,158"/>'), "arrow 1: (90.0, 160.0)"),
+    ("an arrow as a path with its own head", at_end(OWN_ARROW), "arrow (60.0, 150.0)"),
+    ("a head alone", at_end('<polygon points="90,160 87,160 88,158"/>'), "arrow (90.0, 160.0)"),
     # what the file says of itself
     ("scale in the file, sealed anew", claims(lambda d: d["scales"].update(velocity=0.0101)), "v_B3"),
     ("drivers in the file, sealed anew", claims(lambda d: d.update(drivers=[1.05])), "v_B3"),

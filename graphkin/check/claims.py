@@ -14,7 +14,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from statistics import median
 
-from graphkin.check.drawing import DrawingFile, Fault, stated
+from graphkin.check.drawing import MARKS, DrawingFile, Fault, stated
 from graphkin.construction import Plane
 from graphkin.mechanism import Mechanism
 from graphkin.seal import seal
@@ -27,7 +27,6 @@ Letters = tuple[str, complex]
 _SAME, _APART = 1.0, 3.0
 """Texts nearer than this stand at one place; farther apart, at two [mm]."""
 LETTERS: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "acceleration"}
-NAMES = ("vector", "point", "link")
 
 
 def changed(
@@ -135,7 +134,7 @@ def _claimed_marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
 
 
 def _marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
-    return Counter(stated(mark) for kind in NAMES for mark in drawing.of_class(kind))
+    return Counter(stated(mark) for kind in MARKS for mark in drawing.of_class(kind))
 
 
 def _named(told: tuple[str, ...]) -> str:

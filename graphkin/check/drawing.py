@@ -22,6 +22,8 @@ from graphkin.value import frozen
 LIMIT = 16 << 20
 """Larger drawings are not ours [bytes]."""
 FORMAT = 3
+MARKS = ("vector", "point", "link")
+"""Classes of what a ruler is laid on."""
 UNITS: Mapping[Plane, str] = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
 SCALES: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
@@ -79,7 +81,7 @@ def _ends(line: Shown) -> tuple[complex, complex]:
 
 def stated(element: Shown) -> tuple[str, ...]:
     """What an element says that it shows: its class and its `data-*`, as the file lists them."""
-    kind = next(kind for kind in ("vector", "point", "link") if kind in element.kind)
+    kind = next(kind for kind in MARKS if kind in element.kind)
     data = {key.removeprefix("data-"): value for key, value in element.attributes.items() if key.startswith("data-")}
     return (kind, *sorted(f"{key}={value}" for key, value in data.items() if key != "step" and value))
 

@@ -19,7 +19,7 @@ from graphkin.check.hidden import Layers
 from graphkin.check.links import link_name, worst_place
 from graphkin.check.point_paths import worst_of_path
 from graphkin.check.shown import Shown
-from graphkin.check.signs import moved_signs, unjudged
+from graphkin.check.signs import judged
 from graphkin.check.transforms import Unread
 from graphkin.check.widened import Widened, widened
 from graphkin.construction import Plane
@@ -93,9 +93,9 @@ def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) ->
             entries += _centres(planes, centres, mechanism, ruler.solved, scales)
         layers = Layers.of(drawing.sight)
         faults = [*changed(drawing, layers.letters, mechanism, scales), *wrong_heads(drawing), *layers.hidden_marks()]
-        faults += moved_signs(drawing, layers.letters)
-        faults += [*ruler.misfits(), *loose_ends(planes, tolerance_mm)]
-        notes = [*unjudged(drawing, layers.letters), *ruler.unknown()]
+        signs, notes = judged(drawing, layers.letters)
+        faults += [*signs, *ruler.misfits(), *loose_ends(planes, tolerance_mm)]
+        notes += ruler.unknown()
     except Unread as error:
         raise BadDrawing(Where(drawing.file), "shown", str(error)) from None
     return RulerReport(drawing.file, tuple(entries), tuple(faults), tuple(notes))

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
 import shapely
 
-from graphkin.check.claims import NAMES, Letters, claimed_letters, shift_of
-from graphkin.check.drawing import DrawingFile, Fault
+from graphkin.check.claims import Letters, claimed_letters, shift_of
+from graphkin.check.drawing import MARKS, DrawingFile, Fault
+from graphkin.check.heads import place_of
 from graphkin.check.shown import Shown
+from graphkin.check.styles import FAINT
 
 _NEAR = 0.05
 """A sign is where it was drawn if its ends are no farther off [mm]."""
-_FAINT = 0.3
-"""Ink fainter than this is none."""
 _SHARP = np.cos(np.radians(75))
 """A head of an arrow opens less wide."""
 
@@ -31,11 +31,11 @@ def _ends(sign: Shown) -> Ends:
 
 def _signs(drawing: DrawingFile) -> list[Shown]:
     """What can be seen and is held against no length."""
-    unheld = NAMES if drawing.measures_links else ("vector", "point")
+    unheld = MARKS if drawing.measures_links else ("vector", "point")
     return [element for element in drawing.sight.shown
-            if element.tag != "text" and element.lines and not any(kind in element.kind for kind in unheld)
-            and element.attributes.get("data-form") != "ruler"
-            and max(element.style.ink("stroke"), element.style.ink("fill")) > _FAINT]  # fmt: skip
+            if element.tag != "text" and element.lines and all(element.lines)
+            and element.attributes.get("data-form") != "ruler" and not any(kind in element.kind for kind in unheld)
+            and max(element.style.ink("stroke"), element.style.ink("fill")) > FAINT]  # fmt: skip
 
 
 def _drawn(drawing: DrawingFile) -> list[Ends]:
@@ -64,39 +64,30 @@ def _altered(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[comple
     return gone, [sign for k, sign in enumerate(seen) if k not in known]
 
 
-def moved_signs(drawing: DrawingFile, read: Sequence[Letters]) -> Iterator[Fault]:
-    """Signs that no longer are where they were drawn, and arrows that were added."""
+def judged(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[Fault], list[Fault]]:
+    """Faults, of signs that are not where they were drawn and arrows that were added; notes of what no ruler tells."""
     gone, new = _altered(drawing, read)
-    if gone:
-        yield Fault("signs", _where(gone))
-    if arrows := [sign.lines[0][0] for sign in new if _has_head(sign)]:
-        yield Fault("arrow", _where(arrows))
+    more = Counter(text for text, _ in read) - Counter(text for text, _ in claimed_letters(drawing))
+    faults = [Fault("signs", _where(gone))] if gone else []
+    faults += [Fault("arrow", place_of(sign)) for sign in new if _has_head(sign)]
+    notes = (
+        ("signs", str(len(_signs(drawing)) - len(new))), ("other", _where([sign.lines[0][0] for sign in new])),
+        ("words", str(more.total() or "")), ("blank", drawing.sight.doubt),
+    )  # fmt: skip
+    return faults, [Fault(*each) for each in notes if each[1]]
 
 
 def _where(places: Sequence[complex]) -> str:
-    """`3: (12.0, 40.5)`: how many there are, and the first of them."""
-    return f"{len(places)}: ({places[0].real:.1f}, {-places[0].imag:.1f})"
+    """`3: (12.0, 40.5)`: how many there are, and the first of them; nothing for none."""
+    return f"{len(places)}: ({places[0].real:.1f}, {-places[0].imag:.1f})" if places else ""
 
 
 def _has_head(sign: Shown) -> bool:
     """Whether a filled corner of it is as sharp as the head of an arrow."""
-    return sign.style.ink("fill") > _FAINT and any(_sharp(line) for line in sign.lines if 3 < len(line) < 7)
+    return sign.style.ink("fill") > FAINT and any(_sharp(line) for line in sign.lines if 3 < len(line) < 7)
 
 
 def _sharp(line: Sequence[complex]) -> bool:
     sides = [after - before for before, after in pairwise(line) if after != before]
     turns = zip(sides, (*sides[1:], sides[0]), strict=True)
     return any((-one * other.conjugate()).real > _SHARP * abs(one) * abs(other) for one, other in turns)
-
-
-def unjudged(drawing: DrawingFile, read: Sequence[Letters]) -> Iterator[Fault]:
-    """What no ruler tells: signs without a length, where letters stand, what was added."""
-    _, new = _altered(drawing, read)
-    more = sum((Counter(text for text, _ in read) - Counter(text for text, _ in claimed_letters(drawing))).values())
-    yield Fault("signs", str(len(_signs(drawing)) - len(new)))
-    if new:
-        yield Fault("other", _where([sign.lines[0][0] for sign in new]))
-    if more:
-        yield Fault("words", str(more))
-    if drawing.sight.doubt:
-        yield Fault("blank", drawing.sight.doubt)

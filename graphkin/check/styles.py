@@ -34,6 +34,10 @@ _NAMED: Mapping[str, str] = {
 }  # fmt: skip
 
 
+FAINT = 0.3
+"""Ink fainter than this is none."""
+
+
 @frozen
 class Style:
     """What a viewer paints an element with. `painted`: the inherited properties; `opacity`: of it and all above it."""
