@@ -412,6 +412,10 @@ EX3_1: list[tuple[str, Change, str]] = [
     ("a construction line in white", some(CONSTRUCTION, pale, -1), "signs 1: "),
     ("everything moved, and one line more", both(whole('<g transform="translate(-6,4)">', "</g>"), some(CONSTRUCTION, shifted(1), -1)), "signs 1: "),
     ("an arrow as a path with its own head", at_end(OWN_ARROW), "arrow (60.0, 150.0)"),
+    ("an arrow as a path that says it is a vector", at_end(OWN_ARROW.replace("<path", '<path class="vector"')), "arrow (60.0, 150.0)"),
+    ("an arrow as a path in a paint of its own", at_end(OWN_ARROW.replace('"#0b4f9c"', '"url(#p)"')), "arrow (60.0, 150.0)"),
+    ("a construction line dashed away", some(CONSTRUCTION, having('stroke-dasharray="0.1 500"'), -1), "signs 1: "),
+    ("a construction line of no width", some(CONSTRUCTION, having('stroke-width="0.01"'), -1), "signs 1: "),
     ("a head alone", at_end('<polygon points="90,160 87,160 88,158"/>'), "arrow (90.0, 160.0)"),
     # what the file says of itself
     ("scale in the file, sealed anew", claims(lambda d: d["scales"].update(velocity=0.0101)), "v_B3"),
@@ -487,6 +491,8 @@ def test_untouched(of: str, tmp_path: Path):
 NOT_JUDGED = [
     ("an arrow of three lines", at_end(THREE_LINES), "other 3: (60.0, 150.0)"),
     ("a teacher's ring", at_end('<circle cx="50" cy="60" r="4" fill="none" stroke="#c00"/>'), "other 1: (54.0, 60.0)"),
+    ("white over a construction line", at_end('<rect x="60" y="150" width="3" height="2" fill="#fff"/>'), "other 1: (60.0, 150.0)"),
+    ("a line that says it is a vector", at_end('<path class="vector" d="M60 150L90 160" stroke="#000" fill="none"/>'), "other 1: (60.0, 150.0)"),
     ("a teacher's words", at_end('<text x="50" y="60" font-size="4">sign?</text>'), "words 1"),
 ]
 
@@ -498,7 +504,8 @@ def test_what_is_added_is_said_not_to_be_judged(name: str, change: Change, note:
     report = measure(path)
     assert report.passed(0.01)
     assert note in [f"{each.kind} {each.what}" for each in report.notes]
-    assert len({line for lang in ("en", "zh") for line in check_lines(report, 0.01, lang) if line.startswith(("not judged", "未判断"))}) >= 4
+    for lang, begin in (("en", "not judged"), ("zh", "未判断")):
+        assert sum(line.startswith(begin) for line in check_lines(report, 0.01, lang)) == len(report.notes)
 
 
 MISLEADING: dict[str, Change] = {

@@ -49,6 +49,13 @@ class DrawingFile:
     claims: Mapping[str, object]
     root: Element
 
+    def measures(self, element: Shown) -> bool:
+        """A ruler is laid on it: a vector's line, a point's dot, a line of a link where links have points."""
+        if "link" in element.kind:
+            return self.measures_links or element.attributes.get("data-form") == "ruler"
+        tag = next((tag for kind, tag in (("vector", "line"), ("point", "circle")) if kind in element.kind), "")
+        return element.tag == tag
+
     @property
     def title(self) -> str:
         """What a viewer calls the sheet."""
@@ -63,7 +70,7 @@ class DrawingFile:
         lines = [element for element in self.of_class("vector") if element.tag == "line"]
         return tuple((line.attributes, *_ends(line)) for line in lines)
 
-    @property
+    @cached_property
     def measures_links(self) -> bool:
         """Links are held against points of theirs; a sheet of other positions has none."""
         return any(attributes.get("data-plane") in UNITS for attributes, _ in self.points)

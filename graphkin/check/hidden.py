@@ -11,7 +11,7 @@ import shapely
 from graphkin.check.drawing import MARKS, Fault
 from graphkin.check.links import link_name
 from graphkin.check.shown import Shown, Sight
-from graphkin.check.styles import FAINT, dashed_away
+from graphkin.check.styles import FAINT, HAIR, dashed_away
 from graphkin.value import frozen
 
 _SIGN = 7.6
@@ -72,7 +72,7 @@ class Layers:
 
 def _inked(mark: Shown) -> bool:
     """Whether there is a line, or a dot, of a width that can be seen and measured."""
-    drawn = mark.style.ink("stroke") > FAINT and 0.1 < mark.width < _THICK
+    drawn = mark.style.ink("stroke") > FAINT and HAIR < mark.width < _THICK
     if "point" in mark.kind:
         size = abs(mark.lines[0][0] - mark.middle) if mark.tag == "circle" else 0.0
         return 0.2 < size < _DOT and (drawn or mark.style.ink("fill") > FAINT)

@@ -10,10 +10,10 @@ import numpy as np
 import shapely
 
 from graphkin.check.claims import Letters, claimed_letters, shift_of
-from graphkin.check.drawing import MARKS, DrawingFile, Fault
+from graphkin.check.drawing import DrawingFile, Fault
 from graphkin.check.heads import place_of
 from graphkin.check.shown import Shown
-from graphkin.check.styles import FAINT
+from graphkin.check.styles import FAINT, HAIR, dashed_away
 
 _NEAR = 0.05
 """A sign is where it was drawn if its ends are no farther off [mm]."""
@@ -30,12 +30,15 @@ def _ends(sign: Shown) -> Ends:
 
 
 def _signs(drawing: DrawingFile) -> list[Shown]:
-    """What can be seen and is held against no length."""
-    unheld = MARKS if drawing.measures_links else ("vector", "point")
+    """What is painted and is held against no length."""
     return [element for element in drawing.sight.shown
-            if element.tag != "text" and element.lines and all(element.lines)
-            and element.attributes.get("data-form") != "ruler" and not any(kind in element.kind for kind in unheld)
-            and max(element.style.ink("stroke"), element.style.ink("fill")) > FAINT]  # fmt: skip
+            if element.tag != "text" and element.lines and all(element.lines) and not drawing.measures(element)
+            and max(element.style.share("stroke"), element.style.share("fill")) > 0]  # fmt: skip
+
+
+def _can_be_seen(sign: Shown) -> bool:
+    line = sign.style.ink("stroke") > FAINT and sign.width > HAIR and not dashed_away(sign.style, False)
+    return line or sign.style.ink("fill") > FAINT
 
 
 def _drawn(drawing: DrawingFile) -> list[Ends]:
@@ -58,7 +61,7 @@ def _altered(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[comple
     then = np.array(drawn, dtype=complex).reshape(-1, 2) + shift
     first, second = (shapely.points(places[:, 0].real, places[:, 0].imag) for places in (now, then))
     pairs = shapely.STRtree(first).query(second, predicate="dwithin", distance=_NEAR).T
-    alike = [(old, new) for old, new in pairs if abs(then[old, 1] - now[new, 1]) <= _NEAR]
+    alike = [(k, n) for k, n in pairs if abs(then[k, 1] - now[n, 1]) <= _NEAR and _can_be_seen(seen[n])]
     kept, known = {old for old, _ in alike}, {new for _, new in alike}
     gone = [complex(place) for k, (place, _) in enumerate(then) if k not in kept]
     return gone, [sign for k, sign in enumerate(seen) if k not in known]
@@ -84,7 +87,7 @@ def _where(places: Sequence[complex]) -> str:
 
 def _has_head(sign: Shown) -> bool:
     """Whether a filled corner of it is as sharp as the head of an arrow."""
-    return sign.style.ink("fill") > FAINT and any(_sharp(line) for line in sign.lines if 3 < len(line) < 7)
+    return sign.style.share("fill") > 0 and any(_sharp(line) for line in sign.lines if 3 < len(line) < 7)
 
 
 def _sharp(line: Sequence[complex]) -> bool:

@@ -36,6 +36,8 @@ _NAMED: Mapping[str, str] = {
 
 FAINT = 0.3
 """Ink fainter than this is none."""
+HAIR = 0.1
+"""A thinner line is none [mm]."""
 
 
 @frozen
