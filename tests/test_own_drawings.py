@@ -7,22 +7,32 @@ command; without it some of each family, by some of the commands.
 from __future__ import annotations
 
 import os
+import random
 from pathlib import Path
 
 import pytest
+import repeating
 from own_drawings import COMMANDS, drawings
+from renamed import renamed
 from test_design import DESIGNS
 from test_read_back import FAMILIES, make, wrong
 
-from graphkin import library
+from graphkin import Drawing, library
+from graphkin.analytic import motion
+from graphkin.centres import centres
 from graphkin.centres.two_velocities import from_text
 from graphkin.check import measured
+from graphkin.check.centre_measure import pole_of, ways_to_move
 from graphkin.check.drawing import mechanism_of, read
 from graphkin.errors import GraphkinError, NothingToMeasure
+from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.outputs.svg import svg
+from graphkin.planning import plan
+from graphkin.running import replay_all
 from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
 from graphkin.sheet.linkage_family import family_sheet
+from graphkin.sheet.marks import PointMark
 from graphkin.sheet.pole_sheet import pole_sheet
 
 MANY = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
@@ -87,3 +97,32 @@ def test_what_is_not_judged_says_so_in_both_languages(command, tmp_path: Path):
         read(path)
     assert "nothing of this drawing is judged" in caught.value.message("en")
     assert "不作任何判断" in caught.value.message("zh")
+
+
+REPEATED = {
+    name: [renamed(loads(family(random.Random(seed), 0.0)), seed) for seed in range(4)]
+    for name, (family, _) in repeating.FAMILIES.items()
+}
+
+
+@pytest.mark.parametrize("name", REPEATED)
+def test_nothing_lies_off_a_sheet_that_is_cut(name: str):
+    """Where less width breaks what stands over a figure into more lines, too."""
+    for drawing in map(Drawing.of, REPEATED[name]):
+        for plane in ("position", "velocity", "acceleration"):
+            sheet = drawing.sheet(only=plane, tight=True)
+            places = [mark.at for mark in sheet.marks if isinstance(mark, PointMark)]
+            assert all(0 <= at.real <= sheet.paper.width and 0 <= at.imag <= sheet.paper.height for at in places)
+
+
+@pytest.mark.parametrize("name", REPEATED)
+def test_centres_by_lines_are_those_of_the_analysis(name: str):
+    """Where links turn alike, so that several centres lie at infinity in one direction, too."""
+    for mechanism in REPEATED[name]:
+        method = plan(mechanism)
+        found, exact = centres(method, replay_all(method)), ways_to_move(mechanism, motion(mechanism))
+        size = max(abs(complex(place)) for place in exact[0].position.values())
+        for first, second in found.pairs:
+            place, (pole, finite) = found.place(first, second), pole_of(mechanism, exact, first, second)
+            if finite and abs(pole) < 100 * size:
+                assert abs(place - pole) < 1e-6 * size, (first, second)

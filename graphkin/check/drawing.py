@@ -115,12 +115,9 @@ def read(path: Path) -> DrawingFile:
     if (style := claims.get("style")) in ("given", "moving", "bare"):
         raise NothingToMeasure(Where(file), str(style))
     try:
-        drawing = DrawingFile(file, seen_in(root), claims, root)
-        if not drawing.points and _told_points(claims):
-            raise BadDrawing(Where(file), "points")
+        return DrawingFile(file, seen_in(root), claims, root)
     except Unread as error:
         raise BadDrawing(Where(file), "shown", str(error)) from None
-    return drawing
 
 
 def _content(path: Path, file: str) -> bytes:
@@ -174,12 +171,6 @@ def _claims(file: str, root: Element) -> Mapping[str, object]:
                 raise BadDrawing(Where(file), "older")
             return claims
     raise BadDrawing(Where(file), "metadata")
-
-
-def _told_points(claims: Mapping[str, object]) -> bool:
-    """Whether there should be points; a first step may have none."""
-    drawn = claims.get("drawn")
-    return not isinstance(drawn, list) or any(isinstance(entry, list) and "point" in entry[:1] for entry in drawn)
 
 
 def _sheets(root: Element) -> Iterator[Element]:

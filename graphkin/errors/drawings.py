@@ -92,11 +92,9 @@ REASONS: dict[str, dict[Lang, str]] = {
     "unreadable": {"en": "it cannot be read ({what})", "zh": "无法读取（{what}）"},
     "xml": {"en": "it is not sound XML", "zh": "不是完好的 XML"},
     "svg": {"en": "it is not an SVG", "zh": "不是 SVG 图形"},
-    "points": {"en": "it has no points", "zh": "图中没有点"},
     "json": {"en": "what it says of itself cannot be read", "zh": "图中的说明数据无法读取"},
     "metadata": {"en": "it does not come from graphkin", "zh": "不是 graphkin 画的图"},
     "mechanism": {"en": "it carries no mechanism", "zh": "图中没有机构数据"},
-    "element": {"en": "a vector or a point lacks {what}", "zh": "某个矢量或点缺少 {what}"},
     "older": {"en": "it was drawn by another version of graphkin", "zh": "它是由另一版本的 graphkin 画的"},
     "shown": {
         "en": "{what} in it may move, hide or add lines, so that a ruler cannot tell what a viewer shows",

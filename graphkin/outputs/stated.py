@@ -100,10 +100,8 @@ def _ends(mark: Mark) -> tuple[Place, Place]:
         case Stroke():
             corners = (*mark.places, *mark.places[: mark.closed])
             return corners[0], corners[len(corners) // 2]
-        case Disc():
-            return mark.centre + mark.radius, mark.centre
-        case PointMark():
-            return mark.at + mark.radius, mark.at
+        case Disc(centre=at, radius=radius) | PointMark(at=at, radius=radius):
+            return at + radius, at
         case Arc():
             start, end = (mark.centre + cmath.rect(mark.radius, mark.start + turn) for turn in (0.0, mark.sweep))
             return start, (start + end) / 2 - mark.radius * (1 + 1j)
