@@ -36,7 +36,7 @@ def beside(told: Told) -> Iterator[Block]:
         if quantity is None or isinstance(quantity, Centre):
             continue
         unit = EDGE[quantity.unit]
-        values = [quantity.answer(road) for road in (drawn, exact)]
+        values = [quantity.shown(road) for road in (drawn, exact)]
         sizes = [abs(v.vector) if v.vector is not None else float(v.value) for v in values]
         off = f"{allowed[text] * unit.factor:.2g}" if text in allowed else ""
         shown = [plain(number(size * unit.factor)) for size in sizes]

@@ -9,7 +9,8 @@ from typing import Literal
 from graphkin.marking.diagnosis import Diagnosis
 from graphkin.value import frozen
 
-Verdict = Literal["right", "carried", "wrong", "missing"]
+Verdict = Literal["right", "carried", "wrong", "missing", "dead point", "too small"]
+"""The last two are of values that paper cannot tell: neither right nor wrong, and worth nothing either way."""
 
 
 @frozen

@@ -19,6 +19,7 @@ from graphkin.value import frozen
 RANGES = 10
 """Scores are counted in so many ranges of the same width."""
 _FAILED: tuple[Verdict, ...] = ("wrong", "missing")
+_ALWAYS: tuple[Verdict, ...] = ("right", "carried", *_FAILED)
 """What is wrong comes before what is left out, which is normal on the way."""
 
 
@@ -165,7 +166,8 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
 
 def _steps(report: ClassReport, lang: Lang) -> Iterator[str]:
     for step in report.steps:
-        counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in get_args(Verdict))
+        shown = [name for name in get_args(Verdict) if name in _ALWAYS or step.verdicts.get(name)]
+        counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
         told = say("common.list", lang).join(counts)
         yield say("class_report.step", lang, name=step.name, verdicts=told, first=step.first)
 
