@@ -66,9 +66,14 @@ class Judged:
 
 @frozen
 class Marked:
-    """A student's verdicts, marks from 0 to 1, and what the wrong values come from."""
+    """A student's verdicts, and what the wrong values come from."""
 
     student: str
     judged: tuple[Judged, ...]
-    score: float
     diagnosis: Diagnosis
+
+    @property
+    def score(self) -> float | None:
+        """Marks from 0 to 1; None where paper can tell nothing that was handed in."""
+        total = sum(one.points for one in self.judged)
+        return sum(one.points * one.credit for one in self.judged) / total if total else None

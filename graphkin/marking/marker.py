@@ -172,7 +172,7 @@ class Marker:
         return found.instead(self.problem.carried(given, known & (asked | ~measured), wrong), measured)
 
     def judged(self, given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Which values (students, n) are right, and which are wrong; neither where there is none, or paper cannot tell."""
+        """Which values (students, n) are right, and which wrong; neither where there is none, or paper cannot tell."""
         table, dead = self.table, [entry.doubt == "dead point" for entry in self.key.entries]
         right, near = (agrees(table, given, table.right, allowed) for allowed in (table.allowed, table.tolerance))
         return right, np.isfinite(given) & ~right & ~near & ~np.array(dead, dtype=bool)
@@ -217,9 +217,7 @@ class Marker:
             for n, entry in enumerate(self.key.entries)
             if entry.points or entry.text in work.numbers
         )
-        total = sum(one.points for one in judged)
-        score = sum(one.points * one.credit for one in judged) / total if total else 0.0
-        return Marked(work.student, judged, score, diagnosis)
+        return Marked(work.student, judged, diagnosis)
 
     def _judged(
         self, work: Work, entry: Entry, n: int, given: float, right: bool, sense_only: bool, carried: Carried, k: int

@@ -65,8 +65,7 @@ def key_data(key: Key) -> Json:
 
 
 def _entry(entry: Entry) -> Json:
-    data = {name: getattr(entry, name) for name in Entry.__match_args__}
-    return data if entry.doubt else {name: value for name, value in data.items() if name != "doubt"}
+    return {name: getattr(entry, name) for name in Entry.__match_args__ if name != "doubt" or entry.doubt}
 
 
 def _hanging(mistakes: Hypotheses) -> list[dict[str, str]]:

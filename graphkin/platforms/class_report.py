@@ -10,9 +10,10 @@ from typing import Any, get_args
 
 from graphkin.errors import Lang
 from graphkin.marking.habits import Habit
+from graphkin.marking.marked import Verdict
 from graphkin.platforms.feedback import habit, suspected
 from graphkin.platforms.numbers import exponentless
-from graphkin.platforms.result import Line, Result, Suspicion, Verdict
+from graphkin.platforms.result import Line, Result, Suspicion
 from graphkin.say.catalogue import say
 from graphkin.value import frozen
 
