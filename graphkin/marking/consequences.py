@@ -114,7 +114,8 @@ def combined(
     hand = Mistaken(columns)
     placed = hand.placed(method, plot)
     drawn, right, still = redraw(method, placed, hand, hand.shape), redraw(method, plot), redraw(method, placed)
-    answers = [asked(method, still if isinstance(q, Centre) else drawn, q, arrows) for q in quantities]
+    with np.errstate(divide="ignore", invalid="ignore"):  # of what a mistake leaves nothing of
+        answers = [asked(method, still if isinstance(q, Centre) else drawn, q, arrows) for q in quantities]
     cut = method.mechanism.usual.cut
     values = _table([cut(answer.value, answer.unit) for answer in answers], len(columns), float)
     vectors = _table([np.nan if a.vector is None else cut(a.vector, a.unit) for a in answers], len(columns), complex)

@@ -129,7 +129,7 @@ class Redrawing(Plot):
     before: dict[tuple[str, str], Value] = field(default_factory=dict)
     met: dict[tuple[Plane, str], Value] = field(default_factory=dict)
     reading: str = ""
-    usual: Usual = Usual(1.0, 0.0, 0.0)
+    usual: Usual = field(default_factory=lambda: Usual(1.0, 0.0, 0.0))
 
     def arrow(self, size: Size, plane: Plane) -> Value:
         return self.by_hand.arrow(self, plane, size, super().arrow(size, plane))

@@ -28,7 +28,7 @@ _FEW = 500
 _FEWER = 250
 _HARDLY = 1e-3
 """So small a part of the pencil's errors makes everything scatter in proportion."""
-_STEEP = 1.3
+_STEEP = 1.2
 """A scatter that is so many times larger or smaller than in proportion is said to be; near a dead point it is."""
 _FAILED = 0.05
 """Where the links do not meet in a larger part of the drawings, too, paper cannot tell the value."""
@@ -58,7 +58,7 @@ def make_key(
     drawn = drawings.values(every)[0]
     failed = drawings.failed + (1 - drawings.failed) * np.isnan(drawn).mean(axis=0)
     drawn = np.where(sizes, np.abs(drawn), drawn)
-    hardly = drawings_of(method, marking, _FEW, _HARDLY).values(every)[0]
+    hardly = drawings_of(method, marking, DRAWINGS, _HARDLY).values(every)[0]
     worth = {text: points[text] for text in asked if points and text in points}
     worth = worth or dict.fromkeys(asked or [q.text for q in every], 1.0)
     entries = tuple(
@@ -183,7 +183,7 @@ def _doubted(entry: Entry, usual: float, deviation: float, proportional: float, 
     failed        part of the drawings in which it has no value
     """
     size = abs(entry.right) if "/s" in entry.unit or entry.unit == "1" else 0.0
-    small = max(deviation, proportional) < half_digit(entry.right, entry.unit, usual)
+    small = max(deviation, proportional) <= half_digit(entry.right, entry.unit, usual)
     steep = not (small or 1 / _STEEP <= deviation / proportional <= _STEEP)
     if steep and failed > _FAILED:
         return replace(entry, doubt="dead point")

@@ -43,7 +43,7 @@ from graphkin.planning import Method
 from graphkin.running.path import turned
 from graphkin.value import frozen
 
-_STAGES = 8
+_STAGES = 3
 """Links are fitted anew while errors grow by this part of what they come to."""
 _NO_ARROW = 1e-6
 """An arrow shorter than this part of what the pencil errs by is not drawn."""
