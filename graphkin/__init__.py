@@ -42,8 +42,8 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.2.0"
 
 ORDER = (
-    "value", "kept", "waiting", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs",
-    "mechanism", "stacking", "naming", "motions", "quantities", "measured", "readable", "loading", "library",
+    "value", "kept", "waiting", "sending", "errors", "geometry", "tolerances", "usual", "construction", "drafting",
+    "pairs", "mechanism", "stacking", "naming", "motions", "quantities", "measured", "readable", "loading", "library",
     "starters", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings", "standing", "agreement",
     "alike", "centres", "linkages", "design", "sweeps", "finding",
     "check", "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading",

@@ -82,6 +82,12 @@ class Kind:
         """What it is there; every value a scalar or an array over positions."""
         raise NotImplementedError
 
+    def shown(self, motions: Motions) -> Answer:
+        """The same without rounding noise, for people and files: 0 is 0."""
+        found, cut = self.answer(motions), motions.mechanism.usual.cut
+        vector = None if found.vector is None else cut(found.vector, found.unit)
+        return Answer(cut(found.value, found.unit) if vector is None else np.abs(vector), found.unit, vector)
+
 
 @frozen
 class Rotation(Kind):

@@ -16,7 +16,6 @@ from graphkin.say import names
 from graphkin.say.asked import Asked
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence
 from graphkin.say.figures import Operand, Turned
-from graphkin.say.noise import ROUNDING
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
 from graphkin.value import frozen
@@ -97,7 +96,7 @@ class Answers:
     def value(self, quantity: Quantity) -> float:
         """What a quantity is [SI], as it was read where a ruler reads; 0 where it is but rounding noise."""
         exactly, ruler = float(quantity.answer(self._motions).value), self.reading.ruler
-        if not abs(exactly) > self._noise(quantity):
+        if not self.reading.usual.cut(exactly, quantity.unit):
             return 0.0
         match quantity:
             case Moving():
@@ -144,7 +143,7 @@ class Answers:
         angle = self.reading.direction(vector)
         turned = Turned("cos" if quantity.axis == "x" else "sin", angle)
         value, unit = whole * turned.value, EDGE[quantity.unit].sign
-        if not abs(value) > self._noise(quantity):
+        if not self.reading.usual.cut(value, quantity.unit):
             return Calculation(name, (), "", 0.0, unit)
         return Calculation(name, (), Operand(whole) * turned, value, unit)
 
@@ -171,22 +170,8 @@ class Answers:
         x, y = (number(read(value) * 1000, noise) for value in (place.real, place.imag))
         return f"({x}, {y})"
 
-    # --- signs and noise ------------------------------------------------------------------------
+    # --- signs ----------------------------------------------------------------------------------
 
     def _sense(self, value: float) -> str:
         return self.reading.say("common.ccw" if value > 0 else "common.cw") if value else ""
 
-    @cached_property
-    def _still(self) -> dict[str, float]:
-        """Speeds and accelerations up to this are rounding noise [m/s, m/s^2]."""
-        points = {"velocity": self.reading.plot.velocity, "acceleration": self.reading.plot.acceleration}
-        return {plane: ROUNDING * max(float(abs(place)) for place in them.values()) for plane, them in points.items()}
-
-    def _noise(self, quantity: Quantity) -> float:
-        """Values up to this are rounding noise [SI]."""
-        if quantity.unit.startswith("rad/s"):
-            usual = self.reading.usual
-            return ROUNDING * (usual.omega if quantity.unit == "rad/s" else usual.alpha)
-        if quantity.unit in ("m/s", "m/s^2"):
-            return self._still["velocity" if quantity.unit == "m/s" else "acceleration"]
-        return self.reading.noise if quantity.unit == "m" else 0.0

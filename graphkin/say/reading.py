@@ -18,8 +18,8 @@ from graphkin.planning.labels import Labels
 from graphkin.planning.needed import Fact, at_rest, turning
 from graphkin.say import names
 from graphkin.say.catalogue import say_close
-from graphkin.say.noise import ROUNDING, Usual
 from graphkin.say.numbers import degrees, direction, number
+from graphkin.usual import Usual
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
@@ -171,20 +171,15 @@ class Reading:
 
     # --- lengths of the mechanism --------------------------------------------------------------
 
-    @cached_property
+    @property
     def usual(self) -> Usual:
         """What is usual here; what is far below is nothing."""
-        return Usual.of(self.plot)
+        return self.mechanism.usual
 
-    @cached_property
+    @property
     def noise(self) -> float:
         """Lengths up to this are none [m]."""
-        return ROUNDING * self.usual.length
-
-    @cached_property
-    def size(self) -> float:
-        """How far the mechanism reaches [m]."""
-        return self.usual.length
+        return self.usual.least("m")
 
     def distance(self, first: str, second: str) -> float:
         """Between two points of the mechanism [m]."""

@@ -18,7 +18,6 @@ from graphkin.mechanism import FRAME
 from graphkin.planning.found_when import rate_found
 from graphkin.quantities import Rotation, read
 from graphkin.say.dimensions import dimensions, length, measured_lengths
-from graphkin.say.noise import ROUNDING
 from graphkin.say.reading import Reading
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.formula import formula
@@ -105,7 +104,7 @@ class Annotated:
         table = self.reading.plot.omega if plane == "velocity" else self.reading.plot.alpha
         value = float(table[link])
         driven = any(driver.link == link for driver in self.reading.mechanism.drivers)
-        if driven or abs(value) <= ROUNDING * max(abs(float(rate)) for rate in table.values()):
+        if driven or not self.reading.usual.rate(value, plane):
             return []
         step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, value)
         label = quantity_label(letter, self.reading.mechanism.called(link))

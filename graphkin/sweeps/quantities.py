@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from graphkin.measured import Measured, Numbers, measured
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
 from graphkin.quantities import Quantity, Track, named, read
+from graphkin.usual import Usual
 from graphkin.value import frozen
 
 
@@ -73,6 +75,11 @@ class Series(Measured):
     def is_place(self) -> bool:
         """Whether this is where a point or an instant centre lies; that one at infinity is infinite."""
         return self.quantity.is_place
+
+    def without_noise(self, usual: Usual) -> Series:
+        """The same, with 0 for what is but rounding."""
+        vectors = None if self.vectors is None else usual.cut(self.vectors, self.unit)
+        return replace(self, values=usual.cut(self.values, self.unit), vectors=vectors)
 
     @property
     def signed(self) -> np.ndarray:
