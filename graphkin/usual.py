@@ -11,8 +11,9 @@ from graphkin.value import frozen
 
 __all__ = ["ROUNDING", "Usual"]
 
-ROUNDING = 1e-9
-"""Sizes below this part of what is usual of their kind are rounding noise."""
+ROUNDING = 1e-7
+"""Sizes below this part of what is usual of their kind are rounding noise: an angle typed to five decimals of a degree,
+or a length to a hundred thousandth of a millimetre, says no more."""
 
 Rates = Sequence[tuple[float, float]]
 """Of drivers: velocity and acceleration."""

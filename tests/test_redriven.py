@@ -65,6 +65,15 @@ def test_links_driven_as_no_crank_is_are_drawn_told_and_moved(family: str, kind:
         assert compare(method, replay_all(method, values), motion(method.mechanism, values)) < 1e-8
 
 
+@pytest.mark.parametrize("family", ["RPR", "PRP", "cylinder", "rolling", "cam", "circular_slot"])
+def test_a_coincident_point_of_links_that_a_driver_turns_apart(family: str) -> None:
+    for seed, _, method, plot in solved(family, "relative", 2 * COUNT):
+        exact = motion(method.mechanism, plot.facts.values)
+        for point in method.mechanism.points:
+            other = plan(method.mechanism, point)
+            assert compare(other, replay_all(other), exact) < 1e-6, (seed, point)
+
+
 @pytest.mark.parametrize("family", ["relative_angle", "six_bar", "triad"])
 def test_what_a_relative_driver_turns_does_not_stand_still(family: str) -> None:
     """The rates of links that are solved together hang on a driver that turns two of them against each other."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from graphkin.construction import (
     Chain,
     Direction,
@@ -203,7 +205,7 @@ def walk(polygon: Polygon, stage: Loop) -> None:
     for hop in way_round(polygon.structure, stage)[1]:
         if isinstance(hop, Lever):
             reach(polygon, hop.of)
-        elif isinstance(hop, Slip) and not polygon.known(hop.of):
-            add_up(polygon, hop.of, polygon.side(hop.seen_from, (Slip(hop.seen_from, hop.of, True, hop.slide),)))
+        elif not polygon.known(hop.of):
+            add_up(polygon, hop.of, polygon.side(hop.seen_from, (replace(hop, known=True),)))
     for body in stage.bodies:
         fill(polygon, body)
